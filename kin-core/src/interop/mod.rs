@@ -1,0 +1,6 @@
+//! Other crates, one optional dependency per file.
+
+#[cfg(feature = "nalgebra")]
+mod nalgebra;
+#[cfg(feature = "num-dual")]
+mod num_dual;

@@ -1,0 +1,260 @@
+//! The dual numbers of num-dual as scalars: derivatives of any order by automatic differentiation.
+
+use num_dual::{Dual, Dual2, Dual3, DualNum, DualNumFloat, HyperDual, HyperHyperDual};
+
+use crate::Scalar;
+
+macro_rules! dual_scalar {
+    ($($dual:ident: $($part:ident)+;)+) => {
+        $(
+            impl<T, F> Scalar for $dual<T>
+            where
+                T: Scalar + DualNum<Primitive = F>,
+                F: DualNumFloat,
+            {
+                const EPSILON: f64 = T::EPSILON;
+                const SMALLEST: f64 = T::SMALLEST;
+
+                #[inline]
+                fn constant(value: f64) -> Self {
+                    Self::from_re(T::constant(value))
+                }
+
+                #[inline]
+                fn real(self) -> f64 {
+                    self.re.real()
+                }
+
+                #[inline]
+                fn is_finite(self) -> bool {
+                    Scalar::is_finite(self.re) $(&& Scalar::is_finite(self.$part))+
+                }
+
+                #[inline]
+                fn sqrt(self) -> Self {
+                    DualNum::sqrt(&self)
+                }
+
+                #[inline]
+                fn sin_cos(self) -> (Self, Self) {
+                    DualNum::sin_cos(&self)
+                }
+
+                #[inline]
+                fn asin(self) -> Self {
+                    DualNum::asin(&self)
+                }
+
+                #[inline]
+                fn acos(self) -> Self {
+                    DualNum::acos(&self)
+                }
+
+                #[inline]
+                fn atan(self) -> Self {
+                    DualNum::atan(&self)
+                }
+
+                // num-dual divides by `x` for the derivatives, which are then NaN on the y axis. An angle that is
+                // measured from the nearer axis has the same derivatives; only its real part has to be put right.
+                #[inline]
+                fn atan2(self, x: Self) -> Self {
+                    let y = self;
+                    let mut angle = if Scalar::real(y).abs() <= Scalar::real(x).abs() {
+                        DualNum::atan(&(y / x))
+                    } else {
+                        -DualNum::atan(&(x / y))
+                    };
+                    angle.re = Scalar::atan2(y.re, x.re);
+                    angle
+                }
+
+                #[inline]
+                fn exp(self) -> Self {
+                    DualNum::exp(&self)
+                }
+
+                #[inline]
+                fn ln(self) -> Self {
+                    DualNum::ln(&self)
+                }
+            }
+        )+
+    };
+}
+
+dual_scalar! {
+    Dual: eps;
+    Dual2: v1 v2;
+    Dual3: v1 v2 v3;
+    HyperDual: eps1 eps2 eps1eps2;
+    HyperHyperDual: eps1 eps2 eps3 eps1eps2 eps1eps3 eps2eps3 eps1eps2eps3;
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::PI;
+
+    use super::{Dual, Dual2, Dual3, HyperDual, HyperHyperDual};
+    use crate::series::Series;
+    use crate::{Assembly, Plane, Scalar, solve};
+
+    type Nested = HyperDual<HyperDual<f64>>;
+    type Mixed = Dual<Dual3<f64>>;
+
+    /// A function of time from its value and four derivatives, as each of the number types carries it.
+    fn nested(d: [f64; 5]) -> Nested {
+        // Of two steps e1, e2 inside and two f1, f2 outside, every subset of k steps holds the k-th derivative.
+        let inner = |k: usize| HyperDual::new(d[k], d[k + 1], d[k + 1], d[k + 2]);
+        HyperDual::new(inner(0), inner(1), inner(1), inner(2))
+    }
+
+    fn mixed(d: [f64; 5]) -> Mixed {
+        Dual::new(Dual3::new(d[0], d[1], d[2], d[3]), Dual3::new(d[1], d[2], d[3], d[4]))
+    }
+
+    fn check(name: &str, actual: [f64; 5], expected: [f64; 5]) {
+        for (order, (actual, expected)) in actual.into_iter().zip(expected).enumerate() {
+            assert!(
+                (actual - expected).abs() <= 1e-11 * (1.0 + expected.abs()),
+                "{name}, order {order}: {actual} instead of {expected}"
+            );
+        }
+    }
+
+    /// The same program run on series and on nested duals must give the same derivatives.
+    macro_rules! agree {
+        ($name:expr, $function:expr, $($argument:expr),+) => {{
+            let expected = $function($(Series::from_derivatives($argument)),+).derivatives();
+            let n: Nested = $function($(nested($argument)),+);
+            check(
+                concat!($name, " nested"),
+                [n.re.re, n.re.eps2, n.eps1.eps1, n.eps1.eps1eps2, n.eps1eps2.eps1eps2],
+                expected,
+            );
+            let m: Mixed = $function($(mixed($argument)),+);
+            check(
+                concat!($name, " mixed"),
+                [m.re.re, m.re.v1, m.re.v2, m.eps.v2, m.eps.v3],
+                expected,
+            );
+            assert!(Scalar::is_finite(n) && Scalar::is_finite(m));
+        }};
+    }
+
+    const X: [f64; 5] = [0.4, -0.7, 1.3, 0.2, -2.1];
+    const Y: [f64; 5] = [0.9, 0.3, -0.4, 1.1, 0.5];
+
+    #[test]
+    fn arithmetic_and_functions_agree_with_series() {
+        agree!("product", |x, y| x * y, X, Y);
+        agree!("quotient", |x, y| x / y, X, Y);
+        agree!("sqrt", Scalar::sqrt, X);
+        agree!("sin", |x| Scalar::sin_cos(x).0, X);
+        agree!("cos", |x| Scalar::sin_cos(x).1, X);
+        agree!("asin", Scalar::asin, X);
+        agree!("acos", Scalar::acos, X);
+        agree!("atan", Scalar::atan, X);
+        agree!("exp", Scalar::exp, X);
+        agree!("ln", Scalar::ln, X);
+    }
+
+    #[test]
+    fn exact_zeros_have_derivatives() {
+        let zero = [0.0, 0.3, -0.4, 1.1, 0.5];
+        agree!("product", |x, y| x * y, zero, zero);
+        agree!("quotient", |x, y| x / y, zero, X);
+        agree!("sin", |x| Scalar::sin_cos(x).0, zero);
+        agree!("asin", Scalar::asin, zero);
+        agree!("acos", Scalar::acos, zero);
+        agree!("atan", Scalar::atan, zero);
+        agree!("exp", Scalar::exp, zero);
+    }
+
+    #[test]
+    fn arc_tangents_in_every_quadrant_and_on_the_axes() {
+        let with = |value: f64, mut rates: [f64; 5]| {
+            rates[0] = value;
+            rates
+        };
+        for y in [-2.0, -0.5, 0.0, 0.5, 2.0] {
+            for x in [-1.0, 0.0, 1.0] {
+                if (x, y) != (0.0, 0.0) {
+                    agree!("atan2", Scalar::atan2, with(y, Y), with(x, X));
+                }
+            }
+        }
+        // Fourth derivative of atan2(sin t, cos t) = t.
+        let angle = Scalar::atan2(nested([0.0, -1.0, 0.0, 1.0, 0.0]), nested([-1.0, 0.0, 1.0, 0.0, -1.0]));
+        check(
+            "half a turn",
+            [
+                angle.re.re,
+                angle.re.eps1,
+                angle.re.eps1eps2,
+                angle.eps1.eps1eps2,
+                angle.eps1eps2.eps1eps2,
+            ],
+            [PI, 1.0, 0.0, 0.0, 0.0],
+        );
+    }
+
+    #[test]
+    fn every_kind_of_dual_number_is_a_scalar() {
+        // The derivatives of exp(sin t) at 0 are 1, 1, 1, 0.
+        fn program<T: Scalar>(t: T) -> T {
+            t.sin_cos().0.exp()
+        }
+        let dual = program(Dual::new(0.0, 1.0));
+        assert_eq!((dual.re, dual.eps), (1.0, 1.0));
+        let second = program(Dual2::new(0.0, 1.0, 0.0));
+        assert_eq!(second.v2, 1.0);
+        let third = program(Dual3::new(0.0, 1.0, 0.0, 0.0));
+        assert_eq!(third.v3, 0.0);
+        let hyper = program(HyperDual::new(0.0, 1.0, 1.0, 0.0));
+        assert_eq!(hyper.eps1eps2, 1.0);
+        let hyper = program(HyperHyperDual::new(0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0));
+        assert_eq!(hyper.eps1eps2eps3, 0.0);
+        assert_eq!(<Dual<f32> as Scalar>::EPSILON, f64::from(f32::EPSILON));
+    }
+
+    #[test]
+    fn closed_forms_differentiate() {
+        let x = [4.0, 0.5, -0.3, 0.2, 0.7];
+        let y = [3.0, -0.2, 0.4, 0.1, -0.6];
+        for assembly in Assembly::BOTH {
+            agree!(
+                "circle_circle",
+                |x, y| {
+                    let c = Plane::new(x, y);
+                    let first =
+                        solve::circle_circle(Scalar::constant(3.0), Scalar::constant(4.0), c, assembly).unwrap();
+                    first.x * (c - first).y
+                },
+                x,
+                y
+            );
+            agree!(
+                "polar",
+                |x, y| {
+                    let s = solve::polar(Plane::new(x, y), assembly).unwrap();
+                    Scalar::atan2(y / s, x / s) * s
+                },
+                x,
+                y
+            );
+            agree!(
+                "quadratic",
+                |x, y| solve::quadratic(y, x, Scalar::constant(0.7), assembly).unwrap(),
+                x,
+                y
+            );
+        }
+    }
+
+    #[test]
+    fn roots_of_zero_have_no_derivatives() {
+        assert!(solve::square_root_of(Dual::new(0.0, 1.0)).is_err());
+        assert!(solve::square_root_of(Dual::new(4.0, 1.0)).is_ok());
+    }
+}

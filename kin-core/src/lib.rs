@@ -1,0 +1,141 @@
+//! Loop closures in, motion out: position, velocity, acceleration, jerk and snap of mechanisms.
+//!
+//! This crate holds what generated solvers call at run time, and what their callers see: a
+//! [`Motion`] is a value with its time derivatives, a [`Plane`] is a vector of the plane, an [`Assembly`] says
+//! on which side a dyad is put together, and a [`SolveError`] says why there is no position. [`Mechanism`] is what all
+//! declared mechanisms have in common. The closed forms themselves are in [`solve`].
+//!
+//! The crate does not allocate and needs no standard library: without the default features, `libm` supplies the
+//! functions.
+#![no_std]
+#![cfg_attr(
+    test,
+    allow(clippy::float_cmp, reason = "the tests compare with what is exact in binary")
+)]
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("kin-core needs the functions of either the feature `std` or the feature `libm`");
+
+mod assembly;
+#[cfg(feature = "std")]
+pub mod count;
+mod error;
+mod figures;
+mod inputs;
+mod interop;
+pub mod library;
+mod mechanism;
+mod motion;
+mod plane;
+mod scalar;
+pub mod series;
+pub mod solve;
+
+pub use assembly::Assembly;
+pub use error::{Failure, SolveError};
+pub use inputs::InputValues;
+pub use mechanism::{Block, Description, Dimension, Mechanism, Operations, Pose, Quantity, Row};
+pub use motion::Motion;
+pub use plane::Plane;
+pub use scalar::Scalar;
+
+/// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap.
+///
+/// A declaration is a structure with the dimensions of the mechanism, and statements in any order:
+///
+/// ```text
+/// declaration = struct statement*
+/// statement   = "input"   NAME ":" scalar ("," NAME ":" scalar)* ";"
+///             | "unknown" NAME ":" scalar range? ("," NAME ":" scalar range?)* ";"
+///             | "let" NAME "=" expression ";"
+///             | "output" NAME ":" dimension "=" expression ";"
+///             | expression "==" expression ";"
+/// scalar      = "Length" | "Angle" | "Scalar"
+/// dimension   = scalar | "Point" | "Vector"
+/// range       = "where" NAME ("<" | "<=" | ">" | ">=") constant
+///             | "in" constant (".." | "..=") constant
+/// ```
+///
+/// - The fields of the structure have a `dimension` each. The structure becomes generic over its number type, which is
+///   `f64` unless said otherwise. Documentation, other attributes and visibility are passed on.
+/// - An equation joins two scalars, or two plane vectors and so counts as two. There are as many scalar equations as
+///   unknowns.
+/// - A range tells apart two solutions. Unknowns that have none are told apart by an [`Assembly`].
+/// - A `let` is an abbreviation, written before its uses. An output is a quantity that is carried to the same order as
+///   the unknowns.
+///
+/// Expressions are Rust expressions of the declared names, numbers and `PI`, of `+`, `-`, `*`, `/`, of `sin`, `cos`,
+/// `tan`, `asin`, `acos`, `atan`, `atan2`, `sqrt`, `exp`, `ln` and `powi`, and of three functions that make vectors:
+/// `cis(angle)`, the unit vector at an angle, `polar(length, angle)`, and `vec2(x, y)`. Functions may be written as methods,
+/// and the coordinates of a vector `v` are `v.x` and `v.y`. Vectors multiply as the complex numbers do, so that
+/// `v * cis(angle)` is `v`, turned. A scalar that is added to a vector lies along the x axis.
+///
+/// Angles are in radians. Dimensions are checked: a length plus an angle, the sine of a length, or a scalar that
+/// is to equal a vector do not compile. The product of a length and an angle is a length.
+///
+/// ```ignore
+/// use kin_core::prelude::*;
+///
+/// mechanism! {
+///     /// Planar four-bar linkage: ground 1, crank 2, coupler 3, rocker 4.
+///     pub struct FourBar {
+///         /// From the pivot of the crank to the pivot of the rocker.
+///         pub r1: Length,
+///         /// Crank.
+///         pub r2: Length,
+///         /// Coupler.
+///         pub r3: Length,
+///         /// Rocker.
+///         pub r4: Length,
+///     }
+///     input theta2: Angle;
+///     unknown theta3: Angle, theta4: Angle;
+///
+///     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+///
+///     let half = r3 / 2;
+///     output midpoint: Point = r2 * cis(theta2) + half * cis(theta3);
+/// }
+///
+/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+/// let crank = Motion::from([65f64.to_radians(), -10.0, 2.0, -0.5, 0.3]);
+///
+/// // everything through snap in one call
+/// let pose = linkage.solve(crank, Assembly::Open)?;
+/// println!("{} {:?}", pose.theta4.snap(), pose.midpoint.acceleration());
+///
+/// // or successively: each solver takes what its order adds, and reuses what came before
+/// let position = linkage.position(crank.value(), Assembly::Open)?;
+/// let velocity = position.velocity(crank.velocity());
+/// let acceleration = velocity.acceleration(crank.acceleration());
+/// let jerk = acceleration.jerk(crank.jerk());
+/// let snap = jerk.snap(crank.snap());
+/// # Ok::<(), SolveError>(())
+/// ```
+#[macro_export]
+macro_rules! mechanism {
+    ($($declaration:tt)*) => {
+        $crate::__private::mechanism_in! { ($crate) $($declaration)* }
+    };
+}
+
+/// What a program that solves mechanisms needs: `use kin_core::prelude::*;`.
+pub mod prelude {
+    // Of this name only the macro is public, the module is not.
+    pub use crate::mechanism;
+    pub use crate::{Assembly, Failure, Mechanism, Motion, Plane, Pose, Row, Scalar, SolveError};
+}
+
+/// What generated code refers to; not for direct use, and free to change.
+#[doc(hidden)]
+pub mod __private {
+    pub use crate::{
+        Assembly, Block, Description, Dimension, Failure, InputValues, Mechanism, Motion, Operations, Plane, Pose,
+        Quantity, Row, Scalar, SolveError, series, solve,
+    };
+    pub use core;
+    pub use kin_macros::mechanism_in;
+}

@@ -1,0 +1,50 @@
+//! The slider-crank, centric and with offset.
+
+crate::mechanism! {
+    /// Centric slider-crank: the slider's line passes through the crank's pivot.
+    ///
+    /// Crank `r` at `theta`, connecting rod `l` at `phi` (clockwise from the slider's line, so that both angles of the
+    /// triangle are positive together), slider at `s`. The open assembly has the slider beyond the crank's pin,
+    /// cos phi > 0.
+    pub struct SliderCrank {
+        /// Crank.
+        pub r: Length,
+        /// Connecting rod.
+        pub l: Length,
+    }
+    input
+        /// The crank's angle.
+        theta: Angle;
+    unknown
+        /// The connecting rod's angle, clockwise.
+        phi: Angle,
+        /// The slider's distance from the crank's pivot.
+        s: Length;
+
+    r * sin(theta) == l * sin(phi);
+    s == r * cos(theta) + l * cos(phi);
+}
+
+crate::mechanism! {
+    /// Slider-crank with offset: the slider's line passes the crank's pivot at the height `h`.
+    ///
+    /// As [`SliderCrank`] otherwise.
+    pub struct OffsetSliderCrank {
+        /// Crank.
+        pub r: Length,
+        /// Connecting rod.
+        pub l: Length,
+        /// Height of the slider's line above the crank's pivot.
+        pub h: Length,
+    }
+    input
+        /// The crank's angle.
+        theta: Angle;
+    unknown
+        /// The connecting rod's angle, clockwise.
+        phi: Angle,
+        /// The slider's position along its line, from the foot of the crank's pivot.
+        s: Length;
+
+    r * cis(theta) + l * cis(-phi) == vec2(s, h);
+}

@@ -1,0 +1,187 @@
+//! What a number must offer to be solved with.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_traits::Float;
+
+/// A number that a mechanism can be solved with.
+///
+/// Implemented for `f32` and `f64`, for the truncated series of [`series`](crate::series), for
+/// the operation counter of `count` (feature `std`), and for the dual numbers of `num-dual` (feature `num-dual`).
+/// Angles are in radians.
+///
+/// Functions follow IEEE 754: outside of their domain they return NaN. Whoever calls them with a
+/// value that might lie outside asks first, on the [real part](Scalar::real).
+///
+/// ```
+/// use kin_core::Scalar;
+///
+/// fn diagonal<T: Scalar>(width: T, height: T) -> T {
+///     (width * width + height * height).sqrt()
+/// }
+///
+/// assert_eq!(diagonal(3.0_f64, 4.0), 5.0);
+/// assert_eq!(diagonal(3.0_f32, 4.0), 5.0);
+/// ```
+pub trait Scalar:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// The distance from 1 to the next larger real part.
+    const EPSILON: f64;
+
+    /// The smallest positive real part that still has full precision.
+    const SMALLEST: f64 = f64::MIN_POSITIVE;
+
+    /// The number with the given real part and no other part, rounded to the precision at hand.
+    #[must_use]
+    fn constant(value: f64) -> Self;
+
+    /// The real part: decisions are taken on it, and errors report it.
+    #[must_use]
+    fn real(self) -> f64;
+
+    /// Whether every part of the number is finite, that is neither NaN nor infinite.
+    #[must_use]
+    fn is_finite(self) -> bool;
+
+    /// The non-negative square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine of an angle, in this order.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The angle in -π/2 ..= π/2 of which this is the sine.
+    #[must_use]
+    fn asin(self) -> Self;
+
+    /// The angle in 0 ..= π of which this is the cosine.
+    #[must_use]
+    fn acos(self) -> Self;
+
+    /// The angle between -π/2 and π/2 of which this is the tangent.
+    #[must_use]
+    fn atan(self) -> Self;
+
+    /// The angle in -π ..= π from the x axis to the point (`x`, `self`).
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+
+    /// The exponential function.
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// The natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+}
+
+macro_rules! primitive_scalar {
+    ($float:ty, $from_f64:expr) => {
+        impl Scalar for $float {
+            const EPSILON: f64 = <$float>::EPSILON as f64;
+            const SMALLEST: f64 = <$float>::MIN_POSITIVE as f64;
+
+            #[inline]
+            fn constant(value: f64) -> Self {
+                $from_f64(value)
+            }
+
+            #[inline]
+            fn real(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn is_finite(self) -> bool {
+                <$float>::is_finite(self)
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                Float::sqrt(self)
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                Float::sin_cos(self)
+            }
+
+            #[inline]
+            fn asin(self) -> Self {
+                Float::asin(self)
+            }
+
+            #[inline]
+            fn acos(self) -> Self {
+                Float::acos(self)
+            }
+
+            #[inline]
+            fn atan(self) -> Self {
+                Float::atan(self)
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                Float::atan2(self, x)
+            }
+
+            #[inline]
+            fn exp(self) -> Self {
+                Float::exp(self)
+            }
+
+            #[inline]
+            fn ln(self) -> Self {
+                Float::ln(self)
+            }
+        }
+    };
+}
+
+primitive_scalar!(f64, core::convert::identity);
+primitive_scalar!(f32, single);
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounding to the nearest single-precision number is what is asked for"
+)]
+#[inline]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Scalar;
+
+    #[test]
+    fn large_angles_are_reduced_exactly() {
+        // sin(10^6) and cos(10^6) to 20 digits.
+        let (sine, cosine) = Scalar::sin_cos(1.0e6_f64);
+        assert!((sine - -0.349_993_502_171_292_95).abs() < 1e-16);
+        assert!((cosine - 0.936_752_127_533_144_8).abs() < 2e-16);
+    }
+
+    #[test]
+    fn constants_are_rounded_to_the_precision_at_hand() {
+        let tenth = <f32 as Scalar>::constant(0.1);
+        assert_eq!(tenth.to_bits(), 0.1_f32.to_bits());
+        assert!(!<f32 as Scalar>::is_finite(Scalar::constant(1e300)));
+    }
+
+    #[test]
+    fn real_parts_widen_without_loss() {
+        assert_eq!(0.1_f32.real().to_bits(), f64::from(0.1_f32).to_bits());
+    }
+}

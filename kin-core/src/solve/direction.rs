@@ -1,0 +1,42 @@
+//! The angle of a vector that was found with its length.
+
+use crate::Scalar;
+
+/// The angle of the unit vector u, given the vector `(x, y)` = `length` u: as `atan2(y, x)`, in -π ..= π.
+///
+/// The length may be negative, as that of a slide in the crossed assembly; u then points against the vector. A vector
+/// along u of any other positive multiple will do, as the arctangent needs no unit vector. Lengths have any one unit,
+/// the angle is in radians.
+///
+/// ```
+/// use core::f64::consts::FRAC_PI_2;
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::direction(3.0, 0.0, 3.0), FRAC_PI_2);
+/// assert_eq!(solve::direction(3.0, 0.0, -3.0), -FRAC_PI_2);
+/// ```
+#[inline]
+pub fn direction<T: Scalar>(y: T, x: T, length: T) -> T {
+    if length.real() < 0.0 {
+        (-y).atan2(-x)
+    } else {
+        y.atan2(x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::direction;
+    use crate::Scalar;
+
+    #[test]
+    fn a_negative_length_turns_the_direction_round() {
+        for angle in [-3.0_f64, -1.0, 0.0, 0.5, 2.0, 3.1] {
+            let (sine, cosine) = Scalar::sin_cos(angle);
+            for length in [0.1, 2.0, -0.1, -2.0] {
+                let found = direction(length * sine, length * cosine, length);
+                assert!((found - angle).abs() < 1e-15, "{angle} {length}");
+            }
+        }
+    }
+}

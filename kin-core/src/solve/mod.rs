@@ -1,0 +1,66 @@
+//! Closed forms for the blocks of a loop closure, one per file.
+//!
+//! | block | function | additions, multiplications, divisions, square roots |
+//! |---|---|---|
+//! | two links of known length | [`circle_circle`] | 8, 12, 1, 1 |
+//! | the same by the squares of the lengths | [`circle_circle_squared`] | 6, 11, 1, 1 |
+//! | a link and a slide | [`circle_line`] | 7, 10, 1, 1 |
+//! | the same along an axis | [`circle_line_x`], [`circle_line_y`] | 2, 1, 0, 1 and a change of sign if open |
+//! | a length and its direction | [`polar`] | 1, 2, 0, 1 and a change of sign if crossed |
+//! | the same with an offset | [`polar_offset`] | 5, 9, 1, 1 and a change of sign if crossed |
+//! | one angle by its cosine and sine | [`cosine_sine`] | 4, 9, 1, 1 |
+//! | one angle by one of them | [`inverse_cosine`], [`inverse_sine`] | 2, 1, 0, 1 and a change of sign if crossed |
+//! | one unknown | [`linear`] | 0, 0, 1, 0 |
+//! | two unknowns in two linear equations | [`linear_pair`] | 3, 8, 1, 0 |
+//! | one unknown and its square | [`quadratic`] | 2, 3, 1, 1 |
+//! | the square of an unknown | [`square_root`] | 0, 0, 0, 1 and a change of sign if crossed |
+//!
+//! The counts are those of the tests, which run the functions on numbers that count what is done to them.
+//! Declared ranges are looked after by [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`];
+//! functions that are not defined everywhere by [`square_root_of`], [`arc_sine`] and their like. [`direction`] makes an
+//! angle of a vector, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
+//! a way on.
+//!
+//! Angles are represented by unit vectors, their cosine and sine, so that no half-angle runs to infinity and no
+//! trigonometric function of an unknown is evaluated. Where there are two solutions, an
+//! [`Assembly`](crate::Assembly) says which one.
+//!
+//! The way to a solution is straight: it is decided once, on the real part of the number under the square root,
+//! whether there is one. If there is not, the diagnosis is made out of line, in double precision. What is returned
+//! as `Ok` is finite.
+
+mod circle_circle;
+mod circle_line;
+mod cosine_sine;
+mod diagnosis;
+mod direction;
+mod domain;
+mod inverse;
+mod linear;
+mod polar;
+mod quadratic;
+mod range;
+mod square_root;
+mod turn;
+mod usable;
+
+pub use circle_circle::{circle_circle, circle_circle_squared};
+pub use circle_line::{circle_line, circle_line_x, circle_line_y};
+pub use cosine_sine::cosine_sine;
+pub use direction::direction;
+pub use domain::{
+    arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
+};
+pub use inverse::{inverse_cosine, inverse_sine};
+pub use linear::{linear, linear_pair};
+pub use polar::{polar, polar_offset};
+pub use quadratic::quadratic;
+pub use range::{check_angle, check_value, choose_angle, choose_value};
+pub use square_root::square_root;
+pub use turn::{nearest_turn, on_turn};
+pub use usable::{finite, regular};
+
+#[cfg(test)]
+mod operation_counts;
+#[cfg(test)]
+mod strategies;

@@ -1,0 +1,89 @@
+//! Which of the angles that differ by whole turns.
+
+use core::f64::consts::TAU;
+
+use num_traits::Float;
+
+use crate::Scalar;
+
+/// The angle nearest to `guess` that differs from `angle` by whole turns.
+///
+/// ```
+/// use core::f64::consts::TAU;
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::nearest_turn(0.5, 13.0), 0.5 + 2.0 * TAU);
+/// ```
+#[inline]
+pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
+    let turns = Float::round((guess.real() - angle.real()) / TAU);
+    // A guess that is not finite is none.
+    if turns.is_finite() {
+        add_turns(angle, turns)
+    } else {
+        angle
+    }
+}
+
+/// [`nearest_turn`] to the guess with the given index. Without guesses, or without one of that index, the angle stays
+/// as it is.
+///
+/// ```
+/// use core::f64::consts::TAU;
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::on_turn(0.5, Some([3.0, 13.0]), 1), 0.5 + 2.0 * TAU);
+/// assert_eq!(solve::on_turn(0.5, None::<[f64; 2]>, 1), 0.5);
+/// ```
+#[expect(
+    clippy::inline_always,
+    reason = "whether there are guesses is known where this is called, and the branch is to vanish there"
+)]
+#[inline(always)]
+pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index: usize) -> T {
+    match near.as_ref().and_then(|guesses| guesses.get(index)) {
+        Some(guess) => nearest_turn(angle, *guess),
+        None => angle,
+    }
+}
+
+/// The angle after whole turns.
+#[inline]
+pub(super) fn add_turns<T: Scalar>(angle: T, turns: f64) -> T {
+    if turns == 0.0 {
+        angle
+    } else {
+        angle + T::constant(turns * TAU)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{PI, TAU};
+
+    use proptest::prelude::*;
+
+    use super::{nearest_turn, on_turn};
+
+    proptest! {
+        #[test]
+        fn the_nearest_turn_is_within_half_a_turn(angle in -100.0..100.0, guess in -100.0..100.0) {
+            let nearest = nearest_turn::<f64>(angle, guess);
+            prop_assert!((nearest - guess).abs() <= PI + 1e-12);
+        }
+    }
+
+    #[test]
+    fn an_angle_near_enough_is_left_alone() {
+        assert_eq!(nearest_turn(1.0, f64::NAN), 1.0);
+        assert_eq!(nearest_turn(1.0, 2.0), 1.0);
+    }
+
+    #[test]
+    fn a_guess_that_is_not_there_changes_nothing() {
+        assert_eq!(on_turn(1.0, Some([7.0]), 0), 1.0 + TAU);
+        assert_eq!(on_turn(1.0, Some([7.0]), 1), 1.0);
+        assert_eq!(on_turn(1.0, Some([]), 0), 1.0);
+        assert_eq!(on_turn::<f64, 1>(1.0, None, 0), 1.0);
+    }
+}

@@ -1,0 +1,94 @@
+//! Whether a number can be worked with further.
+
+use super::diagnosis::is_ordinary;
+use crate::{Failure, Scalar};
+
+/// Passes if one may divide by the determinant: if its magnitude is neither zero, nor so small that it has lost digits,
+/// nor infinite.
+///
+/// # Errors
+/// [`Failure::Singular`] if it is zero or too small, [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::{Failure, solve};
+///
+/// assert_eq!(solve::regular(-0.5), Ok(()));
+/// assert_eq!(solve::regular(0.0), Err(Failure::Singular { determinant: 0.0 }));
+/// ```
+#[inline]
+pub fn regular<T: Scalar>(determinant: T) -> Result<(), Failure> {
+    let real = determinant.real();
+    if is_ordinary(real.abs(), T::SMALLEST) {
+        Ok(())
+    } else {
+        Err(irregular(real))
+    }
+}
+
+/// The value itself if it is finite, in all its parts if it is a dual number. `quantity` says in a few words what it is.
+///
+/// # Errors
+/// [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::{Failure, solve};
+///
+/// assert_eq!(solve::finite("r1", 90.0), Ok(90.0));
+/// let error = Failure::NotFinite { quantity: "r1" };
+/// assert_eq!(solve::finite("r1", f64::NAN), Err(error));
+/// ```
+#[inline]
+pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Failure::NotFinite { quantity })
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn irregular(determinant: f64) -> Failure {
+    if determinant.is_finite() {
+        Failure::Singular { determinant }
+    } else {
+        Failure::NotFinite {
+            quantity: "determinant",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{finite, regular};
+    use crate::Failure;
+    use crate::series::Series;
+
+    #[test]
+    fn a_determinant_is_regular_if_it_has_its_full_precision() {
+        for determinant in [1.0, -1.0, f64::MIN_POSITIVE, -f64::MIN_POSITIVE, f64::MAX] {
+            assert_eq!(regular(determinant), Ok(()));
+        }
+        for determinant in [0.0, -0.0, 1e-310, -1e-310] {
+            assert_eq!(regular(determinant), Err(Failure::Singular { determinant }));
+        }
+        assert!(regular(1e-40_f32).is_err());
+        for determinant in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(
+                regular(determinant),
+                Err(Failure::NotFinite {
+                    quantity: "determinant"
+                })
+            );
+        }
+    }
+
+    #[test]
+    fn every_part_must_be_finite() {
+        assert!(finite("x", Series::from_coefficients([1.0, 2.0])).is_ok());
+        assert_eq!(
+            finite("x", Series::from_coefficients([1.0, f64::NAN])),
+            Err(Failure::NotFinite { quantity: "x" })
+        );
+    }
+}

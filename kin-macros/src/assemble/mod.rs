@@ -1,0 +1,14 @@
+//! Position: the blocks' closed forms as steps of a program.
+//!
+//! Closed forms give the vectors of the links that turn, and the angle itself by one arctangent at the end. From then on
+//! every sine and cosine of an unknown is read off those vectors; none is evaluated again.
+
+mod blocks;
+mod program;
+mod solver;
+mod units;
+
+pub(crate) use blocks::{Assembled, Limits, assemble};
+pub(crate) use program::{Choice, Mode, Names, Program, Stage, Step};
+pub(crate) use solver::{Argument, Cost, Returns, Solver};
+pub(crate) use units::Units;

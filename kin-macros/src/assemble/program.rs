@@ -1,0 +1,160 @@
+//! The program that the passes build: stages of steps, every expression in terms of what earlier steps computed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::solver::{Argument, Solver};
+use crate::expr::{Graph, Node, Symbol};
+
+/// How one of two solutions is chosen.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Mode {
+    /// There is but one.
+    Only,
+    /// By the block's assembly: the index of the caller's choice.
+    Assembly(usize),
+    /// By the range declared for an unknown, known when the declaration is compiled.
+    Fixed { is_open: bool },
+    /// By the range declared for an unknown, looked up when the candidates are there.
+    Ranged { unknown: usize },
+}
+
+/// The choice that a block leaves.
+pub(crate) struct Choice {
+    pub(crate) mode: Mode,
+    /// Positive in the open assembly, as an expression of unknowns, inputs and parameters.
+    pub(crate) orientation: Option<Node>,
+}
+
+/// One step.
+#[derive(Clone, Debug)]
+pub(crate) enum Step {
+    /// A value under a name.
+    Define { symbol: Symbol, node: Node },
+    /// A closed form; `results` are the parts of what it returns, in order.
+    Solve {
+        solver: Solver,
+        arguments: Vec<Argument>,
+        results: Vec<Symbol>,
+    },
+    /// The direction of a vector whose length may be negative.
+    Angle {
+        symbol: Symbol,
+        x: Node,
+        y: Node,
+        length: Node,
+    },
+    /// The unknown, just computed, is brought to the turn wanted and compared with the range declared for it.
+    Bound { unknown: usize },
+    /// A block begins.
+    Open { block: usize },
+    /// What must not vanish, because something is divided by it later.
+    Regular { node: Node },
+    /// It ends.
+    Close { block: usize },
+}
+
+impl Step {
+    /// The expressions that it needs.
+    pub(crate) fn needs(&self) -> Vec<Node> {
+        match self {
+            Self::Define { node, .. } => vec![*node],
+            Self::Solve { arguments, .. } => arguments.iter().flat_map(Argument::nodes).collect(),
+            Self::Angle { x, y, length, .. } => vec![*y, *x, *length],
+            Self::Regular { node } => vec![*node],
+            Self::Bound { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),
+        }
+    }
+
+    /// The symbols that it defines.
+    pub(crate) fn defines(&self) -> Vec<Symbol> {
+        match self {
+            Self::Define { symbol, .. } | Self::Angle { symbol, .. } => vec![*symbol],
+            Self::Solve { results, .. } => results.clone(),
+            Self::Bound { .. } | Self::Regular { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),
+        }
+    }
+}
+
+/// The steps of one order: 0 is position, 1 velocity, and so on.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Stage {
+    pub(crate) steps: Vec<Step>,
+}
+
+/// Position and every order after it.
+pub(crate) struct Program {
+    pub(crate) stages: Vec<Stage>,
+    pub(crate) names: Names,
+}
+
+/// The names of symbols in generated code, no two alike.
+#[derive(Clone, Default)]
+pub(crate) struct Names {
+    names: BTreeMap<Symbol, String>,
+    taken: BTreeSet<String>,
+}
+
+impl Names {
+    /// A name that is not taken yet, as close to the wish as possible.
+    pub(crate) fn unique(&mut self, wish: &str) -> String {
+        let mut name = wish.to_owned();
+        let mut count = 2;
+        while !self.taken.insert(name.clone()) {
+            name = format!("{wish}_{count}");
+            count += 1;
+        }
+        name
+    }
+
+    /// Makes a name unavailable.
+    pub(crate) fn reserve(&mut self, name: &str) {
+        self.taken.insert(name.to_owned());
+    }
+
+    /// Names a symbol.
+    pub(crate) fn name(&mut self, symbol: Symbol, wish: &str) {
+        let name = self.unique(wish);
+        self.names.insert(symbol, name);
+    }
+
+    /// Gives a symbol the very name that it was declared with.
+    pub(crate) fn name_exactly(&mut self, symbol: Symbol, name: &str) {
+        self.reserve(name);
+        self.names.insert(symbol, name.to_owned());
+    }
+
+    /// The name of a symbol that has been named.
+    pub(crate) fn of(&self, symbol: Symbol) -> &str {
+        self.names.get(&symbol).map_or("unnamed", String::as_str)
+    }
+}
+
+impl Stage {
+    /// Drops the definitions that nothing reads, in this stage or in the later ones.
+    pub(crate) fn prune(stages: &mut [Self], graph: &Graph) {
+        loop {
+            let needs: Vec<Node> = stages
+                .iter()
+                .flat_map(|stage| &stage.steps)
+                .flat_map(Step::needs)
+                .collect();
+            let read: BTreeSet<Symbol> = graph
+                .reachable(&needs)
+                .into_iter()
+                .filter_map(|node| graph.as_symbol(node))
+                .collect();
+            let mut dropped = false;
+            for stage in &mut *stages {
+                stage.steps.retain(|step| {
+                    let is_idle =
+                        matches!(step, Step::Define { symbol: symbol @ Symbol::Step(_), .. } if !read.contains(symbol));
+                    dropped |= is_idle;
+                    !is_idle
+                });
+            }
+            if !dropped {
+                return;
+            }
+        }
+    }
+}

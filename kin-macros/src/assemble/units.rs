@@ -1,0 +1,145 @@
+//! Sines and cosines read off unit vectors.
+
+use std::collections::BTreeMap;
+
+use crate::expr::{Graph, Node, Symbol, Term};
+use crate::function::Function;
+use crate::structure::Complex;
+
+/// What is known of the directions of unknown angles.
+#[derive(Default)]
+pub(crate) struct Units {
+    /// cos and sin of an angle, by the angle's expression.
+    directions: BTreeMap<Node, Complex>,
+    /// Unknown angles that are linear expressions of others.
+    combinations: BTreeMap<Node, Node>,
+    rewritten: BTreeMap<Node, Node>,
+}
+
+impl Units {
+    /// From now on cos and sin of `angle` are these.
+    pub(crate) fn learn_direction(&mut self, angle: Node, direction: Complex) {
+        self.directions.insert(angle, direction);
+        self.rewritten.clear();
+    }
+
+    /// From now on an unknown is known to be this expression.
+    pub(crate) fn learn_combination(&mut self, unknown: Node, value: Node) {
+        self.combinations.insert(unknown, value);
+        self.rewritten.clear();
+    }
+
+    /// An expression without a sine or cosine of an unknown whose direction is known.
+    pub(crate) fn rewrite(&mut self, graph: &mut Graph, node: Node) -> Node {
+        if let Some(&known) = self.rewritten.get(&node) {
+            return known;
+        }
+        let result = match graph.term(node).clone() {
+            Term::Number(_) | Term::Pi | Term::Symbol(_) => node,
+            Term::Sum(constant, terms) => {
+                let terms: Vec<(Node, f64)> = terms
+                    .into_iter()
+                    .map(|(part, coefficient)| (self.rewrite(graph, part), coefficient.get()))
+                    .collect();
+                graph.linear(constant.get(), &terms)
+            }
+            Term::Product(factors) => {
+                let factors: Vec<(Node, i32)> = factors
+                    .into_iter()
+                    .map(|(part, exponent)| (self.rewrite(graph, part), exponent))
+                    .collect();
+                graph.product(&factors)
+            }
+            Term::Call(Function::Cos, arguments) => self.direction(graph, arguments[0]).re,
+            Term::Call(Function::Sin, arguments) => self.direction(graph, arguments[0]).im,
+            Term::Call(function, arguments) => {
+                let arguments: Vec<Node> = arguments
+                    .into_iter()
+                    .map(|argument| self.rewrite(graph, argument))
+                    .collect();
+                graph.call(function, &arguments)
+            }
+        };
+        self.rewritten.insert(node, result);
+        result
+    }
+
+    /// cos and sin of an angle: known, put together from known ones by the addition theorems, or evaluated.
+    pub(crate) fn direction(&mut self, graph: &mut Graph, angle: Node) -> Complex {
+        if let Some(&direction) = self.directions.get(&angle) {
+            return direction;
+        }
+        let direction = match self.resolve(graph, angle) {
+            Some(parts) => {
+                let mut product: Option<Complex> = None;
+                for (part, multiple) in parts {
+                    let mut unit = self.direction(graph, part);
+                    if multiple < 0 {
+                        unit = unit.conjugate(graph);
+                    }
+                    for _ in 0..multiple.abs() {
+                        product = Some(product.map_or(unit, |before| before.times(graph, unit)));
+                    }
+                }
+                product.unwrap_or_else(|| Complex::new(graph.one(), graph.zero()))
+            }
+            None => {
+                let argument = self.rewrite(graph, angle);
+                Complex::new(graph.cosine(argument), graph.sine(argument))
+            }
+        };
+        self.directions.insert(angle, direction);
+        direction
+    }
+
+    /// An angle as an integer combination of angles with known directions and one rest; `None` if it has to be evaluated.
+    fn resolve(&mut self, graph: &mut Graph, angle: Node) -> Option<Vec<(Node, i32)>> {
+        let (constant, terms): (f64, Vec<(Node, f64)>) = match graph.term(angle) {
+            Term::Sum(constant, terms) => (
+                constant.get(),
+                terms.iter().map(|&(part, factor)| (part, factor.get())).collect(),
+            ),
+            _ => (0.0, vec![(angle, 1.0)]),
+        };
+        if let Some(&(part, _)) = terms
+            .iter()
+            .find(|&&(part, factor)| self.combinations.contains_key(&part) && factor.fract() == 0.0)
+        {
+            let value = self.combinations[&part];
+            let replaced: Vec<(Node, f64)> = terms
+                .iter()
+                .map(|&(own, factor)| (if own == part { value } else { own }, factor))
+                .collect();
+            let whole = graph.linear(constant, &replaced);
+            return Some(vec![(whole, 1)]);
+        }
+        if terms.len() == 1 && terms[0].1 == 1.0 && constant == 0.0 {
+            return None;
+        }
+        let mut parts = Vec::new();
+        let mut rest = Vec::new();
+        for (part, factor) in terms {
+            let has_direction =
+                self.directions.contains_key(&part) || matches!(graph.as_symbol(part), Some(Symbol::Input(_)));
+            if has_direction && factor.fract() == 0.0 && factor.abs() <= 8.0 {
+                #[expect(clippy::cast_possible_truncation, reason = "it is an integer no larger than eight")]
+                parts.push((part, factor as i32));
+            } else {
+                rest.push((part, factor));
+            }
+        }
+        // an angle of inputs and parameters alone is as cheap to evaluate as to put together, and more exact
+        let is_of_unknowns = parts
+            .iter()
+            .any(|&(part, _)| matches!(graph.as_symbol(part), Some(Symbol::Unknown(_))));
+        let is_multiple = parts.len() == 1 && rest.is_empty() && constant == 0.0;
+        if parts.is_empty() || !(is_of_unknowns || is_multiple) {
+            return None;
+        }
+        if !rest.is_empty() || constant != 0.0 {
+            let rest = graph.linear(constant, &rest);
+            parts.push((rest, 1));
+        }
+        Some(parts)
+    }
+}

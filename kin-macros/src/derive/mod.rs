@@ -1,0 +1,137 @@
+//! Time derivatives of the closure, order by order, with one Jacobian for each block.
+//!
+//! Differentiating a closed loop n times gives J q⁽ⁿ⁾ = -Rₙ: the Jacobian J is the same for every order n, and Rₙ is
+//! the n-th derivative of the closure with the block's own n-th rates left out.
+
+mod jacobian;
+mod rates;
+
+use std::collections::BTreeMap;
+
+pub(crate) use rates::{Rates, Way};
+
+use crate::expr::{Expansion, Graph, Node, Symbol};
+use crate::structure::Block;
+
+/// The rates of the unknowns, order by order, as expressions of positions and lower rates.
+pub(crate) struct Derivatives {
+    /// `orders[n - 1]` holds the rates of order n, in the order in which they can be computed.
+    pub(crate) orders: Vec<Vec<Rate>>,
+    /// `outputs[n - 1][k]` is the n-th derivative of the k-th output expression.
+    pub(crate) outputs: Vec<Vec<Node>>,
+    /// The Jacobian's determinant of each block.
+    pub(crate) determinants: Vec<Node>,
+    /// What the rates are divided by, besides the determinants.
+    pub(crate) pivots: Vec<Node>,
+    /// Names for parts that a reader of the program will want to know.
+    pub(crate) hints: Vec<(Node, Hint)>,
+}
+
+/// A part of the derivation that has a name.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Hint {
+    /// The right-hand side -Rₙ of a scalar equation.
+    Right { equation: usize, order: usize },
+    /// Pₙ of an angle.
+    P { angle: Symbol, order: usize },
+    /// Qₙ of an angle.
+    Q { angle: Symbol, order: usize },
+}
+
+/// One unknown's time derivative.
+pub(crate) struct Rate {
+    pub(crate) unknown: usize,
+    pub(crate) value: Node,
+}
+
+/// What is differentiated, and how.
+pub(crate) struct Plan<'a> {
+    pub(crate) residuals: &'a [Node],
+    pub(crate) blocks: &'a [Block],
+    pub(crate) outputs: &'a [Node],
+    pub(crate) order: usize,
+    /// Whether products of sums are multiplied out first.
+    pub(crate) expand: bool,
+    /// How sines and cosines are differentiated, by order, the last one for all higher orders.
+    pub(crate) ways: &'a [Way],
+}
+
+/// Derives everything that a plan asks for.
+pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
+    let varies = |symbol| matches!(symbol, Symbol::Input(_) | Symbol::Unknown(_));
+    let residuals: Vec<Node> = plan
+        .residuals
+        .iter()
+        .map(|&residual| {
+            let mut expansion = Expansion::new(graph, &varies);
+            if plan.expand || expansion.polynomial(residual).is_none() {
+                expansion.equation(residual).node(graph)
+            } else {
+                residual
+            }
+        })
+        .collect();
+    let outputs: Vec<Node> = plan
+        .outputs
+        .iter()
+        .map(|&output| {
+            let polynomial = if plan.expand {
+                Expansion::new(graph, &varies).polynomial(output)
+            } else {
+                None
+            };
+            polynomial.map_or(output, |polynomial| polynomial.node(graph))
+        })
+        .collect();
+    let jacobians: Vec<Vec<Vec<Node>>> = plan
+        .blocks
+        .iter()
+        .map(|block| jacobian::jacobian(graph, &residuals, block))
+        .collect();
+    let mut rates = Rates::new(plan.ways);
+    let mut derivatives = Derivatives {
+        orders: Vec::new(),
+        outputs: Vec::new(),
+        determinants: jacobians
+            .iter()
+            .map(|matrix| jacobian::determinant(graph, matrix))
+            .collect(),
+        pivots: jacobians
+            .iter()
+            .flat_map(|matrix| jacobian::pivots(graph, matrix))
+            .collect(),
+        hints: Vec::new(),
+    };
+    for order in 1..=plan.order {
+        let mut found = Vec::new();
+        for (block, matrix) in plan.blocks.iter().zip(&jacobians) {
+            let zero = graph.zero();
+            let mut without_own: BTreeMap<Node, Node> = block
+                .unknowns
+                .iter()
+                .map(|&unknown| (graph.symbol(Symbol::UnknownRate(unknown, order)), zero))
+                .collect();
+            let right: Vec<Node> = block
+                .equations
+                .iter()
+                .map(|&equation| {
+                    let whole = rates.total(graph, residuals[equation], order);
+                    let rest = graph.substitute(whole, &mut without_own);
+                    let right = graph.negate(rest);
+                    derivatives.hints.push((right, Hint::Right { equation, order }));
+                    right
+                })
+                .collect();
+            found.extend(jacobian::solve(graph, matrix, &right, &block.unknowns, order));
+        }
+        derivatives.orders.push(found);
+        derivatives.outputs.push(
+            outputs
+                .iter()
+                .map(|&output| rates.total(graph, output, order))
+                .collect(),
+        );
+    }
+    derivatives.hints.extend(rates.hints(graph));
+    derivatives
+}

@@ -1,0 +1,349 @@
+//! Total time derivatives of any order of any expression.
+//!
+//! Every rule gives the n-th derivative from lower ones, which are remembered, so that the work grows with the square of
+//! the order and not exponentially, as it does when the first derivative is differentiated again and again.
+
+use std::collections::BTreeMap;
+
+use super::Hint;
+use crate::expr::{Graph, Node, Symbol, Term};
+use crate::function::Function;
+
+/// How the n-th derivative of a rotating vector z = m cis(φ) is formed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Way {
+    /// z⁽ⁿ⁾ = (Aₙ + i Bₙ) cis(φ), where A and B are shared by everything that turns with φ.
+    Envelope,
+    /// z⁽ⁿ⁾ from lower derivatives of z by Leibniz's rule for z′ = i φ′ z.
+    Recurrence,
+}
+
+/// The derivatives found so far.
+pub(crate) struct Rates<'a> {
+    ways: &'a [Way],
+    known: BTreeMap<(Node, usize), Node>,
+    envelopes: BTreeMap<(Node, Node, usize), (Node, Node)>,
+}
+
+/// n over k.
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, step| {
+        #[expect(clippy::cast_precision_loss, reason = "orders are small")]
+        let (above, below) = ((n - step) as f64, (step + 1) as f64);
+        product * above / below
+    })
+}
+
+impl<'a> Rates<'a> {
+    pub(crate) fn new(ways: &'a [Way]) -> Self {
+        Self {
+            ways,
+            known: BTreeMap::new(),
+            envelopes: BTreeMap::new(),
+        }
+    }
+
+    /// The shared parts of rotating vectors that have a name: P and Q by angle and order.
+    pub(crate) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
+        let mut hints = Vec::new();
+        for (&(amplitude, angle, order), &(along, across)) in &self.envelopes {
+            if let Some(angle) = graph.as_symbol(angle)
+                && graph.is_one(amplitude)
+                && order > 1
+            {
+                hints.extend([(along, Hint::P { angle, order }), (across, Hint::Q { angle, order })]);
+            }
+        }
+        hints
+    }
+
+    fn way(&self, order: usize) -> Way {
+        self.ways
+            .get(order - 1)
+            .or(self.ways.last())
+            .copied()
+            .unwrap_or(Way::Envelope)
+    }
+
+    /// The total time derivative of the order given.
+    pub(crate) fn total(&mut self, graph: &mut Graph, node: Node, order: usize) -> Node {
+        if order == 0 {
+            return node;
+        }
+        if let Some(&derivative) = self.known.get(&(node, order)) {
+            return derivative;
+        }
+        let derivative = match graph.term(node).clone() {
+            Term::Number(_) | Term::Pi => graph.zero(),
+            Term::Symbol(Symbol::Input(index)) => graph.symbol(Symbol::InputRate(index, order)),
+            Term::Symbol(Symbol::Unknown(index)) => graph.symbol(Symbol::UnknownRate(index, order)),
+            Term::Symbol(Symbol::InputRate(index, lower)) => graph.symbol(Symbol::InputRate(index, lower + order)),
+            Term::Symbol(Symbol::UnknownRate(index, lower)) => graph.symbol(Symbol::UnknownRate(index, lower + order)),
+            Term::Symbol(Symbol::Parameter(_) | Symbol::OutputRate(..) | Symbol::Step(_)) => graph.zero(),
+            Term::Sum(_, terms) => {
+                let terms: Vec<(Node, f64)> = terms
+                    .into_iter()
+                    .map(|(part, coefficient)| (self.total(graph, part, order), coefficient.get()))
+                    .collect();
+                graph.linear(0.0, &terms)
+            }
+            Term::Product(factors) => self.product(graph, &factors, order),
+            Term::Call(Function::Sin | Function::Cos, _) => self.product(graph, &[(node, 1)], order),
+            Term::Call(function, arguments) => self.composite(graph, function, &arguments, node, order),
+        };
+        self.known.insert((node, order), derivative);
+        derivative
+    }
+
+    fn is_constant(graph: &Graph, node: Node) -> bool {
+        graph
+            .symbols(node)
+            .into_iter()
+            .all(|symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Step(_)))
+    }
+
+    /// A product, split into what is constant, what turns, and the rest.
+    fn product(&mut self, graph: &mut Graph, factors: &[(Node, i32)], order: usize) -> Node {
+        let (constant, varying): (Vec<_>, Vec<_>) = factors
+            .iter()
+            .copied()
+            .partition(|&(factor, _)| Self::is_constant(graph, factor));
+        let circular = varying.iter().position(|&(factor, exponent)| {
+            exponent == 1 && matches!(graph.term(factor), Term::Call(Function::Sin | Function::Cos, _))
+        });
+        if let Some(position) = circular {
+            let mut amplitude = varying;
+            let (turning, _) = amplitude.remove(position);
+            return match self.way(order) {
+                Way::Envelope => self.by_envelope(graph, &constant, &amplitude, turning, order),
+                Way::Recurrence => self.by_recurrence(graph, &constant, &amplitude, turning, order),
+            };
+        }
+        let derivative = match varying[..] {
+            [] => graph.zero(),
+            [(base, exponent)] => self.power(graph, base, exponent, order),
+            [first, ref rest @ ..] => {
+                let (left, right) = (graph.product(&[first]), graph.product(rest));
+                self.leibniz(graph, left, right, order)
+            }
+        };
+        let constant = graph.product(&constant);
+        graph.multiply(constant, derivative)
+    }
+
+    /// (a b)⁽ⁿ⁾ = Σ C(n, k) a⁽ᵏ⁾ b⁽ⁿ⁻ᵏ⁾.
+    fn leibniz(&mut self, graph: &mut Graph, a: Node, b: Node, order: usize) -> Node {
+        let terms: Vec<(Node, f64)> = (0..=order)
+            .map(|k| {
+                let (left, right) = (self.total(graph, a, k), self.total(graph, b, order - k));
+                (graph.multiply(left, right), binomial(order, k))
+            })
+            .collect();
+        graph.linear(0.0, &terms)
+    }
+
+    fn power(&mut self, graph: &mut Graph, base: Node, exponent: i32, order: usize) -> Node {
+        match exponent {
+            1 => self.total(graph, base, order),
+            -1 => {
+                // y b = 1, so y⁽ⁿ⁾ = -y Σ C(n, k) b⁽ᵏ⁾ y⁽ⁿ⁻ᵏ⁾ over k from 1
+                let reciprocal = graph.power(base, -1);
+                let terms: Vec<(Node, f64)> = (1..=order)
+                    .map(|k| {
+                        let (left, right) = (self.total(graph, base, k), self.total(graph, reciprocal, order - k));
+                        (graph.multiply(left, right), -binomial(order, k))
+                    })
+                    .collect();
+                let sum = graph.linear(0.0, &terms);
+                graph.multiply(reciprocal, sum)
+            }
+            _ => {
+                let (first, rest) = (exponent.signum(), exponent - exponent.signum());
+                let (left, right) = (graph.power(base, first), graph.power(base, rest));
+                self.leibniz(graph, left, right, order)
+            }
+        }
+    }
+
+    /// y = f(x₁, …): y′ = Σ (∂f/∂xᵢ) xᵢ′, and the rest by Leibniz's rule.
+    fn composite(
+        &mut self,
+        graph: &mut Graph,
+        function: Function,
+        arguments: &[Node],
+        value: Node,
+        order: usize,
+    ) -> Node {
+        let partials = function.partials(graph, arguments, value);
+        let mut terms = Vec::new();
+        for (&argument, partial) in arguments.iter().zip(partials) {
+            if Self::is_constant(graph, argument) {
+                continue;
+            }
+            for k in 0..order {
+                let (outer, inner) = (self.total(graph, partial, k), self.total(graph, argument, order - k));
+                terms.push((graph.multiply(outer, inner), binomial(order - 1, k)));
+            }
+        }
+        graph.linear(0.0, &terms)
+    }
+
+    /// The angle of a sine or cosine, and the pair (cos, sin) that turns it by a quarter.
+    fn pair(graph: &mut Graph, turning: Node) -> (Node, Node, bool) {
+        let Term::Call(function, arguments) = graph.term(turning).clone() else {
+            unreachable!("only sines and cosines turn");
+        };
+        let other = match function {
+            Function::Sin => graph.cosine(arguments[0]),
+            _ => graph.sine(arguments[0]),
+        };
+        (arguments[0], other, function == Function::Cos)
+    }
+
+    fn by_envelope(
+        &mut self,
+        graph: &mut Graph,
+        constant: &[(Node, i32)],
+        amplitude: &[(Node, i32)],
+        turning: Node,
+        order: usize,
+    ) -> Node {
+        let (angle, other, is_cosine) = Self::pair(graph, turning);
+        let amplitude = graph.product(amplitude);
+        let (along, across) = self.envelope(graph, amplitude, angle, order);
+        // cosine: A cos - B sin; sine: A sin + B cos
+        let mut term = |envelope: Node, circular: Node| {
+            let mut factors = constant.to_vec();
+            factors.extend([(envelope, 1), (circular, 1)]);
+            graph.product(&factors)
+        };
+        let (first, second) = (term(along, turning), term(across, other));
+        if is_cosine {
+            graph.subtract(first, second)
+        } else {
+            graph.add(first, second)
+        }
+    }
+
+    /// Aₙ and Bₙ of (m cis φ)⁽ⁿ⁾ = (Aₙ + i Bₙ) cis φ.
+    ///
+    /// For m = 1 these are P and Q: the real and imaginary parts of the complete Bell polynomials in i φ′, i φ″, …, with
+    /// (P + i Q)ₙ₊₁ = Σ C(n, k) i φ⁽ᵏ⁺¹⁾ (P + i Q)ₙ₋ₖ.
+    fn envelope(&mut self, graph: &mut Graph, amplitude: Node, angle: Node, order: usize) -> (Node, Node) {
+        if let Some(&known) = self.envelopes.get(&(amplitude, angle, order)) {
+            return known;
+        }
+        let (mut along, mut across) = (Vec::new(), Vec::new());
+        let one = graph.one();
+        let result = if order == 0 {
+            (amplitude, graph.zero())
+        } else if amplitude == one {
+            for k in 0..order {
+                let rate = self.total(graph, angle, k + 1);
+                let (p, q) = self.envelope(graph, one, angle, order - 1 - k);
+                along.push((graph.multiply(rate, q), -binomial(order - 1, k)));
+                across.push((graph.multiply(rate, p), binomial(order - 1, k)));
+            }
+            (graph.linear(0.0, &along), graph.linear(0.0, &across))
+        } else {
+            for k in 0..=order {
+                let rate = self.total(graph, amplitude, k);
+                let (p, q) = self.envelope(graph, one, angle, order - k);
+                along.push((graph.multiply(rate, p), binomial(order, k)));
+                across.push((graph.multiply(rate, q), binomial(order, k)));
+            }
+            (graph.linear(0.0, &along), graph.linear(0.0, &across))
+        };
+        self.envelopes.insert((amplitude, angle, order), result);
+        result
+    }
+
+    fn by_recurrence(
+        &mut self,
+        graph: &mut Graph,
+        constant: &[(Node, i32)],
+        amplitude: &[(Node, i32)],
+        turning: Node,
+        order: usize,
+    ) -> Node {
+        let vector = |graph: &mut Graph, circular: Node| {
+            let mut factors = constant.to_vec();
+            factors.push((circular, 1));
+            graph.product(&factors)
+        };
+        if !amplitude.is_empty() {
+            let (left, right) = (graph.product(amplitude), vector(graph, turning));
+            return self.leibniz(graph, left, right, order);
+        }
+        let (angle, other, is_cosine) = Self::pair(graph, turning);
+        let turned = vector(graph, other);
+        let sign = if is_cosine { -1.0 } else { 1.0 };
+        let terms: Vec<(Node, f64)> = (0..order)
+            .map(|k| {
+                let rate = self.total(graph, angle, k + 1);
+                let lower = self.total(graph, turned, order - 1 - k);
+                (graph.multiply(rate, lower), sign * binomial(order - 1, k))
+            })
+            .collect();
+        graph.linear(0.0, &terms)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both ways, and Leibniz's rule on anything else, agree with a difference quotient of the order below.
+    #[test]
+    fn each_order_is_the_derivative_of_the_one_below() {
+        let mut graph = Graph::new();
+        let (x, y) = (graph.symbol(Symbol::Input(0)), graph.symbol(Symbol::Unknown(0)));
+        let radius = graph.symbol(Symbol::Parameter(0));
+        let cosine = graph.cosine(x);
+        let sum = graph.add(x, y);
+        let sine = graph.sine(sum);
+        let square = graph.power(y, 2);
+        let link = graph.product(&[(radius, 1), (cosine, 1), (y, 1)]);
+        let quotient = graph.divide(sine, square);
+        let exponential = graph.call(Function::Exp, &[cosine]);
+        let two = graph.number(2.0);
+        let shifted = graph.add(two, sine);
+        let root = graph.call(Function::Sqrt, &[shifted]);
+        let arc = graph.call(Function::Atan2, &[x, y]);
+        let at = |time: f64| {
+            move |symbol: Symbol| {
+                let (value, order) = match symbol {
+                    Symbol::Parameter(_) => (0.7, 0),
+                    Symbol::Input(_) => (0.4, 0),
+                    Symbol::InputRate(_, order) => (0.4, order),
+                    Symbol::Unknown(_) => (1.1, 0),
+                    Symbol::UnknownRate(_, order) => (1.1, order),
+                    Symbol::OutputRate(..) | Symbol::Step(_) => (f64::NAN, 0),
+                };
+                if matches!(symbol, Symbol::Parameter(_)) {
+                    return value;
+                }
+                // x(t) = value · exp(t), so that every derivative is known
+                let _ = order;
+                value * time.exp()
+            }
+        };
+        for ways in [[Way::Envelope], [Way::Recurrence]] {
+            let mut rates = Rates::new(&ways);
+            for node in [cosine, sine, link, quotient, exponential, root, arc] {
+                for order in 1..=6 {
+                    let derivative = rates.total(&mut graph, node, order);
+                    let below = rates.total(&mut graph, node, order - 1);
+                    let step = 1e-5;
+                    let exact = graph.evaluate(derivative, &at(0.0));
+                    let difference =
+                        (graph.evaluate(below, &at(step)) - graph.evaluate(below, &at(-step))) / (2.0 * step);
+                    assert!(
+                        (exact - difference).abs() < 1e-6 * (1.0 + exact.abs()),
+                        "{ways:?}, order {order}: {exact} against {difference}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! Which assemblies there are, and which of them a guess belongs to.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::{Mechanism, attributes, formula, local};
+use crate::expr::Symbol;
+use crate::schedule::Statement;
+
+/// Up to this many blocks with a choice, all assemblies are listed in a constant.
+const LISTED: usize = 6;
+
+/// The structure of several choices: `SixBarAssembly`.
+pub(super) fn type_name(mechanism: &Mechanism<'_>) -> Ident {
+    format_ident!("{}Assembly", mechanism.model.name, span = mechanism.model.name.span())
+}
+
+/// The fields of that structure: the unknowns of each block, joined.
+pub(super) fn fields(mechanism: &Mechanism<'_>) -> Vec<Ident> {
+    mechanism
+        .choices()
+        .into_iter()
+        .map(|block| {
+            let names: Vec<String> = mechanism.blocks[block]
+                .unknowns
+                .iter()
+                .map(|&unknown| mechanism.model.unknowns[unknown].name.to_string())
+                .collect();
+            Ident::new(&names.join("_"), mechanism.model.name.span())
+        })
+        .collect()
+}
+
+/// The list and the finder.
+pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let list = list(mechanism);
+    let finder = finder(mechanism);
+    quote!(#list #finder)
+}
+
+/// The structure of several choices.
+pub(super) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
+    if mechanism.choices().len() < 2 {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let visibility = &mechanism.model.visibility;
+    let attributes = attributes();
+    let (name, fields) = (type_name(mechanism), fields(mechanism));
+    let summary = format!(
+        " The ways to assemble a [`{}`]: a choice for each block that can be put together in two ways.",
+        mechanism.model.name
+    );
+    let documentation = mechanism
+        .choices()
+        .into_iter()
+        .map(|block| mechanism.choice_documentation(block));
+    let fields = fields.iter().zip(documentation).map(|(field, lines)| {
+        quote! {
+            #(#[doc = #lines])*
+            pub #field: #runtime::Assembly
+        }
+    });
+    quote! {
+        #[doc = #summary]
+        #[derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq,
+            ::core::cmp::Eq,
+            ::core::hash::Hash
+        )]
+        #attributes
+        #visibility struct #name {
+            #(#fields,)*
+        }
+    }
+}
+
+/// An assembly from each block's choice.
+fn assembly(mechanism: &Mechanism<'_>, choice: impl Fn(usize) -> TokenStream) -> TokenStream {
+    let count = mechanism.choices().len();
+    match count {
+        0 => quote!(()),
+        1 => choice(0),
+        _ => {
+            let (name, fields) = (type_name(mechanism), fields(mechanism));
+            let choices = (0..count).map(choice);
+            quote!(#name { #(#fields: #choices),* })
+        }
+    }
+}
+
+/// The assembly of a number, bit by bit; the first block's choice changes slowest.
+pub(super) fn by_number(mechanism: &Mechanism<'_>, index: &TokenStream) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let count = mechanism.choices().len();
+    assembly(mechanism, |position| {
+        let shift = Literal::usize_unsuffixed(count - 1 - position);
+        if count == 1 {
+            quote!(#runtime::Assembly::BOTH[#index & 1])
+        } else {
+            quote!(#runtime::Assembly::BOTH[(#index >> #shift) & 1])
+        }
+    })
+}
+
+fn list(mechanism: &Mechanism<'_>) -> TokenStream {
+    let count = mechanism.choices().len();
+    if count > LISTED {
+        return TokenStream::new();
+    }
+    let (name, runtime) = (&mechanism.model.name, mechanism.runtime);
+    let (attributes, kind) = (attributes(), mechanism.assembly_type());
+    let size = Literal::usize_unsuffixed(1 << count);
+    let all = (0..1_usize << count).map(|index| {
+        assembly(mechanism, |position| {
+            if (index >> (count - 1 - position)) & 1 == 0 {
+                quote!(#runtime::Assembly::Open)
+            } else {
+                quote!(#runtime::Assembly::Crossed)
+            }
+        })
+    });
+    let summary = match count {
+        0 => " The one way to assemble it.".to_owned(),
+        1 => " The ways to assemble it.".to_owned(),
+        _ => " The ways to assemble it, all combinations of the blocks' own two.".to_owned(),
+    };
+    quote! {
+        #attributes
+        impl #name<::core::primitive::f64> {
+            #[doc = #summary]
+            pub const ASSEMBLIES: [#kind; #size] = [#(#all),*];
+        }
+    }
+}
+
+/// `assembly_at`: the orientation of each block where the unknowns have given values.
+fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
+    let choices = mechanism.choices();
+    if choices.is_empty() {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let name = &mechanism.model.name;
+    let (attributes, kind) = (attributes(), mechanism.assembly_type());
+    let inputs = mechanism.input_names();
+    let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
+    let stage = &mechanism.plan.orientations;
+    let near = local("near");
+    let used: std::collections::BTreeSet<String> = stage.statements.iter().flat_map(Statement::uses).collect();
+    let unknowns = (0..mechanism.model.unknowns.len())
+        .map(|index| (index, mechanism.plan.names.of(Symbol::Unknown(index)).to_owned()))
+        .filter(|(_, own)| used.contains(own))
+        .map(|(index, own)| {
+            let (own, index) = (local(&own), Literal::usize_unsuffixed(index));
+            quote!(let #own = #near[#index];)
+        });
+    let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
+    let readings = mechanism.readings(stage, &given);
+    let unused_inputs = inputs.iter().filter(|input| !used.contains(&input.to_string()));
+    let body = stage.statements.iter().map(|statement| match statement {
+        Statement::Let { name, value } => {
+            let (name, value) = (local(name), formula::tokens(value));
+            quote!(let #name = #value;)
+        }
+        other => mechanism.plain_statements(&crate::schedule::ScheduledStage {
+            statements: vec![other.clone()],
+            ..Default::default()
+        }),
+    });
+    let signs: Vec<TokenStream> = stage
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            Statement::Let { name, .. } if name.starts_with("orientation_") => {
+                let name = local(name);
+                Some(quote!(#runtime::Assembly::from_sign(#runtime::Scalar::real(#name))))
+            }
+            _ => None,
+        })
+        .collect();
+    let result = if let [sign] = signs.as_slice() {
+        sign.clone()
+    } else {
+        let (name, fields) = (type_name(mechanism), fields(mechanism));
+        quote!(#name { #(#fields: #signs),* })
+    };
+    let order: Vec<String> = mechanism
+        .model
+        .unknowns
+        .iter()
+        .map(|unknown| unknown.name.to_string())
+        .collect();
+    let summary = format!(
+        " The assembly of a mechanism whose unknowns are about `[{}]`: the side of the singular positions on which they lie.",
+        order.join(", ")
+    );
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            #[doc = #summary]
+            #[must_use]
+            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
+                #(let _ = #unused_inputs;)*
+                #readings
+                #(#unknowns)*
+                #(#body)*
+                #result
+            }
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! The struct of the parameters, as it was declared but generic over the numeric type.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Path, Token, Visibility};
+
+use crate::model::{Dimension, Model};
+
+/// A field: attributes, visibility, name and what it holds.
+pub(crate) type Field<'a> = (&'a [Attribute], &'a Visibility, &'a Ident, Option<Dimension>);
+
+/// The struct of a model.
+pub(crate) fn tokens(model: &Model, runtime: &TokenStream) -> TokenStream {
+    let fields = model.parameters.iter().map(|parameter| {
+        (
+            parameter.attributes.as_slice(),
+            &parameter.visibility,
+            &parameter.name,
+            Some(parameter.dimension),
+        )
+    });
+    structure(&model.attributes, &model.visibility, &model.name, fields, runtime)
+}
+
+/// The struct of whatever fields there are, for models and for declarations with mistakes.
+pub(crate) fn structure<'a>(
+    attributes: &[Attribute],
+    visibility: &Visibility,
+    name: &Ident,
+    fields: impl Iterator<Item = Field<'a>>,
+    runtime: &TokenStream,
+) -> TokenStream {
+    let numeric = Ident::new("T", Span::mixed_site());
+    let mut fields: Vec<TokenStream> = fields
+        .map(|(attributes, visibility, name, dimension)| {
+            let held = if dimension.is_some_and(Dimension::is_plane) {
+                quote!(#runtime::Plane<#numeric>)
+            } else {
+                quote!(#numeric)
+            };
+            quote!(#(#attributes)* #visibility #name: #held)
+        })
+        .collect();
+    if fields.is_empty() {
+        fields.push(quote!(nothing: ::core::marker::PhantomData<#numeric>));
+    }
+    let derives = derives(attributes);
+    quote! {
+        #(#attributes)*
+        #derives
+        #[allow(non_snake_case)]
+        #visibility struct #name<#numeric = ::core::primitive::f64> {
+            #(#fields,)*
+        }
+    }
+}
+
+/// The traits that parameters are expected to have, less those that were derived by hand.
+fn derives(attributes: &[Attribute]) -> TokenStream {
+    let derived: Vec<String> = attributes
+        .iter()
+        .filter(|attribute| attribute.path().is_ident("derive"))
+        .filter_map(|attribute| {
+            attribute
+                .parse_args_with(Punctuated::<Path, Token![,]>::parse_terminated)
+                .ok()
+        })
+        .flatten()
+        .filter_map(|path| Some(path.segments.last()?.ident.to_string()))
+        .collect();
+    let missing: Vec<TokenStream> = [
+        ("Clone", quote!(::core::clone::Clone)),
+        ("Copy", quote!(::core::marker::Copy)),
+        ("Debug", quote!(::core::fmt::Debug)),
+        ("PartialEq", quote!(::core::cmp::PartialEq)),
+    ]
+    .into_iter()
+    .filter(|(name, _)| !derived.iter().any(|other| other == name))
+    .map(|(_, path)| path)
+    .collect();
+    if missing.is_empty() {
+        return TokenStream::new();
+    }
+    quote_spanned!(Span::mixed_site()=> #[derive(#(#missing),*)])
+}

@@ -1,0 +1,73 @@
+//! What a mechanism costs, as constants.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{Mechanism, attributes};
+use crate::assemble::Cost;
+
+/// `OPERATIONS`: position, velocity, ….
+pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let name = &mechanism.model.name;
+    let attributes = attributes();
+    let list = operations(mechanism);
+    let size = Literal::usize_unsuffixed(mechanism.order() + 1);
+    quote! {
+        #attributes
+        impl #name<::core::primitive::f64> {
+            /// What the solver of each order costs, position first, in the assembly that costs most.
+            pub const OPERATIONS: [#runtime::Operations; #size] = #list;
+        }
+    }
+}
+
+/// The costs as an array.
+pub(super) fn operations(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let costs = mechanism.plan.scheduled.stages.iter().map(|stage| {
+        let Cost {
+            additions,
+            multiplications,
+            divisions,
+            negations,
+            square_roots,
+            sine_cosines,
+            arc_tangents,
+            others,
+        } = stage.cost;
+        let [
+            additions,
+            multiplications,
+            divisions,
+            negations,
+            square_roots,
+            sine_cosines,
+            arc_tangents,
+            others,
+        ] = [
+            additions,
+            multiplications,
+            divisions,
+            negations,
+            square_roots,
+            sine_cosines,
+            arc_tangents,
+            others,
+        ]
+        .map(Literal::usize_unsuffixed);
+        quote! {
+            #runtime::Operations {
+                additions: #additions,
+                multiplications: #multiplications,
+                divisions: #divisions,
+                negations: #negations,
+                square_roots: #square_roots,
+                sine_cosines: #sine_cosines,
+                arc_tangents: #arc_tangents,
+                others: #others,
+            }
+        }
+    });
+    quote!([#(#costs),*])
+}

@@ -1,0 +1,137 @@
+//! The documentation of generated items: what the compiler decided, in the words of the field.
+
+use super::Mechanism;
+use crate::assemble::Cost;
+use crate::expr::Symbol;
+use crate::model::{Dimension, Quantity, Unknown};
+
+impl Mechanism<'_> {
+    /// The equations as a list of code lines.
+    pub(super) fn equation_lines(&self) -> Vec<String> {
+        self.model
+            .equations
+            .iter()
+            .map(|equation| format!(" - `{}`", equation.text))
+            .collect()
+    }
+
+    /// The blocks and their closed forms, as a list.
+    pub(super) fn block_lines(&self) -> Vec<String> {
+        (0..self.blocks.len())
+            .map(|block| {
+                format!(
+                    " - `{}`: {}",
+                    self.block_name(block),
+                    self.blocks[block].form.description(self.graph)
+                )
+            })
+            .collect()
+    }
+
+    /// What open and crossed mean for a block.
+    pub(super) fn choice_documentation(&self, block: usize) -> Vec<String> {
+        let names = |symbol: Symbol| self.plan.names.of(symbol).to_owned();
+        let orientation = self.plan.choices[block]
+            .orientation
+            .map_or_else(String::new, |node| self.graph.print(node, &names));
+        vec![
+            format!(
+                " The block of `{}`: {}.",
+                self.block_name(block),
+                self.blocks[block].form.description(self.graph)
+            ),
+            String::new(),
+            format!(" Open where `{orientation} > 0`."),
+        ]
+    }
+
+    /// What is known of an unknown.
+    pub(super) fn unknown_line(&self, index: usize) -> String {
+        let unknown = &self.model.unknowns[index];
+        let block = self
+            .blocks
+            .iter()
+            .position(|block| block.unknowns.contains(&index))
+            .expect("every unknown is solved in a block");
+        let with: Vec<String> = self.blocks[block]
+            .unknowns
+            .iter()
+            .filter(|&&other| other != index)
+            .map(|&other| format!("`{}`", self.model.unknowns[other].name))
+            .collect();
+        let company = if with.is_empty() {
+            String::new()
+        } else {
+            format!(" together with {}", with.join(", "))
+        };
+        format!(
+            " Unknown {}; {}{company}.",
+            unit(unknown.dimension),
+            self.blocks[block].form.description(self.graph)
+        )
+    }
+
+    /// The line that says what a solver costs.
+    pub(super) fn cost_line(&self, order: usize) -> String {
+        format!(" Costs {}.", cost(self.plan.scheduled.stages[order].cost))
+    }
+
+    /// The inputs' names and units, for a method's documentation.
+    pub(super) fn input_line(&self) -> String {
+        let inputs: Vec<String> = self
+            .model
+            .inputs
+            .iter()
+            .map(|Quantity { name, dimension, .. }| format!("`{name}` ({})", unit(*dimension)))
+            .collect();
+        inputs.join(", ")
+    }
+
+    /// The unknowns' names, in order.
+    pub(super) fn unknown_order(&self) -> String {
+        let names: Vec<String> = self
+            .model
+            .unknowns
+            .iter()
+            .map(|Unknown { name, .. }| name.to_string())
+            .collect();
+        names.join(", ")
+    }
+}
+
+/// A dimension with its unit.
+pub(super) const fn unit(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Length => "length, in the mechanism's unit",
+        Dimension::Angle => "angle, in radians",
+        Dimension::Scalar => "number",
+        Dimension::Point => "point, in the mechanism's unit of length",
+        Dimension::Vector => "vector, in the mechanism's unit of length",
+    }
+}
+
+/// A cost in words.
+fn cost(cost: Cost) -> String {
+    let functions = [
+        (cost.square_roots, "square root", "square roots"),
+        (cost.sine_cosines, "sine-cosine pair", "sine-cosine pairs"),
+        (cost.arc_tangents, "arctangent", "arctangents"),
+        (cost.others, "other function", "other functions"),
+    ];
+    let arithmetic = cost.arithmetic();
+    let mut parts = vec![format!(
+        "{arithmetic} {}",
+        if arithmetic == 1 { "operation" } else { "operations" }
+    )];
+    parts.extend(
+        functions
+            .into_iter()
+            .filter(|&(count, ..)| count > 0)
+            .map(|(count, one, many)| format!("{count} {}", if count == 1 { one } else { many })),
+    );
+    match parts.as_slice() {
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [] => String::new(),
+    }
+}

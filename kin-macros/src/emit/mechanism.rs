@@ -1,0 +1,245 @@
+//! The implementation of the trait that all mechanisms share.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{Attribute, Expr, Lit, Meta};
+
+use super::{Mechanism, assembly, attributes, description, local};
+use crate::model::{Dimension, Residual, Value};
+
+/// `impl Mechanism` and `impl Pose`.
+pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let order = mechanism.order();
+    let (name, pose, attributes) = (&model.name, mechanism.pose(order), attributes());
+    let (assembly_type, value) = (mechanism.assembly_type(), mechanism.assembly_value());
+    let index = local("index");
+    let by_number = assembly::by_number(mechanism, &quote!(#index));
+    let assembly_count = Literal::usize_unsuffixed(1 << mechanism.choices().len());
+    let scalars = mechanism.scalar_parameters();
+    let size = |count: usize| Literal::usize_unsuffixed(count);
+    let residual_count = size(
+        model
+            .equations
+            .iter()
+            .map(|equation| {
+                if matches!(equation.residual, Residual::Scalar(_)) {
+                    1
+                } else {
+                    2
+                }
+            })
+            .sum(),
+    );
+    let (parameter_count, input_count, unknown_count) = (
+        size(scalars.len()),
+        size(model.inputs.len()),
+        size(model.unknowns.len()),
+    );
+    let output_count = size(model.outputs.iter().map(|output| output.value.nodes().len()).sum());
+    let values = scalars.iter().map(|(_, value, ..)| value);
+    let (parameters, convert) = (local("parameters"), local("convert"));
+    let mut next = 0;
+    let mut from_array = Vec::new();
+    let mut converted = Vec::new();
+    for parameter in &model.parameters {
+        let field = &parameter.name;
+        if parameter.dimension.is_plane() {
+            let (x, y) = (size(next), size(next + 1));
+            next += 2;
+            from_array.push(quote!(#field: #runtime::Plane::new(#parameters[#x], #parameters[#y])));
+            converted.push(quote!(#field: #runtime::Plane::new(#convert(self.#field.x), #convert(self.#field.y))));
+        } else {
+            let place = size(next);
+            next += 1;
+            from_array.push(quote!(#field: #parameters[#place]));
+            converted.push(quote!(#field: #convert(self.#field)));
+        }
+    }
+    let inputs = local("inputs");
+    let places: Vec<TokenStream> = (0..model.inputs.len())
+        .map(|place| {
+            let place = size(place);
+            quote!(#inputs[#place])
+        })
+        .collect();
+    let (unknowns, wanted) = (local("unknowns"), local("assembly"));
+    let description = description(mechanism);
+    let unknown_fields = model.unknowns.iter().map(|unknown| &unknown.name);
+    let output_fields = model.outputs.iter().map(|output| {
+        let field = &output.name;
+        match output.value {
+            Value::Scalar(_) => quote!(self.#field),
+            Value::Plane(..) => quote!(self.#field.x(), self.#field.y()),
+        }
+    });
+    let ignore = if value.is_empty() {
+        quote!(let () = #wanted;)
+    } else {
+        TokenStream::new()
+    };
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
+            type Scalar = T;
+            type With<S: #runtime::Scalar> = #name<S>;
+            type Assembly = #assembly_type;
+            type Pose = #pose<T>;
+            type Parameters<V: ::core::marker::Copy> = [V; #parameter_count];
+            type Inputs<V: ::core::marker::Copy> = [V; #input_count];
+            type Unknowns<V: ::core::marker::Copy> = [V; #unknown_count];
+            type Residuals<V: ::core::marker::Copy> = [V; #residual_count];
+
+            const DESCRIPTION: #runtime::Description = #description;
+            const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
+
+            fn assembly(#index: ::core::primitive::usize) -> Self::Assembly {
+                let _ = #index;
+                #by_number
+            }
+
+            fn from_parameters(#parameters: [T; #parameter_count]) -> Self {
+                Self { #(#from_array),* }
+            }
+
+            fn parameters(&self) -> [T; #parameter_count] {
+                [#(#values),*]
+            }
+
+            fn convert<S: #runtime::Scalar>(
+                &self,
+                mut #convert: impl ::core::ops::FnMut(T) -> S,
+            ) -> #name<S> {
+                #name { #(#converted),* }
+            }
+
+            fn solve_motion(
+                &self,
+                #inputs: [#runtime::Motion<T, 5>; #input_count],
+                #wanted: Self::Assembly,
+            ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
+                #ignore
+                self.solve(#(#places,)* #value)
+            }
+
+            fn solve_position(
+                &self,
+                #inputs: [T; #input_count],
+                #wanted: Self::Assembly,
+            ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
+                #ignore
+                match self.position(#(#places,)* #value) {
+                    ::core::result::Result::Ok(position) => {
+                        ::core::result::Result::Ok(position.unknowns())
+                    }
+                    ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
+                }
+            }
+
+            fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
+                self.closure(#(#places,)* #unknowns)
+            }
+        }
+
+        #attributes
+        impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {
+            type Scalar = T;
+            type Unknowns<V: ::core::marker::Copy> = [V; #unknown_count];
+            type Outputs<V: ::core::marker::Copy> = [V; #output_count];
+
+            fn unknown_motions(&self) -> [#runtime::Motion<T, 5>; #unknown_count] {
+                [#(self.#unknown_fields),*]
+            }
+
+            fn output_motions(&self) -> [#runtime::Motion<T, 5>; #output_count] {
+                [#(#output_fields),*]
+            }
+        }
+    }
+}
+
+fn description(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let name = model.name.to_string();
+    let parameters = mechanism
+        .scalar_parameters()
+        .into_iter()
+        .map(|(label, _, dimension, index)| quantity(runtime, &label, dimension, &model.parameters[index].attributes));
+    let inputs = model
+        .inputs
+        .iter()
+        .map(|input| quantity(runtime, &input.name.to_string(), input.dimension, &input.documentation));
+    let unknowns = model.unknowns.iter().map(|unknown| {
+        quantity(
+            runtime,
+            &unknown.name.to_string(),
+            unknown.dimension,
+            &unknown.documentation,
+        )
+    });
+    let outputs = model.outputs.iter().flat_map(|output| {
+        let name = output.name.to_string();
+        let labels = match output.value {
+            Value::Scalar(_) => vec![name],
+            Value::Plane(..) => vec![format!("{name}.x"), format!("{name}.y")],
+        };
+        labels
+            .into_iter()
+            .map(|label| quantity(runtime, &label, output.dimension, &output.documentation))
+            .collect::<Vec<_>>()
+    });
+    let equations = model.equations.iter().map(|equation| &equation.text);
+    let blocks = (0..mechanism.blocks.len()).map(|block| {
+        let (unknowns, form) = (
+            mechanism.block_name(block),
+            mechanism.blocks[block].form.description(mechanism.graph),
+        );
+        quote!(#runtime::Block { unknowns: #unknowns, closed_form: #form })
+    });
+    let order = Literal::usize_unsuffixed(mechanism.order());
+    let operations = description::operations(mechanism);
+    quote! {
+        #runtime::Description {
+            name: #name,
+            parameters: &[#(#parameters),*],
+            inputs: &[#(#inputs),*],
+            unknowns: &[#(#unknowns),*],
+            outputs: &[#(#outputs),*],
+            equations: &[#(#equations),*],
+            blocks: &[#(#blocks),*],
+            order: #order,
+            operations: &#operations,
+        }
+    }
+}
+
+fn quantity(runtime: &TokenStream, name: &str, dimension: Dimension, attributes: &[Attribute]) -> TokenStream {
+    let dimension = match dimension {
+        Dimension::Length | Dimension::Point | Dimension::Vector => local("Length").into_token_stream(),
+        Dimension::Angle => local("Angle").into_token_stream(),
+        Dimension::Scalar => local("Scalar").into_token_stream(),
+    };
+    let text = first_paragraph(attributes);
+    quote!(#runtime::Quantity { name: #name, dimension: #runtime::Dimension::#dimension, description: #text })
+}
+
+/// The first paragraph of a documentation comment, on one line.
+fn first_paragraph(attributes: &[Attribute]) -> String {
+    attributes
+        .iter()
+        .filter_map(|attribute| match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                Expr::Lit(literal) => match &literal.lit {
+                    Lit::Str(text) => Some(text.value().trim().to_owned()),
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        })
+        .take_while(|line| !line.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ")
+}

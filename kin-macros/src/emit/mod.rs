@@ -1,0 +1,204 @@
+//! Model and program to Rust, one file per generated item. Nothing here can fail.
+
+mod assembly;
+pub(crate) mod closure;
+pub(crate) mod declaration;
+mod description;
+mod documentation;
+mod formula;
+mod mechanism;
+mod poses;
+mod position;
+mod rates;
+mod solve;
+mod statements;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::assemble::{Limits, Mode};
+use crate::expr::{Graph, Symbol};
+use crate::model::{Dimension, Model, Value};
+use crate::plan::Plan;
+use crate::structure::Block;
+use crate::syntax::Declaration;
+
+/// All that is known of a mechanism when it is written down.
+pub(crate) struct Mechanism<'a> {
+    pub(crate) declaration: &'a Declaration,
+    pub(crate) model: &'a Model,
+    pub(crate) graph: &'a Graph,
+    pub(crate) blocks: &'a [Block],
+    pub(crate) ranges: &'a std::collections::BTreeMap<usize, Limits>,
+    pub(crate) plan: &'a Plan,
+    /// The path to what generated code calls.
+    pub(crate) runtime: &'a TokenStream,
+}
+
+/// Everything that a declaration expands to.
+pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let outside = mechanism;
+    let alias = alias(&outside.model.name.to_string());
+    let inside = &Mechanism {
+        runtime: &quote!(#alias),
+        ..*outside
+    };
+    let structures = [
+        declaration::tokens(outside.model, outside.runtime),
+        assembly::structure(outside),
+        poses::structures(outside),
+    ];
+    let implementations = [
+        assembly::tokens(inside),
+        description::tokens(inside),
+        solve::tokens(inside),
+        position::tokens(inside),
+        poses::tokens(inside),
+        rates::tokens(inside),
+        mechanism::tokens(inside),
+    ];
+    let runtime = outside.runtime;
+    // a scope of its own, so that a short name for the runtime meets no other
+    quote! {
+        #(#structures)*
+        const _: () = {
+            use #runtime as #alias;
+            #(#implementations)*
+        };
+    }
+}
+
+/// What the runtime is called within the expansion: anything but what the mechanism is called.
+fn alias(mechanism: &str) -> Ident {
+    local(if mechanism == "kin" { "runtime" } else { "kin" })
+}
+
+/// A name in generated code that no name of the user's can capture.
+fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// Generated items may go unused, and are not to be judged by the lints of the crate that they land in.
+fn attributes() -> TokenStream {
+    quote! {
+        #[automatically_derived]
+        #[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    }
+}
+
+impl Mechanism<'_> {
+    /// The highest time derivative.
+    fn order(&self) -> usize {
+        self.plan.scheduled.stages.len() - 1
+    }
+
+    /// The type of the pose through an order: `FourBarVelocity`.
+    fn pose(&self, order: usize) -> Ident {
+        let mut name = crate::plan::order_name(order);
+        if let Some(first) = name.get_mut(..1) {
+            first.make_ascii_uppercase();
+        }
+        let name: String = name.split('_').collect();
+        format_ident!("{}{name}", self.model.name, span = self.model.name.span())
+    }
+
+    /// The indices of the blocks that leave a choice to the caller, in order.
+    fn choices(&self) -> Vec<usize> {
+        (0..self.blocks.len())
+            .filter(|&block| matches!(self.plan.choices[block].mode, Mode::Assembly(_)))
+            .collect()
+    }
+
+    /// The names of a block's unknowns, separated by commas.
+    fn block_name(&self, block: usize) -> String {
+        let names: Vec<String> = self.blocks[block]
+            .unknowns
+            .iter()
+            .map(|&unknown| self.model.unknowns[unknown].name.to_string())
+            .collect();
+        names.join(", ")
+    }
+
+    fn name_of(&self, symbol: Symbol) -> Ident {
+        local(self.plan.names.of(symbol))
+    }
+
+    /// The inputs as arguments of type `T`.
+    fn input_names(&self) -> Vec<Ident> {
+        self.model
+            .inputs
+            .iter()
+            .map(|input| local(&input.name.to_string()))
+            .collect()
+    }
+
+    /// For each output, its scalar parts' numbers.
+    fn output_parts(&self) -> Vec<Vec<usize>> {
+        let mut next = 0;
+        self.model
+            .outputs
+            .iter()
+            .map(|output| {
+                let count = output.value.nodes().len();
+                let parts = (next..next + count).collect();
+                next += count;
+                parts
+            })
+            .collect()
+    }
+
+    /// `T` or `Plane<T>`.
+    fn output_type(&self, value: Value) -> TokenStream {
+        let runtime = self.runtime;
+        match value {
+            Value::Scalar(_) => quote!(T),
+            Value::Plane(..) => quote!(#runtime::Plane<T>),
+        }
+    }
+
+    /// Each scalar parameter: its name in messages, its place in the structure, its dimension and its field.
+    fn scalar_parameters(&self) -> Vec<(String, TokenStream, Dimension, usize)> {
+        let mut scalars = Vec::new();
+        for (index, parameter) in self.model.parameters.iter().enumerate() {
+            let name = &parameter.name;
+            if parameter.dimension.is_plane() {
+                scalars.push((format!("{name}.x"), quote!(self.#name.x), Dimension::Length, index));
+                scalars.push((format!("{name}.y"), quote!(self.#name.y), Dimension::Length, index));
+            } else {
+                scalars.push((name.to_string(), quote!(self.#name), parameter.dimension, index));
+            }
+        }
+        scalars
+    }
+
+    /// The type that says which assembly: one choice, a structure of several, or nothing.
+    fn assembly_type(&self) -> TokenStream {
+        let runtime = self.runtime;
+        match self.choices().len() {
+            0 => quote!(()),
+            1 => quote!(#runtime::Assembly),
+            _ => {
+                let name = assembly::type_name(self);
+                quote!(#name)
+            }
+        }
+    }
+
+    /// The assembly as an argument, absent where there is nothing to choose.
+    fn assembly_argument(&self) -> TokenStream {
+        if self.choices().is_empty() {
+            return TokenStream::new();
+        }
+        let (assembly, kind) = (local("assembly"), self.assembly_type());
+        quote!(#assembly: #kind)
+    }
+
+    /// The assembly where it is passed on.
+    fn assembly_value(&self) -> TokenStream {
+        if self.choices().is_empty() {
+            return TokenStream::new();
+        }
+        let assembly = local("assembly");
+        quote!(#assembly)
+    }
+}

@@ -1,0 +1,141 @@
+//! The position solvers.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{Mechanism, attributes, local};
+use crate::expr::Symbol;
+use crate::model::Value;
+
+/// `position`, `position_near`, and the solver that both call.
+pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let (name, pose, attributes) = (&model.name, mechanism.pose(0), attributes());
+    let inputs = mechanism.input_names();
+    let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
+    let assembly_then = if assembly.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(#assembly,)
+    };
+    let value = if value.is_empty() { value } else { quote!(#value,) };
+    let near = local("near");
+    let count = Literal::usize_unsuffixed(model.unknowns.len());
+    let stage = &mechanism.plan.scheduled.stages[0];
+    let given: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
+    let readings = mechanism.readings(stage, &given);
+    let body = mechanism.position_statements(stage);
+    let result = result(mechanism);
+    let found = if value.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(self.assembly_at(#(#inputs,)* #near),)
+    };
+    let input_line = format!(" Inputs: {}.", mechanism.input_line());
+    let (equations, blocks, cost) = (
+        mechanism.equation_lines(),
+        mechanism.block_lines(),
+        mechanism.cost_line(0),
+    );
+    let near_line = format!(
+        " The position nearest to given values of the unknowns, `[{}]`: in their assembly, and angles on their turn.",
+        mechanism.unknown_order()
+    );
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The position.
+            ///
+            #[doc = #input_line]
+            ///
+            /// Solves
+            #(#[doc = #equations])*
+            ///
+            /// block by block:
+            #(#[doc = #blocks])*
+            ///
+            #[doc = #cost]
+            ///
+            /// # Errors
+            /// If there is no position, if it is singular, or if a number is not finite; the error says where and by
+            /// how much.
+            #[inline]
+            pub fn position(&self, #(#inputs: T,)* #assembly)
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                self.__position(#(#inputs,)* #value ::core::option::Option::None)
+            }
+
+            #[doc = #near_line]
+            ///
+            /// # Errors
+            /// As for `position`.
+            #[inline]
+            pub fn position_near(&self, #(#inputs: T,)* #near: [T; #count])
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                self.__position(#(#inputs,)* #found ::core::option::Option::Some(#near))
+            }
+
+            #[inline]
+            fn __position(&self, #(#inputs: T,)* #assembly_then #near: ::core::option::Option<[T; #count]>)
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                #readings
+                #body
+                ::core::result::Result::Ok(#result)
+            }
+        }
+    }
+}
+
+/// The pose made of what has been computed.
+fn result(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let pose = mechanism.pose(0);
+    let inputs = model.inputs.iter().map(|input| {
+        let (name, value) = (&input.name, local(&input.name.to_string()));
+        quote!(#name: #runtime::Motion::new([#value]))
+    });
+    let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let (name, value) = (&unknown.name, mechanism.name_of(Symbol::Unknown(index)));
+        quote!(#name: #runtime::Motion::new([#value]))
+    });
+    let outputs = model
+        .outputs
+        .iter()
+        .zip(mechanism.output_parts())
+        .map(|(output, parts)| {
+            let name = &output.name;
+            let value = output_value(mechanism, output.value, &parts, 0);
+            quote!(#name: #runtime::Motion::new([#value]))
+        });
+    let stage = &mechanism.plan.scheduled.stages[0];
+    let parameters = mechanism.scalar_parameters();
+    let carried = stage.carries.iter().map(|carried| {
+        let name = local(&carried.name);
+        match carried.parameter {
+            Some(index) if !stage.symbols.contains(&Symbol::Parameter(index)) => {
+                let value = &parameters[index].1;
+                quote!(#name: #value)
+            }
+            _ => quote!(#name),
+        }
+    });
+    quote!(#pose { #(#inputs,)* #(#unknowns,)* #(#outputs,)* #(#carried,)* })
+}
+
+/// An output's derivative of an order from its parts.
+pub(super) fn output_value(mechanism: &Mechanism<'_>, value: Value, parts: &[usize], order: usize) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let names: Vec<_> = parts
+        .iter()
+        .map(|&part| mechanism.name_of(Symbol::OutputRate(part, order)))
+        .collect();
+    match value {
+        Value::Scalar(_) => quote!(#(#names)*),
+        Value::Plane(..) => quote!(#runtime::Plane::new(#(#names),*)),
+    }
+}

@@ -1,0 +1,141 @@
+//! Everything in one call, the equations themselves, and how failures are told.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{Mechanism, attributes, closure, local};
+use crate::plan::order_name;
+
+/// `solve`, `solve_near`, `closure`, and the maker of errors.
+pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let order = mechanism.order();
+    let (name, pose, attributes) = (&model.name, mechanism.pose(order), attributes());
+    let inputs = mechanism.input_names();
+    let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
+    let length = Literal::usize_unsuffixed(order + 1);
+    let count = Literal::usize_unsuffixed(model.unknowns.len());
+    let [position, result, near] = ["position", "result", "near"].map(local);
+    let steps: TokenStream = (1..=order)
+        .map(|order| {
+            let method = local(&order_name(order));
+            quote!(.#method(#(#inputs.#method()),*))
+        })
+        .collect();
+    let finite = model
+        .unknowns
+        .iter()
+        .map(|unknown| &unknown.name)
+        .chain(model.outputs.iter().map(|output| &output.name))
+        .map(|field| {
+            let label = field.to_string();
+            quote! {
+                if !#result.#field.is_finite() {
+                    return ::core::result::Result::Err(self.__not_finite(#label, #(#inputs),*));
+                }
+            }
+        });
+    let positions: Vec<TokenStream> = inputs.iter().map(|input| quote!(#input.position())).collect();
+    let parameter_pairs: Vec<TokenStream> = mechanism
+        .scalar_parameters()
+        .into_iter()
+        .map(|(label, value, ..)| quote!((#label, #runtime::Scalar::real(#value))))
+        .collect();
+    let labels: Vec<String> = inputs.iter().map(ToString::to_string).collect();
+    let closure = closure::tokens(mechanism.declaration, model, runtime);
+    let (failure, block, quantity) = (local("failure"), local("block"), local("quantity"));
+    let summary = format!(
+        " Position and all time derivatives to {} in one call.",
+        order_name(order)
+    );
+    let near_line = format!(
+        " As `solve`, in the assembly and on the turns nearest to given values of the unknowns, `[{}]`.",
+        mechanism.unknown_order()
+    );
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            #[doc = #summary]
+            ///
+            /// The same as `position` and the solvers of the derivatives after it, and a test that everything is finite.
+            ///
+            /// # Errors
+            /// As for `position`, and if a rate is not finite.
+            #[inline]
+            pub fn solve(&self, #(#inputs: #runtime::Motion<T, #length>,)* #assembly)
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                let #position = self.position(#(#positions,)* #value)?;
+                self.__complete(#position, #(#inputs),*)
+            }
+
+            #[doc = #near_line]
+            ///
+            /// # Errors
+            /// As for `solve`.
+            #[inline]
+            pub fn solve_near(&self, #(#inputs: #runtime::Motion<T, #length>,)* #near: [T; #count])
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                let #position = self.position_near(#(#positions,)* #near)?;
+                self.__complete(#position, #(#inputs),*)
+            }
+
+            #closure
+        }
+    }
+    .into_iter()
+    .chain({
+        let first_pose = mechanism.pose(0);
+        quote! {
+            #attributes
+            impl<T: #runtime::Scalar> #name<T> {
+                /// All derivatives on top of a position.
+                #[inline]
+                fn __complete(&self, #position: #first_pose<T>, #(#inputs: #runtime::Motion<T, #length>),*)
+                    -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+                {
+                    let #result = #position #steps;
+                    #(#finite)*
+                    ::core::result::Result::Ok(#result)
+                }
+
+                /// An error with the place where it occurred, traced to the number that is to blame if one is not finite.
+                #[cold]
+                fn __failed(
+                    &self,
+                    #failure: #runtime::Failure,
+                    #block: &'static ::core::primitive::str,
+                    #(#inputs: T),*
+                ) -> #runtime::SolveError {
+                    #failure
+                        .traced(&[#(#parameter_pairs,)* #((#labels, #runtime::Scalar::real(#inputs)),)*])
+                        .at(#block, #runtime::InputValues::new(
+                            &[#(#labels),*],
+                            &[#(#runtime::Scalar::real(#inputs)),*],
+                        ))
+                }
+
+                /// The error of a rate that is not finite, or of the input that made it so.
+                #[cold]
+                fn __not_finite(
+                    &self,
+                    #quantity: &'static ::core::primitive::str,
+                    #(#inputs: #runtime::Motion<T, #length>),*
+                ) -> #runtime::SolveError {
+                    let #failure = #runtime::Failure::NotFinite { #quantity };
+                    #(
+                        let #failure = if #inputs.is_finite() {
+                            #failure
+                        } else {
+                            #runtime::Failure::NotFinite { quantity: #labels }
+                        };
+                    )*
+                    self.__failed(#failure, #quantity, #(#positions),*)
+                }
+            }
+        }
+    })
+    .collect()
+}

@@ -1,0 +1,326 @@
+//! Statements to Rust.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{Mechanism, formula, local};
+use crate::assemble::{Mode, Returns};
+use crate::expr::Symbol;
+use crate::function::Function;
+use crate::model::Dimension;
+use crate::schedule::{ScheduledStage, Statement};
+
+impl Mechanism<'_> {
+    /// `let` for the values of earlier stages, positions and rates that a stage reads; `given` are arguments already.
+    pub(super) fn readings(&self, stage: &ScheduledStage, given: &[Symbol]) -> TokenStream {
+        let carried = stage.uses.iter().map(|carried| {
+            let name = local(&carried.name);
+            quote!(let #name = self.#name;)
+        });
+        let symbols = stage
+            .symbols
+            .iter()
+            .filter(|symbol| !given.contains(symbol))
+            .map(|&symbol| {
+                let name = self.name_of(symbol);
+                let value = self.reading(symbol);
+                quote!(let #name = #value;)
+            });
+        quote!(#(#carried)* #(#symbols)*)
+    }
+
+    fn reading(&self, symbol: Symbol) -> TokenStream {
+        let (name, order) = match symbol {
+            Symbol::Parameter(index) => return self.scalar_parameters()[index].1.clone(),
+            Symbol::Input(index) => (&self.model.inputs[index].name, 0),
+            Symbol::InputRate(index, order) => (&self.model.inputs[index].name, order),
+            Symbol::Unknown(index) => (&self.model.unknowns[index].name, 0),
+            Symbol::UnknownRate(index, order) => (&self.model.unknowns[index].name, order),
+            Symbol::OutputRate(..) | Symbol::Step(_) => unreachable!("they are carried under their names"),
+        };
+        let accessor = local(&crate::plan::order_name(order));
+        quote!(self.#name.#accessor())
+    }
+
+    /// The statements of a stage that cannot fail.
+    pub(super) fn plain_statements(&self, stage: &ScheduledStage) -> TokenStream {
+        stage
+            .statements
+            .iter()
+            .map(|statement| self.statement(statement, None))
+            .collect()
+    }
+
+    /// The statements of the position, block by block.
+    pub(super) fn position_statements(&self, stage: &ScheduledStage) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        let mut rest = stage.statements.as_slice();
+        while let Some((first, after)) = rest.split_first() {
+            let Statement::Open { block } = *first else {
+                tokens.extend(self.statement(first, None));
+                rest = after;
+                continue;
+            };
+            let end = after
+                .iter()
+                .position(|statement| matches!(statement, Statement::Close { .. }))
+                .unwrap_or(after.len());
+            let (inside, after) = (&after[..end], &after[(end + 1).min(after.len())..]);
+            if let Mode::Ranged { unknown } = self.plan.choices[block].mode {
+                tokens.extend(self.candidates(block, unknown, inside, after, stage));
+            } else {
+                tokens.extend(inside.iter().map(|statement| self.statement(statement, Some(block))));
+            }
+            rest = after;
+        }
+        tokens
+    }
+
+    /// Both solutions of a block, and the choice between them by a declared range.
+    fn candidates(
+        &self,
+        block: usize,
+        unknown: usize,
+        inside: &[Statement],
+        after: &[Statement],
+        stage: &ScheduledStage,
+    ) -> TokenStream {
+        let runtime = self.runtime;
+        let (bounds, inside): (Vec<&Statement>, Vec<&Statement>) = inside
+            .iter()
+            .partition(|statement| matches!(statement, Statement::Bound { .. }));
+        let mut needed: Vec<String> = after.iter().flat_map(Statement::uses).collect();
+        needed.extend(stage.carries.iter().map(|carried| carried.name.clone()));
+        needed.extend(
+            self.model
+                .unknowns
+                .iter()
+                .enumerate()
+                .map(|(index, _)| self.plan.names.of(Symbol::Unknown(index)).to_owned()),
+        );
+        let mut kept: Vec<String> = inside.iter().flat_map(|statement| statement.defines()).collect();
+        kept.retain(|name| needed.contains(name));
+        let names: Vec<_> = kept.iter().map(|name| local(name)).collect();
+        let kinds = names.iter().map(|_| quote!(T));
+        let body = inside.iter().map(|statement| self.statement(statement, Some(block)));
+        let bounds = bounds.iter().map(|statement| self.statement(statement, Some(block)));
+        let own = self.name_of(Symbol::Unknown(unknown));
+        let place = Literal::usize_unsuffixed(names.iter().position(|name| *name == own).unwrap_or(0));
+        let limits = self.ranges[&unknown];
+        let (low, high) = (number(limits.low), number(limits.high));
+        let choose = local(match self.model.unknowns[unknown].dimension {
+            Dimension::Angle => "choose_angle",
+            _ => "choose_value",
+        });
+        let label = self.model.unknowns[unknown].name.to_string();
+        let failed = self.failed(block);
+        let [candidate, assembly, first, second] = ["candidate", "assembly", "first", "second"].map(local);
+        quote! {
+            let #candidate = |#assembly: #runtime::Assembly| -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError> {
+                #(#body)*
+                ::core::result::Result::Ok((#(#names,)*))
+            };
+            let #first = #candidate(#runtime::Assembly::Open)?;
+            let #second = #candidate(#runtime::Assembly::Crossed)?;
+            let (#(#names,)*) =
+                match #runtime::solve::#choose(#label, #first.#place, #second.#place, #low, #high) #failed {
+                    #runtime::Assembly::Open => #first,
+                    #runtime::Assembly::Crossed => #second,
+                };
+            #(#bounds)*
+        }
+    }
+
+    /// `.map_err(…)?` with the block and the inputs.
+    fn failed(&self, block: usize) -> TokenStream {
+        self.failed_at(&self.block_name(block))
+    }
+
+    fn failed_at(&self, place: &str) -> TokenStream {
+        let inputs = self.input_names();
+        let failure = local("failure");
+        quote!(.map_err(|#failure| self.__failed(#failure, #place, #(#inputs),*))?)
+    }
+
+    fn statement(&self, statement: &Statement, block: Option<usize>) -> TokenStream {
+        let runtime = self.runtime;
+        match statement {
+            Statement::Let { name, value } => {
+                let guarded = self.guarded_name(name);
+                let name = local(name);
+                let value = formula::tokens(value);
+                match guarded {
+                    None => quote!(let #name = #value;),
+                    Some(label) => {
+                        let failed = self.failed_at(&label);
+                        quote!(let #name = #runtime::solve::finite(#label, #value) #failed;)
+                    }
+                }
+            }
+            Statement::Checked {
+                name,
+                function,
+                argument,
+            } => {
+                let name = local(name);
+                let argument = formula::tokens(argument);
+                let function = local(match function {
+                    Function::Sqrt => "square_root_of",
+                    Function::Asin => "arc_sine",
+                    Function::Acos => "arc_cosine",
+                    _ => "logarithm",
+                });
+                let failed = match block {
+                    Some(block) => self.failed(block),
+                    None => self.failed_at("the outputs"),
+                };
+                quote!(let #name = #runtime::solve::#function(#argument) #failed;)
+            }
+            Statement::SinCos { sine, cosine, argument } => {
+                let [sine, cosine] = [sine, cosine].map(|name| pattern(name.as_deref()));
+                let argument = formula::tokens(argument);
+                quote!(let (#sine, #cosine) = T::sin_cos(#argument);)
+            }
+            Statement::Solve {
+                solver,
+                arguments,
+                results,
+            } => {
+                let function = local(solver.name());
+                let mut arguments: Vec<TokenStream> =
+                    arguments.iter().map(|argument| self.argument(argument)).collect();
+                let block = block.expect("closed forms stand in blocks");
+                if solver.takes_assembly() {
+                    arguments.push(self.assembly_of(block));
+                }
+                let results: Vec<TokenStream> = results.iter().map(|name| pattern(name.as_deref())).collect();
+                let result = self.results(solver.returns(), &results);
+                let failed = self.failed(block);
+                quote!(let #result = #runtime::solve::#function(#(#arguments),*) #failed;)
+            }
+            Statement::Angle { name, y, x, length } => {
+                let name = local(name);
+                let (y, x) = (formula::tokens(y), formula::tokens(x));
+                match length {
+                    None => quote!(let #name = T::atan2(#y, #x);),
+                    Some(length) => {
+                        let length = formula::tokens(length);
+                        quote!(let #name = #runtime::solve::direction(#y, #x, #length);)
+                    }
+                }
+            }
+            Statement::Bound { unknown } => self.bound(*unknown, block),
+            Statement::Regular { value } => {
+                let value = formula::tokens(value);
+                let failed = match block {
+                    Some(block) => self.failed(block),
+                    None => self.failed_at("the rates"),
+                };
+                quote!(#runtime::solve::regular(#value) #failed;)
+            }
+            Statement::Open { .. } | Statement::Close { .. } => TokenStream::new(),
+        }
+    }
+
+    /// Outputs and unknowns that come from no closed form are tested for being finite; the label for messages.
+    fn guarded_name(&self, name: &str) -> Option<String> {
+        let unknown = (0..self.model.unknowns.len())
+            .find(|&index| self.plan.names.of(Symbol::Unknown(index)) == name)
+            .map(|index| self.model.unknowns[index].name.to_string());
+        unknown.or_else(|| {
+            self.output_parts()
+                .iter()
+                .zip(&self.model.outputs)
+                .find_map(|(parts, output)| {
+                    parts
+                        .iter()
+                        .any(|&part| self.plan.names.of(Symbol::OutputRate(part, 0)) == name)
+                        .then(|| output.name.to_string())
+                })
+        })
+    }
+
+    fn argument(&self, parts: &[crate::schedule::Expression]) -> TokenStream {
+        let runtime = self.runtime;
+        let parts: Vec<TokenStream> = parts.iter().map(formula::tokens).collect();
+        match parts.as_slice() {
+            [scalar] => scalar.clone(),
+            [x, y] => quote!(#runtime::Plane::new(#x, #y)),
+            [a, b, c, d] => quote!([[#a, #b], [#c, #d]]),
+            _ => unreachable!("arguments are scalars, vectors and 2x2 matrices"),
+        }
+    }
+
+    fn results(&self, shape: Returns, names: &[TokenStream]) -> TokenStream {
+        let runtime = self.runtime;
+        match (shape, names) {
+            (Returns::Scalar, [name]) => name.clone(),
+            (Returns::Pair, [first, second]) => quote!((#first, #second)),
+            (Returns::Plane, [x, y]) => quote!(#runtime::Plane { x: #x, y: #y }),
+            (Returns::PlaneAndScalar, [x, y, scalar]) => quote!((#runtime::Plane { x: #x, y: #y }, #scalar)),
+            (Returns::ScalarAndPlane, [scalar, x, y]) => quote!((#scalar, #runtime::Plane { x: #x, y: #y })),
+            _ => unreachable!("results match their shape"),
+        }
+    }
+
+    /// Which of a block's solutions is wanted.
+    fn assembly_of(&self, block: usize) -> TokenStream {
+        let runtime = self.runtime;
+        let assembly = local("assembly");
+        match self.plan.choices[block].mode {
+            Mode::Fixed { is_open: true } => quote!(#runtime::Assembly::Open),
+            Mode::Fixed { is_open: false } => quote!(#runtime::Assembly::Crossed),
+            Mode::Assembly(index) if self.choices().len() > 1 => {
+                let field = &super::assembly::fields(self)[index];
+                quote!(#assembly.#field)
+            }
+            Mode::Assembly(_) | Mode::Ranged { .. } | Mode::Only => quote!(#assembly),
+        }
+    }
+
+    /// An unknown brought to the turn wanted, or into its range.
+    fn bound(&self, unknown: usize, block: Option<usize>) -> TokenStream {
+        let runtime = self.runtime;
+        let own = &self.model.unknowns[unknown];
+        let name = self.name_of(Symbol::Unknown(unknown));
+        let is_angle = own.dimension == Dimension::Angle;
+        if let Some(limits) = self.ranges.get(&unknown) {
+            let label = own.name.to_string();
+            let (low, high) = (number(limits.low), number(limits.high));
+            let check = local(if is_angle { "check_angle" } else { "check_value" });
+            let failed = self.failed(block.expect("bounds stand in blocks"));
+            return quote!(let #name = #runtime::solve::#check(#label, #name, #low, #high) #failed;);
+        }
+        if is_angle {
+            let (near, index) = (local("near"), Literal::usize_unsuffixed(unknown));
+            return quote!(let #name = #runtime::solve::on_turn(#name, #near, #index););
+        }
+        TokenStream::new()
+    }
+}
+
+/// A name in a pattern, or what stands for a value that nothing needs.
+fn pattern(name: Option<&str>) -> TokenStream {
+    name.map_or_else(
+        || quote!(_),
+        |name| {
+            let name = local(name);
+            quote!(#name)
+        },
+    )
+}
+
+/// A number of type `f64`, infinite ones included.
+pub(super) fn number(value: f64) -> TokenStream {
+    if value == f64::INFINITY {
+        quote!(::core::primitive::f64::INFINITY)
+    } else if value == f64::NEG_INFINITY {
+        quote!(::core::primitive::f64::NEG_INFINITY)
+    } else if value < 0.0 {
+        let value = Literal::f64_unsuffixed(-value);
+        quote!(-#value)
+    } else {
+        let value = Literal::f64_unsuffixed(value);
+        quote!(#value)
+    }
+}

@@ -1,0 +1,174 @@
+//! The whole way from a declaration to a solver, on one page.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use quote::quote;
+
+use crate::assemble::{Limits, Names};
+use crate::expr::{Node, Symbol};
+use crate::model::{Model, Residual};
+use crate::refuse::{Origin, refuse};
+use crate::report::Report;
+use crate::{emit, fallback, model, plan, structure, syntax};
+
+/// The highest time derivative that is derived: snap.
+const ORDER: usize = 4;
+
+/// Expands `(path::to::kin) declaration`. Mistakes are told after the pass that finds them; after the last check nothing can fail.
+pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
+    let (runtime, tokens) = runtime(tokens);
+    let mut report = Report::new();
+
+    let Some(declaration) = syntax::parse(tokens, &mut report) else {
+        return fallback::tokens(None, report, &runtime);
+    };
+    let Some(model) = model::build(&declaration, &mut report) else {
+        return fallback::tokens(Some(&declaration), report, &runtime);
+    };
+    let mut graph = model.graph.clone();
+    let (residuals, origins) = scalar_equations(&model);
+    let blocks = match structure::analyse(&mut graph, &residuals, model.unknowns.len()) {
+        Ok(blocks) => blocks,
+        Err(faults) => {
+            refuse(&model, &origins, &faults, &mut report);
+            return fallback::tokens(Some(&declaration), report, &runtime);
+        }
+    };
+    let ranges = ranges(&model);
+    let outputs: Vec<Node> = model.outputs.iter().flat_map(|output| output.value.nodes()).collect();
+    let plan = plan::plan(&plan::Task {
+        graph: &graph,
+        residuals: &residuals,
+        blocks: &blocks,
+        ranges: &ranges,
+        outputs: &outputs,
+        inputs: model.inputs.len(),
+        order: ORDER,
+        names: &names(&model),
+    });
+    emit::tokens(&emit::Mechanism {
+        declaration: &declaration,
+        model: &model,
+        graph: &plan.graph,
+        blocks: &blocks,
+        ranges: &ranges,
+        plan: &plan,
+        runtime: &runtime,
+    })
+}
+
+/// The path to what generated code calls, and the declaration behind it. `mechanism!` passes its own crate, under whatever name
+/// it is known to the user.
+fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
+    let mut tokens = tokens.into_iter().peekable();
+    let path =
+        tokens.next_if(|token| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis));
+    let runtime = if let Some(TokenTree::Group(path)) = path {
+        let path = path.stream();
+        quote!(#path::__private)
+    } else {
+        quote!(::kin_core::__private)
+    };
+    (runtime, tokens.collect())
+}
+
+/// The parts of the equations, and where each comes from.
+fn scalar_equations(model: &Model) -> (Vec<Node>, Vec<Origin>) {
+    let (mut residuals, mut origins) = (Vec::new(), Vec::new());
+    for (equation, declared) in model.equations.iter().enumerate() {
+        match declared.residual {
+            Residual::Scalar(node) => {
+                residuals.push(node);
+                origins.push(Origin {
+                    equation,
+                    part: "equation",
+                });
+            }
+            Residual::Plane(x, y) => {
+                residuals.extend([x, y]);
+                origins.push(Origin {
+                    equation,
+                    part: "equation's x part",
+                });
+                origins.push(Origin {
+                    equation,
+                    part: "equation's y part",
+                });
+            }
+        }
+    }
+    (residuals, origins)
+}
+
+fn ranges(model: &Model) -> BTreeMap<usize, Limits> {
+    model
+        .unknowns
+        .iter()
+        .enumerate()
+        .filter_map(|(index, unknown)| {
+            let range = unknown.range.as_ref()?;
+            Some((
+                index,
+                Limits {
+                    low: range.low,
+                    high: range.high,
+                },
+            ))
+        })
+        .collect()
+}
+
+/// The names that the declaration gives, and those that generated code needs for itself.
+fn names(model: &Model) -> Names {
+    let mut names = Names::default();
+    for reserved in [
+        "assembly",
+        "near",
+        "failure",
+        "position",
+        "result",
+        "candidate",
+        "first",
+        "second",
+    ] {
+        names.reserve(reserved);
+    }
+    let mut scalar = 0;
+    let mut parameter = |names: &mut Names, wish: &str| {
+        names.name(Symbol::Parameter(scalar), wish);
+        scalar += 1;
+    };
+    for (index, input) in model.inputs.iter().enumerate() {
+        names.name_exactly(Symbol::Input(index), &input.name.to_string());
+    }
+    for (index, unknown) in model.unknowns.iter().enumerate() {
+        names.name_exactly(Symbol::Unknown(index), &unknown.name.to_string());
+    }
+    let mut output_part = 0;
+    for output in &model.outputs {
+        // the field of a pose bears the output's own name
+        names.reserve(&output.name.to_string());
+    }
+    for own in &model.parameters {
+        let name = own.name.to_string();
+        if own.dimension.is_plane() {
+            parameter(&mut names, &format!("{name}_x"));
+            parameter(&mut names, &format!("{name}_y"));
+        } else {
+            parameter(&mut names, &name);
+        }
+    }
+    for output in &model.outputs {
+        let name = output.name.to_string();
+        let parts = match output.value {
+            model::Value::Scalar(_) => vec![format!("{name}_value")],
+            model::Value::Plane(..) => vec![format!("{name}_x"), format!("{name}_y")],
+        };
+        for part in parts {
+            names.name(Symbol::OutputRate(output_part, 0), &part);
+            output_part += 1;
+        }
+    }
+    names
+}

@@ -1,0 +1,408 @@
+//! Trigonometric polynomials: expressions expanded in chosen variables.
+//!
+//! In the chosen variables an expression becomes a sum of monomials, each a coefficient free of the variables, powers
+//! of variables (or of functions that cannot be expanded) and at most one sine or cosine of an integer combination of
+//! variables: products of sines and cosines are turned into sums of them, so cos² + sin² is 1 here, and a closure reads
+//! the same however it was typed. Quotients are brought over a common denominator.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Graph, Node, Symbol, Term};
+use crate::function::Function;
+
+/// An integer combination of variables, the first coefficient positive.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct Angle(pub(crate) Vec<(Symbol, i32)>);
+
+impl Angle {
+    /// As an expression.
+    pub(crate) fn node(&self, graph: &mut Graph) -> Node {
+        let terms: Vec<(Node, f64)> = self
+            .0
+            .iter()
+            .map(|&(symbol, multiple)| (graph.symbol(symbol), f64::from(multiple)))
+            .collect();
+        graph.linear(0.0, &terms)
+    }
+
+    /// a + sign · b with the first coefficient made positive, and whether that took a change of sign; `None` if zero.
+    fn combine(&self, other: &Self, sign: i32) -> Option<(Self, bool)> {
+        let mut collected: BTreeMap<Symbol, i32> = self.0.iter().copied().collect();
+        for &(symbol, multiple) in &other.0 {
+            *collected.entry(symbol).or_insert(0) += sign * multiple;
+        }
+        Self::normal(collected)
+    }
+
+    fn normal(mut collected: BTreeMap<Symbol, i32>) -> Option<(Self, bool)> {
+        collected.retain(|_, multiple| *multiple != 0);
+        let (_, &first) = collected.first_key_value()?;
+        let sign = first.signum();
+        let combination = collected
+            .into_iter()
+            .map(|(symbol, multiple)| (symbol, sign * multiple))
+            .collect();
+        Some((Self(combination), sign < 0))
+    }
+}
+
+/// The sine or cosine in a monomial.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Harmonic {
+    One,
+    Cosine(Angle),
+    Sine(Angle),
+}
+
+/// A monomial without its coefficient.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct Monomial {
+    /// Variables, and functions of variables that cannot be expanded, with their powers.
+    pub(crate) powers: BTreeMap<Node, i32>,
+    pub(crate) harmonic: Harmonic,
+}
+
+impl Monomial {
+    pub(crate) const fn one() -> Self {
+        Self {
+            powers: BTreeMap::new(),
+            harmonic: Harmonic::One,
+        }
+    }
+}
+
+/// Coefficients by monomial; none of them is zero.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Polynomial(pub(crate) BTreeMap<Monomial, Node>);
+
+impl Polynomial {
+    fn constant(graph: &Graph, value: Node) -> Self {
+        let mut terms = BTreeMap::new();
+        if !graph.is_zero(value) {
+            terms.insert(Monomial::one(), value);
+        }
+        Self(terms)
+    }
+
+    /// The coefficient of a monomial, zero if it is not there.
+    pub(crate) fn coefficient(&self, graph: &mut Graph, monomial: &Monomial) -> Node {
+        self.0.get(monomial).copied().unwrap_or_else(|| graph.zero())
+    }
+
+    /// The coefficient of 1.
+    pub(crate) fn free_term(&self, graph: &mut Graph) -> Node {
+        self.coefficient(graph, &Monomial::one())
+    }
+
+    fn is_constant(&self) -> bool {
+        self.0.keys().all(|monomial| *monomial == Monomial::one())
+    }
+
+    fn accumulate(&mut self, graph: &mut Graph, monomial: Monomial, coefficient: Node) {
+        let before = self.coefficient(graph, &monomial);
+        let after = graph.add(before, coefficient);
+        if graph.is_zero(after) {
+            self.0.remove(&monomial);
+        } else {
+            self.0.insert(monomial, after);
+        }
+    }
+
+    fn add(&mut self, graph: &mut Graph, other: &Self, factor: Node) {
+        for (monomial, &coefficient) in &other.0 {
+            let scaled = graph.multiply(factor, coefficient);
+            self.accumulate(graph, monomial.clone(), scaled);
+        }
+    }
+
+    fn multiply(&self, graph: &mut Graph, other: &Self) -> Self {
+        let mut result = Self::default();
+        for (left, &left_coefficient) in &self.0 {
+            for (right, &right_coefficient) in &other.0 {
+                let coefficient = graph.multiply(left_coefficient, right_coefficient);
+                let mut powers = left.powers.clone();
+                for (&atom, &power) in &right.powers {
+                    *powers.entry(atom).or_insert(0) += power;
+                }
+                for (harmonic, factor) in multiply_harmonics(&left.harmonic, &right.harmonic) {
+                    let scaled = graph.scale(factor, coefficient);
+                    result.accumulate(
+                        graph,
+                        Monomial {
+                            powers: powers.clone(),
+                            harmonic,
+                        },
+                        scaled,
+                    );
+                }
+            }
+        }
+        result
+    }
+
+    /// Back to an expression.
+    pub(crate) fn node(&self, graph: &mut Graph) -> Node {
+        let mut terms = Vec::new();
+        for (monomial, &coefficient) in &self.0 {
+            let mut factors: Vec<(Node, i32)> = monomial.powers.iter().map(|(&atom, &power)| (atom, power)).collect();
+            factors.push((coefficient, 1));
+            match &monomial.harmonic {
+                Harmonic::One => {}
+                Harmonic::Cosine(angle) => {
+                    let angle = angle.node(graph);
+                    factors.push((graph.cosine(angle), 1));
+                }
+                Harmonic::Sine(angle) => {
+                    let angle = angle.node(graph);
+                    factors.push((graph.sine(angle), 1));
+                }
+            }
+            terms.push(graph.product(&factors));
+        }
+        graph.sum(&terms)
+    }
+
+    /// Drops the monomials whose coefficients vanish by an identity that the normal form does not know.
+    fn cleaned(mut self, graph: &Graph) -> Self {
+        self.0.retain(|_, coefficient| !graph.vanishes(*coefficient));
+        self
+    }
+}
+
+/// Product to sum; each result with its factor.
+fn multiply_harmonics(left: &Harmonic, right: &Harmonic) -> Vec<(Harmonic, f64)> {
+    let cosine = |combination: Option<(Angle, bool)>, factor: f64| match combination {
+        None => Some((Harmonic::One, factor)),
+        Some((angle, _)) => Some((Harmonic::Cosine(angle), factor)),
+    };
+    let sine = |combination: Option<(Angle, bool)>, factor: f64| {
+        combination.map(|(angle, turned)| (Harmonic::Sine(angle), if turned { -factor } else { factor }))
+    };
+    let parts = match (left, right) {
+        (Harmonic::One, other) | (other, Harmonic::One) => return vec![(other.clone(), 1.0)],
+        (Harmonic::Cosine(a), Harmonic::Cosine(b)) => [cosine(a.combine(b, -1), 0.5), cosine(a.combine(b, 1), 0.5)],
+        (Harmonic::Sine(a), Harmonic::Sine(b)) => [cosine(a.combine(b, -1), 0.5), cosine(a.combine(b, 1), -0.5)],
+        (Harmonic::Sine(a), Harmonic::Cosine(b)) | (Harmonic::Cosine(b), Harmonic::Sine(a)) => {
+            [sine(a.combine(b, 1), 0.5), sine(a.combine(b, -1), 0.5)]
+        }
+    };
+    parts.into_iter().flatten().collect()
+}
+
+/// A quotient of two polynomials.
+#[derive(Clone)]
+struct Fraction {
+    above: Polynomial,
+    below: Polynomial,
+}
+
+/// The expansion of expressions in chosen variables.
+pub(crate) struct Expansion<'a> {
+    graph: &'a mut Graph,
+    is_variable: &'a dyn Fn(Symbol) -> bool,
+    known: BTreeMap<Node, Fraction>,
+}
+
+impl<'a> Expansion<'a> {
+    pub(crate) fn new(graph: &'a mut Graph, is_variable: &'a dyn Fn(Symbol) -> bool) -> Self {
+        Self {
+            graph,
+            is_variable,
+            known: BTreeMap::new(),
+        }
+    }
+
+    /// An equation `node == 0` multiplied by its denominators.
+    pub(crate) fn equation(&mut self, node: Node) -> Polynomial {
+        self.fraction(node).above.cleaned(self.graph)
+    }
+
+    /// An expression as a polynomial, if no variable stands below a fraction line.
+    pub(crate) fn polynomial(&mut self, node: Node) -> Option<Polynomial> {
+        let fraction = self.fraction(node);
+        if !fraction.below.is_constant() {
+            return None;
+        }
+        let below = fraction.below.free_term(self.graph);
+        let factor = self.graph.power(below, -1);
+        let mut result = Polynomial::default();
+        result.add(self.graph, &fraction.above, factor);
+        Some(result.cleaned(self.graph))
+    }
+
+    fn varies(&self, node: Node) -> bool {
+        self.graph.symbols(node).into_iter().any(self.is_variable)
+    }
+
+    fn whole(&mut self, above: Polynomial) -> Fraction {
+        let one = self.graph.one();
+        Fraction {
+            above,
+            below: Polynomial::constant(self.graph, one),
+        }
+    }
+
+    fn atom(&mut self, node: Node) -> Fraction {
+        let one = self.graph.one();
+        let monomial = Monomial {
+            powers: BTreeMap::from([(node, 1)]),
+            harmonic: Harmonic::One,
+        };
+        self.whole(Polynomial(BTreeMap::from([(monomial, one)])))
+    }
+
+    fn multiplied(&mut self, left: &Fraction, right: &Fraction) -> Fraction {
+        Fraction {
+            above: left.above.multiply(self.graph, &right.above),
+            below: left.below.multiply(self.graph, &right.below),
+        }
+    }
+
+    fn fraction(&mut self, node: Node) -> Fraction {
+        if let Some(fraction) = self.known.get(&node) {
+            return fraction.clone();
+        }
+        let fraction = self.expand(node);
+        self.known.insert(node, fraction.clone());
+        fraction
+    }
+
+    fn expand(&mut self, node: Node) -> Fraction {
+        if !self.varies(node) {
+            let above = Polynomial::constant(self.graph, node);
+            return self.whole(above);
+        }
+        match self.graph.term(node).clone() {
+            Term::Number(_) | Term::Pi | Term::Symbol(_) => self.atom(node),
+            Term::Sum(constant, terms) => {
+                let constant = self.graph.number(constant.get());
+                let above = Polynomial::constant(self.graph, constant);
+                let mut sum = self.whole(above);
+                for (part, coefficient) in terms {
+                    let part = self.fraction(part);
+                    let factor = self.graph.number(coefficient.get());
+                    if sum.below == part.below {
+                        sum.above.add(self.graph, &part.above, factor);
+                    } else {
+                        let mut above = sum.above.multiply(self.graph, &part.below);
+                        let other = part.above.multiply(self.graph, &sum.below);
+                        above.add(self.graph, &other, factor);
+                        let below = sum.below.multiply(self.graph, &part.below);
+                        sum = Fraction { above, below };
+                    }
+                }
+                sum
+            }
+            Term::Product(factors) => {
+                let one = self.graph.one();
+                let above = Polynomial::constant(self.graph, one);
+                let mut product = self.whole(above);
+                for (part, exponent) in factors {
+                    let mut base = self.fraction(part);
+                    if exponent < 0 {
+                        base = Fraction {
+                            above: base.below,
+                            below: base.above,
+                        };
+                    }
+                    for _ in 0..exponent.abs() {
+                        product = self.multiplied(&product, &base);
+                    }
+                }
+                product
+            }
+            Term::Call(function @ (Function::Sin | Function::Cos), arguments) => {
+                self.expand_circular(function, node, arguments[0])
+            }
+            Term::Call(..) => self.atom(node),
+        }
+    }
+
+    /// sin or cos of an integer combination of variables and anything that is free of them.
+    fn expand_circular(&mut self, function: Function, node: Node, angle: Node) -> Fraction {
+        let Some((combination, rest)) = self.split_angle(angle) else {
+            return self.atom(node);
+        };
+        let Some((combination, turned)) = Angle::normal(combination) else {
+            return self.atom(node);
+        };
+        let (cosine_rest, sine_rest) = (self.graph.cosine(rest), self.graph.sine(rest));
+        let sign = if turned { -1.0 } else { 1.0 };
+        // sin(p + r) = sin p cos r + cos p sin r, cos(p + r) = cos p cos r - sin p sin r, with p = ± combination
+        let (by_cosine, by_sine) = match function {
+            Function::Sin => (sine_rest, self.graph.scale(sign, cosine_rest)),
+            _ => (cosine_rest, self.graph.scale(-sign, sine_rest)),
+        };
+        let mut above = Polynomial::default();
+        let monomial = |harmonic| Monomial {
+            powers: BTreeMap::new(),
+            harmonic,
+        };
+        above.accumulate(self.graph, monomial(Harmonic::Cosine(combination.clone())), by_cosine);
+        above.accumulate(self.graph, monomial(Harmonic::Sine(combination)), by_sine);
+        self.whole(above)
+    }
+
+    /// An angle as an integer combination of variables and a rest that is free of them.
+    fn split_angle(&mut self, angle: Node) -> Option<(BTreeMap<Symbol, i32>, Node)> {
+        let terms: Vec<(Node, f64)> = match self.graph.term(angle) {
+            Term::Sum(_, terms) => terms
+                .iter()
+                .map(|&(part, coefficient)| (part, coefficient.get()))
+                .collect(),
+            _ => vec![(angle, 1.0)],
+        };
+        let mut combination = BTreeMap::new();
+        let mut rest = vec![(angle, 1.0)];
+        for (part, coefficient) in terms {
+            if !self.varies(part) {
+                continue;
+            }
+            let symbol = self.graph.as_symbol(part)?;
+            if coefficient.fract() != 0.0 || coefficient.abs() > 1e6 {
+                return None;
+            }
+            #[expect(clippy::cast_possible_truncation, reason = "it is an integer below a million")]
+            combination.insert(symbol, coefficient as i32);
+            rest.push((part, -coefficient));
+        }
+        Some((combination, self.graph.linear(0.0, &rest)))
+    }
+}
+
+impl Polynomial {
+    /// The variables that occur.
+    pub(crate) fn variables(&self, graph: &Graph, is_variable: &dyn Fn(Symbol) -> bool) -> BTreeSet<Symbol> {
+        let mut found = BTreeSet::new();
+        for monomial in self.0.keys() {
+            for &atom in monomial.powers.keys() {
+                found.extend(graph.symbols(atom));
+            }
+            if let Harmonic::Cosine(angle) | Harmonic::Sine(angle) = &monomial.harmonic {
+                found.extend(angle.0.iter().map(|&(symbol, _)| symbol));
+            }
+        }
+        found.retain(|&symbol| is_variable(symbol));
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// cos² + sin² is 1, and a product of two cosines is a sum of two.
+    #[test]
+    fn products_become_sums() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Unknown(0));
+        let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+        let (c2, s2) = (graph.power(cosine, 2), graph.power(sine, 2));
+        let sum = graph.add(c2, s2);
+        let is_variable = |symbol| matches!(symbol, Symbol::Unknown(_));
+        let polynomial = Expansion::new(&mut graph, &is_variable).equation(sum);
+        assert!(polynomial.is_constant());
+        let value = polynomial.free_term(&mut graph);
+        assert!(graph.is_one(value));
+    }
+}

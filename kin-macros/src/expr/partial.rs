@@ -1,0 +1,54 @@
+//! Partial derivatives.
+
+use std::collections::BTreeMap;
+
+use super::{Graph, Node, Symbol, Term};
+
+impl Graph {
+    /// The partial derivative of an expression by a symbol.
+    pub(crate) fn partial(&mut self, node: Node, symbol: Symbol) -> Node {
+        self.partial_remembered(node, symbol, &mut BTreeMap::new())
+    }
+
+    fn partial_remembered(&mut self, node: Node, symbol: Symbol, known: &mut BTreeMap<Node, Node>) -> Node {
+        if let Some(&derivative) = known.get(&node) {
+            return derivative;
+        }
+        let derivative = match self.term(node).clone() {
+            Term::Number(_) | Term::Pi => self.zero(),
+            Term::Symbol(own) => self.number(if own == symbol { 1.0 } else { 0.0 }),
+            Term::Sum(_, terms) => {
+                let terms: Vec<(Node, f64)> = terms
+                    .into_iter()
+                    .map(|(part, coefficient)| (self.partial_remembered(part, symbol, known), coefficient.get()))
+                    .collect();
+                self.linear(0.0, &terms)
+            }
+            Term::Product(factors) => {
+                let mut terms = Vec::new();
+                for (index, &(part, exponent)) in factors.iter().enumerate() {
+                    let inner = self.partial_remembered(part, symbol, known);
+                    if self.is_zero(inner) {
+                        continue;
+                    }
+                    let mut others = factors.clone();
+                    others[index].1 -= 1;
+                    others.push((inner, 1));
+                    terms.push((self.product(&others), f64::from(exponent)));
+                }
+                self.linear(0.0, &terms)
+            }
+            Term::Call(function, arguments) => {
+                let partials = function.partials(self, &arguments, node);
+                let mut terms = Vec::new();
+                for (argument, partial) in arguments.into_iter().zip(partials) {
+                    let inner = self.partial_remembered(argument, symbol, known);
+                    terms.push(self.multiply(partial, inner));
+                }
+                self.sum(&terms)
+            }
+        };
+        known.insert(node, derivative);
+        derivative
+    }
+}

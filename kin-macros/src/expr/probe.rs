@@ -1,0 +1,93 @@
+//! Identities, tested where the normal form cannot decide them.
+//!
+//! Two expressions that are equal by an identity which the normal form does not know (cos² + sin² = 1, say) have equal
+//! values everywhere; two that differ agree only on a set of measure zero. So an expression is taken to vanish if it
+//! does at several scattered points. The points are fixed, which keeps the expansion deterministic.
+
+use super::{Graph, Node, Symbol, Term};
+
+/// How many points are looked at.
+const POINTS: u64 = 4;
+/// Rounding leaves about 1e-15 of the terms; a difference that is there at all leaves far more.
+const TOLERANCE: f64 = 1e-9;
+
+/// A point at which expressions are compared.
+#[derive(Clone, Copy)]
+pub(crate) struct Probe(u64);
+
+impl Probe {
+    /// The points, in a fixed order.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        (0..POINTS).map(Self)
+    }
+
+    /// A symbol's value at this point: between 0.5 and 1.5, where roots and logarithms are at home.
+    pub(crate) fn value(self, symbol: Symbol) -> f64 {
+        let (kind, index) = match symbol {
+            Symbol::Parameter(index) => (1, index),
+            Symbol::Input(index) => (2, index),
+            Symbol::Unknown(index) => (3, index),
+            Symbol::InputRate(index, order) => (4 + 16 * order, index),
+            Symbol::UnknownRate(index, order) => (5 + 16 * order, index),
+            Symbol::Step(index) => (6, index),
+            Symbol::OutputRate(index, order) => (7 + 16 * order, index),
+        };
+        let seed = (kind as u64) << 40 | (index as u64) << 8 | self.0;
+        0.5 + scattered(seed)
+    }
+}
+
+/// A number in 0..1 from a seed, by the mixing function of `SplitMix64` (Steele, Lea and Flood, "Fast splittable
+/// pseudorandom number generators", OOPSLA 2014, figure 16).
+fn scattered(seed: u64) -> f64 {
+    let mut z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
+    let fraction = ((z ^ (z >> 31)) >> 11) as f64;
+    fraction / 9_007_199_254_740_992.0
+}
+
+impl Graph {
+    /// Whether an expression is zero whatever its symbols are.
+    pub(crate) fn vanishes(&self, node: Node) -> bool {
+        if let Some(value) = self.as_number(node) {
+            return value == 0.0;
+        }
+        let mut seen = false;
+        for probe in Probe::all() {
+            let at = |symbol| probe.value(symbol);
+            let value = self.evaluate(node, &at);
+            if !value.is_finite() {
+                continue;
+            }
+            let size = match self.term(node) {
+                Term::Sum(constant, terms) => terms.iter().fold(constant.get().abs(), |size, &(part, coefficient)| {
+                    size + (coefficient.get() * self.evaluate(part, &at)).abs()
+                }),
+                _ => return false,
+            };
+            if value.abs() > TOLERANCE * size.max(1e-3) {
+                return false;
+            }
+            seen = true;
+        }
+        seen
+    }
+
+    /// Whether two expressions are equal whatever their symbols are.
+    pub(crate) fn same(&mut self, a: Node, b: Node) -> bool {
+        a == b || {
+            let difference = self.subtract(a, b);
+            self.vanishes(difference)
+        }
+    }
+
+    /// Whether an expression is negative at the first point: a sign that does not depend on how it was typed.
+    pub(crate) fn probes_negative(&self, node: Node) -> bool {
+        Probe::all()
+            .map(|probe| self.evaluate(node, &|symbol| probe.value(symbol)))
+            .find(|value| value.is_finite())
+            .is_some_and(|value| value < 0.0)
+    }
+}

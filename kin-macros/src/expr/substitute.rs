@@ -1,0 +1,42 @@
+//! Putting expressions in the place of others.
+
+use std::collections::BTreeMap;
+
+use super::{Graph, Node, Term};
+
+impl Graph {
+    /// An expression with every node that `replacements` names put in place, the whole brought into normal form again.
+    ///
+    /// `replacements` also serves as the memory of what has been rewritten, so that many expressions share the work.
+    pub(crate) fn substitute(&mut self, node: Node, replacements: &mut BTreeMap<Node, Node>) -> Node {
+        if let Some(&replacement) = replacements.get(&node) {
+            return replacement;
+        }
+        let replacement = match self.term(node).clone() {
+            Term::Number(_) | Term::Pi | Term::Symbol(_) => node,
+            Term::Sum(constant, terms) => {
+                let terms: Vec<(Node, f64)> = terms
+                    .into_iter()
+                    .map(|(part, coefficient)| (self.substitute(part, replacements), coefficient.get()))
+                    .collect();
+                self.linear(constant.get(), &terms)
+            }
+            Term::Product(factors) => {
+                let factors: Vec<(Node, i32)> = factors
+                    .into_iter()
+                    .map(|(part, exponent)| (self.substitute(part, replacements), exponent))
+                    .collect();
+                self.product(&factors)
+            }
+            Term::Call(function, arguments) => {
+                let arguments: Vec<Node> = arguments
+                    .into_iter()
+                    .map(|argument| self.substitute(argument, replacements))
+                    .collect();
+                self.call(function, &arguments)
+            }
+        };
+        replacements.insert(node, replacement);
+        replacement
+    }
+}

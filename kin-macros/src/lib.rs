@@ -1,0 +1,76 @@
+//! The `mechanism!` macro of kin: loop closures in, motion out.
+//!
+//! This crate is the macro's machinery. Use it through `kin_core::mechanism!`, which is documented there with examples.
+//!
+//! # The grammar
+//!
+//! ```text
+//! declaration = struct statement*
+//! struct      = attribute* visibility "struct" NAME "{" (field ("," field)*)? "}"
+//! field       = attribute* visibility NAME ":" dimension
+//! dimension   = "Length" | "Angle" | "Scalar" | "Point" | "Vector"
+//!
+//! statement   = "input"   quantity ("," quantity)* ";"
+//!             | "unknown" unknown  ("," unknown)* ";"
+//!             | "let" NAME "=" expression ";"
+//!             | "output" NAME ":" dimension "=" expression ";"
+//!             | expression "==" expression ";"
+//! quantity    = NAME ":" ("Length" | "Angle" | "Scalar")
+//! unknown     = quantity range?
+//! range       = "where" NAME ("<" | "<=" | ">" | ">=") constant
+//!             | "in" constant (".." | "..=") constant
+//!
+//! expression  = product (("+" | "-") product)*
+//! product     = unary (("*" | "/") unary)*
+//! unary       = "-" unary | postfix
+//! postfix     = operand ("." "x" | "." "y" | "." function "(" arguments ")")*
+//! operand     = NUMBER | "PI" | NAME | function "(" arguments ")" | "(" expression ")"
+//! function    = "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "atan2" | "sqrt" | "exp" | "ln"
+//!             | "powi" | "cis" | "polar" | "vec2"
+//! ```
+//!
+//! Statements come in any order, but a `let` before its uses. Doc comments may stand before statements, and before each name of an
+//! `input` or `unknown`. A constant is an expression without names.
+//!
+//! # Dimensions
+//!
+//! A formula is a scalar or a plane vector, and has a power of length. `+`, `-` and `==` join what has the same power; a literal
+//! zero fits everywhere. `Angle` and `Scalar` are plain numbers, so the product of a radius and an angle is a length. A scalar
+//! added to a vector lies along x, as a real number does among complex ones; an equation of a vector and a scalar is a mistake.
+//! The product of two vectors is that of complex numbers: `v * cis(a)` is v, turned by a.
+//!
+//! | function | arguments | result |
+//! |---|---|---|
+//! | `sin`, `cos`, `tan` | angle | number |
+//! | `asin`, `acos`, `atan`, `exp`, `ln` | number | angle or number |
+//! | `atan2(y, x)` | two scalars of one dimension | angle |
+//! | `sqrt(x)`, `powi(x, n)` | scalar; n an integer literal from -64 to 64 | scalar, the power of length halved or multiplied |
+//! | `cis(angle)` | angle | unit vector |
+//! | `polar(length, angle)` | scalar, angle | vector |
+//! | `vec2(x, y)` | two scalars of one dimension | vector |
+//!
+//! All of them may be written as methods of their first argument: `theta.cis()`, `y.atan2(x)`.
+
+mod assemble;
+mod derive;
+mod emit;
+mod expand;
+#[cfg(test)]
+mod expansion_tests;
+mod expr;
+mod fallback;
+mod function;
+mod model;
+mod plan;
+mod refuse;
+mod report;
+mod schedule;
+mod structure;
+mod syntax;
+
+/// `mechanism!`, called with the path of the crate that it belongs to in parentheses before the declaration.
+#[doc(hidden)]
+#[proc_macro]
+pub fn mechanism_in(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    expand::expand(tokens.into()).into()
+}

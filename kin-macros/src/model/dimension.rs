@@ -1,0 +1,170 @@
+//! What formulas measure: scalar or plane vector, and which power of a length.
+//!
+//! Angles are plain numbers here, so that `r * theta` is a length.
+
+use std::fmt::{self, Display, Formatter};
+
+/// A power of a length, as a fraction in lowest terms with a positive denominator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Exponent {
+    numerator: i64,
+    denominator: i64,
+}
+
+impl Exponent {
+    pub(crate) const NUMBER: Self = Self::whole(0);
+    pub(crate) const LENGTH: Self = Self::whole(1);
+
+    const fn whole(numerator: i64) -> Self {
+        Self {
+            numerator,
+            denominator: 1,
+        }
+    }
+
+    /// Saturates: an exponent beyond 64 bits is nobody's, and wrong in any case.
+    fn fraction(numerator: i64, denominator: i64) -> Self {
+        let divisor = greatest_common_divisor(numerator, denominator).max(1);
+        Self {
+            numerator: numerator / divisor,
+            denominator: denominator / divisor,
+        }
+    }
+
+    /// Of a product.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self::fraction(
+            self.numerator
+                .saturating_mul(other.denominator)
+                .saturating_add(other.numerator.saturating_mul(self.denominator)),
+            self.denominator.saturating_mul(other.denominator),
+        )
+    }
+
+    /// Of a power.
+    pub(crate) fn times(self, factor: i32) -> Self {
+        Self::fraction(self.numerator.saturating_mul(i64::from(factor)), self.denominator)
+    }
+
+    /// Of a square root.
+    pub(crate) fn half(self) -> Self {
+        Self::fraction(self.numerator, self.denominator.saturating_mul(2))
+    }
+
+    pub(crate) fn negated(self) -> Self {
+        self.times(-1)
+    }
+}
+
+fn greatest_common_divisor(a: i64, b: i64) -> i64 {
+    let (mut a, mut b) = (a.saturating_abs(), b.saturating_abs());
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}
+
+/// `length^2`
+impl Display for Exponent {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match (self.numerator, self.denominator) {
+            (1, 1) => write!(f, "length"),
+            (n, 1) => write!(f, "length^{n}"),
+            (n, d) => write!(f, "length^({n}/{d})"),
+        }
+    }
+}
+
+/// What a formula measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Measure {
+    pub(crate) plane: bool,
+    /// `None` is zero, which fits everywhere.
+    pub(crate) exponent: Option<Exponent>,
+}
+
+impl Measure {
+    /// Whether it is zero, and so fits both a scalar and a vector.
+    pub(crate) fn is_zero(self) -> bool {
+        !self.plane && self.exponent.is_none()
+    }
+
+    /// Whether a plain number is wanted and this is one.
+    pub(crate) fn is_number(self) -> bool {
+        !self.plane && self.exponent.is_none_or(|exponent| exponent == Exponent::NUMBER)
+    }
+}
+
+/// The measure of a sum or difference, `None` if the powers of length differ. Zero takes the other's.
+pub(crate) fn common(left: Measure, right: Measure) -> Option<Measure> {
+    let fits = match (left.exponent, right.exponent) {
+        (Some(left), Some(right)) => left == right,
+        _ => true,
+    };
+    fits.then_some(Measure {
+        plane: left.plane || right.plane,
+        exponent: left.exponent.or(right.exponent),
+    })
+}
+
+/// The exponent of a product; that of zero and anything is again zero.
+pub(crate) fn product(left: Option<Exponent>, right: Option<Exponent>) -> Option<Exponent> {
+    Some(left?.plus(right?))
+}
+
+/// In words, with an article.
+impl Display for Measure {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Some(exponent) = self.exponent else {
+            return f.write_str(if self.plane { "a zero vector" } else { "zero" });
+        };
+        match (self.plane, exponent) {
+            (false, Exponent::NUMBER) => f.write_str("an angle or plain number"),
+            (false, Exponent::LENGTH) => f.write_str("a length"),
+            (false, exponent) if exponent == Exponent::whole(2) => f.write_str("an area (length^2)"),
+            (false, exponent) if exponent == Exponent::whole(3) => f.write_str("a volume (length^3)"),
+            (false, exponent) => write!(f, "a {exponent}"),
+            (true, Exponent::NUMBER) => f.write_str("a plane vector of plain numbers"),
+            (true, Exponent::LENGTH) => f.write_str("a plane vector of lengths"),
+            (true, exponent) => write!(f, "a plane vector of {exponent}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponents_add_halve_and_multiply() {
+        let area = Exponent::LENGTH.plus(Exponent::LENGTH);
+        assert_eq!(area.half(), Exponent::LENGTH);
+        assert_eq!(area.plus(area.negated()), Exponent::NUMBER);
+        assert_eq!(Exponent::LENGTH.half().times(2), Exponent::LENGTH);
+        assert_eq!(Exponent::LENGTH.half().half().times(-8), area.negated());
+    }
+
+    #[test]
+    fn endless_powers_do_not_overflow() {
+        let mut exponent = Exponent::LENGTH;
+        for _ in 0..100 {
+            exponent = exponent.times(64).half().half();
+        }
+        for _ in 0..100 {
+            exponent = exponent.half().plus(exponent);
+        }
+    }
+
+    #[test]
+    fn measures_have_words() {
+        let words = |plane, exponent| Measure { plane, exponent }.to_string();
+        assert_eq!(words(false, Some(Exponent::LENGTH)), "a length");
+        assert_eq!(words(false, Some(Exponent::NUMBER)), "an angle or plain number");
+        assert_eq!(words(false, Some(Exponent::whole(2))), "an area (length^2)");
+        assert_eq!(words(false, Some(Exponent::whole(-1))), "a length^-1");
+        assert_eq!(words(false, Some(Exponent::LENGTH.half())), "a length^(1/2)");
+        assert_eq!(words(true, Some(Exponent::LENGTH)), "a plane vector of lengths");
+        assert_eq!(words(true, Some(Exponent::whole(2))), "a plane vector of length^2");
+        assert_eq!(words(false, None), "zero");
+    }
+}

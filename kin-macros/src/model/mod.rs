@@ -1,0 +1,733 @@
+//! Syntax tree to model: names are what they stand for, dimensions fit, and plane vectors are pairs of scalars, each with its
+//! place in the source.
+
+mod dimension;
+mod lower;
+mod range;
+mod scope;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::{Attribute, Visibility};
+
+use crate::expr::{Graph, Node, Symbol};
+use crate::report::Report;
+use crate::syntax::{self, Declaration, Expression, Statement};
+
+use dimension::{Exponent, Measure, common};
+use lower::{Lowering, Typed};
+use scope::{Meaning, Role, Scope};
+
+pub(crate) use crate::syntax::Dimension;
+
+/// A mechanism as it was declared, free of mistakes in itself. Whether it can be solved is the next pass's question.
+pub(crate) struct Model {
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) visibility: Visibility,
+    pub(crate) name: Ident,
+    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) inputs: Vec<Quantity>,
+    pub(crate) unknowns: Vec<Unknown>,
+    pub(crate) equations: Vec<Equation>,
+    pub(crate) outputs: Vec<Output>,
+    pub(crate) graph: Graph,
+}
+
+/// A field of the struct.
+pub(crate) struct Parameter {
+    pub(crate) name: Ident,
+    pub(crate) visibility: Visibility,
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) dimension: Dimension,
+    /// One, or the two of a point or vector.
+    pub(crate) nodes: Vec<Node>,
+}
+
+/// An input.
+pub(crate) struct Quantity {
+    pub(crate) name: Ident,
+    pub(crate) documentation: Vec<Attribute>,
+    pub(crate) dimension: Dimension,
+    pub(crate) node: Node,
+}
+
+/// What is to be found.
+pub(crate) struct Unknown {
+    pub(crate) name: Ident,
+    pub(crate) documentation: Vec<Attribute>,
+    pub(crate) dimension: Dimension,
+    pub(crate) node: Node,
+    pub(crate) range: Option<Range>,
+}
+
+/// Where an unknown is to be found. An end may be infinite.
+pub(crate) struct Range {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    /// `e > 0`
+    pub(crate) text: String,
+    pub(crate) span: Span,
+}
+
+pub(crate) struct Equation {
+    pub(crate) residual: Residual,
+    /// Of the `==`.
+    pub(crate) span: Span,
+    /// The whole equation, for errors that span it.
+    pub(crate) tokens: TokenStream,
+    pub(crate) text: String,
+}
+
+/// The left side of an equation less the right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Residual {
+    Scalar(Node),
+    Plane(Node, Node),
+}
+
+/// A quantity that is computed from the others and carried to the same order.
+pub(crate) struct Output {
+    pub(crate) name: Ident,
+    pub(crate) documentation: Vec<Attribute>,
+    pub(crate) dimension: Dimension,
+    pub(crate) value: Value,
+    pub(crate) text: String,
+    pub(crate) span: Span,
+}
+
+/// A formula's value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Value {
+    Scalar(Node),
+    Plane(Node, Node),
+}
+
+impl Value {
+    /// One, or x and y.
+    pub(crate) fn nodes(self) -> Vec<Node> {
+        match self {
+            Self::Scalar(node) => vec![node],
+            Self::Plane(x, y) => vec![x, y],
+        }
+    }
+
+    /// A scalar beside a vector lies along x.
+    fn on_plane(self, zero: Node) -> (Node, Node) {
+        match self {
+            Self::Scalar(node) => (node, zero),
+            Self::Plane(x, y) => (x, y),
+        }
+    }
+}
+
+/// Builds the model. All mistakes go to the report, and after one the model is `None`.
+pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Model> {
+    let mut graph = Graph::new();
+    let mut scope = Scope::new(declaration);
+    let parameters = parameters(declaration, &mut graph, &mut scope, report);
+    let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, report);
+    let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, report);
+
+    if declaration.complete {
+        missing_statements(declaration, report);
+    }
+    if !equations.is_empty() && !declaration.breaks_off {
+        unused_names(declaration, &scope, report);
+    }
+    let sound = unknowns_in_equations(declaration, &unknowns, &equations, &graph, &scope, report);
+    if !declaration.complete || !sound || !report.is_empty() {
+        return None;
+    }
+    Some(Model {
+        attributes: declaration.attributes.clone(),
+        visibility: declaration.visibility.clone(),
+        name: declaration.name.clone(),
+        parameters,
+        inputs,
+        unknowns,
+        equations: equations.into_iter().collect::<Option<_>>()?,
+        outputs,
+        graph,
+    })
+}
+
+impl Dimension {
+    fn exponent(self) -> Exponent {
+        match self {
+            Self::Length | Self::Point | Self::Vector => Exponent::LENGTH,
+            Self::Angle | Self::Scalar => Exponent::NUMBER,
+        }
+    }
+
+    fn measure(self) -> Measure {
+        Measure {
+            plane: self.is_plane(),
+            exponent: Some(self.exponent()),
+        }
+    }
+}
+
+fn parameters(
+    declaration: &Declaration,
+    graph: &mut Graph,
+    scope: &mut Scope<'_>,
+    report: &mut Report,
+) -> Vec<Parameter> {
+    let mut parameters = Vec::new();
+    let mut count = 0;
+    for field in &declaration.parameters {
+        let Some(dimension) = field.dimension else {
+            continue;
+        };
+        let mut next = || {
+            count += 1;
+            graph.symbol(Symbol::Parameter(count - 1))
+        };
+        let exponent = dimension.exponent();
+        let (nodes, typed) = if dimension.is_plane() {
+            let (x, y) = (next(), next());
+            (vec![x, y], Typed::plane(x, y, exponent))
+        } else {
+            let node = next();
+            (vec![node], Typed::scalar(node, exponent))
+        };
+        scope.declare(&field.name, Role::Parameter, Meaning::Value(typed), report);
+        parameters.push(Parameter {
+            name: field.name.clone(),
+            visibility: field.visibility.clone(),
+            attributes: field.attributes.clone(),
+            dimension,
+            nodes,
+        });
+    }
+    parameters
+}
+
+/// Declares every name of the statements. Where they stand does not matter, except for the use of a `let`.
+fn quantities(
+    declaration: &Declaration,
+    graph: &mut Graph,
+    scope: &mut Scope<'_>,
+    report: &mut Report,
+) -> (Vec<Quantity>, Vec<Unknown>) {
+    let mut inputs: Vec<Quantity> = Vec::new();
+    let mut unknowns: Vec<Unknown> = Vec::new();
+    for statement in &declaration.statements {
+        match statement {
+            Statement::Inputs(items) => {
+                for item in items {
+                    let node = graph.symbol(Symbol::Input(inputs.len()));
+                    let typed = Typed::scalar(node, item.dimension.exponent());
+                    scope.declare(&item.name, Role::Input, Meaning::Value(typed), report);
+                    inputs.push(Quantity {
+                        name: item.name.clone(),
+                        documentation: item.documentation.clone(),
+                        dimension: item.dimension,
+                        node,
+                    });
+                }
+            }
+            Statement::Unknowns(items) => {
+                for syntax::UnknownItem { quantity, range } in items {
+                    let node = graph.symbol(Symbol::Unknown(unknowns.len()));
+                    let typed = Typed::scalar(node, quantity.dimension.exponent());
+                    scope.declare(&quantity.name, Role::Unknown, Meaning::Value(typed), report);
+                    unknowns.push(Unknown {
+                        name: quantity.name.clone(),
+                        documentation: quantity.documentation.clone(),
+                        dimension: quantity.dimension,
+                        node,
+                        range: range
+                            .as_ref()
+                            .and_then(|clause| range::range(clause, &quantity.name, declaration, report)),
+                    });
+                }
+            }
+            Statement::Let(statement) => {
+                scope.declare(&statement.name, Role::Let, Meaning::Later, report);
+            }
+            Statement::Output(statement) => {
+                scope.declare(&statement.name, Role::Output, Meaning::Result, report);
+            }
+            Statement::Equation(_) => {}
+        }
+    }
+    (inputs, unknowns)
+}
+
+/// Lowers every formula. An equation with a mistake leaves `None` in its place.
+fn formulas(
+    declaration: &Declaration,
+    graph: &mut Graph,
+    scope: &mut Scope<'_>,
+    report: &mut Report,
+) -> (Vec<Option<Equation>>, Vec<Output>) {
+    let mut equations = Vec::new();
+    let mut outputs = Vec::new();
+    for statement in &declaration.statements {
+        let mut lowering = Lowering { graph, scope, report };
+        match statement {
+            Statement::Let(statement) => {
+                let meaning = lowering
+                    .expression(&statement.value)
+                    .map_or(Meaning::Broken, Meaning::Value);
+                scope.define(&statement.name, meaning);
+            }
+            Statement::Equation(statement) => {
+                equations.push(lowering.residual(statement).map(|value| Equation {
+                    residual: match value {
+                        Value::Scalar(node) => Residual::Scalar(node),
+                        Value::Plane(x, y) => Residual::Plane(x, y),
+                    },
+                    span: statement.operator.first,
+                    tokens: statement.tokens.clone(),
+                    text: statement.to_string(),
+                }));
+            }
+            Statement::Output(statement) => {
+                let Some(typed) = lowering.expression(&statement.value) else {
+                    continue;
+                };
+                outputs.extend(output(statement, &typed, graph, report));
+            }
+            Statement::Inputs(_) | Statement::Unknowns(_) => {}
+        }
+    }
+    (equations, outputs)
+}
+
+fn output(
+    statement: &syntax::OutputStatement,
+    typed: &Typed,
+    graph: &mut Graph,
+    report: &mut Report,
+) -> Option<Output> {
+    let declared = statement.dimension.measure();
+    let actual = typed.measure();
+    let fits = (declared.plane == actual.plane || actual.is_zero()) && common(declared, actual).is_some();
+    if !fits {
+        let remedy = match (actual.plane, actual.exponent) {
+            (false, Some(Exponent::LENGTH)) => "declare it `Length`".to_owned(),
+            (false, Some(Exponent::NUMBER)) => "declare it `Angle` or `Scalar`".to_owned(),
+            (true, Some(Exponent::LENGTH)) => "declare it `Point` or `Vector`".to_owned(),
+            (true, Some(Exponent::NUMBER)) => "multiply it by a length".to_owned(),
+            _ => "divide or multiply it by lengths until it is one".to_owned(),
+        };
+        report.error(
+            statement.value.extent,
+            format!(
+                "output `{}` is declared `{}`, but this is {actual}: {remedy}",
+                statement.name,
+                statement.dimension.word()
+            ),
+        );
+        return None;
+    }
+    let value = if declared.plane {
+        let zero = graph.number(0.0);
+        let (x, y) = typed.value.on_plane(zero);
+        Value::Plane(x, y)
+    } else {
+        typed.value
+    };
+    Some(Output {
+        name: statement.name.clone(),
+        documentation: statement.documentation.clone(),
+        dimension: statement.dimension,
+        value,
+        text: statement.value.to_string(),
+        span: statement.name.span(),
+    })
+}
+
+/// A mechanism has inputs, unknowns and equations.
+fn missing_statements(declaration: &Declaration, report: &mut Report) {
+    let name = &declaration.name;
+    if declaration.statements.is_empty() {
+        report.error(
+            name,
+            format!(
+                "nothing is said of `{name}` but its parameters: declare an `input`, the `unknown`s and the equations after the struct"
+            ),
+        );
+        return;
+    }
+    let some = |kind: fn(&Statement) -> bool| declaration.statements.iter().any(kind);
+    if !some(|statement| matches!(statement, Statement::Inputs(_))) {
+        report.error(
+            name,
+            format!("`{name}` has no input, so nothing moves it: declare one, as in `input theta2: Angle;`"),
+        );
+    }
+    if !some(|statement| matches!(statement, Statement::Unknowns(_))) {
+        report.error(
+            name,
+            format!("`{name}` has no unknown to solve for: declare one, as in `unknown theta3: Angle;`"),
+        );
+    }
+    if !some(|statement| matches!(statement, Statement::Equation(_))) {
+        report.error(
+            name,
+            format!("`{name}` has no equation: write its loop closure, as in `a * cis(theta) == b;`"),
+        );
+    }
+}
+
+/// What is declared is used, or is a mistake of its own.
+fn unused_names(declaration: &Declaration, scope: &Scope<'_>, report: &mut Report) {
+    for entry in &scope.entries {
+        let word = entry.name.to_string();
+        if entry.used || declaration.mentioned.contains(&word) || scope.is_meant(&word) {
+            continue;
+        }
+        let complaint = match entry.role {
+            Role::Parameter | Role::Input => format!(
+                "{} `{word}` is used by no equation and no output: use it, or remove it",
+                entry.role.word()
+            ),
+            Role::Let => format!("`let {word}` is never used: use it, or remove it"),
+            Role::Unknown | Role::Output => continue,
+        };
+        report.error(&entry.name, complaint);
+    }
+}
+
+/// Every unknown stands in an equation, and every scalar equation contains an unknown. False if one was found that does not.
+fn unknowns_in_equations(
+    declaration: &Declaration,
+    unknowns: &[Unknown],
+    equations: &[Option<Equation>],
+    graph: &Graph,
+    scope: &Scope<'_>,
+    report: &mut Report,
+) -> bool {
+    let before = report.is_empty();
+    let mut found: BTreeSet<usize> = BTreeSet::new();
+    for equation in equations.iter().flatten() {
+        let parts: Vec<(Node, &str)> = match equation.residual {
+            Residual::Scalar(node) => vec![(node, "this equation")],
+            Residual::Plane(x, y) => vec![(x, "the x part of this equation"), (y, "the y part of this equation")],
+        };
+        let contained = |node| (0..unknowns.len()).filter(move |&index| graph.contains(node, Symbol::Unknown(index)));
+        found.extend(parts.iter().flat_map(|&(node, _)| contained(node)));
+        let idle: Vec<&(Node, &str)> = parts
+            .iter()
+            .filter(|(node, _)| contained(*node).next().is_none())
+            .collect();
+        if unknowns.is_empty() || idle.is_empty() {
+            continue;
+        }
+        let whole = idle.len() == parts.len();
+        for (node, subject) in idle.iter().take(if whole { 1 } else { 2 }) {
+            let subject = if whole { "this equation" } else { subject };
+            let remedy = if whole {
+                "remove it"
+            } else {
+                "write the other part alone, by `.x` or `.y`"
+            };
+            let complaint = match graph.constant_value(*node) {
+                Some(0.0) => format!("{subject} is always true and says nothing: {remedy}"),
+                Some(_) => {
+                    format!("{subject} is never true, whatever the unknowns are: correct it")
+                }
+                None => format!("{subject} contains no unknown, so it can only restrict what is given: {remedy}"),
+            };
+            report.error(&equation.tokens, complaint);
+        }
+    }
+    let written = written_names(declaration);
+    for (index, unknown) in unknowns.iter().enumerate() {
+        let word = unknown.name.to_string();
+        if found.contains(&index) || declaration.mentioned.contains(&word) || scope.is_meant(&word) {
+            continue;
+        }
+        let cancelled = declaration_mentions(&written, equations, &word);
+        match cancelled {
+            Mention::InBroken => {}
+            Mention::InSound => report.error(
+                &unknown.name,
+                format!("unknown `{word}` cancels out of every equation: nothing determines it"),
+            ),
+            Mention::Nowhere => {
+                if !equations.is_empty() && !declaration.breaks_off {
+                    report.error(
+                        &unknown.name,
+                        format!("no equation contains the unknown `{word}`: write one, or remove it"),
+                    );
+                }
+            }
+        }
+    }
+    before == report.is_empty()
+}
+
+enum Mention {
+    Nowhere,
+    /// In equations without a mistake only.
+    InSound,
+    /// In an equation with a mistake.
+    InBroken,
+}
+
+fn declaration_mentions(written: &[BTreeSet<String>], equations: &[Option<Equation>], word: &str) -> Mention {
+    let mut mention = Mention::Nowhere;
+    for (names, equation) in written.iter().zip(equations) {
+        if names.contains(word) {
+            if equation.is_none() {
+                return Mention::InBroken;
+            }
+            mention = Mention::InSound;
+        }
+    }
+    mention
+}
+
+/// The names written in each equation, those within its abbreviations included.
+fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
+    let mut abbreviations: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut equations = Vec::new();
+    for statement in &declaration.statements {
+        match statement {
+            Statement::Let(statement) => {
+                let mut names = BTreeSet::new();
+                collect_names(&statement.value, &abbreviations, &mut names);
+                abbreviations.insert(statement.name.to_string(), names);
+            }
+            Statement::Equation(statement) => {
+                let mut names = BTreeSet::new();
+                collect_names(&statement.left, &abbreviations, &mut names);
+                collect_names(&statement.right, &abbreviations, &mut names);
+                equations.push(names);
+            }
+            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Output(_) => {}
+        }
+    }
+    equations
+}
+
+fn collect_names(
+    expression: &Expression,
+    abbreviations: &BTreeMap<String, BTreeSet<String>>,
+    names: &mut BTreeSet<String>,
+) {
+    expression.visit_names(&mut |name| {
+        let name = name.to_string();
+        names.extend(abbreviations.get(&name).into_iter().flatten().cloned());
+        names.insert(name);
+    });
+}
+
+#[cfg(test)]
+#[allow(clippy::needless_pass_by_value, reason = "formulas are quoted where they are passed")]
+mod tests {
+    use quote::quote;
+
+    use super::*;
+
+    fn mistakes(body: TokenStream) -> Vec<String> {
+        let mut report = Report::new();
+        let tokens = quote! {
+            struct M { a: Length, b: Length, k: Scalar, p: Point, v: Vector }
+            #body
+        };
+        let declaration = syntax::parse(tokens, &mut report);
+        let model = declaration.and_then(|declaration| build(&declaration, &mut report));
+        assert_eq!(model.is_some(), report.is_empty());
+        report.into_messages()
+    }
+
+    /// The mistakes of one formula.
+    fn formula(formula: TokenStream) -> Vec<String> {
+        mistakes(quote! {
+            input t: Angle;
+            unknown e: Length;
+            let all = k * (p + v + a + b);
+            all.x == e * t;
+            let formula = #formula;
+            let used = formula;
+            output o: Point = all * used * used;
+        })
+        .into_iter()
+        .filter(|message| !message.contains("output `o`"))
+        .collect()
+    }
+
+    #[test]
+    fn what_fits_fits() {
+        for fitting in [
+            quote!(a + b - 2 * e),
+            quote!(a + 0),
+            quote!(0 - a),
+            quote!(t + 1 + PI),
+            quote!(p + a),
+            quote!(a - v),
+            quote!(p + 0),
+            quote!(p * cis(t)),
+            quote!(sin(a / b)),
+            quote!(sqrt(a * b) + e),
+            quote!(sqrt(a) * sqrt(b) + e),
+            quote!(powi(a, 2) + b * e),
+            quote!(powi(a, -1) * b + t),
+            quote!(powi(a, 0) + t),
+            quote!(atan2(a, b) + t),
+            quote!(atan2(0, b)),
+            quote!(vec2(0, a) + p),
+            quote!(vec2(0, 0) + p),
+            quote!(polar(a, t).y + b),
+            quote!(polar(a / b, 0)),
+            quote!(exp(k) * ln(k) + asin(0.5) + acos(a / b) + atan(t)),
+            quote!(p / a * b),
+            quote!(-p + v),
+            quote!((a * t) + b),
+            quote!(0 * a + t),
+        ] {
+            let messages = formula(fitting.clone());
+            assert!(messages.is_empty(), "{fitting}: {messages:#?}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_is_told_once() {
+        for (wrong, told) in [
+            (quote!(a + t), "cannot add a length and an angle"),
+            (quote!(a - 1), "cannot subtract an angle or plain number from a length"),
+            (quote!(a * b + a), "cannot add an area (length^2) and a length"),
+            (quote!(p + t), "cannot add a plane vector of lengths and an angle"),
+            (quote!(sin(a)), "`sin` takes an angle"),
+            (quote!(cos(p)), "`cos` takes scalars"),
+            (quote!(asin(a)), "`asin` takes a ratio"),
+            (quote!(atan(a)), "`atan2(y, x)`"),
+            (quote!(exp(a)), "`exp` takes a plain number"),
+            (quote!(cis(a)), "`cis` takes an angle"),
+            (quote!(polar(t, a)), "`polar` takes an angle as its second argument"),
+            (quote!(atan2(a, t)), "same dimension"),
+            (quote!(vec2(a, t)), "same dimension"),
+            (quote!(vec2(p, a)), "`vec2` takes scalars"),
+            (quote!(a / p), "cis(-angle)"),
+            (quote!(a / 0), "this divisor is zero"),
+            (quote!(a / (1 - 1)), "this divisor is zero"),
+            (quote!(a.x), "only a plane vector has a part `x`"),
+            (quote!(sqrt(-2)), "outside of the domain of `sqrt`"),
+            (quote!(asin(2)), "outside of the domain of `asin`"),
+            (quote!(ln(0)), "outside of the domain of `ln`"),
+            (quote!(atan2(0, 0)), "outside of the domain of `atan2`"),
+            (quote!(powi(0, -1)), "negative exponent"),
+            (quote!(exp(1000)), "not a finite number"),
+            (quote!(1e300 * 1e300), "not a finite number"),
+            (quote!(o * 2), "is an output"),
+            (quote!(later), "is called `later`"),
+            (quote!(formula + a), "used before it is known"),
+            (quote!(tau), "2 * PI"),
+            (quote!(pi), "did you mean `PI`"),
+        ] {
+            let messages = formula(wrong.clone());
+            assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
+            assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
+        }
+    }
+
+    #[test]
+    fn a_mistake_has_no_followers() {
+        let messages = mistakes(quote! {
+            input type: Angle, t: Angle;
+            unknown e: Lenght;
+            unknown f: Length where f > g;
+            let half = a / p;
+            k * half + e == b * sin(type) * t + f;
+            v == if p {};
+        });
+        assert_eq!(messages.len(), 5, "{messages:#?}");
+    }
+
+    #[test]
+    fn equations_say_something() {
+        let equation = |equation: TokenStream| {
+            mistakes(quote! {
+                input t: Angle;
+                unknown e: Length;
+                output all: Point = k * t * (p + v + a + b);
+                e == a;
+                #equation;
+            })
+        };
+        assert!(equation(quote!(p == vec2(e, e))).is_empty());
+        assert!(equation(quote!(p - vec2(e, e) == 0)).is_empty());
+        for (idle, told) in [
+            (quote!(e == e), "is always true"),
+            (quote!(a + 0 == a), "is always true"),
+            (quote!(t == t + 1), "is never true"),
+            (quote!(a == b), "contains no unknown"),
+            (quote!(p == v), "this equation contains no unknown"),
+            (
+                quote!(vec2(e, 0) == vec2(a, 0)),
+                "the y part of this equation is always true",
+            ),
+            (
+                quote!(vec2(a, e) == p),
+                "the x part of this equation contains no unknown",
+            ),
+            (quote!(p == e), "the left side is a plane vector"),
+            (quote!(e == p), "the left side is a scalar"),
+            (quote!(e == t), "the left side is a length"),
+        ] {
+            let messages = equation(idle.clone());
+            assert_eq!(messages.len(), 1, "{idle}: {messages:#?}");
+            assert!(messages[0].contains(told), "{idle}: {messages:#?}");
+        }
+    }
+
+    #[test]
+    fn ranges_are_constant_and_hold_something() {
+        let range = |range: TokenStream| {
+            mistakes(quote! {
+                input t: Angle;
+                unknown e: Length #range;
+                e == a * t;
+                output all: Point = k * (p + v + b);
+            })
+        };
+        for good in [
+            quote!(where e > 0),
+            quote!(where e <= -2 * PI),
+            quote!(in 0..1),
+            quote!(in -PI..=sqrt(2)),
+        ] {
+            let messages = range(good.clone());
+            assert!(messages.is_empty(), "{good}: {messages:#?}");
+        }
+        for (bad, told) in [
+            (quote!(where a > 0), "the range of `e` speaks of `e` alone"),
+            (quote!(where e > a), "`a` is neither"),
+            (quote!(in 1..0), "this range is empty"),
+            (quote!(in 0..0), "this range is empty"),
+            (quote!(in 0..cis(1)), "a plane vector"),
+            (quote!(where e > 0 && e < 1), "one comparison"),
+            (quote!(where e == 1), "compares by"),
+        ] {
+            let messages = range(bad.clone());
+            assert_eq!(messages.len(), 1, "{bad}: {messages:#?}");
+            assert!(messages[0].contains(told), "{bad}: {messages:#?}");
+        }
+    }
+
+    #[test]
+    fn points_take_two_symbols() {
+        let mut report = Report::new();
+        let tokens = quote! {
+            struct M { a: Length, p: Point, b: Length }
+            input t: Angle;
+            unknown e: Length;
+            e * cis(t) == p + a + b;
+        };
+        let declaration = syntax::parse(tokens, &mut report);
+        let model = declaration.and_then(|declaration| build(&declaration, &mut report));
+        let Some(mut model) = model else {
+            panic!("{:?}", report.into_messages());
+        };
+        let symbols: Vec<Vec<Node>> = model.parameters.iter().map(|p| p.nodes.clone()).collect();
+        let mut symbol = |index| model.graph.symbol(Symbol::Parameter(index));
+        assert_eq!(symbols, [vec![symbol(0)], vec![symbol(1), symbol(2)], vec![symbol(3)]]);
+        assert_eq!(model.equations[0].text, "e * cis(t) == p + a + b");
+    }
+}

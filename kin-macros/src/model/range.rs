@@ -1,0 +1,85 @@
+//! The ranges that pick the branch of an unknown.
+
+use proc_macro2::Ident;
+
+use crate::expr::Graph;
+use crate::model::lower::Lowering;
+use crate::model::scope::Scope;
+use crate::model::{Range, Value};
+use crate::report::Report;
+use crate::syntax::{Comparison, Declaration, Expression, RangeClause, RangeKind};
+
+/// The numbers of a range, `None` after a mistake.
+pub(super) fn range(
+    clause: &RangeClause,
+    unknown: &Ident,
+    declaration: &Declaration,
+    report: &mut Report,
+) -> Option<Range> {
+    let (low, high) = match &clause.kind {
+        RangeKind::Comparison {
+            name,
+            comparison,
+            bound,
+        } => {
+            if name != unknown {
+                report.error(
+                    name,
+                    format!("the range of `{unknown}` speaks of `{unknown}` alone: write `where {unknown} > …`"),
+                );
+                return None;
+            }
+            let bound = constant(bound, declaration, report)?;
+            match comparison {
+                Comparison::Less | Comparison::LessOrEqual => (f64::NEG_INFINITY, bound),
+                Comparison::Greater | Comparison::GreaterOrEqual => (bound, f64::INFINITY),
+            }
+        }
+        RangeKind::Between { low, high, .. } => {
+            let low = constant(low, declaration, report);
+            let high = constant(high, declaration, report);
+            (low?, high?)
+        }
+    };
+    if low >= high {
+        report.error(clause.extent, "this range is empty: write its smaller end first");
+        return None;
+    }
+    Some(Range {
+        low,
+        high,
+        text: clause.text(&unknown.to_string()),
+        span: clause.extent.first,
+    })
+}
+
+/// The end of a range, made of literals and PI.
+fn constant(bound: &Expression, declaration: &Declaration, report: &mut Report) -> Option<f64> {
+    if let Some(name) = first_name(bound) {
+        report.error(
+            name,
+            format!("the end of a range is made of numbers and `PI`, and `{name}` is neither: write its value"),
+        );
+        return None;
+    }
+    let mut graph = Graph::new();
+    let mut lowering = Lowering {
+        graph: &mut graph,
+        scope: &mut Scope::new(declaration),
+        report,
+    };
+    let Value::Scalar(node) = lowering.expression(bound)?.value else {
+        report.error(
+            bound.extent,
+            "the end of a range is a number, but this is a plane vector",
+        );
+        return None;
+    };
+    graph.constant_value(node)
+}
+
+fn first_name(expression: &Expression) -> Option<&Ident> {
+    let mut first = None;
+    expression.visit_names(&mut |name| first = first.or(Some(name)));
+    first
+}

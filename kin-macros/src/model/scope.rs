@@ -1,0 +1,174 @@
+//! The names of a declaration and what they stand for. All of them share one namespace.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::Ident;
+
+use crate::model::lower::Typed;
+use crate::report::{Report, nearest, suggestion};
+use crate::syntax::{Declaration, FUNCTION_NAMES, form, is_keyword};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    Parameter,
+    Input,
+    Unknown,
+    Let,
+    Output,
+}
+
+impl Role {
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            Self::Input => "input",
+            Self::Unknown => "unknown",
+            Self::Let => "`let`",
+            Self::Output => "output",
+        }
+    }
+}
+
+/// What a name stands for when it is used.
+#[derive(Clone, Copy)]
+pub(super) enum Meaning {
+    Value(Typed),
+    /// A `let` that has not been reached yet.
+    Later,
+    /// A `let` whose expression holds a mistake, which has been reported.
+    Broken,
+    /// An output cannot be used.
+    Result,
+}
+
+pub(super) struct Entry {
+    pub(super) name: Ident,
+    pub(super) role: Role,
+    pub(super) meaning: Meaning,
+    pub(super) used: bool,
+}
+
+/// The namespace, in the order of declaration.
+pub(super) struct Scope<'a> {
+    pub(super) entries: Vec<Entry>,
+    places: BTreeMap<String, usize>,
+    declaration: &'a Declaration,
+    /// Names that a misspelt use was probably meant for. They count as used.
+    meant: BTreeSet<String>,
+}
+
+impl<'a> Scope<'a> {
+    pub(super) fn new(declaration: &'a Declaration) -> Self {
+        Self {
+            entries: Vec::new(),
+            places: BTreeMap::new(),
+            declaration,
+            meant: BTreeSet::new(),
+        }
+    }
+
+    /// Adds a name; a second one of the same spelling is a mistake, and the first stays.
+    pub(super) fn declare(&mut self, name: &Ident, role: Role, meaning: Meaning, report: &mut Report) {
+        let word = name.to_string();
+        if let Some(&place) = self.places.get(&word) {
+            let first = &self.entries[place];
+            let mut error = syn::Error::new(
+                name.span(),
+                format!(
+                    "`{word}` is declared twice: choose another name for this {}",
+                    role.word()
+                ),
+            );
+            error.combine(syn::Error::new(
+                first.name.span(),
+                format!("the first `{word}` is declared here, as {}", with_article(first.role)),
+            ));
+            report.push(error);
+            return;
+        }
+        self.places.insert(word, self.entries.len());
+        self.entries.push(Entry {
+            name: name.clone(),
+            role,
+            meaning,
+            used: false,
+        });
+    }
+
+    /// What a `let` turned out to be. Only the one that holds the name: a second of the same spelling is not looked up.
+    pub(super) fn define(&mut self, name: &Ident, meaning: Meaning) {
+        if let Some(&place) = self.places.get(&name.to_string()) {
+            let entry = &mut self.entries[place];
+            if entry.role == Role::Let && matches!(entry.meaning, Meaning::Later) {
+                entry.meaning = meaning;
+            }
+        }
+    }
+
+    /// What a name stands for in a formula; `None` if that is a mistake.
+    pub(super) fn resolve(&mut self, name: &Ident, report: &mut Report) -> Option<Typed> {
+        let word = name.to_string();
+        let Some(&place) = self.places.get(&word) else {
+            if self.declaration.has_fields && !self.declaration.broken.contains(&word) {
+                report.error(name, self.unknown_name(&word));
+            }
+            return None;
+        };
+        let entry = &mut self.entries[place];
+        entry.used = true;
+        match entry.meaning {
+            Meaning::Value(value) => return Some(value),
+            Meaning::Broken => {}
+            Meaning::Later => report.error(
+                name,
+                format!("`{word}` is used before it is known: move `let {word} = …;` above this"),
+            ),
+            Meaning::Result => report.error(
+                name,
+                format!(
+                    "`{word}` is an output and cannot be used in a formula: name its expression by a `let` and use that"
+                ),
+            ),
+        }
+        None
+    }
+
+    fn unknown_name(&mut self, word: &str) -> String {
+        if is_keyword(word) {
+            return format!("`{word}` is a keyword of Rust and names nothing here; choose another name");
+        }
+        if FUNCTION_NAMES.contains(&word) {
+            return format!("`{word}` is a function: write its arguments, as in `{}`", form(word));
+        }
+        let broken = &self.declaration.broken;
+        let usable: Vec<String> = self
+            .entries
+            .iter()
+            .filter(|entry| entry.role != Role::Output)
+            .map(|entry| entry.name.to_string())
+            .chain(broken.iter().filter(|name| !is_keyword(name)).cloned())
+            .chain(["PI".to_owned()])
+            .collect();
+        let near = if word.eq_ignore_ascii_case("tau") {
+            "; write `2 * PI` for the full turn".to_owned()
+        } else {
+            suggestion(word, usable.iter().map(String::as_str))
+        };
+        self.meant
+            .extend(nearest(word, usable.iter().map(String::as_str)).map(str::to_owned));
+        format!("no parameter, input, unknown or `let` is called `{word}`{near}")
+    }
+
+    /// Whether a name counts as used: for itself, or because a misspelt one was probably meant for it.
+    pub(super) fn is_meant(&self, word: &str) -> bool {
+        self.meant.contains(word)
+    }
+}
+
+fn with_article(role: Role) -> String {
+    let article = match role {
+        Role::Input | Role::Unknown | Role::Output => "an",
+        Role::Parameter | Role::Let => "a",
+    };
+    format!("{article} {}", role.word())
+}

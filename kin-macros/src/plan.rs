@@ -1,0 +1,286 @@
+//! The whole program, by the cheapest of the ways to derive it.
+//!
+//! Every order may be differentiated by envelopes or by recurrences, the equations as typed or multiplied out. Each way
+//! is carried through to the scheduled program and its operations are counted; the cheapest is kept.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Stage, Step};
+use crate::derive::{self, Hint, Way};
+use crate::expr::{Graph, Node, Symbol, Term};
+use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
+use crate::structure::Block;
+
+/// Position, velocity, acceleration, jerk, snap, ….
+const ORDER_NAMES: [&str; 7] = ["position", "velocity", "acceleration", "jerk", "snap", "crackle", "pop"];
+
+/// What the n-th time derivative is called.
+pub(crate) fn order_name(order: usize) -> String {
+    ORDER_NAMES
+        .get(order)
+        .map_or_else(|| format!("derivative_{order}"), |name| (*name).to_owned())
+}
+
+/// What is to be solved.
+pub(crate) struct Task<'a> {
+    pub(crate) graph: &'a Graph,
+    pub(crate) residuals: &'a [Node],
+    pub(crate) blocks: &'a [Block],
+    pub(crate) ranges: &'a BTreeMap<usize, Limits>,
+    /// The scalar parts of the outputs.
+    pub(crate) outputs: &'a [Node],
+    pub(crate) inputs: usize,
+    pub(crate) order: usize,
+    /// Names of parameters, inputs, unknowns and outputs.
+    pub(crate) names: &'a Names,
+}
+
+/// The program that was kept.
+pub(crate) struct Plan {
+    pub(crate) graph: Graph,
+    pub(crate) choices: Vec<Choice>,
+    pub(crate) names: Names,
+    pub(crate) scheduled: Scheduled,
+    /// What tells the assembly of a guess: definitions in the order of the choices, each positive in the open assembly.
+    pub(crate) orientations: ScheduledStage,
+}
+
+/// Tries the ways, order by order, and keeps the cheapest.
+pub(crate) fn plan(task: &Task<'_>) -> Plan {
+    let mut best: Option<Plan> = None;
+    for expand in [true, false] {
+        let mut ways = Vec::new();
+        for order in 1..=task.order {
+            let mut cheapest: Option<(usize, Way)> = None;
+            for way in [Way::Envelope, Way::Recurrence] {
+                ways.push(way);
+                let cost = cost(&program(task, expand, &ways, order));
+                ways.pop();
+                if cheapest.is_none_or(|(least, _)| cost < least) {
+                    cheapest = Some((cost, way));
+                }
+            }
+            ways.extend(cheapest.map(|(_, way)| way));
+        }
+        let candidate = program(task, expand, &ways, task.order);
+        if best.as_ref().is_none_or(|kept| cost(&candidate) < cost(kept)) {
+            best = Some(candidate);
+        }
+    }
+    best.expect("there is at least one way")
+}
+
+fn cost(plan: &Plan) -> usize {
+    let cost = plan.scheduled.cost();
+    // a function is worth many operations
+    cost.arithmetic() + 20 * (cost.square_roots + cost.sine_cosines + cost.arc_tangents + cost.others)
+}
+
+/// The program through one order, in one way.
+fn program(task: &Task<'_>, expand: bool, ways: &[Way], order: usize) -> Plan {
+    let mut graph = task.graph.clone();
+    let mut names = task.names.clone();
+    for order in 1..=order {
+        let suffix = order_name(order);
+        let symbols = (0..task.inputs)
+            .map(|index| (Symbol::Input(index), Symbol::InputRate(index, order)))
+            .chain(
+                task.blocks
+                    .iter()
+                    .flat_map(|block| &block.unknowns)
+                    .map(|&index| (Symbol::Unknown(index), Symbol::UnknownRate(index, order))),
+            )
+            .chain(
+                (0..task.outputs.len()).map(|index| (Symbol::OutputRate(index, 0), Symbol::OutputRate(index, order))),
+            )
+            .collect::<Vec<_>>();
+        for (base, rate) in symbols {
+            let wish = format!("{}_{suffix}", names.of(base));
+            names.name(rate, &wish);
+        }
+    }
+    let derivatives = derive::derive(
+        &mut graph,
+        &derive::Plan {
+            residuals: task.residuals,
+            blocks: task.blocks,
+            outputs: task.outputs,
+            order,
+            expand,
+            ways,
+        },
+    );
+    let assembled = assemble::assemble(
+        &mut graph,
+        &mut names,
+        task.blocks,
+        task.ranges,
+        &derivatives.determinants,
+    );
+    let mut units = assembled.units;
+    let mut stages = vec![assembled.stage];
+    for (index, &output) in task.outputs.iter().enumerate() {
+        let node = units.rewrite(&mut graph, output);
+        stages[0].steps.push(Step::Define {
+            symbol: Symbol::OutputRate(index, 0),
+            node,
+        });
+    }
+    for order in 1..=order {
+        let mut steps = Vec::new();
+        for rate in &derivatives.orders[order - 1] {
+            let node = units.rewrite(&mut graph, rate.value);
+            steps.push(Step::Define {
+                symbol: Symbol::UnknownRate(rate.unknown, order),
+                node,
+            });
+        }
+        for (index, &output) in derivatives.outputs[order - 1].iter().enumerate() {
+            let node = units.rewrite(&mut graph, output);
+            steps.push(Step::Define {
+                symbol: Symbol::OutputRate(index, order),
+                node,
+            });
+        }
+        stages.push(Stage { steps });
+    }
+    let mut hints: Vec<(Node, String)> = Vec::new();
+    for &determinant in &derivatives.determinants {
+        hints.push((units.rewrite(&mut graph, determinant), "determinant".to_owned()));
+    }
+    for (node, hint) in derivatives.hints {
+        let name = match hint {
+            Hint::Right { equation, order } => format!("right_{}_{}", equation + 1, order_name(order)),
+            Hint::P { angle, order } => format!("{}_p{order}", names.of(angle)),
+            Hint::Q { angle, order } => format!("{}_q{order}", names.of(angle)),
+        };
+        let node = units.rewrite(&mut graph, node);
+        let opposite = graph.negate(node);
+        hints.extend([(node, name.clone()), (opposite, name)]);
+    }
+    let guaranteed: Vec<Node> = derivatives
+        .pivots
+        .iter()
+        .chain(&derivatives.determinants)
+        .map(|&node| units.rewrite(&mut graph, node))
+        .collect();
+    let checks = unguarded_divisors(&graph, &stages, &guaranteed);
+    stages[0]
+        .steps
+        .extend(checks.into_iter().map(|node| Step::Regular { node }));
+    Stage::prune(&mut stages, &graph);
+
+    let program = Program {
+        stages,
+        names: names.clone(),
+    };
+    let scheduled = [false, true]
+        .map(|factor_out| {
+            schedule(
+                &graph,
+                &program,
+                &hints,
+                Style {
+                    factor_out,
+                    check_domains: true,
+                },
+            )
+        })
+        .into_iter()
+        .min_by_key(|scheduled| scheduled.cost().arithmetic())
+        .expect("there are two");
+    let orientations = orientations(&mut graph, &names, &assembled.choices);
+    Plan {
+        graph,
+        choices: assembled.choices,
+        names,
+        scheduled,
+        orientations,
+    }
+}
+
+/// A program that tells the assembly of given values of the unknowns, a definition for each choice of the caller's.
+fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> ScheduledStage {
+    let mut names = names.clone();
+    let mut steps = Vec::new();
+    for choice in choices {
+        if let (Mode::Assembly(index), Some(node)) = (choice.mode, choice.orientation) {
+            let (symbol, _) = graph.new_step();
+            names.name(symbol, &format!("orientation_{}", index + 1));
+            steps.push(Step::Define { symbol, node });
+        }
+    }
+    let program = Program {
+        stages: vec![Stage { steps }],
+        names,
+    };
+    let mut scheduled = schedule(
+        graph,
+        &program,
+        &[],
+        Style {
+            factor_out: false,
+            check_domains: false,
+        },
+    );
+    scheduled.stages.swap_remove(0)
+}
+
+/// What only later stages divide by, and nothing before them has found to be regular.
+fn unguarded_divisors(graph: &Graph, stages: &[Stage], guaranteed: &[Node]) -> Vec<Node> {
+    let divisors = |stages: &[Stage]| -> BTreeSet<Node> {
+        let needs: Vec<Node> = stages
+            .iter()
+            .flat_map(|stage| &stage.steps)
+            .flat_map(Step::needs)
+            .collect();
+        graph
+            .reachable(&needs)
+            .into_iter()
+            .filter_map(|node| match graph.term(node) {
+                Term::Product(factors) => Some(factors),
+                _ => None,
+            })
+            .flatten()
+            .filter(|&&(_, exponent)| exponent < 0)
+            .map(|&(base, _)| base)
+            .collect()
+    };
+    let Some((first, later)) = stages.split_first() else {
+        return Vec::new();
+    };
+    let mut known = divisors(std::slice::from_ref(first));
+    for &node in guaranteed {
+        known.insert(node);
+        match graph.term(node) {
+            // a product that does not vanish has no factor that does
+            Term::Product(factors) => known.extend(factors.iter().map(|&(base, _)| base)),
+            Term::Sum(constant, terms) if constant.get() == 0.0 && terms.len() == 1 => {
+                known.insert(terms[0].0);
+                if let Term::Product(factors) = graph.term(terms[0].0) {
+                    known.extend(factors.iter().map(|&(base, _)| base));
+                }
+            }
+            _ => {}
+        }
+    }
+    divisors(later)
+        .into_iter()
+        .filter(|divisor| !known.contains(divisor))
+        // a length that a closed form has turned into a direction is not zero
+        .filter(|&divisor| {
+            !matches!(
+                graph.as_symbol(divisor),
+                Some(Symbol::Unknown(_) | Symbol::Parameter(_))
+            )
+        })
+        .collect()
+}
+
+/// How many choices a caller has.
+pub(crate) fn assembly_count(choices: &[Choice]) -> usize {
+    choices
+        .iter()
+        .filter(|choice| matches!(choice.mode, Mode::Assembly(_)))
+        .count()
+}

@@ -1,0 +1,192 @@
+//! The mistakes of one declaration, collected so that all of them are shown at once.
+//!
+//! Every message has one voice: it begins in lower case with what is wrong and ends with what to write instead.
+
+use std::fmt::Display;
+
+use proc_macro2::{Punct, Spacing, Span, TokenStream};
+use quote::{ToTokens, TokenStreamExt};
+
+/// Collected mistakes, each with the place it is shown at.
+///
+/// A report that still holds mistakes must not be dropped: they would go unseen, and a wrong declaration would compile.
+#[derive(Default)]
+pub(crate) struct Report {
+    errors: Vec<syn::Error>,
+}
+
+impl Report {
+    pub(crate) fn new() -> Self {
+        Self::default()
+    }
+
+    /// A mistake underlined from the first to the last of `at`.
+    pub(crate) fn error(&mut self, at: impl ToTokens, message: impl Display) {
+        self.push(syn::Error::new_spanned(at, message));
+    }
+
+    /// A mistake at one place.
+    pub(crate) fn error_at(&mut self, span: Span, message: impl Display) {
+        self.push(syn::Error::new(span, message));
+    }
+
+    pub(crate) fn push(&mut self, error: syn::Error) {
+        self.errors.push(error);
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.errors.is_empty()
+    }
+
+    /// One `compile_error!` for each mistake, in the order in which they were found.
+    pub(crate) fn into_compile_errors(self) -> TokenStream {
+        self.into_each_compile_error().into_iter().collect()
+    }
+
+    /// The same, apart from each other.
+    pub(crate) fn into_each_compile_error(mut self) -> Vec<TokenStream> {
+        std::mem::take(&mut self.errors)
+            .into_iter()
+            .flatten()
+            .map(|error| error.to_compile_error())
+            .collect()
+    }
+
+    /// The messages alone, for tests.
+    #[cfg(test)]
+    pub(crate) fn into_messages(mut self) -> Vec<String> {
+        std::mem::take(&mut self.errors)
+            .into_iter()
+            .flatten()
+            .map(|error| error.to_string())
+            .collect()
+    }
+}
+
+impl Drop for Report {
+    fn drop(&mut self) {
+        debug_assert!(
+            self.errors.is_empty() || std::thread::panicking(),
+            "mistakes were collected but never shown"
+        );
+    }
+}
+
+/// The stretch of source from one token to another, to underline.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent {
+    pub(crate) first: Span,
+    pub(crate) last: Span,
+}
+
+impl Extent {
+    pub(crate) fn at(span: Span) -> Self {
+        Self {
+            first: span,
+            last: span,
+        }
+    }
+
+    pub(crate) fn to(self, end: Self) -> Self {
+        Self {
+            first: self.first,
+            last: end.last,
+        }
+    }
+}
+
+impl ToTokens for Extent {
+    /// Two tokens that exist only for their places: stable Rust offers no joined span, but an error spans from token to token.
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        for span in [self.first, self.last] {
+            let mut mark = Punct::new('.', Spacing::Alone);
+            mark.set_span(span);
+            tokens.append(mark);
+        }
+    }
+}
+
+/// The candidate that `word` was probably meant to be: the same but for case, or one or two letters away.
+pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let allowed = if word.chars().count() < 4 { 1 } else { 2 };
+    let mut best: Option<(usize, &str)> = None;
+    for candidate in candidates {
+        let distance = if word.eq_ignore_ascii_case(candidate) {
+            0
+        } else {
+            edit_distance(word, candidate)
+        };
+        if distance <= allowed && best.is_none_or(|(least, _)| distance < least) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
+}
+
+/// `; did you mean …?`, or nothing.
+pub(crate) fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(word, candidates)
+        .map(|near| format!("; did you mean `{near}`?"))
+        .unwrap_or_default()
+}
+
+/// Letters inserted, removed, replaced or swapped with their neighbour.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let a: Vec<char> = a.chars().collect();
+    let b: Vec<char> = b.chars().collect();
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let replaced = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                let mut least = replaced.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    least = least.min(rows[i - 2][j - 2] + 1);
+                }
+                least
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_near_name_is_found_and_a_far_one_is_not() {
+        let names = ["theta3", "theta4", "r1", "PI"];
+        assert_eq!(nearest("thetta3", names), Some("theta3"));
+        assert_eq!(nearest("htea4", names), Some("theta4"));
+        assert_eq!(nearest("pi", names), Some("PI"));
+        assert_eq!(nearest("r7", names), Some("r1"));
+        assert_eq!(nearest("q7", names), None);
+        assert_eq!(nearest("coupler", names), None);
+    }
+
+    #[test]
+    fn swapped_letters_are_one_mistake() {
+        assert_eq!(edit_distance("Lenght", "Length"), 1);
+        assert_eq!(edit_distance("", "abc"), 3);
+    }
+
+    #[test]
+    fn every_mistake_becomes_an_error() {
+        let mut report = Report::new();
+        assert!(report.is_empty());
+        report.error_at(Span::call_site(), "one");
+        report.error(Extent::at(Span::call_site()), "two");
+        let errors = report.into_compile_errors().to_string();
+        assert_eq!(errors.matches("compile_error").count(), 2);
+    }
+
+    #[test]
+    #[cfg(debug_assertions)]
+    #[should_panic(expected = "never shown")]
+    fn a_report_is_not_dropped_unread() {
+        Report::new().error_at(Span::call_site(), "unseen");
+    }
+}

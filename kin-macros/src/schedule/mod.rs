@@ -1,0 +1,12 @@
+//! The straight-line program: what is computed when, under which name, and what it costs.
+//!
+//! Expressions become rows (sums and products of any length), rows share what they have in common, and what is left is
+//! put into binary operations in the order in which the steps need them. A value is computed in the first stage that
+//! needs it and carried to the later ones.
+
+mod operation;
+mod rows;
+mod share;
+mod statement;
+
+pub(crate) use statement::{Carried, Expression, Scheduled, ScheduledStage, Statement, Style, schedule};

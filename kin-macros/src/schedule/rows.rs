@@ -1,0 +1,217 @@
+//! Expressions as rows: sums and products of any number of terms, numbered, equal ones once.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use crate::expr::{Graph, Node, Number, Symbol, Term};
+use crate::function::Function;
+
+/// A row's number.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub(super) struct RowId(pub(super) usize);
+
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Row {
+    Number(Number),
+    Pi,
+    Leaf(Symbol),
+    /// Σ ± term; true is minus.
+    Sum(Vec<(bool, RowId)>),
+    /// Π factor, ascending, repeated for powers.
+    Product(Vec<RowId>),
+    Quotient(RowId, RowId),
+    Call(Function, Vec<RowId>),
+}
+
+/// All rows of a program.
+pub(super) struct Rows {
+    pub(super) rows: Vec<Row>,
+    known: HashMap<Row, RowId>,
+    by_node: BTreeMap<Node, RowId>,
+    /// What more than one product divides by: its reciprocal is computed once.
+    shared_divisors: BTreeSet<Node>,
+}
+
+impl Rows {
+    /// The rows of the expressions given.
+    pub(super) fn of(graph: &Graph, roots: &[Node], factor_out: bool) -> Self {
+        let reachable = graph.reachable(roots);
+        let mut divisions: BTreeMap<Node, usize> = BTreeMap::new();
+        for &node in &reachable {
+            if let Term::Product(factors) = graph.term(node) {
+                for &(base, _) in factors.iter().filter(|&&(_, exponent)| exponent < 0) {
+                    *divisions.entry(base).or_insert(0) += 1;
+                }
+            }
+        }
+        let shared_divisors = divisions
+            .into_iter()
+            .filter(|&(_, count)| count > 1)
+            .map(|(base, _)| base)
+            .collect();
+        let mut rows = Self {
+            rows: Vec::new(),
+            known: HashMap::new(),
+            by_node: BTreeMap::new(),
+            shared_divisors,
+        };
+        for node in reachable {
+            let row = rows.lower(graph, node, factor_out);
+            rows.by_node.insert(node, row);
+        }
+        rows
+    }
+
+    pub(super) fn row(&self, id: RowId) -> &Row {
+        &self.rows[id.0]
+    }
+
+    /// The row of an expression that was among, or within, the roots.
+    pub(super) fn of_node(&self, node: Node) -> RowId {
+        self.by_node[&node]
+    }
+
+    pub(super) fn intern(&mut self, row: Row) -> RowId {
+        if let Some(&id) = self.known.get(&row) {
+            return id;
+        }
+        let id = RowId(self.rows.len());
+        self.rows.push(row.clone());
+        self.known.insert(row, id);
+        id
+    }
+
+    fn number(&mut self, value: f64) -> RowId {
+        self.intern(Row::Number(Number::new(value)))
+    }
+
+    fn product(&mut self, mut factors: Vec<RowId>) -> RowId {
+        match factors.len() {
+            0 => self.number(1.0),
+            1 => factors[0],
+            _ => {
+                factors.sort_unstable();
+                self.intern(Row::Product(factors))
+            }
+        }
+    }
+
+    fn sum(&mut self, terms: Vec<(bool, RowId)>) -> RowId {
+        match terms[..] {
+            [(false, only)] => only,
+            _ => self.intern(Row::Sum(terms)),
+        }
+    }
+
+    fn lower(&mut self, graph: &Graph, node: Node, factor_out: bool) -> RowId {
+        match graph.term(node) {
+            Term::Number(value) => self.intern(Row::Number(*value)),
+            Term::Pi => self.intern(Row::Pi),
+            Term::Symbol(symbol) => self.intern(Row::Leaf(*symbol)),
+            Term::Call(function, arguments) => {
+                let arguments = arguments.iter().map(|argument| self.by_node[argument]).collect();
+                self.intern(Row::Call(*function, arguments))
+            }
+            Term::Product(factors) => {
+                let (mut above, mut below) = (Vec::new(), Vec::new());
+                for &(base, exponent) in factors {
+                    let row = self.by_node[&base];
+                    let (list, factor) = if exponent > 0 {
+                        (&mut above, row)
+                    } else if self.shared_divisors.contains(&base) {
+                        let one = self.number(1.0);
+                        (&mut above, self.intern(Row::Quotient(one, row)))
+                    } else {
+                        (&mut below, row)
+                    };
+                    list.extend((0..exponent.abs()).map(|_| factor));
+                }
+                let above = self.product(above);
+                if below.is_empty() {
+                    return above;
+                }
+                let below = self.product(below);
+                self.intern(Row::Quotient(above, below))
+            }
+            Term::Sum(constant, terms) => {
+                // terms with the same number in front share its multiplication
+                let mut groups: BTreeMap<u64, Vec<(bool, RowId)>> = BTreeMap::new();
+                let mut order: Vec<f64> = Vec::new();
+                for &(part, coefficient) in terms {
+                    let (value, row) = (coefficient.get(), self.by_node[&part]);
+                    let size = value.abs();
+                    if !order.contains(&size) {
+                        order.push(size);
+                    }
+                    groups.entry(size.to_bits()).or_default().push((value < 0.0, row));
+                }
+                let mut result = Vec::new();
+                if constant.get() != 0.0 {
+                    result.push((constant.get() < 0.0, self.number(constant.get().abs())));
+                }
+                for size in order {
+                    let mut group = groups.remove(&size.to_bits()).expect("it was put there");
+                    if size == 1.0 {
+                        result.extend(group);
+                        continue;
+                    }
+                    let is_negative = group.iter().all(|&(negative, _)| negative);
+                    if is_negative {
+                        for (negative, _) in &mut group {
+                            *negative = false;
+                        }
+                    }
+                    let inner = self.factored_sum(group, factor_out);
+                    let number = self.number(size);
+                    result.push((is_negative, self.product(vec![number, inner])));
+                }
+                self.factored_sum(result, factor_out)
+            }
+        }
+    }
+
+    /// A sum, with a factor that several of its terms share taken out if that is asked for.
+    fn factored_sum(&mut self, terms: Vec<(bool, RowId)>, factor_out: bool) -> RowId {
+        if !factor_out || terms.len() < 2 {
+            return self.sum(terms);
+        }
+        let factors_of = |rows: &Self, id: RowId| match rows.row(id) {
+            Row::Product(factors) => factors.clone(),
+            _ => vec![id],
+        };
+        let mut counts: BTreeMap<RowId, usize> = BTreeMap::new();
+        for &(_, term) in &terms {
+            for factor in factors_of(self, term).into_iter().collect::<BTreeSet<_>>() {
+                *counts.entry(factor).or_insert(0) += 1;
+            }
+        }
+        let best = counts
+            .into_iter()
+            .filter(|&(factor, count)| count > 1 && !matches!(self.row(factor), Row::Number(_)))
+            .max_by_key(|&(factor, count)| (count, std::cmp::Reverse(factor)));
+        let Some((factor, _)) = best else {
+            return self.sum(terms);
+        };
+        let (mut inside, mut outside) = (Vec::new(), Vec::new());
+        for (negative, term) in terms {
+            let mut factors = factors_of(self, term);
+            match factors.iter().position(|&own| own == factor) {
+                Some(position) => {
+                    factors.remove(position);
+                    inside.push((negative, self.product(factors)));
+                }
+                None => outside.push((negative, term)),
+            }
+        }
+        let is_negative = inside.iter().all(|&(negative, _)| negative);
+        if is_negative {
+            for (negative, _) in &mut inside {
+                *negative = false;
+            }
+        }
+        let inner = self.factored_sum(inside, factor_out);
+        let mut factors = factors_of(self, inner);
+        factors.push(factor);
+        outside.insert(0, (is_negative, self.product(factors)));
+        self.factored_sum(outside, factor_out)
+    }
+}

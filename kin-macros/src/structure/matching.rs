@@ -1,0 +1,116 @@
+//! Equations matched to unknowns, and what is left over on either side.
+//!
+//! A maximum matching by augmenting paths; where it is not perfect, the alternating paths from what is unmatched reach
+//! the over- and the underdetermined parts (A. L. Dulmage and N. S. Mendelsohn, "Coverings of bipartite graphs",
+//! Canadian Journal of Mathematics 10, 1958).
+
+use std::collections::BTreeSet;
+
+use super::Fault;
+
+/// Which unknown each equation is matched to.
+pub(super) struct Matching {
+    unknown_of: Vec<Option<usize>>,
+    equation_of: Vec<Option<usize>>,
+}
+
+impl Matching {
+    /// A maximum matching, where `incidence` lists the unknowns that each equation contains.
+    pub(super) fn of(incidence: &[BTreeSet<usize>], unknowns: usize) -> Self {
+        let mut matching = Self {
+            unknown_of: vec![None; incidence.len()],
+            equation_of: vec![None; unknowns],
+        };
+        for equation in 0..incidence.len() {
+            let mut seen = BTreeSet::new();
+            matching.augment(incidence, equation, &mut seen);
+        }
+        matching
+    }
+
+    fn augment(&mut self, incidence: &[BTreeSet<usize>], equation: usize, seen: &mut BTreeSet<usize>) -> bool {
+        for &unknown in &incidence[equation] {
+            if !seen.insert(unknown) {
+                continue;
+            }
+            let free = match self.equation_of[unknown] {
+                None => true,
+                Some(other) => self.augment(incidence, other, seen),
+            };
+            if free {
+                self.equation_of[unknown] = Some(equation);
+                self.unknown_of[equation] = Some(unknown);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The unknown of an equation, in a perfect matching.
+    pub(super) fn unknown_of(&self, equation: usize) -> usize {
+        self.unknown_of[equation].expect("the matching is perfect")
+    }
+
+    /// The equation that an unknown is matched to.
+    pub(super) fn equation_of(&self, unknown: usize) -> usize {
+        self.equation_of[unknown].expect("the matching is perfect")
+    }
+
+    /// The parts that have too few or too many equations.
+    pub(super) fn faults(&self, incidence: &[BTreeSet<usize>]) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        let unmatched: Vec<usize> = (0..self.equation_of.len())
+            .filter(|&unknown| self.equation_of[unknown].is_none())
+            .collect();
+        if !unmatched.is_empty() {
+            let (unknowns, equations) = self.reach_from_unknowns(incidence, &unmatched);
+            faults.push(Fault::Underdetermined { unknowns, equations });
+        }
+        let surplus: Vec<usize> = (0..incidence.len())
+            .filter(|&equation| self.unknown_of[equation].is_none())
+            .collect();
+        if !surplus.is_empty() {
+            let (unknowns, equations) = self.reach_from_equations(incidence, &surplus);
+            faults.push(Fault::Overdetermined {
+                unknowns,
+                equations,
+                surplus,
+            });
+        }
+        faults
+    }
+
+    fn reach_from_unknowns(&self, incidence: &[BTreeSet<usize>], start: &[usize]) -> (Vec<usize>, Vec<usize>) {
+        let mut unknowns: BTreeSet<usize> = start.iter().copied().collect();
+        let mut equations = BTreeSet::new();
+        loop {
+            let before = equations.len();
+            for (equation, members) in incidence.iter().enumerate() {
+                if !members.is_disjoint(&unknowns) && equations.insert(equation) {
+                    unknowns.extend(self.unknown_of[equation]);
+                }
+            }
+            if equations.len() == before {
+                return (unknowns.into_iter().collect(), equations.into_iter().collect());
+            }
+        }
+    }
+
+    fn reach_from_equations(&self, incidence: &[BTreeSet<usize>], start: &[usize]) -> (Vec<usize>, Vec<usize>) {
+        let mut equations: BTreeSet<usize> = start.iter().copied().collect();
+        let mut unknowns = BTreeSet::new();
+        loop {
+            let before = unknowns.len();
+            for equation in equations.clone() {
+                for &unknown in &incidence[equation] {
+                    if unknowns.insert(unknown) {
+                        equations.extend(self.equation_of[unknown]);
+                    }
+                }
+            }
+            if unknowns.len() == before {
+                return (unknowns.into_iter().collect(), equations.into_iter().collect());
+            }
+        }
+    }
+}

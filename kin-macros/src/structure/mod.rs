@@ -1,0 +1,204 @@
+//! Equations to blocks: which equations determine which unknowns, in which order, and by which closed form.
+//!
+//! The scalar equations are matched to the unknowns, the matching is ordered into the smallest blocks that can be
+//! solved one after another, and each block is compared with the closed forms that are known.
+
+mod closed_form;
+mod matching;
+mod order;
+mod recognise;
+
+use std::collections::BTreeSet;
+
+pub(crate) use closed_form::{Arm, ClosedForm, Complex};
+
+use crate::expr::{Expansion, Graph, Node, Polynomial, Probe, Symbol};
+
+/// Unknowns that are solved together, the equations that determine them, and how.
+pub(crate) struct Block {
+    /// The numbers of the scalar equations, ascending.
+    pub(crate) equations: Vec<usize>,
+    /// The numbers of the unknowns, ascending.
+    pub(crate) unknowns: Vec<usize>,
+    pub(crate) form: ClosedForm,
+    /// Whether the closed form alone does not guarantee that the Jacobian is regular where it succeeds.
+    pub(crate) check_jacobian: bool,
+}
+
+/// Why a declaration cannot be solved; equations and unknowns by number.
+pub(crate) enum Fault {
+    /// More unknowns than the equations that contain them.
+    Underdetermined {
+        unknowns: Vec<usize>,
+        equations: Vec<usize>,
+    },
+    /// More equations than unknowns in them; `surplus` are the ones left over.
+    Overdetermined {
+        unknowns: Vec<usize>,
+        equations: Vec<usize>,
+        surplus: Vec<usize>,
+    },
+    /// Equations that say the same, so that they do not determine their unknowns.
+    Dependent {
+        unknowns: Vec<usize>,
+        equations: Vec<usize>,
+        repeats: Option<(usize, usize)>,
+    },
+    /// A block that none of the closed forms fits.
+    NoClosedForm {
+        unknowns: Vec<usize>,
+        equations: Vec<usize>,
+    },
+}
+
+/// Orders the scalar equations `residual == 0` into solvable blocks.
+pub(crate) fn analyse(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<Block>, Vec<Fault>> {
+    let is_unknown = |symbol| matches!(symbol, Symbol::Unknown(_));
+    let incidence: Vec<BTreeSet<usize>> = residuals
+        .iter()
+        .map(|&residual| {
+            let polynomial = Expansion::new(graph, &is_unknown).equation(residual);
+            polynomial
+                .variables(graph, &is_unknown)
+                .into_iter()
+                .filter_map(|symbol| match symbol {
+                    Symbol::Unknown(index) => Some(index),
+                    _ => None,
+                })
+                .collect()
+        })
+        .collect();
+    let matching = matching::Matching::of(&incidence, unknowns);
+    let mut faults = matching.faults(&incidence);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let mut blocks = Vec::new();
+    for equations in order::blocks(&incidence, &matching) {
+        let mut members: Vec<usize> = equations
+            .iter()
+            .map(|&equation| matching.unknown_of(equation))
+            .collect();
+        members.sort_unstable();
+        match solve_block(graph, residuals, equations, members) {
+            Ok(block) => blocks.push(block),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if faults.is_empty() { Ok(blocks) } else { Err(faults) }
+}
+
+fn solve_block(
+    graph: &mut Graph,
+    residuals: &[Node],
+    equations: Vec<usize>,
+    unknowns: Vec<usize>,
+) -> Result<Block, Fault> {
+    if is_dependent(graph, residuals, &equations, &unknowns) {
+        let repeats = repeated(graph, residuals, &equations);
+        return Err(Fault::Dependent {
+            unknowns,
+            equations,
+            repeats,
+        });
+    }
+    let is_member = |symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
+    let polynomials: Vec<Polynomial> = equations
+        .iter()
+        .map(|&equation| Expansion::new(graph, &is_member).equation(residuals[equation]))
+        .collect();
+    let cleared = equations.iter().any(|&equation| {
+        Expansion::new(graph, &is_member)
+            .polynomial(residuals[equation])
+            .is_none()
+    });
+    match recognise::closed_form(graph, &polynomials, &unknowns) {
+        Some(form) => {
+            let check_jacobian = cleared || form.has_inverse();
+            Ok(Block {
+                equations,
+                unknowns,
+                form,
+                check_jacobian,
+            })
+        }
+        None => Err(Fault::NoClosedForm { unknowns, equations }),
+    }
+}
+
+/// Whether the block's Jacobian is singular everywhere: then the equations do not determine the unknowns.
+fn is_dependent(graph: &mut Graph, residuals: &[Node], equations: &[usize], unknowns: &[usize]) -> bool {
+    let jacobian: Vec<Vec<Node>> = equations
+        .iter()
+        .map(|&equation| {
+            unknowns
+                .iter()
+                .map(|&unknown| graph.partial(residuals[equation], Symbol::Unknown(unknown)))
+                .collect()
+        })
+        .collect();
+    let mut probed = false;
+    for probe in Probe::all() {
+        let at = |symbol| probe.value(symbol);
+        let values: Vec<Vec<f64>> = jacobian
+            .iter()
+            .map(|row| row.iter().map(|&entry| graph.evaluate(entry, &at)).collect())
+            .collect();
+        if values.iter().flatten().all(|value| value.is_finite()) {
+            probed = true;
+            if has_full_rank(values) {
+                return false;
+            }
+        }
+    }
+    probed
+}
+
+/// Gaussian elimination with complete pivoting.
+fn has_full_rank(mut rows: Vec<Vec<f64>>) -> bool {
+    let size = rows.len();
+    let largest = rows
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+    for step in 0..size {
+        let (pivot_row, pivot_column) = (step..size)
+            .flat_map(|row| (step..size).map(move |column| (row, column)))
+            .max_by(|&(a, b), &(c, d)| rows[a][b].abs().total_cmp(&rows[c][d].abs()))
+            .expect("there is an entry left");
+        if rows[pivot_row][pivot_column].abs() <= 1e-11 * largest {
+            return false;
+        }
+        rows.swap(step, pivot_row);
+        for row in &mut rows {
+            row.swap(step, pivot_column);
+        }
+        let pivot = rows[step].clone();
+        for row in rows.iter_mut().skip(step + 1) {
+            let factor = row[step] / pivot[step];
+            for (entry, above) in row.iter_mut().zip(&pivot).skip(step) {
+                *entry -= factor * above;
+            }
+        }
+    }
+    true
+}
+
+/// Two equations of a block of which one is a multiple of the other.
+fn repeated(graph: &mut Graph, residuals: &[Node], equations: &[usize]) -> Option<(usize, usize)> {
+    for (position, &second) in equations.iter().enumerate() {
+        for &first in &equations[..position] {
+            let ratio = graph.divide(residuals[first], residuals[second]);
+            let ratios: Vec<f64> = Probe::all()
+                .map(|probe| graph.evaluate(ratio, &|symbol| probe.value(symbol)))
+                .collect();
+            if ratios
+                .iter()
+                .all(|value| (value - ratios[0]).abs() <= 1e-9 * ratios[0].abs())
+            {
+                return Some((first, second));
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,274 @@
+//! Plane loops: two scalar equations that are the parts of one equation of complex numbers.
+//!
+//! The pair may have been typed as a vector equation, or as two scalar ones with their sides, signs, order and even
+//! factors changed. It is a loop if one row can be scaled (and the two exchanged) so that the coefficients of every
+//! cos φ, sin φ form a matrix [[p, -q], [q, p]], which is multiplication by p + i q, or its mirror image.
+
+use std::collections::BTreeSet;
+
+use crate::expr::{Angle, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
+use crate::structure::{Arm, ClosedForm, Complex};
+
+/// A pair of rows, `rows[0] = 0` the real part and `rows[1] = 0` the imaginary part of a loop.
+struct Rows<'a> {
+    rows: [&'a Polynomial; 2],
+    /// What the second row is multiplied by.
+    scale: Node,
+}
+
+/// cos φ and sin φ times a power product: one place where a rotating vector stands.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Place {
+    powers: Vec<(Node, i32)>,
+    angle: Angle,
+}
+
+impl Place {
+    fn monomials(&self) -> [Monomial; 2] {
+        let powers = || self.powers.iter().copied().collect();
+        [
+            Monomial {
+                powers: powers(),
+                harmonic: Harmonic::Cosine(self.angle.clone()),
+            },
+            Monomial {
+                powers: powers(),
+                harmonic: Harmonic::Sine(self.angle.clone()),
+            },
+        ]
+    }
+}
+
+pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns: [usize; 2]) -> Option<ClosedForm> {
+    let places: Vec<Place> = equations
+        .iter()
+        .flat_map(|equation| equation.0.keys())
+        .filter_map(|monomial| match &monomial.harmonic {
+            Harmonic::One => None,
+            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => Some(Place {
+                powers: monomial.powers.iter().map(|(&atom, &power)| (atom, power)).collect(),
+                angle: angle.clone(),
+            }),
+        })
+        .collect::<BTreeSet<_>>()
+        .into_iter()
+        .collect();
+    let first = places.first()?;
+    let mut best: Option<(usize, Vec<(Complex, bool)>, Rows<'_>)> = None;
+    for swapped in [false, true] {
+        for mirrored in [false, true] {
+            let rows = if swapped {
+                [equations[1], equations[0]]
+            } else {
+                equations
+            };
+            let Some(scale) = row_scale(graph, rows, first, mirrored) else {
+                continue;
+            };
+            let rows = Rows { rows, scale };
+            let Some(factors) = places
+                .iter()
+                .map(|place| rows.factor(graph, place))
+                .collect::<Option<Vec<_>>>()
+            else {
+                continue;
+            };
+            // prefer real factors, then counter-clockwise angles, then the order as typed
+            let cost = factors
+                .iter()
+                .map(|(factor, mirrored)| 4 * usize::from(!factor.is_real(graph)) + 2 * usize::from(*mirrored))
+                .sum::<usize>()
+                + usize::from(swapped);
+            if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
+                best = Some((cost, factors, rows));
+            }
+        }
+    }
+    let (_, factors, rows) = best?;
+    let arms: Vec<(Place, Arm)> = places
+        .into_iter()
+        .zip(factors)
+        .map(|(place, (factor, mirrored))| {
+            let arm = Arm {
+                angle: place.angle.clone(),
+                mirrored,
+                factor,
+            };
+            (place, arm)
+        })
+        .collect();
+    two_angles(graph, &rows, &arms, unknowns)
+        .or_else(|| angle_length(graph, &rows, &arms, unknowns))
+        .or_else(|| polar(graph, &rows, &arms, unknowns))
+}
+
+/// The factor of the second row that makes the first place a multiplication by a complex number.
+fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &Place, mirrored: bool) -> Option<Node> {
+    let [cosine, sine] = place.monomials();
+    let (cosine_above, sine_above) = (rows[0].coefficient(graph, &cosine), rows[0].coefficient(graph, &sine));
+    let (cosine_below, sine_below) = (rows[1].coefficient(graph, &cosine), rows[1].coefficient(graph, &sine));
+    // [[p, -q σ], [q, p σ]] with σ = ±1
+    let (above, below) = if graph.is_zero(cosine_above) {
+        (
+            sine_above,
+            if mirrored {
+                cosine_below
+            } else {
+                graph.negate(cosine_below)
+            },
+        )
+    } else {
+        (
+            cosine_above,
+            if mirrored { graph.negate(sine_below) } else { sine_below },
+        )
+    };
+    if graph.is_zero(above) || graph.is_zero(below) {
+        return None;
+    }
+    if graph.same(above, below) {
+        return Some(graph.one());
+    }
+    Some(graph.divide(above, below))
+}
+
+impl Rows<'_> {
+    fn entry(&self, graph: &mut Graph, row: usize, monomial: &Monomial) -> Node {
+        let coefficient = self.rows[row].coefficient(graph, monomial);
+        if row == 1 {
+            graph.multiply(self.scale, coefficient)
+        } else {
+            coefficient
+        }
+    }
+
+    fn complex(&self, graph: &mut Graph, monomial: &Monomial) -> Complex {
+        Complex::new(self.entry(graph, 0, monomial), self.entry(graph, 1, monomial))
+    }
+
+    /// p + i q, and whether the angle runs clockwise, if the place is a rotating vector.
+    fn factor(&self, graph: &mut Graph, place: &Place) -> Option<(Complex, bool)> {
+        let [cosine, sine] = place.monomials();
+        let factor = self.complex(graph, &cosine);
+        let turned = self.complex(graph, &sine);
+        let opposite = graph.negate(turned.re);
+        if graph.same(turned.im, factor.re) && graph.same(opposite, factor.im) {
+            return Some((factor, false));
+        }
+        let opposite = graph.negate(turned.im);
+        if graph.same(opposite, factor.re) && graph.same(turned.re, factor.im) {
+            return Some((factor, true));
+        }
+        None
+    }
+
+    /// What the rotating vectors add up to: minus the terms free of unknowns.
+    fn target(&self, graph: &mut Graph) -> Complex {
+        let free = self.complex(graph, &Monomial::one());
+        Complex::new(graph.negate(free.re), graph.negate(free.im))
+    }
+
+    /// The monomials without sine or cosine that contain unknowns.
+    fn straight(&self) -> BTreeSet<&Monomial> {
+        self.rows
+            .iter()
+            .flat_map(|row| row.0.keys())
+            .filter(|monomial| monomial.harmonic == Harmonic::One && !monomial.powers.is_empty())
+            .collect()
+    }
+}
+
+/// A cis(φ) + B cis(ψ) = C.
+fn two_angles(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
+    let [(first_place, first), (second_place, second)] = arms else {
+        return None;
+    };
+    if !first_place.powers.is_empty() || !second_place.powers.is_empty() || !rows.straight().is_empty() {
+        return None;
+    }
+    // the unknowns must follow from the two angles without a choice of turns
+    let multiple = |arm: &Arm, unknown: usize| {
+        arm.angle
+            .0
+            .iter()
+            .find(|&&(symbol, _)| symbol == Symbol::Unknown(unknown))
+            .map_or(0, |&(_, multiple)| multiple)
+    };
+    let determinant = multiple(first, unknowns[0]) * multiple(second, unknowns[1])
+        - multiple(first, unknowns[1]) * multiple(second, unknowns[0]);
+    if determinant.abs() != 1 {
+        return None;
+    }
+    let target = rows.target(graph);
+    Some(ClosedForm::TwoAngles {
+        unknowns,
+        arms: [first.clone(), second.clone()],
+        target,
+    })
+}
+
+/// Which of two unknowns an arm's angle is, if it is exactly that one, and the other unknown.
+fn split_unknowns(arm: &Arm, unknowns: [usize; 2]) -> Option<(usize, usize)> {
+    let [(Symbol::Unknown(angle), 1)] = arm.angle.0[..] else {
+        return None;
+    };
+    let other = if angle == unknowns[0] { unknowns[1] } else { unknowns[0] };
+    Some((angle, other))
+}
+
+/// A cis(φ) + s D = C.
+fn angle_length(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
+    let [(place, arm)] = arms else {
+        return None;
+    };
+    let (angle, length) = split_unknowns(arm, unknowns)?;
+    let variable = graph.symbol(Symbol::Unknown(length));
+    let slide = Monomial {
+        powers: [(variable, 1)].into(),
+        harmonic: Harmonic::One,
+    };
+    if !place.powers.is_empty() || rows.straight() != BTreeSet::from([&slide]) {
+        return None;
+    }
+    let direction = rows.complex(graph, &slide);
+    let target = rows.target(graph);
+    Some(ClosedForm::AngleLength {
+        angle,
+        length,
+        arm: arm.clone(),
+        direction,
+        target,
+    })
+}
+
+/// (s D + E) cis(φ) = C.
+fn polar(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
+    if !rows.straight().is_empty() {
+        return None;
+    }
+    let (_, arm) = arms.first()?;
+    let (angle, length) = split_unknowns(arm, unknowns)?;
+    let variable = graph.symbol(Symbol::Unknown(length));
+    let mut direction = None;
+    let zero = graph.zero();
+    let mut offset = Complex::new(zero, zero);
+    for (place, other) in arms {
+        if other.angle != arm.angle || other.mirrored != arm.mirrored {
+            return None;
+        }
+        match place.powers[..] {
+            [] => offset = other.factor,
+            [(atom, 1)] if atom == variable => direction = Some(other.factor),
+            _ => return None,
+        }
+    }
+    let direction = direction?;
+    let target = rows.target(graph);
+    Some(ClosedForm::Polar {
+        length,
+        angle,
+        mirrored: arm.mirrored,
+        offset: offset.over(graph, direction),
+        target: target.over(graph, direction),
+    })
+}

@@ -1,0 +1,29 @@
+//! A block's equations, as trigonometric polynomials in its unknowns, compared with the closed forms.
+//!
+//! Everything here looks at coefficients of monomials, never at how an equation was typed.
+
+mod circular;
+mod inverse;
+mod linear_pair;
+mod loops;
+mod powers;
+
+use super::ClosedForm;
+use crate::expr::{Graph, Polynomial};
+
+/// The first closed form that fits.
+pub(super) fn closed_form(graph: &mut Graph, equations: &[Polynomial], unknowns: &[usize]) -> Option<ClosedForm> {
+    match (equations, unknowns) {
+        ([equation], &[unknown]) => single(graph, equation, unknown),
+        ([first, second], &[a, b]) => linear_pair::recognise(graph, [first, second], [a, b])
+            .or_else(|| loops::recognise(graph, [first, second], [a, b])),
+        _ => None,
+    }
+}
+
+/// One equation for one unknown.
+fn single(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
+    powers::recognise(graph, equation, unknown)
+        .or_else(|| circular::recognise(graph, equation, unknown))
+        .or_else(|| inverse::recognise(graph, equation, unknown))
+}

@@ -1,0 +1,646 @@
+//! Formulas, read by precedence climbing.
+//!
+//! `syn::Expr` would read them too, and far more than them: here everything that is not of the language meets its own message at
+//! its own token.
+
+use proc_macro2::{Ident, Span, TokenTree};
+use quote::ToTokens;
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Result};
+use syn::{Lifetime, Lit, Token, parenthesized, token};
+
+use crate::function::Function;
+use crate::report::{Extent, suggestion};
+use crate::syntax::{Axis, Callee, Expression, ExpressionKind, Operator};
+
+/// Every name that can be called.
+pub(crate) const FUNCTION_NAMES: [&str; 14] = [
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "powi", "cis", "polar", "vec2",
+];
+
+/// The largest exponent of `powi`: far beyond any mechanism, and small enough to multiply out.
+const LARGEST_EXPONENT: u32 = 64;
+
+/// Where a formula stands, which is what may follow it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Before the `==` of an equation, or all of a statement that lacks one.
+    LeftSide,
+    /// After the `==`.
+    RightSide,
+    /// After the `=` of a `let` or an output.
+    Value,
+    /// Between parentheses, alone.
+    Parenthesis,
+    /// Between parentheses, with further arguments.
+    Argument,
+    /// Before the `..` of a range.
+    RangeStart,
+    /// After it, or after a comparison; further unknowns may follow.
+    RangeEnd,
+}
+
+impl Expression {
+    /// Calls `visit` on every name in the formula, in the order of the source.
+    pub(crate) fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(&'a Ident)) {
+        match &self.kind {
+            ExpressionKind::Name(name) => visit(name),
+            ExpressionKind::Number { .. } | ExpressionKind::Pi => {}
+            ExpressionKind::Negate(of)
+            | ExpressionKind::Parenthesis(of)
+            | ExpressionKind::Part { of, .. }
+            | ExpressionKind::Power { base: of, .. } => of.visit_names(visit),
+            ExpressionKind::Binary { left, right, .. } => {
+                left.visit_names(visit);
+                right.visit_names(visit);
+            }
+            ExpressionKind::Call { arguments, .. } => {
+                for argument in arguments {
+                    argument.visit_names(visit);
+                }
+            }
+        }
+    }
+}
+
+/// Reads a formula up to where its place ends.
+pub(crate) fn parse(input: ParseStream<'_>, place: Place) -> Result<Expression> {
+    let formula = sum(input)?;
+    let ended = input.is_empty()
+        || match place {
+            Place::LeftSide => input.peek(Token![==]),
+            Place::Argument | Place::RangeEnd => input.peek(Token![,]),
+            Place::RangeStart => input.peek(Token![..]),
+            Place::RightSide | Place::Value | Place::Parenthesis => false,
+        };
+    if ended { Ok(formula) } else { Err(stray(input, place)) }
+}
+
+fn sum(input: ParseStream<'_>) -> Result<Expression> {
+    let mut left = product(input)?;
+    loop {
+        let operator = if input.peek(Token![+]) && !input.peek(Token![+=]) {
+            Operator::Add
+        } else if input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
+            Operator::Subtract
+        } else {
+            return Ok(left);
+        };
+        left = binary(input, operator, left, product)?;
+    }
+}
+
+fn product(input: ParseStream<'_>) -> Result<Expression> {
+    let mut left = unary(input)?;
+    loop {
+        let operator = if input.peek(Token![*]) && !input.peek(Token![*=]) {
+            Operator::Multiply
+        } else if input.peek(Token![/]) && !input.peek(Token![/=]) {
+            Operator::Divide
+        } else {
+            return Ok(left);
+        };
+        if operator == Operator::Multiply && input.peek2(Token![*]) {
+            return Err(input.error("there is no operator `**`: write `powi(x, 2)` for a power"));
+        }
+        left = binary(input, operator, left, unary)?;
+    }
+}
+
+fn binary(
+    input: ParseStream<'_>,
+    operator: Operator,
+    left: Expression,
+    operand: fn(ParseStream<'_>) -> Result<Expression>,
+) -> Result<Expression> {
+    let span = input.parse::<TokenTree>()?.span();
+    expect_operand(input, span, operator.symbol())?;
+    let right = operand(input)?;
+    Ok(Expression {
+        extent: left.extent.to(right.extent),
+        kind: ExpressionKind::Binary {
+            operator,
+            span,
+            left: Box::new(left),
+            right: Box::new(right),
+        },
+    })
+}
+
+fn unary(input: ParseStream<'_>) -> Result<Expression> {
+    if input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
+        let span = input.parse::<Token![-]>()?.span;
+        expect_operand(input, span, "-")?;
+        let of = unary(input)?;
+        return Ok(Expression {
+            extent: Extent::at(span).to(of.extent),
+            kind: ExpressionKind::Negate(Box::new(of)),
+        });
+    }
+    postfix(input)
+}
+
+/// The end of the source has no place of its own, so a missing operand is shown at its operator.
+fn expect_operand(input: ParseStream<'_>, span: Span, symbol: &str) -> Result<()> {
+    let ended = input.is_empty() || input.peek(Token![,]) || input.peek(Token![==]);
+    if ended {
+        return Err(syn::Error::new(
+            span,
+            format!("nothing follows this `{symbol}`: complete the expression"),
+        ));
+    }
+    Ok(())
+}
+
+/// Methods and parts, after what they belong to.
+fn postfix(input: ParseStream<'_>) -> Result<Expression> {
+    let mut of = operand(input)?;
+    loop {
+        if input.peek(Token![.]) && !input.peek(Token![..]) {
+            let dot = input.parse::<Token![.]>()?.span;
+            of = member(input, dot, of)?;
+        } else if input.peek(token::Bracket) {
+            return Err(input.error("nothing can be indexed here: give every quantity its own name"));
+        } else if input.peek(token::Paren) {
+            return Err(input.error("only a function can be called: write `*` for a product"));
+        } else if input.peek(Token![?]) {
+            return Err(input.error("`?` has no meaning here: a formula cannot fail, the solver can"));
+        } else {
+            return Ok(of);
+        }
+    }
+}
+
+/// What follows a `.`.
+fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expression> {
+    if !input.peek(Ident::peek_any) {
+        let at = if input.is_empty() { dot } else { input.span() };
+        return Err(syn::Error::new(
+            at,
+            "expected a function after the `.`, or `x` or `y`, the parts of a plane vector",
+        ));
+    }
+    let member = Ident::parse_any(input)?;
+    let word = member.to_string();
+    if input.peek(Token![::]) {
+        return Err(input.error("a function takes no types here: write only its arguments"));
+    }
+    if input.peek(token::Paren) {
+        if !FUNCTION_NAMES.contains(&word.as_str()) {
+            return Err(unknown_function(&member, true));
+        }
+        let mut arguments = vec![of];
+        let close = self::arguments(input, &mut arguments)?;
+        return call(&member, arguments, true, close);
+    }
+    let axis = match word.as_str() {
+        "x" => Axis::X,
+        "y" => Axis::Y,
+        "await" => {
+            return Err(syn::Error::new(
+                member.span(),
+                "`await` has no meaning here: write only formulas",
+            ));
+        }
+        _ if FUNCTION_NAMES.contains(&word.as_str()) => {
+            return Err(syn::Error::new(
+                member.span(),
+                format!("`{word}` is a function: write `.{word}()`"),
+            ));
+        }
+        _ => {
+            return Err(syn::Error::new(
+                member.span(),
+                format!("nothing here has a part `{word}`: a plane vector has `x` and `y`, and there are no others"),
+            ));
+        }
+    };
+    Ok(Expression {
+        extent: of.extent.to(Extent::at(member.span())),
+        kind: ExpressionKind::Part { of: Box::new(of), axis },
+    })
+}
+
+fn operand(input: ParseStream<'_>) -> Result<Expression> {
+    if input.peek(token::Paren) {
+        return parenthesis(input);
+    }
+    if input.peek(Lit) && !input.peek(Token![_]) {
+        return literal(input);
+    }
+    if input.peek(Ident::peek_any) {
+        return word(input);
+    }
+    Err(input.error(no_operand(input)))
+}
+
+/// What is wrong with a token that begins no operand.
+fn no_operand(input: ParseStream<'_>) -> &'static str {
+    if input.peek(token::Bracket) {
+        "there are no arrays here: write `vec2(x, y)` for a plane vector"
+    } else if input.peek(token::Brace) {
+        "a formula has no blocks: write `( … )` to group, and `let` statements of their own for abbreviations"
+    } else if input.peek(Token![&]) {
+        "a formula takes no references: write the name alone"
+    } else if input.peek(Token![|]) {
+        "there are no closures here: write the formula itself"
+    } else if input.peek(Token![!]) {
+        "there are no conditions here: an equation holds always"
+    } else if input.peek(Token![..]) {
+        "a range belongs to an unknown: write `unknown x: Angle in 0..=PI`"
+    } else if input.peek(Lifetime) {
+        "there are no loops or labels here: write only formulas"
+    } else if input.peek(Token![+]) {
+        "a number takes no `+` before it: write it alone"
+    } else if input.peek(Token![*]) {
+        "an operand is missing before this `*`; a power is written `powi(x, 2)`"
+    } else if input.peek(Token![#]) {
+        "an attribute has no meaning within a formula: write it before a statement"
+    } else if input.peek(Token![<]) || input.peek(Token![::]) {
+        "there are no paths here: write the function or quantity by its name"
+    } else {
+        "expected a name, a number, a function or `(` here"
+    }
+}
+
+fn parenthesis(input: ParseStream<'_>) -> Result<Expression> {
+    let content;
+    let parentheses = parenthesized!(content in input);
+    let extent = Extent {
+        first: parentheses.span.open(),
+        last: parentheses.span.close(),
+    };
+    if content.is_empty() {
+        return Err(syn::Error::new_spanned(
+            extent,
+            "there is nothing between these parentheses: write an expression",
+        ));
+    }
+    let inner = parse(&content, Place::Parenthesis)?;
+    Ok(Expression {
+        kind: ExpressionKind::Parenthesis(Box::new(inner)),
+        extent,
+    })
+}
+
+fn literal(input: ParseStream<'_>) -> Result<Expression> {
+    let literal: Lit = input.parse()?;
+    let span = literal.span();
+    let (digits, suffix) = match &literal {
+        Lit::Int(number) => (number.base10_digits().to_owned(), number.suffix()),
+        Lit::Float(number) => (number.base10_digits().to_owned(), number.suffix()),
+        Lit::Bool(_) => {
+            return Err(syn::Error::new(
+                span,
+                "there are no conditions here: an equation holds always",
+            ));
+        }
+        _ => {
+            return Err(syn::Error::new(
+                span,
+                "a formula is made of numbers: there is no text here",
+            ));
+        }
+    };
+    if !matches!(suffix, "" | "f64") {
+        return Err(syn::Error::new(
+            span,
+            format!("a number takes no type `{suffix}` here: write `{digits}`"),
+        ));
+    }
+    match digits.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(Expression {
+            kind: ExpressionKind::Number {
+                value,
+                text: literal.to_token_stream().to_string(),
+            },
+            extent: Extent::at(span),
+        }),
+        _ => Err(syn::Error::new(span, "this number is too large for an `f64`")),
+    }
+}
+
+/// A name, a call, or a word that means something in Rust but nothing here.
+fn word(input: ParseStream<'_>) -> Result<Expression> {
+    let word = Ident::parse_any(input)?;
+    let text = word.to_string();
+    let at = |message: String| Err(syn::Error::new(word.span(), message));
+    if let Some(message) = foreign(&text) {
+        return at(message.to_owned());
+    }
+    if input.peek(Token![::]) {
+        return Err(path(input, &word));
+    }
+    if input.peek(Token![!]) && !input.peek(Token![!=]) {
+        return at(format!(
+            "macros cannot be used in a formula: write what `{text}!` stands for"
+        ));
+    }
+    if text == "self" {
+        return at("parameters are written without `self`: write their names alone".to_owned());
+    }
+    if input.peek(token::Paren) {
+        if !FUNCTION_NAMES.contains(&text.as_str()) {
+            return Err(unknown_function(&word, false));
+        }
+        let mut arguments = Vec::new();
+        let close = self::arguments(input, &mut arguments)?;
+        return call(&word, arguments, false, close);
+    }
+    if text.starts_with("r#") {
+        return at(format!("`{text}` is a raw identifier; choose a plain name"));
+    }
+    let kind = if text == "PI" {
+        ExpressionKind::Pi
+    } else {
+        ExpressionKind::Name(word.clone())
+    };
+    Ok(Expression {
+        kind,
+        extent: Extent::at(word.span()),
+    })
+}
+
+/// What to write instead of a construct of Rust. Keywords that could pass for names are left to be looked up as
+/// names, and so are functions without arguments: their declaration may have been a mistake already.
+fn foreign(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "if" | "else" | "match" => {
+            "a formula has no cases: write equations that hold always, and `where` or `in` after an unknown to choose its branch"
+        }
+        "for" | "while" | "loop" | "break" | "continue" => {
+            "there are no loops here: write every equation out as a statement of its own"
+        }
+        "move" | "async" => "there are no closures here: write the formula itself",
+        "unsafe" => "a formula has no blocks: write `( … )` to group",
+        "return" | "yield" => "nothing is returned here: write `output name: Length = …;` for a result",
+        "let" => "a `let` is a statement of its own: write it before the formula that uses it",
+        "true" | "false" => "there are no conditions here: an equation holds always",
+        "fn" | "impl" | "trait" | "enum" | "use" | "mod" | "static" | "const" | "pub" | "struct" | "extern"
+        | "macro" => "items cannot be declared here: write them outside of `mechanism!`",
+        "_" => "a formula has no placeholders: write a name or a number",
+        _ => return None,
+    })
+}
+
+/// `a::b`, of which one is probably meant as PI or a function.
+fn path(input: ParseStream<'_>, first: &Ident) -> syn::Error {
+    let mut last = first.clone();
+    while input.peek(Token![::]) && input.peek3(Ident::peek_any) {
+        let (Ok(_), Ok(next)) = (input.parse::<Token![::]>(), Ident::parse_any(input)) else {
+            break;
+        };
+        last = next;
+    }
+    let word = last.to_string();
+    let extent = Extent::at(first.span()).to(Extent::at(last.span()));
+    let instead = if word == "PI" {
+        "write `PI`".to_owned()
+    } else if word == "TAU" {
+        "write `2 * PI`".to_owned()
+    } else if FUNCTION_NAMES.contains(&word.as_str()) {
+        format!("write `{}`", form(&word))
+    } else {
+        "write a parameter for a value from outside".to_owned()
+    };
+    syn::Error::new_spanned(extent, format!("there are no paths here: {instead}"))
+}
+
+/// How a function is written.
+pub(crate) fn form(function: &str) -> &'static str {
+    match function {
+        "sin" => "sin(x)",
+        "cos" => "cos(x)",
+        "tan" => "tan(x)",
+        "asin" => "asin(x)",
+        "acos" => "acos(x)",
+        "atan" => "atan(x)",
+        "atan2" => "atan2(y, x)",
+        "sqrt" => "sqrt(x)",
+        "exp" => "exp(x)",
+        "ln" => "ln(x)",
+        "powi" => "powi(x, 2)",
+        "cis" => "cis(angle)",
+        "polar" => "polar(length, angle)",
+        _ => "vec2(x, y)",
+    }
+}
+
+fn unknown_function(name: &Ident, method: bool) -> syn::Error {
+    let word = name.to_string();
+    let instead = match word.as_str() {
+        "pow" | "powf" => "; write `powi(x, 2)` for a whole power, `sqrt(x)` for a square root".to_owned(),
+        "hypot" | "norm" | "length" => "; write `sqrt(powi(x, 2) + powi(y, 2))`".to_owned(),
+        "log" => "; write `ln(x)` for the natural logarithm".to_owned(),
+        "to_radians" => "; write `x * PI / 180`".to_owned(),
+        "to_degrees" => "; write `x * 180 / PI`".to_owned(),
+        "arcsin" | "arccos" | "arctan" | "arctan2" => {
+            format!("; did you mean `{}`?", word.replace("arc", "a"))
+        }
+        "abs" | "signum" | "min" | "max" | "clamp" | "floor" | "ceil" | "round" | "rem_euclid" => {
+            "; a formula must have all its derivatives, and that one has not".to_owned()
+        }
+        "sin_cos" => "; write `sin(x)` and `cos(x)`, they are computed together all the same".to_owned(),
+        _ => {
+            let near = suggestion(&word, FUNCTION_NAMES);
+            if near.is_empty() && !method {
+                "; write `*` for a product".to_owned()
+            } else {
+                near
+            }
+        }
+    };
+    syn::Error::new(
+        name.span(),
+        format!(
+            "`{word}` is no function of the declaration language, which has {}{instead}",
+            FUNCTION_NAMES.join(", ")
+        ),
+    )
+}
+
+/// Reads `( … )` and tells where it closes.
+fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Expression>) -> Result<Span> {
+    let content;
+    let parentheses = parenthesized!(content in input);
+    while !content.is_empty() {
+        if content.peek(Token![,]) {
+            return Err(content.error("an argument is missing before this `,`"));
+        }
+        arguments.push(parse(&content, Place::Argument)?);
+        if content.peek(Token![,]) {
+            content.parse::<Token![,]>()?;
+        }
+    }
+    Ok(parentheses.span.close())
+}
+
+fn call(name: &Ident, arguments: Vec<Expression>, method: bool, close: Span) -> Result<Expression> {
+    let word = name.to_string();
+    let callee = match word.as_str() {
+        "powi" => None,
+        "cis" => Some(Callee::Cis),
+        "polar" => Some(Callee::Polar),
+        "vec2" => Some(Callee::Vec2),
+        _ => match Function::from_name(&word) {
+            Some(function) => Some(Callee::Elementary(function)),
+            None => return Err(unknown_function(name, method)),
+        },
+    };
+    let arity = match callee {
+        Some(Callee::Elementary(function)) => function.arity(),
+        Some(Callee::Cis) => 1,
+        None | Some(Callee::Polar | Callee::Vec2) => 2,
+    };
+    let extent = match arguments.first() {
+        Some(receiver) if method => receiver.extent.to(Extent::at(close)),
+        _ => Extent::at(name.span()).to(Extent::at(close)),
+    };
+    if arguments.len() != arity {
+        let count = |n| {
+            if n == 1 {
+                "1 argument".to_owned()
+            } else {
+                format!("{n} arguments")
+            }
+        };
+        let given = arguments.len();
+        let counted = if method {
+            ", counting the one before the `.`"
+        } else {
+            ""
+        };
+        return Err(syn::Error::new_spanned(
+            Extent::at(name.span()).to(Extent::at(close)),
+            format!(
+                "`{word}` takes {} and is given {given}{counted}: write `{}`",
+                count(arity),
+                form(&word)
+            ),
+        ));
+    }
+    let kind = match (callee, arguments.as_slice()) {
+        (None, [base, exponent]) => ExpressionKind::Power {
+            base: Box::new(base.clone()),
+            exponent: self::exponent(exponent)?,
+            method,
+        },
+        (None, _) => return Err(unknown_function(name, method)),
+        (Some(callee), _) => ExpressionKind::Call {
+            callee,
+            arguments,
+            method,
+        },
+    };
+    Ok(Expression { kind, extent })
+}
+
+/// The exponent of `powi`: an integer literal, as the formula's form depends on it.
+fn exponent(argument: &Expression) -> Result<i32> {
+    fn literal(expression: &Expression, text: &mut String) -> bool {
+        match &expression.kind {
+            ExpressionKind::Number { text: digits, .. } => {
+                text.push_str(digits);
+                true
+            }
+            ExpressionKind::Negate(of) => {
+                text.push('-');
+                literal(of, text)
+            }
+            ExpressionKind::Parenthesis(inner) => literal(inner, text),
+            _ => false,
+        }
+    }
+    let mut text = String::new();
+    let wrong = |message: String| Err(syn::Error::new_spanned(argument.extent, message));
+    if !literal(argument, &mut text) {
+        return wrong(
+            "the exponent of `powi` must be a whole number written out: write `powi(x, 2)`, and `exp` and `ln` for others"
+                .to_owned(),
+        );
+    }
+    match text.replace('_', "").parse::<i32>() {
+        Ok(exponent) if exponent.unsigned_abs() <= LARGEST_EXPONENT => Ok(exponent),
+        Ok(_) => wrong(format!(
+            "an exponent goes from -{LARGEST_EXPONENT} to {LARGEST_EXPONENT}"
+        )),
+        Err(_) if text.trim_start_matches('-') == "0.5" => {
+            wrong("the exponent of `powi` must be a whole number: write `sqrt(x)` for a square root".to_owned())
+        }
+        Err(_) => wrong(format!(
+            "the exponent of `powi` must be a whole number, and `{text}` is not written as one: write `powi(x, 2)`"
+        )),
+    }
+}
+
+/// What is wrong with a token that follows a complete formula.
+fn stray(input: ParseStream<'_>, place: Place) -> syn::Error {
+    if input.peek(Token![==]) {
+        return input.error(match place {
+            Place::RightSide => "an equation has one `==`: write the second as an equation of its own",
+            Place::Value => "a definition is not an equation: write the equation as a statement of its own",
+            _ => "an equation stands on its own: write it as a statement, not within a formula",
+        });
+    }
+    if input.peek(Token![=]) && !input.peek(Token![=>]) {
+        return input.error(if place == Place::LeftSide {
+            "nothing is assigned here: write `==` for an equation, or `let x = …;` for an abbreviation"
+        } else {
+            "unexpected `=` within a formula: write an equation or a `let` as a statement of its own"
+        });
+    }
+    let message = if input.peek(Token![+=])
+        || input.peek(Token![-=])
+        || input.peek(Token![*=])
+        || input.peek(Token![/=])
+    {
+        "nothing is assigned here, quantities do not change: write `==` for an equation"
+    } else if input.peek(Token![^]) {
+        "there is no operator `^`: write `powi(x, 2)` for a power"
+    } else if input.peek(Token![%]) {
+        "there is no remainder here: it has no derivative, and angles need none"
+    } else if input.peek(Token![<<]) || input.peek(Token![>>]) {
+        "there are no bit operations here: write `* powi(2, n)`"
+    } else if input.peek(Token![!=]) || input.peek(Token![<]) || input.peek(Token![>]) {
+        if place == Place::RangeEnd {
+            "a range has one comparison: write `in 0..=PI` for one with two ends"
+        } else {
+            "there are no comparisons here: write `==` for an equation, and `where` after an unknown to choose its branch"
+        }
+    } else if input.peek(Token![&&]) || input.peek(Token![||]) {
+        if place == Place::RangeEnd {
+            "a range has one comparison: write `in 0..=PI` for one with two ends"
+        } else {
+            "there are no conditions here: write each equation as a statement of its own"
+        }
+    } else if input.peek(Token![&]) || input.peek(Token![|]) {
+        "there are no bit operations here: write only `+`, `-`, `*` and `/`"
+    } else if input.peek(Token![..]) {
+        "a range belongs to an unknown: write `unknown x: Angle in 0..=PI`"
+    } else if input.peek(Token![as]) {
+        "numbers are not converted here: write the name alone, all quantities have one numeric type"
+    } else if input.peek(Token![->]) || input.peek(Token![=>]) {
+        "an arrow has no meaning in a formula: write only `+`, `-`, `*` and `/`"
+    } else if input.peek(Token![,]) {
+        if place == Place::Parenthesis {
+            "there are no tuples here: write `vec2(x, y)` for a plane vector"
+        } else {
+            "an expression ends before this `,`: write `;` before a further statement"
+        }
+    } else if input.peek(Token![:]) {
+        "a formula takes no types: write `input`, `unknown` or `output` before a name to declare it"
+    } else if input.peek(token::Brace) {
+        "a formula has no blocks: write `( … )` to group"
+    } else if input.peek(Token![!]) {
+        "there are no macros or conditions here: write only formulas"
+    } else if input.peek(Ident::peek_any) || input.peek(Lit) {
+        if matches!(place, Place::Parenthesis | Place::Argument) {
+            "an operator is missing before this: write `*` for a product"
+        } else {
+            "an operator or a `;` is missing: write `;` before this if it begins a statement, `*` if a product is meant"
+        }
+    } else {
+        "unexpected in a formula: write `+`, `-`, `*` or `/`, or `;` to end the statement"
+    };
+    input.error(message)
+}

@@ -1,0 +1,210 @@
+//! The struct that opens a declaration: its fields are the parameters.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser, Result};
+use syn::{Attribute, Token, Visibility, braced};
+
+use crate::report::{Extent, Report};
+use crate::syntax::{Declaration, Dimension, ParameterField, name, split};
+
+const EXAMPLE: &str = "write `struct Name { … }` with the parameters as fields first";
+
+/// What stands before the statements.
+struct Head {
+    attributes: Vec<Attribute>,
+    visibility: Visibility,
+    name: Ident,
+    fields: TokenStream,
+    /// A mistake that leaves the rest readable.
+    mistake: Option<syn::Error>,
+    body: TokenStream,
+}
+
+/// Reads the struct; what follows it is handed back unread.
+pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declaration, TokenStream)> {
+    if tokens.is_empty() {
+        report.error_at(
+            Span::call_site(),
+            format!("an empty declaration describes no mechanism: {EXAMPLE}"),
+        );
+        return None;
+    }
+    let head = match head.parse2(tokens) {
+        Ok(head) => head,
+        Err(error) => {
+            report.push(error);
+            return None;
+        }
+    };
+    let mut declaration = Declaration {
+        attributes: head.attributes,
+        visibility: head.visibility,
+        name: head.name,
+        parameters: Vec::new(),
+        statements: Vec::new(),
+        broken: BTreeSet::new(),
+        mentioned: BTreeSet::new(),
+        has_fields: !head.fields.is_empty(),
+        complete: head.mistake.is_none(),
+        breaks_off: false,
+    };
+    let readable = head.mistake.is_none();
+    if let Some(mistake) = head.mistake {
+        report.push(mistake);
+    }
+    if readable && head.fields.is_empty() {
+        report.error(
+            &declaration.name,
+            format!(
+                "`{}` has no parameters: declare the lengths of its links as fields, as in `pub r1: Length`",
+                declaration.name
+            ),
+        );
+    }
+    for field in split::fields(head.fields) {
+        match parameter.parse2(field.clone()) {
+            Ok((parameter, None)) => declaration.parameters.push(parameter),
+            Ok((parameter, Some(mistake))) => {
+                report.push(mistake);
+                declaration.poison(&field);
+                declaration.parameters.push(parameter);
+            }
+            Err(error) => {
+                report.push(error);
+                declaration.poison(&field);
+            }
+        }
+    }
+    Some((declaration, head.body))
+}
+
+fn head(input: ParseStream<'_>) -> Result<Head> {
+    let start = input.span();
+    let attributes = input.call(Attribute::parse_outer)?;
+    let visibility: Visibility = input.parse()?;
+    if !input.peek(Token![struct]) {
+        let at = if input.is_empty() { start } else { input.span() };
+        return Err(syn::Error::new(
+            at,
+            format!("a declaration begins with a struct: {EXAMPLE}"),
+        ));
+    }
+    let keyword: Token![struct] = input.parse()?;
+    if !input.peek(Ident::peek_any) {
+        return Err(syn::Error::new(
+            keyword.span,
+            format!("the name of the struct is missing: {EXAMPLE}"),
+        ));
+    }
+    let name = name::parse(input, "mechanism", keyword.span)?;
+    let mut head = Head {
+        attributes,
+        visibility,
+        name,
+        fields: TokenStream::new(),
+        mistake: None,
+        body: TokenStream::new(),
+    };
+    if input.peek(Token![<]) || input.peek(Token![where]) {
+        head.mistake = Some(input.error(format!(
+            "the struct takes no generics, its numeric type is added to it: write `struct {} {{ … }}`",
+            head.name
+        )));
+        while !input.is_empty() && !input.peek(syn::token::Brace) {
+            input.parse::<TokenTree>()?;
+        }
+    }
+    if input.peek(syn::token::Brace) {
+        let fields;
+        braced!(fields in input);
+        head.fields = fields.parse()?;
+    } else if head.mistake.is_none() {
+        let message = format!(
+            "the parameters need names: write `struct {} {{ r1: Length, … }}`",
+            head.name
+        );
+        head.mistake = Some(if input.is_empty() {
+            syn::Error::new(head.name.span(), message)
+        } else {
+            input.error(message)
+        });
+        if input.peek(syn::token::Paren) {
+            input.parse::<TokenTree>()?;
+        }
+    }
+    head.body = input.parse()?;
+    Ok(head)
+}
+
+/// A field, with the mistake in its dimension if there is one: its name is still good for the struct that editors see.
+fn parameter(input: ParseStream<'_>) -> Result<(ParameterField, Option<syn::Error>)> {
+    let start = input.span();
+    let attributes = input.call(Attribute::parse_outer)?;
+    let visibility: Visibility = input.parse()?;
+    let name = name::parse(input, "parameter", start)?;
+    let mut parameter = ParameterField {
+        attributes,
+        visibility,
+        name,
+        dimension: None,
+    };
+    let mistake = match parameter_dimension(input, &parameter.name) {
+        Ok(dimension) => {
+            parameter.dimension = Some(dimension);
+            None
+        }
+        Err(error) => Some(error),
+    };
+    while !input.is_empty() {
+        input.parse::<TokenTree>()?;
+    }
+    Ok((parameter, mistake))
+}
+
+fn parameter_dimension(input: ParseStream<'_>, name: &Ident) -> Result<Dimension> {
+    dimension_of(input, name, "parameter")?;
+    let dimension = Dimension::parse(input)?;
+    if input.peek(Token![=]) {
+        return Err(input.error("a parameter takes no value here: it is given when the mechanism is made"));
+    }
+    if !input.is_empty() {
+        return Err(input.error("unexpected after the dimension: write `,` before the next parameter"));
+    }
+    Ok(dimension)
+}
+
+/// The `:` before a dimension.
+pub(super) fn dimension_of(input: ParseStream<'_>, name: &Ident, what: &str) -> Result<()> {
+    let example = match what {
+        "input" | "unknown" => "Angle",
+        _ => "Length",
+    };
+    if input.peek(Token![:]) && !input.peek(Token![::]) {
+        input.parse::<Token![:]>()?;
+        if input.is_empty() {
+            return Err(syn::Error::new(
+                name.span(),
+                format!("the dimension of {what} `{name}` is missing: write `{name}: {example}`, or another dimension"),
+            ));
+        }
+        return Ok(());
+    }
+    Err(syn::Error::new(
+        name.span(),
+        format!("{what} `{name}` has no dimension: write `{name}: {example}`, or another dimension"),
+    ))
+}
+
+/// Underlines all of a type or pattern that was written where it does not belong.
+pub(super) fn rest(input: ParseStream<'_>) -> Option<Extent> {
+    let tokens: TokenStream = input.fork().parse().ok()?;
+    let mut tokens = tokens.into_iter();
+    let first = tokens.next()?.span();
+    Some(Extent {
+        first,
+        last: tokens.last().map_or(first, |token| token.span()),
+    })
+}

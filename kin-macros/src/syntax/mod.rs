@@ -1,0 +1,475 @@
+//! Tokens to syntax tree. Spans are kept, and only what a single statement shows by itself is checked.
+//!
+//! The body is cut at its semicolons first and every statement is parsed on its own, so that a mistake in one hides none in
+//! another.
+
+mod dimension;
+mod expression;
+mod head;
+mod name;
+mod print;
+mod split;
+mod statement;
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use syn::{Attribute, Visibility};
+
+use crate::function::Function;
+use crate::report::{Extent, Report};
+
+pub(crate) use dimension::Dimension;
+pub(crate) use expression::{FUNCTION_NAMES, form};
+pub(crate) use name::keyword as is_keyword;
+
+/// What stands between the braces of `mechanism! { … }`.
+pub(crate) struct Declaration {
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) visibility: Visibility,
+    pub(crate) name: Ident,
+    pub(crate) parameters: Vec<ParameterField>,
+    pub(crate) statements: Vec<Statement>,
+    /// Names whose declaration could not be read; their uses are not mistakes.
+    pub(crate) broken: BTreeSet<String>,
+    /// Names that occur in statements that could not be read; they may well be in use.
+    pub(crate) mentioned: BTreeSet<String>,
+    /// Whether the struct has fields that could be told apart. If not, any name may be one of them.
+    pub(crate) has_fields: bool,
+    /// Whether every statement and field could be read.
+    pub(crate) complete: bool,
+    /// Whether a formula breaks off: what it was going to use is not known.
+    pub(crate) breaks_off: bool,
+}
+
+/// A field of the struct.
+pub(crate) struct ParameterField {
+    pub(crate) attributes: Vec<Attribute>,
+    pub(crate) visibility: Visibility,
+    pub(crate) name: Ident,
+    /// `None` where a mistake has been reported.
+    pub(crate) dimension: Option<Dimension>,
+}
+
+/// One statement of the body.
+pub(crate) enum Statement {
+    Inputs(Vec<QuantityItem>),
+    Unknowns(Vec<UnknownItem>),
+    Let(LetStatement),
+    Equation(EquationStatement),
+    Output(OutputStatement),
+}
+
+/// `theta2: Angle`
+pub(crate) struct QuantityItem {
+    pub(crate) documentation: Vec<Attribute>,
+    pub(crate) name: Ident,
+    pub(crate) dimension: Dimension,
+}
+
+/// `e: Length where e > 0`
+pub(crate) struct UnknownItem {
+    pub(crate) quantity: QuantityItem,
+    pub(crate) range: Option<RangeClause>,
+}
+
+/// The range that picks the branch of an unknown.
+pub(crate) struct RangeClause {
+    pub(crate) kind: RangeKind,
+    pub(crate) extent: Extent,
+}
+
+pub(crate) enum RangeKind {
+    /// `where e > 0`
+    Comparison {
+        name: Ident,
+        comparison: Comparison,
+        bound: Expression,
+    },
+    /// `in 0..=PI`
+    Between {
+        low: Expression,
+        high: Expression,
+        closed: bool,
+    },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Comparison {
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+}
+
+/// `let half = r3 / 2`
+pub(crate) struct LetStatement {
+    pub(crate) name: Ident,
+    pub(crate) value: Expression,
+}
+
+/// `left == right`
+pub(crate) struct EquationStatement {
+    pub(crate) left: Expression,
+    pub(crate) right: Expression,
+    /// Of the `==`.
+    pub(crate) operator: Extent,
+    pub(crate) tokens: TokenStream,
+}
+
+/// `output midpoint: Point = …`
+pub(crate) struct OutputStatement {
+    pub(crate) documentation: Vec<Attribute>,
+    pub(crate) name: Ident,
+    pub(crate) dimension: Dimension,
+    pub(crate) value: Expression,
+}
+
+/// A formula with its place.
+#[derive(Clone)]
+pub(crate) struct Expression {
+    pub(crate) kind: ExpressionKind,
+    pub(crate) extent: Extent,
+}
+
+#[derive(Clone)]
+pub(crate) enum ExpressionKind {
+    /// A literal, with the spelling it was written in.
+    Number {
+        value: f64,
+        text: String,
+    },
+    Pi,
+    Name(Ident),
+    Negate(Box<Expression>),
+    Binary {
+        operator: Operator,
+        /// Of the operator.
+        span: Span,
+        left: Box<Expression>,
+        right: Box<Expression>,
+    },
+    Call {
+        callee: Callee,
+        arguments: Vec<Expression>,
+        /// Whether it was written `x.f()` rather than `f(x)`.
+        method: bool,
+    },
+    /// `powi(x, 2)`; the exponent is part of the formula's form, not one of its values.
+    Power {
+        base: Box<Expression>,
+        exponent: i32,
+        method: bool,
+    },
+    /// `p.x` or `p.y`
+    Part {
+        of: Box<Expression>,
+        axis: Axis,
+    },
+    Parenthesis(Box<Expression>),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
+}
+
+/// What can be called besides `powi`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Callee {
+    Elementary(Function),
+    Cis,
+    Polar,
+    Vec2,
+}
+
+/// Reads a declaration. Mistakes go to the report; what could be read is returned all the same, `None` only if there is not
+/// even a struct.
+pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
+    let (mut declaration, body) = head::parse(tokens, report)?;
+    for chunk in split::statements(body, report) {
+        let last = last_span(&chunk.tokens);
+        match statement::parse(chunk.tokens.clone()) {
+            Ok(Some(statement)) => {
+                declaration.statements.push(statement);
+                if !chunk.terminated {
+                    report.error_at(last, "a `;` is missing after this: every statement ends with `;`");
+                }
+            }
+            Ok(None) => {}
+            Err(error) => {
+                report.push(error);
+                declaration.poison(&chunk.tokens);
+            }
+        }
+    }
+    Some(declaration)
+}
+
+impl Declaration {
+    /// Remembers the names in a stretch of source that could not be read, so that they cause no further errors.
+    fn poison(&mut self, tokens: &TokenStream) {
+        self.complete = false;
+        self.breaks_off |= matches!(tokens.clone().into_iter().last(), Some(TokenTree::Punct(_)));
+        split::mentioned_names(tokens, &mut self.mentioned);
+        split::declared_names(tokens, &mut self.broken);
+    }
+}
+
+fn last_span(tokens: &TokenStream) -> Span {
+    match tokens.clone().into_iter().last() {
+        Some(TokenTree::Group(group)) => group.span_close(),
+        Some(token) => token.span(),
+        None => Span::call_site(),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::needless_pass_by_value, reason = "formulas are quoted where they are passed")]
+mod tests {
+    use quote::quote;
+
+    use super::*;
+
+    /// The statements as they print, or the mistakes.
+    fn read(body: TokenStream) -> Result<Vec<String>, Vec<String>> {
+        let mut report = Report::new();
+        let declaration = parse(quote!(struct M { a: Length } #body), &mut report);
+        if !report.is_empty() {
+            return Err(report.into_messages());
+        }
+        let statements = declaration.map(|declaration| declaration.statements);
+        Ok(statements.iter().flatten().map(print).collect())
+    }
+
+    fn print(statement: &Statement) -> String {
+        match statement {
+            Statement::Inputs(items) => format!("{} inputs", items.len()),
+            Statement::Unknowns(items) => items
+                .iter()
+                .map(|item| match &item.range {
+                    None => item.quantity.name.to_string(),
+                    Some(range) => range.text(&item.quantity.name.to_string()),
+                })
+                .collect::<Vec<_>>()
+                .join(", "),
+            Statement::Let(statement) => format!("let {} = {}", statement.name, statement.value),
+            Statement::Equation(equation) => equation.to_string(),
+            Statement::Output(output) => {
+                format!("output {}: {} = {}", output.name, output.dimension.word(), output.value)
+            }
+        }
+    }
+
+    /// Every operation in parentheses of its own.
+    fn grouping(expression: &Expression) -> String {
+        match &expression.kind {
+            ExpressionKind::Negate(of) => format!("(-{})", grouping(of)),
+            ExpressionKind::Binary {
+                operator, left, right, ..
+            } => format!("({} {} {})", grouping(left), operator.symbol(), grouping(right)),
+            ExpressionKind::Parenthesis(inner) => grouping(inner),
+            _ => expression.to_string(),
+        }
+    }
+
+    fn grouped(formula: TokenStream) -> String {
+        let mut report = Report::new();
+        let declaration = parse(quote!(struct M { a: Length } let v = #formula;), &mut report);
+        assert!(report.is_empty(), "{:?}", report.into_messages());
+        match declaration
+            .as_ref()
+            .map(|declaration| declaration.statements.as_slice())
+        {
+            Some([Statement::Let(statement)]) => grouping(&statement.value),
+            _ => String::new(),
+        }
+    }
+
+    fn mistakes(body: TokenStream) -> Vec<String> {
+        read(body).err().unwrap_or_default()
+    }
+
+    #[test]
+    fn statements_print_as_they_were_written() {
+        let body = quote! {
+            input t: Angle, u: Scalar,;
+            unknown e: Length where e>0, g: Angle in 0.0..=PI;
+            /// A doc comment.
+            unknown h: Angle in -PI/2..PI;
+            let half=a/2;
+            a*cis(t)+-polar(2.5f64*e,g).times==0;
+        };
+        assert_eq!(mistakes(body).len(), 1);
+        let body = quote! {
+            input t: Angle, u: Scalar,;
+            unknown e: Length where e>0, g: Angle in 0.0..=PI;
+            /// A doc comment.
+            unknown h: Angle in -PI/2..PI;
+            let half=a/2;
+            a*cis(t)+-polar(2.5f64*e,g)==(vec2(half,0)*t.cis()).x-e.powi(-2);
+            output p: Point = h.sin()*y.atan2(x)*1e-3;
+        };
+        assert_eq!(
+            read(body).unwrap_or_default(),
+            [
+                "2 inputs",
+                "e > 0, g in 0.0..=PI",
+                "h in -PI / 2..PI",
+                "let half = a / 2",
+                "a * cis(t) + -polar(2.5f64 * e, g) == (vec2(half, 0) * t.cis()).x - e.powi(-2)",
+                "output p: Point = h.sin() * y.atan2(x) * 1e-3",
+            ]
+        );
+    }
+
+    #[test]
+    fn every_function_can_be_called() {
+        for function in Function::ALL {
+            assert!(FUNCTION_NAMES.contains(&function.name()));
+        }
+        assert_eq!(FUNCTION_NAMES.len(), Function::ALL.len() + 4);
+    }
+
+    #[test]
+    fn operators_bind_as_in_rust() {
+        assert_eq!(grouped(quote!(a - b - c * d / e)), "((a - b) - ((c * d) / e))");
+        assert_eq!(grouped(quote!(-a * b)), "((-a) * b)");
+        assert_eq!(grouped(quote!(-a.sin())), "(-a.sin())");
+        assert_eq!(grouped(quote!(a / (b - c) * d)), "((a / (b - c)) * d)");
+        assert_eq!(grouped(quote!(a - -b)), "(a - (-b))");
+    }
+
+    #[test]
+    fn every_statement_tells_its_own_mistake() {
+        let messages = mistakes(quote! {
+            input type: Angle;
+            unknown b;
+            a = b;
+            a == b == c;
+            a[0] == b;
+            let x == 3;
+            unknown c: Point;
+        });
+        assert_eq!(messages.len(), 7, "{messages:#?}");
+    }
+
+    #[test]
+    fn a_missing_semicolon_is_told_once() {
+        let messages = mistakes(quote!(a == b unknown c: Angle; let d = c output e: Angle = d;));
+        assert_eq!(
+            messages,
+            [
+                "a `;` is missing: write `;` before this `unknown`",
+                "a `;` is missing: write `;` before this `output`"
+            ]
+        );
+        assert_eq!(
+            mistakes(quote!(a == b)),
+            ["a `;` is missing after this: every statement ends with `;`"]
+        );
+        assert_eq!(mistakes(quote!(a == b c == d;)).len(), 1);
+    }
+
+    #[test]
+    fn unfinished_formulas_are_told() {
+        for body in [
+            quote!(a == ;),
+            quote!(== a;),
+            quote!(a * == b;),
+            quote!(a == b - ;),
+            quote!(a == -;),
+            quote!(a == (b * );),
+            quote!(a == sin(,);),
+            quote!(a == sin();),
+            quote!(a == ();),
+            quote!(a == b.;),
+            quote!(a == b.sin;),
+            quote!(a;),
+            quote!(let;),
+            quote!(let b;),
+            quote!(let b = ;),
+            quote!(input;),
+            quote!(input b:;),
+            quote!(unknown b: Angle in;),
+            quote!(unknown b: Angle in 0..;),
+            quote!(unknown b: Angle in ..1;),
+            quote!(unknown b: Angle where;),
+            quote!(unknown b: Angle where b;),
+            quote!(unknown b: Angle where b >;),
+            quote!(unknown b: Angle where 0 < b;),
+            quote!(output b: Angle;),
+            quote!(output b = a;),
+        ] {
+            let messages = mistakes(body.clone());
+            assert_eq!(messages.len(), 1, "{body}: {messages:#?}");
+            assert!(
+                !messages[0].starts_with("unexpected end") && !messages[0].starts_with("unexpected token"),
+                "{body}: {messages:#?}"
+            );
+        }
+    }
+
+    #[test]
+    fn fragments_of_other_macros_keep_their_unity() {
+        let sum = proc_macro2::Group::new(proc_macro2::Delimiter::None, quote!(a + b));
+        let name = proc_macro2::Group::new(proc_macro2::Delimiter::None, quote!(c));
+        assert_eq!(grouped(quote!(2 * #sum * #name)), "((2 * (a + b)) * c)");
+    }
+
+    #[test]
+    fn the_struct_is_checked_too() {
+        let read = |tokens: TokenStream| {
+            let mut report = Report::new();
+            let declaration = parse(tokens, &mut report);
+            (declaration.is_some(), report.into_messages().len())
+        };
+        assert_eq!(read(quote!()), (false, 1));
+        assert_eq!(read(quote!(input a: Angle;)), (false, 1));
+        assert_eq!(read(quote!(struct;)), (false, 1));
+        assert_eq!(read(quote!(struct M)), (true, 1));
+        assert_eq!(
+            read(quote!(
+                struct M;
+            )),
+            (true, 1)
+        );
+        assert_eq!(
+            read(quote!(
+                struct M(Length);
+            )),
+            (true, 1)
+        );
+        assert_eq!(
+            read(quote!(
+                struct M {}
+            )),
+            (true, 1)
+        );
+        assert_eq!(
+            read(quote!(
+                struct M<T>
+                where
+                    T: Copy,
+                {
+                    a: T,
+                }
+            )),
+            (true, 2)
+        );
+        assert_eq!(
+            read(quote!(struct M { a: Length, b: f64, c: Vec<f64, g>, d, pub })),
+            (true, 4)
+        );
+        assert_eq!(read(quote!(pub struct M { pub a: Length pub b: Length })), (true, 1));
+    }
+}

@@ -1,0 +1,60 @@
+//! What a quantity may be called.
+
+use proc_macro2::{Ident, Span};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Result};
+
+use crate::syntax::expression::FUNCTION_NAMES;
+
+/// Words that begin a statement.
+pub(crate) const STATEMENT_WORDS: [&str; 4] = ["input", "unknown", "let", "output"];
+
+const KEYWORDS: [&str; 52] = [
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
+    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod",
+    "move", "mut", "override", "priv", "pub", "ref", "return", "self", "Self", "static", "struct", "super", "trait",
+    "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+/// Whether Rust keeps this word for itself.
+pub(crate) fn keyword(word: &str) -> bool {
+    KEYWORDS.contains(&word)
+}
+
+/// Reads the name of a quantity that is being declared. If there is none, the message says `what` it is, and it is told at the
+/// token `before` if there is nothing more: the end of the source has no place of its own.
+pub(crate) fn parse(input: ParseStream<'_>, what: &str, before: Span) -> Result<Ident> {
+    if input.is_empty() {
+        return Err(syn::Error::new(
+            before,
+            format!("the name of the {what} is missing after this"),
+        ));
+    }
+    if !input.peek(Ident::peek_any) {
+        return Err(input.error(format!("expected the name of the {what} here")));
+    }
+    let name = Ident::parse_any(input)?;
+    check(&name)?;
+    Ok(name)
+}
+
+/// Whether a quantity may bear this name.
+pub(crate) fn check(name: &Ident) -> Result<()> {
+    let word = name.to_string();
+    let complaint = if word.starts_with("r#") {
+        format!("`{word}` is a raw identifier; choose a plain name")
+    } else if word.chars().all(|letter| letter == '_') {
+        format!("`{word}` is not a name; choose one with a letter in it")
+    } else if STATEMENT_WORDS.contains(&word.as_str()) && word != "let" {
+        format!("`{word}` begins a statement of the declaration language; choose another name")
+    } else if keyword(&word) {
+        format!("`{word}` is a keyword of Rust; choose another name")
+    } else if word == "PI" {
+        "`PI` is the number π of the declaration language; choose another name".to_owned()
+    } else if FUNCTION_NAMES.contains(&word.as_str()) {
+        format!("`{word}` is a function of the declaration language; choose another name")
+    } else {
+        return Ok(());
+    };
+    Err(syn::Error::new(name.span(), complaint))
+}

@@ -1,0 +1,109 @@
+//! Formulas as text: what was written, with even spacing.
+
+use std::fmt::{self, Display, Formatter};
+
+use crate::syntax::{
+    Axis, Callee, Comparison, EquationStatement, Expression, ExpressionKind, Operator, RangeClause, RangeKind,
+};
+
+impl Operator {
+    pub(crate) fn symbol(self) -> &'static str {
+        match self {
+            Self::Add => "+",
+            Self::Subtract => "-",
+            Self::Multiply => "*",
+            Self::Divide => "/",
+        }
+    }
+}
+
+impl Comparison {
+    fn symbol(self) -> &'static str {
+        match self {
+            Self::Less => "<",
+            Self::LessOrEqual => "<=",
+            Self::Greater => ">",
+            Self::GreaterOrEqual => ">=",
+        }
+    }
+}
+
+impl Callee {
+    /// As it is written.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Elementary(function) => function.name(),
+            Self::Cis => "cis",
+            Self::Polar => "polar",
+            Self::Vec2 => "vec2",
+        }
+    }
+}
+
+impl Display for Axis {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::X => "x",
+            Self::Y => "y",
+        })
+    }
+}
+
+impl Display for Expression {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            ExpressionKind::Number { text, .. } => f.write_str(text),
+            ExpressionKind::Pi => f.write_str("PI"),
+            ExpressionKind::Name(name) => write!(f, "{name}"),
+            ExpressionKind::Negate(of) => write!(f, "-{of}"),
+            ExpressionKind::Binary {
+                operator, left, right, ..
+            } => write!(f, "{left} {} {right}", operator.symbol()),
+            ExpressionKind::Call {
+                callee,
+                arguments,
+                method,
+            } => call(f, callee.name(), arguments, *method, None),
+            ExpressionKind::Power { base, exponent, method } => {
+                call(f, "powi", std::slice::from_ref(&**base), *method, Some(*exponent))
+            }
+            ExpressionKind::Part { of, axis } => write!(f, "{of}.{axis}"),
+            ExpressionKind::Parenthesis(inner) => write!(f, "({inner})"),
+        }
+    }
+}
+
+fn call(
+    f: &mut Formatter<'_>,
+    name: &str,
+    arguments: &[Expression],
+    method: bool,
+    exponent: Option<i32>,
+) -> fmt::Result {
+    let mut inside: Vec<String> = arguments.iter().map(Expression::to_string).collect();
+    inside.extend(exponent.map(|n| n.to_string()));
+    if method && !inside.is_empty() {
+        let receiver = inside.remove(0);
+        write!(f, "{receiver}.")?;
+    }
+    write!(f, "{name}({})", inside.join(", "))
+}
+
+impl Display for EquationStatement {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} == {}", self.left, self.right)
+    }
+}
+
+impl RangeClause {
+    /// `e > 0`, `gamma in 0.0..=PI`
+    pub(crate) fn text(&self, unknown: &str) -> String {
+        match &self.kind {
+            RangeKind::Comparison { comparison, bound, .. } => format!("{unknown} {} {bound}", comparison.symbol()),
+            RangeKind::Between { low, high, closed } => {
+                let dots = if *closed { "..=" } else { ".." };
+                format!("{unknown} in {low}{dots}{high}")
+            }
+        }
+    }
+}

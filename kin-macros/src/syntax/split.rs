@@ -1,0 +1,162 @@
+//! Cutting the body into statements before anything is parsed.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Delimiter, Group, Spacing, TokenStream, TokenTree};
+
+use crate::report::Report;
+use crate::syntax::name::STATEMENT_WORDS;
+
+/// The tokens of one statement without its `;`.
+pub(crate) struct Chunk {
+    pub(crate) tokens: TokenStream,
+    /// Whether a `;` stood at its end.
+    pub(crate) terminated: bool,
+}
+
+/// Cuts at every `;`, and where one is missing before a word that can only begin a statement.
+pub(crate) fn statements(body: TokenStream, report: &mut Report) -> Vec<Chunk> {
+    let tokens = visible_groups(body);
+    let mut chunks = Vec::new();
+    let mut current: Vec<TokenTree> = Vec::new();
+    let mut finish = |current: &mut Vec<TokenTree>, terminated| {
+        let tokens: TokenStream = current.drain(..).collect();
+        if !tokens.is_empty() {
+            chunks.push(Chunk { tokens, terminated });
+        }
+    };
+    for (index, token) in tokens.iter().enumerate() {
+        if is_punct(token, ';') {
+            finish(&mut current, true);
+            continue;
+        }
+        let own = trailing_attributes(&current);
+        if own > 0 && begins_statement(&tokens[index..]) {
+            report.error_at(
+                token.span(),
+                format!("a `;` is missing: write `;` before this `{token}`"),
+            );
+            let attributes = current.split_off(own);
+            finish(&mut current, true);
+            current = attributes;
+        }
+        current.push(token.clone());
+    }
+    finish(&mut current, false);
+    chunks
+}
+
+/// Cuts at the commas between fields, leaving those within `<…>` alone.
+pub(crate) fn fields(body: TokenStream) -> Vec<TokenStream> {
+    let mut fields = vec![Vec::new()];
+    let mut depth = 0_usize;
+    for token in body {
+        if is_punct(&token, '<') {
+            depth += 1;
+        } else if is_punct(&token, '>') {
+            depth = depth.saturating_sub(1);
+        }
+        if depth == 0 && is_punct(&token, ',') {
+            fields.push(Vec::new());
+        } else if let Some(field) = fields.last_mut() {
+            field.push(token);
+        }
+    }
+    fields
+        .into_iter()
+        .filter(|field| !field.is_empty())
+        .map(TokenStream::from_iter)
+        .collect()
+}
+
+/// All the names that occur.
+pub(crate) fn mentioned_names(tokens: &TokenStream, names: &mut BTreeSet<String>) {
+    for token in tokens.clone() {
+        match token {
+            TokenTree::Ident(name) => {
+                names.insert(name.to_string());
+            }
+            TokenTree::Group(group) => mentioned_names(&group.stream(), names),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
+
+/// The names that a statement or a field was probably meant to declare: those before a `:`, and the one after its first word.
+pub(crate) fn declared_names(tokens: &TokenStream, names: &mut BTreeSet<String>) {
+    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    for pair in tokens.windows(2) {
+        let [TokenTree::Ident(name), next] = pair else {
+            continue;
+        };
+        let colon = matches!(next, TokenTree::Punct(p) if p.as_char() == ':' && p.spacing() == Spacing::Alone);
+        if colon {
+            names.insert(name.to_string());
+        } else if STATEMENT_WORDS.contains(&name.to_string().as_str())
+            && let TokenTree::Ident(declared) = next
+        {
+            names.insert(declared.to_string());
+        }
+    }
+}
+
+/// Groups without delimiters come from fragments of other macros. One token needs none; more keep their unity in parentheses.
+fn visible_groups(tokens: TokenStream) -> Vec<TokenTree> {
+    let mut visible = Vec::new();
+    for token in tokens {
+        match token {
+            TokenTree::Group(group) if has_invisible_groups(&group) => {
+                let mut inner = visible_groups(group.stream());
+                let delimiter = match group.delimiter() {
+                    Delimiter::None if inner.len() <= 1 => {
+                        visible.append(&mut inner);
+                        continue;
+                    }
+                    Delimiter::None => Delimiter::Parenthesis,
+                    delimiter => delimiter,
+                };
+                let mut regrouped = Group::new(delimiter, inner.into_iter().collect());
+                regrouped.set_span(group.span());
+                visible.push(TokenTree::Group(regrouped));
+            }
+            token => visible.push(token),
+        }
+    }
+    visible
+}
+
+fn has_invisible_groups(group: &Group) -> bool {
+    group.delimiter() == Delimiter::None
+        || group
+            .stream()
+            .into_iter()
+            .any(|token| matches!(token, TokenTree::Group(inner) if has_invisible_groups(&inner)))
+}
+
+/// Where the attributes at the end of a statement begin; they belong to the next if it ends there.
+fn trailing_attributes(tokens: &[TokenTree]) -> usize {
+    let mut end = tokens.len();
+    while let [.., hash, TokenTree::Group(group)] = &tokens[..end]
+        && is_punct(hash, '#')
+        && group.delimiter() == Delimiter::Bracket
+    {
+        end -= 2;
+    }
+    end
+}
+
+/// `let`, or one of the other words with a name and a colon behind it.
+fn begins_statement(tokens: &[TokenTree]) -> bool {
+    match tokens {
+        [TokenTree::Ident(word), TokenTree::Ident(_), rest @ ..] => {
+            let word = word.to_string();
+            word == "let"
+                || STATEMENT_WORDS.contains(&word.as_str()) && rest.first().is_some_and(|token| is_punct(token, ':'))
+        }
+        _ => false,
+    }
+}
+
+fn is_punct(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+}

@@ -1,0 +1,363 @@
+//! One statement: `input`, `unknown`, `let`, `output`, or an equation.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser, Result};
+use syn::{Attribute, Token};
+
+use crate::report::{Extent, nearest};
+use crate::syntax::expression::{self, Place};
+use crate::syntax::name::{self, STATEMENT_WORDS};
+use crate::syntax::{
+    Comparison, Dimension, EquationStatement, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
+    Statement, UnknownItem, head,
+};
+
+/// Reads a statement without its `;`. Nothing at all is no mistake.
+pub(crate) fn parse(tokens: TokenStream) -> Result<Option<Statement>> {
+    statement.parse2(tokens)
+}
+
+fn statement(input: ParseStream<'_>) -> Result<Option<Statement>> {
+    let attributes = documentation(input)?;
+    if input.is_empty() {
+        return match attributes.last() {
+            Some(attribute) => Err(syn::Error::new_spanned(
+                attribute,
+                "this documents nothing: write it before the statement that it describes",
+            )),
+            None => Ok(None),
+        };
+    }
+    let start = input.span();
+    match leading_word(input)?.as_deref() {
+        Some("input") => {
+            Ident::parse_any(input)?;
+            list(input, attributes, start, "input", input_item).map(Statement::Inputs)
+        }
+        Some("unknown") => {
+            Ident::parse_any(input)?;
+            list(input, attributes, start, "unknown", unknown_item).map(Statement::Unknowns)
+        }
+        Some("let") => {
+            Ident::parse_any(input)?;
+            abbreviation(input, start).map(Statement::Let)
+        }
+        Some("output") => {
+            Ident::parse_any(input)?;
+            output(input, attributes, start).map(Statement::Output)
+        }
+        _ => equation(input).map(Statement::Equation),
+    }
+    .map(Some)
+}
+
+/// Doc comments; no other attribute has a meaning on a statement.
+fn documentation(input: ParseStream<'_>) -> Result<Vec<Attribute>> {
+    let attributes = input.call(Attribute::parse_outer)?;
+    match attributes.iter().find(|attribute| !attribute.path().is_ident("doc")) {
+        Some(other) => Err(syn::Error::new_spanned(
+            other,
+            "only doc comments may stand before a statement; write other attributes on the struct or its fields",
+        )),
+        None => Ok(attributes),
+    }
+}
+
+/// The word that says what kind of statement this is, `None` for an equation.
+fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
+    let ahead = input.fork();
+    if !ahead.peek(Ident::peek_any) {
+        return Ok(None);
+    }
+    let first = Ident::parse_any(&ahead)?;
+    let word = first.to_string();
+    let declares = ahead.peek(Ident::peek_any);
+    if STATEMENT_WORDS.contains(&word.as_str()) && (word == "let" || !ahead.peek(Token![==])) {
+        return Ok(Some(word));
+    }
+    if word == "struct" {
+        return Err(syn::Error::new(
+            first.span(),
+            "a declaration has one struct: write another `mechanism!` for another mechanism",
+        ));
+    }
+    if !declares || name::keyword(&word) && word != "const" && word != "static" {
+        return Ok(None);
+    }
+    Ident::parse_any(&ahead)?;
+    if !ahead.peek(Token![:]) || ahead.peek(Token![::]) {
+        return Ok(None);
+    }
+    let likely = match word.as_str() {
+        "const" | "static" => Some("let"),
+        "param" | "parameter" => {
+            return Err(syn::Error::new(
+                first.span(),
+                "parameters are the fields of the struct: declare it there",
+            ));
+        }
+        _ => nearest(&word, STATEMENT_WORDS),
+    };
+    let likely = likely
+        .map(|near| format!("; did you mean `{near}`?"))
+        .unwrap_or_default();
+    Err(syn::Error::new(
+        first.span(),
+        format!("`{word}` begins no statement: write `input`, `unknown`, `let` or `output`{likely}"),
+    ))
+}
+
+/// Items between commas, with their doc comments. Those of the statement belong to the first.
+fn list<Item>(
+    input: ParseStream<'_>,
+    leading: Vec<Attribute>,
+    start: Span,
+    what: &str,
+    item: fn(ParseStream<'_>, Vec<Attribute>, Span) -> Result<Item>,
+) -> Result<Vec<Item>> {
+    let mut items = Vec::new();
+    let mut attributes = leading;
+    loop {
+        attributes.append(&mut documentation(input)?);
+        items.push(item(input, std::mem::take(&mut attributes), start)?);
+        if input.is_empty() {
+            return Ok(items);
+        }
+        if !input.peek(Token![,]) {
+            return Err(input.error(format!(
+                "unexpected in a declaration of an {what}: write `,` before a further one, `;` at the end"
+            )));
+        }
+        input.parse::<Token![,]>()?;
+        if input.is_empty() {
+            return Ok(items);
+        }
+    }
+}
+
+/// `theta2: Angle`, of `an input` or `an unknown`.
+fn quantity(input: ParseStream<'_>, documentation: Vec<Attribute>, what: &str, start: Span) -> Result<QuantityItem> {
+    let name = name::parse(input, what, start)?;
+    head::dimension_of(input, &name, what)?;
+    let at = input.span();
+    let dimension = Dimension::parse(input)?;
+    if dimension.is_plane() {
+        return Err(syn::Error::new(
+            at,
+            format!(
+                "an {what} is a single number: declare two lengths, `{name}_x` and `{name}_y`, and write `vec2({name}_x, {name}_y)`"
+            ),
+        ));
+    }
+    Ok(QuantityItem {
+        documentation,
+        name,
+        dimension,
+    })
+}
+
+fn input_item(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) -> Result<QuantityItem> {
+    let item = quantity(input, documentation, "input", start)?;
+    if input.peek(Token![where]) || input.peek(Token![in]) {
+        return Err(input.error("an input has no range: its value is given, it has no branches to choose from"));
+    }
+    if input.peek(Token![=]) {
+        return Err(input.error("an input takes no value here: it is given to the solver"));
+    }
+    Ok(item)
+}
+
+fn unknown_item(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) -> Result<UnknownItem> {
+    let quantity = quantity(input, documentation, "unknown", start)?;
+    if input.peek(Token![=]) && !input.peek(Token![==]) {
+        return Err(input.error(format!(
+            "an unknown takes no value: end the statement here, and write its equation as one of its own, `{} == …;`",
+            quantity.name
+        )));
+    }
+    let clause = input.span();
+    let kind = if input.peek(Token![where]) {
+        input.parse::<Token![where]>()?;
+        comparison(input, &quantity.name, clause)?
+    } else if input.peek(Token![in]) {
+        input.parse::<Token![in]>()?;
+        between(input, &quantity.name, clause)?
+    } else {
+        return Ok(UnknownItem { quantity, range: None });
+    };
+    let end = match &kind {
+        RangeKind::Comparison { bound, .. } => bound.extent,
+        RangeKind::Between { high, .. } => high.extent,
+    };
+    Ok(UnknownItem {
+        quantity,
+        range: Some(RangeClause {
+            kind,
+            extent: Extent::at(clause).to(end),
+        }),
+    })
+}
+
+/// `e > 0` after `where`.
+fn comparison(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<RangeKind> {
+    if input.is_empty() {
+        return Err(syn::Error::new(
+            start,
+            format!("the range is missing: write `where {unknown} > 0`"),
+        ));
+    }
+    if !input.peek(Ident::peek_any) {
+        return Err(input.error(format!(
+            "the unknown comes first in its range: write `where {unknown} > 0`"
+        )));
+    }
+    let name = Ident::parse_any(input)?;
+    let comparison = if input.peek(Token![<=]) {
+        input.parse::<Token![<=]>()?;
+        Comparison::LessOrEqual
+    } else if input.peek(Token![>=]) {
+        input.parse::<Token![>=]>()?;
+        Comparison::GreaterOrEqual
+    } else if input.peek(Token![<]) {
+        input.parse::<Token![<]>()?;
+        Comparison::Less
+    } else if input.peek(Token![>]) {
+        input.parse::<Token![>]>()?;
+        Comparison::Greater
+    } else {
+        let message = format!("a range compares by `<`, `<=`, `>` or `>=`: write `where {unknown} > 0`");
+        return Err(if input.is_empty() {
+            syn::Error::new(name.span(), message)
+        } else {
+            input.error(message)
+        });
+    };
+    if input.is_empty() {
+        return Err(syn::Error::new(
+            name.span(),
+            format!("the end of the range of `{unknown}` is missing: write `where {unknown} > 0`"),
+        ));
+    }
+    let bound = expression::parse(input, Place::RangeEnd)?;
+    Ok(RangeKind::Comparison {
+        name,
+        comparison,
+        bound,
+    })
+}
+
+/// `0..=PI` after `in`.
+fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<RangeKind> {
+    let open = |at: Extent| {
+        syn::Error::new_spanned(
+            at,
+            format!("a range has two ends, `0..=PI`: write `where {unknown} > …` for one with a single end"),
+        )
+    };
+    if input.is_empty() {
+        return Err(open(Extent::at(start)));
+    }
+    if input.peek(Token![..]) {
+        return Err(open(Extent::at(input.span())));
+    }
+    let low = expression::parse(input, Place::RangeStart)?;
+    let dots = Extent::at(input.span());
+    let closed = input.peek(Token![..=]);
+    if closed {
+        input.parse::<Token![..=]>()?;
+    } else if input.peek(Token![..]) {
+        input.parse::<Token![..]>()?;
+    } else {
+        return Err(open(low.extent));
+    }
+    if input.is_empty() || input.peek(Token![,]) {
+        return Err(open(low.extent.to(dots)));
+    }
+    let high = expression::parse(input, Place::RangeEnd)?;
+    Ok(RangeKind::Between { low, high, closed })
+}
+
+/// `half = r3 / 2` after `let`.
+fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<LetStatement> {
+    if input.peek(Token![mut]) {
+        return Err(input.error("a `let` is an abbreviation and never changes: write it without `mut`"));
+    }
+    let name = name::parse(input, "`let`", start)?;
+    if input.peek(Token![:]) {
+        return Err(syn::Error::new_spanned(
+            head::rest(input).unwrap_or(Extent::at(name.span())),
+            format!("the dimension of a `let` follows from its expression: write `let {name} = …`"),
+        ));
+    }
+    let value = definition(input, &name, &format!("let {name} = …"))?;
+    Ok(LetStatement { name, value })
+}
+
+/// `midpoint: Point = …` after `output`.
+fn output(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) -> Result<OutputStatement> {
+    let name = name::parse(input, "output", start)?;
+    head::dimension_of(input, &name, "output")?;
+    let dimension = Dimension::parse(input)?;
+    let value = definition(input, &name, &format!("output {name}: {} = …", dimension.word()))?;
+    Ok(OutputStatement {
+        documentation,
+        name,
+        dimension,
+        value,
+    })
+}
+
+/// `= expression` to the end.
+fn definition(input: ParseStream<'_>, name: &Ident, form: &str) -> Result<crate::syntax::Expression> {
+    if input.is_empty() {
+        return Err(syn::Error::new(
+            name.span(),
+            format!("`{name}` is not given a value: write `{form}`"),
+        ));
+    }
+    if input.peek(Token![==]) || !input.peek(Token![=]) {
+        return Err(input.error(format!("expected `=` here: write `{form}`")));
+    }
+    let equals = input.parse::<Token![=]>()?;
+    if input.is_empty() {
+        return Err(syn::Error::new(
+            equals.span,
+            format!("the value of `{name}` is missing: write `{form}`"),
+        ));
+    }
+    expression::parse(input, Place::Value)
+}
+
+/// `left == right`
+fn equation(input: ParseStream<'_>) -> Result<EquationStatement> {
+    let tokens: TokenStream = input.fork().parse()?;
+    if input.peek(Token![==]) {
+        return Err(input.error("the left side of this equation is missing"));
+    }
+    let left = expression::parse(input, Place::LeftSide)?;
+    if input.is_empty() {
+        return Err(syn::Error::new_spanned(
+            left.extent,
+            "this is neither an equation nor a declaration: write `left == right`",
+        ));
+    }
+    let operator = input.parse::<Token![==]>()?;
+    let operator = Extent {
+        first: operator.spans[0],
+        last: operator.spans[1],
+    };
+    if input.is_empty() {
+        return Err(syn::Error::new_spanned(
+            operator,
+            "the right side of this equation is missing",
+        ));
+    }
+    let right = expression::parse(input, Place::RightSide)?;
+    Ok(EquationStatement {
+        left,
+        right,
+        operator,
+        tokens,
+    })
+}

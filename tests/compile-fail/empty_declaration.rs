@@ -1,0 +1,5 @@
+use kin_core::mechanism;
+
+mechanism! {}
+
+fn main() {}

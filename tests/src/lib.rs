@@ -1,0 +1,3 @@
+//! Proof of kin.
+
+pub mod notes;

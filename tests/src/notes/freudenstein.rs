@@ -1,0 +1,221 @@
+//! Section 2: the four-bar linkage by Freudenstein's equations.
+//!
+//! The links are those of [`four_bar_geometric`](super::four_bar_geometric). The
+//! notes stop at acceleration.
+//!
+//! The half-angle tangents `u` and `v` run to infinity where their angle passes
+//! 180 degrees. There `a` or `f` vanishes, and the quadratic formula as printed
+//! loses the other assembly's root as well.
+
+use super::{Assembly, cos, sin};
+
+pub use super::four_bar_geometric::Dimensions;
+
+/// The notes' constants K1 to K5.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constants {
+    /// `r1/r2`
+    pub k1: f64,
+    /// `r1/r4`
+    pub k2: f64,
+    /// `(r2^2 - r3^2 + r4^2 + r1^2) / (2 r2 r4)`
+    pub k3: f64,
+    /// `r1/r3`
+    pub k4: f64,
+    /// `(r4^2 - r1^2 - r2^2 - r3^2) / (2 r2 r3)`
+    pub k5: f64,
+}
+
+/// The coupler's and the rocker's angle at one position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Position {
+    /// The coupler's angle.
+    pub theta3: f64,
+    /// The rocker's angle.
+    pub theta4: f64,
+}
+
+/// The coupler's and the rocker's angle: position, velocity, acceleration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Freudenstein {
+    /// The coupler's angle.
+    pub theta3: [f64; 3],
+    /// The rocker's angle.
+    pub theta4: [f64; 3],
+}
+
+/// K1 to K5.
+#[must_use]
+pub fn constants(dimensions: Dimensions) -> Constants {
+    let Dimensions { r1, r2, r3, r4 } = dimensions;
+    let k1 = r1 / r2;
+    let k2 = r1 / r4;
+    let k3 = (r2.powi(2) - r3.powi(2) + r4.powi(2) + r1.powi(2)) / (2.0 * r2 * r4);
+    let k4 = r1 / r3;
+    let k5 = (r4.powi(2) - r1.powi(2) - r2.powi(2) - r3.powi(2)) / (2.0 * r2 * r3);
+    Constants { k1, k2, k3, k4, k5 }
+}
+
+/// What is left over of Freudenstein's two equations, the one in `theta4` and
+/// the one in `theta3`: both vanish at a position of the linkage.
+#[must_use]
+pub fn residuals(dimensions: Dimensions, theta2: f64, position: Position) -> [f64; 2] {
+    let Constants { k1, k2, k3, k4, k5 } = constants(dimensions);
+    let Position { theta3, theta4 } = position;
+    [
+        k1 * cos(theta4) - k2 * cos(theta2) + k3 - cos(theta2 - theta4),
+        k1 * cos(theta3) + k4 * cos(theta2) + k5 - cos(theta2 - theta3),
+    ]
+}
+
+/// Position by the half-angle tangents `u = tan(theta4/2)`, `v = tan(theta3/2)`.
+///
+/// The square root is taken positive in both for the open assembly and negative
+/// in both for the crossed one.
+#[must_use]
+pub fn position(dimensions: Dimensions, theta2: f64, assembly: Assembly) -> Position {
+    let Constants { k1, k2, k3, k4, k5 } = constants(dimensions);
+    let sign = match assembly {
+        Assembly::Open => 1.0,
+        Assembly::Crossed => -1.0,
+    };
+
+    let a = k1 + (k2 - 1.0) * cos(theta2) - k3;
+    let b = 2.0 * sin(theta2);
+    let c = -k1 + (k2 + 1.0) * cos(theta2) - k3;
+    let u = (-b + sign * (b.powi(2) - 4.0 * a * c).sqrt()) / (2.0 * a);
+    let theta4 = 2.0 * u.atan();
+
+    let f = k1 - (k4 + 1.0) * cos(theta2) - k5;
+    let g = 2.0 * sin(theta2);
+    let h = -k1 - (k4 - 1.0) * cos(theta2) - k5;
+    let v = (-g + sign * (g.powi(2) - 4.0 * f * h).sqrt()) / (2.0 * f);
+    let theta3 = 2.0 * v.atan();
+
+    Position { theta3, theta4 }
+}
+
+/// Velocity and acceleration at a position of either assembly, however found.
+///
+/// The jerk and snap of `theta2` are not looked at.
+#[must_use]
+pub fn derivatives(dimensions: Dimensions, theta2: [f64; 5], position: Position) -> Freudenstein {
+    let Constants { k1, k2, k4, .. } = constants(dimensions);
+    let [theta2, theta2_1, theta2_2, ..] = theta2;
+    let Position { theta3, theta4 } = position;
+
+    // Velocity
+    let theta3_1 = theta2_1 * (-k4 * sin(theta2) + sin(theta2 - theta3)) / (k1 * sin(theta3) + sin(theta2 - theta3));
+    let theta4_1 = theta2_1 * (k2 * sin(theta2) + sin(theta2 - theta4)) / (k1 * sin(theta4) + sin(theta2 - theta4));
+
+    // Acceleration
+    let theta3_2 = (-(k4 * sin(theta2) - sin(theta2 - theta3)) * theta2_2
+        - k4 * theta2_1.powi(2) * cos(theta2)
+        - k1 * theta3_1.powi(2) * cos(theta3)
+        + (theta2_1 - theta3_1).powi(2) * cos(theta2 - theta3))
+        / (k1 * sin(theta3) + sin(theta2 - theta3));
+    let theta4_2 = ((k2 * sin(theta2) + sin(theta2 - theta4)) * theta2_2 + k2 * theta2_1.powi(2) * cos(theta2)
+        - k1 * theta4_1.powi(2) * cos(theta4)
+        + (theta2_1 - theta4_1).powi(2) * cos(theta2 - theta4))
+        / (k1 * sin(theta4) + sin(theta2 - theta4));
+
+    Freudenstein {
+        theta3: [theta3, theta3_1, theta3_2],
+        theta4: [theta4, theta4_1, theta4_2],
+    }
+}
+
+/// Position, velocity and acceleration.
+#[must_use]
+pub fn solve(dimensions: Dimensions, theta2: [f64; 5], assembly: Assembly) -> Freudenstein {
+    derivatives(dimensions, theta2, position(dimensions, theta2[0], assembly))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::test_support::{around, assert_consistent, polynomial};
+    use super::super::{Assembly, cos, four_bar_geometric, sample, sin};
+    use super::{Dimensions, Position, position, residuals, solve};
+
+    /// The crank goes all the way round.
+    const CRANK_ROCKER: Dimensions = Dimensions {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 70.0,
+        r4: 65.0,
+    };
+
+    fn gap(dimensions: Dimensions, theta2: f64, at: Position) -> f64 {
+        let Dimensions { r1, r2, r3, r4 } = dimensions;
+        let x = r2 * cos(theta2) + r3 * cos(at.theta3) - r1 - r4 * cos(at.theta4);
+        let y = r2 * sin(theta2) + r3 * sin(at.theta3) - r4 * sin(at.theta4);
+        x.hypot(y)
+    }
+
+    #[test]
+    fn sample_table_to_every_printed_digit() {
+        let found = solve(sample::DIMENSIONS, sample::THETA2, Assembly::Open);
+        sample::THETA4.assert_agrees(found.theta4);
+        sample::THETA3.assert_agrees(found.theta3);
+    }
+
+    #[test]
+    fn both_equations_and_the_loop_close() {
+        for assembly in [Assembly::Open, Assembly::Crossed] {
+            for theta2 in around() {
+                let at = position(CRANK_ROCKER, theta2, assembly);
+                let [first, second] = residuals(CRANK_ROCKER, theta2, at);
+                assert!(first.abs() < 1e-12, "{assembly:?} at {theta2}: {first}");
+                assert!(second.abs() < 1e-12, "{assembly:?} at {theta2}: {second}");
+                let gap = gap(CRANK_ROCKER, theta2, at);
+                assert!(gap < 1e-10, "{assembly:?} at {theta2}: {gap}");
+            }
+        }
+    }
+
+    #[test]
+    fn agrees_with_the_geometric_method() {
+        for assembly in [Assembly::Open, Assembly::Crossed] {
+            for theta2 in around() {
+                let motion = [theta2, -1.2, 0.4, -0.5, 0.3];
+                let ours = solve(CRANK_ROCKER, motion, assembly);
+                let other = four_bar_geometric::solve(CRANK_ROCKER, motion, assembly);
+                for (ours, other) in [(ours.theta3, other.theta3), (ours.theta4, other.theta4)] {
+                    let turn = sin((ours[0] - other[0]) / 2.0);
+                    assert!(turn.abs() < 1e-11, "{assembly:?} at {theta2}: {turn}");
+                    for order in 1..3 {
+                        let error = ours[order] - other[order];
+                        assert!(error.abs() < 1e-9, "{assembly:?} at {theta2}: {error}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn half_angle_tangent_fails_at_180_degrees() {
+        // Crossed, theta4 is 180 degrees here: the other root is lost with it.
+        let linkage = Dimensions {
+            r1: 8.0,
+            r2: 3.0,
+            r3: 5.0,
+            r4: 4.0,
+        };
+        let right_angle = 90f64.to_radians();
+        let gap = gap(linkage, right_angle, position(linkage, right_angle, Assembly::Open));
+        assert!(gap.is_nan() || gap > 1e-3, "{gap}");
+    }
+
+    #[test]
+    fn derivatives_follow_from_one_another() {
+        for assembly in [Assembly::Open, Assembly::Crossed] {
+            for theta2 in around() {
+                let motion = [theta2, -1.2, 0.4, -0.5, 0.3];
+                let at = |t| solve(CRANK_ROCKER, polynomial(motion, t), assembly);
+                let name = |quantity: &str| format!("{quantity} {assembly:?} at {theta2}");
+                assert_consistent(&name("theta3"), 1.0, |t| at(t).theta3);
+                assert_consistent(&name("theta4"), 1.0, |t| at(t).theta4);
+            }
+        }
+    }
+}
