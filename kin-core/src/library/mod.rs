@@ -9,6 +9,7 @@ mod freudenstein_four_bar;
 mod geometric_four_bar;
 mod inverted_slider_crank;
 mod slider_crank;
+mod slider_crank_series;
 
 pub use approximate_slider_crank::*;
 pub use four_bar::*;
@@ -16,3 +17,4 @@ pub use freudenstein_four_bar::*;
 pub use geometric_four_bar::*;
 pub use inverted_slider_crank::*;
 pub use slider_crank::*;
+pub use slider_crank_series::SliderCrankSeries;
