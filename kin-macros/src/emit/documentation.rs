@@ -30,10 +30,6 @@ impl Mechanism<'_> {
 
     /// What open and crossed mean for a block.
     pub(super) fn choice_documentation(&self, block: usize) -> Vec<String> {
-        let names = |symbol: Symbol| self.plan.names.of(symbol).to_owned();
-        let orientation = self.plan.choices[block]
-            .orientation
-            .map_or_else(String::new, |node| self.graph.print(node, &names));
         vec![
             format!(
                 " The block of `{}`: {}.",
@@ -41,8 +37,29 @@ impl Mechanism<'_> {
                 self.blocks[block].form.description(self.graph)
             ),
             String::new(),
-            format!(" Open where `{orientation} > 0`."),
+            format!(" Open where `{}`, crossed where it is negative.", self.criterion(block)),
         ]
+    }
+
+    /// What the assembly decides, as a paragraph of its own; nothing if there is no choice.
+    pub(super) fn assembly_lines(&self) -> Vec<String> {
+        let lines: Vec<String> = self
+            .choices()
+            .into_iter()
+            .map(|block| format!(" - `{}`: open where `{}`", self.block_name(block), self.criterion(block)))
+            .collect();
+        if lines.is_empty() {
+            return lines;
+        }
+        [String::new(), " Assemblies:".to_owned()].into_iter().chain(lines).collect()
+    }
+
+    /// What is positive in a block's open assembly.
+    fn criterion(&self, block: usize) -> String {
+        let names = |symbol: Symbol| self.plan.names.of(symbol).to_owned();
+        self.plan.choices[block]
+            .orientation
+            .map_or_else(String::new, |node| format!("{} > 0", self.graph.print(node, &names)))
     }
 
     /// What is known of an unknown.

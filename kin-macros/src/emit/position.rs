@@ -33,6 +33,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         quote!(self.assembly_at(#(#inputs,)* #near),)
     };
     let input_line = format!(" Inputs: {}.", mechanism.input_line());
+    let assemblies = mechanism.assembly_lines();
     let (equations, blocks, cost) = (
         mechanism.equation_lines(),
         mechanism.block_lines(),
@@ -54,6 +55,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             ///
             /// block by block:
             #(#[doc = #blocks])*
+            #(#[doc = #assemblies])*
             ///
             #[doc = #cost]
             ///

@@ -10,6 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 
+/// Products that would have more monomials than about this are not expanded: no closed form has as many.
+const LARGEST: usize = 4096;
+
 /// An integer combination of variables, the first coefficient positive.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Angle(pub(crate) Vec<(Symbol, i32)>);
@@ -196,6 +199,13 @@ struct Fraction {
     below: Polynomial,
 }
 
+impl Fraction {
+    /// How many monomials there are.
+    fn size(&self) -> usize {
+        self.above.0.len() + self.below.0.len()
+    }
+}
+
 /// The expansion of expressions in chosen variables.
 pub(crate) struct Expansion<'a> {
     graph: &'a mut Graph,
@@ -306,6 +316,9 @@ impl<'a> Expansion<'a> {
                         };
                     }
                     for _ in 0..exponent.abs() {
+                        if product.size() * base.size() > LARGEST {
+                            return self.atom(node);
+                        }
                         product = self.multiplied(&product, &base);
                     }
                 }
