@@ -46,12 +46,21 @@ impl Mechanism<'_> {
         let lines: Vec<String> = self
             .choices()
             .into_iter()
-            .map(|block| format!(" - `{}`: open where `{}`", self.block_name(block), self.criterion(block)))
+            .map(|block| {
+                format!(
+                    " - `{}`: open where `{}`",
+                    self.block_name(block),
+                    self.criterion(block)
+                )
+            })
             .collect();
         if lines.is_empty() {
             return lines;
         }
-        [String::new(), " Assemblies:".to_owned()].into_iter().chain(lines).collect()
+        [String::new(), " Assemblies:".to_owned()]
+            .into_iter()
+            .chain(lines)
+            .collect()
     }
 
     /// What is positive in a block's open assembly.

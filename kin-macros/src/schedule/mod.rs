@@ -4,9 +4,13 @@
 //! put into binary operations in the order in which the steps need them. A value is computed in the first stage that
 //! needs it and carried to the later ones.
 
+mod carry;
+mod name;
 mod operation;
 mod rows;
+mod scheduler;
 mod share;
 mod statement;
 
-pub(crate) use statement::{Carried, Expression, Scheduled, ScheduledStage, Statement, Style, schedule};
+pub(crate) use scheduler::{Style, schedule};
+pub(crate) use statement::{Expression, Scheduled, ScheduledStage, Statement};

@@ -1,0 +1,74 @@
+//! What each stage leaves for the later ones.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::operation::{Operation, Operations};
+use super::statement::{Carried, Scheduled, Statement};
+use crate::assemble::Names;
+use crate::expr::Symbol;
+
+/// What each stage leaves for the later ones.
+pub(super) fn hand_on(scheduled: &mut Scheduled, operations: &Operations, names: &Names) {
+    let last = scheduled.stages.len();
+    let mut uses: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
+    let mut symbols: Vec<BTreeSet<Symbol>> = vec![BTreeSet::new(); last];
+    let mut carries: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
+    let leaves: BTreeMap<String, Symbol> = operations
+        .list
+        .iter()
+        .filter_map(|operation| match operation {
+            Operation::Leaf(symbol) => Some((names.of(*symbol).to_owned(), *symbol)),
+            _ => None,
+        })
+        .collect();
+    let mut born: BTreeMap<String, usize> = BTreeMap::new();
+    for (stage, scheduled_stage) in scheduled.stages.iter().enumerate() {
+        for statement in &scheduled_stage.statements {
+            for name in statement.uses() {
+                let symbol = leaves.get(&name).copied();
+                let (since, parameter) = match symbol {
+                    Some(Symbol::Parameter(index)) => {
+                        if stage == 0 {
+                            symbols[0].insert(Symbol::Parameter(index));
+                        }
+                        (0, Some(index))
+                    }
+                    Some(symbol @ (Symbol::Input(_) | Symbol::Unknown(_)))
+                        if stage > 0 || matches!(symbol, Symbol::Input(_)) =>
+                    {
+                        symbols[stage].insert(symbol);
+                        continue;
+                    }
+                    Some(symbol @ (Symbol::InputRate(_, order) | Symbol::UnknownRate(_, order))) => {
+                        if stage > order || matches!(symbol, Symbol::InputRate(..)) {
+                            symbols[stage].insert(symbol);
+                        }
+                        continue;
+                    }
+                    _ => match born.get(&name) {
+                        Some(&since) => (since, None),
+                        None => continue,
+                    },
+                };
+                if stage > since {
+                    let carried = Carried {
+                        name: name.clone(),
+                        parameter,
+                    };
+                    uses[stage].insert(carried.clone());
+                    for earlier in &mut carries[since..stage] {
+                        earlier.insert(carried.clone());
+                    }
+                }
+            }
+            for name in statement.defines() {
+                born.entry(name).or_insert(stage);
+            }
+        }
+    }
+    for (stage, scheduled_stage) in scheduled.stages.iter_mut().enumerate() {
+        scheduled_stage.uses = std::mem::take(&mut uses[stage]).into_iter().collect();
+        scheduled_stage.symbols = std::mem::take(&mut symbols[stage]).into_iter().collect();
+        scheduled_stage.carries = std::mem::take(&mut carries[stage]).into_iter().collect();
+    }
+}

@@ -1,0 +1,369 @@
+//! Operations as statements: what gets a name, and in which stage it is computed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::carry;
+use super::operation::{Operation, Operations, Value};
+use super::rows::Rows;
+use super::share;
+use super::statement::{Expression, Scheduled, ScheduledStage, Statement};
+use crate::assemble::{Argument, Cost, Names, Program, Step};
+use crate::expr::{Graph, Node, Symbol};
+use crate::function::Function;
+
+/// Expressions with more operations than this are broken up.
+const READABLE: usize = 10;
+
+/// Where and how often a value is used.
+#[derive(Clone, Copy, Default)]
+struct Usage {
+    count: usize,
+    last_stage: usize,
+}
+
+/// The state of scheduling.
+pub(super) struct Scheduler<'a> {
+    pub(super) operations: Operations,
+    pub(super) names: Names,
+    pub(super) hints: BTreeMap<Value, String>,
+    usage: BTreeMap<Value, Usage>,
+    computed_in: BTreeMap<Value, usize>,
+    /// Values that have a name, and it.
+    pub(super) bound: BTreeMap<Value, String>,
+    program: &'a Program,
+    check_domains: bool,
+    stage: usize,
+    statements: Vec<Statement>,
+    cost: Cost,
+}
+
+/// What may be decided about a schedule.
+#[derive(Clone, Copy)]
+pub(crate) struct Style {
+    /// Whether factors that terms of a sum share are taken out.
+    pub(crate) factor_out: bool,
+    /// Whether functions that are not defined everywhere are checked, in the first stage.
+    pub(crate) check_domains: bool,
+}
+
+/// Schedules a program. `hints` are names for expressions that get one.
+pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)], style: Style) -> Scheduled {
+    let roots: Vec<Node> = program
+        .stages
+        .iter()
+        .flat_map(|stage| &stage.steps)
+        .flat_map(Step::needs)
+        .collect();
+    let mut rows = Rows::of(graph, &roots, style.factor_out);
+    let reachable: BTreeSet<Node> = graph.reachable(&roots);
+    share::share(&mut rows);
+    let mut operations = Operations::default();
+    for &root in &roots {
+        let row = rows.of_node(root);
+        operations.lower(&rows, row);
+    }
+    let hints = hints
+        .iter()
+        .filter(|(node, _)| reachable.contains(node))
+        .map(|(node, name)| (operations.lower(&rows, rows.of_node(*node)), name.clone()))
+        .collect();
+    let mut scheduler = Scheduler {
+        operations,
+        names: program.names.clone(),
+        hints,
+        usage: BTreeMap::new(),
+        computed_in: BTreeMap::new(),
+        bound: BTreeMap::new(),
+        program,
+        check_domains: style.check_domains,
+        stage: 0,
+        statements: Vec::new(),
+        cost: Cost::default(),
+    };
+    scheduler.survey(&rows);
+    scheduler.write(&rows)
+}
+
+impl Scheduler<'_> {
+    fn value(&mut self, rows: &Rows, node: Node) -> Value {
+        self.operations.lower(rows, rows.of_node(node))
+    }
+
+    /// First pass: where each value is computed and used.
+    fn survey(&mut self, rows: &Rows) {
+        let program = self.program;
+        for (stage, steps) in program.stages.iter().enumerate() {
+            for node in steps.steps.iter().flat_map(Step::needs) {
+                let value = self.value(rows, node);
+                self.touch(value, stage);
+            }
+        }
+        // a sine and a cosine of one angle are computed together, where the first of them is needed
+        let circular: Vec<(Value, usize)> = self
+            .computed_in
+            .iter()
+            .filter(|(value, _)| self.is_circular(**value))
+            .map(|(&value, &stage)| (value, stage))
+            .collect();
+        for (value, stage) in circular {
+            if let Some(partner) = self.partner(value)
+                && let Some(own) = self.computed_in.get_mut(&partner)
+            {
+                *own = stage.min(*own);
+            }
+        }
+    }
+
+    fn touch(&mut self, value: Value, stage: usize) {
+        let usage = self.usage.entry(value).or_default();
+        usage.count += 1;
+        usage.last_stage = usage.last_stage.max(stage);
+        if self.computed_in.contains_key(&value) {
+            return;
+        }
+        self.computed_in.insert(value, stage);
+        for operand in self.operations.operation(value).operands() {
+            self.touch(operand, stage);
+        }
+    }
+
+    fn is_circular(&self, value: Value) -> bool {
+        matches!(
+            self.operations.operation(value),
+            Operation::Call(Function::Sin | Function::Cos, _)
+        )
+    }
+
+    /// The cosine to a sine and the sine to a cosine, if the program has it.
+    fn partner(&self, value: Value) -> Option<Value> {
+        let Operation::Call(function, arguments) = self.operations.operation(value) else {
+            return None;
+        };
+        let other = if *function == Function::Sin {
+            Function::Cos
+        } else {
+            Function::Sin
+        };
+        self.computed_in
+            .keys()
+            .copied()
+            .find(|&candidate| *self.operations.operation(candidate) == Operation::Call(other, arguments.clone()))
+    }
+
+    /// Second pass: the statements.
+    fn write(mut self, rows: &Rows) -> Scheduled {
+        let program = self.program;
+        let mut scheduled = Scheduled::default();
+        for (stage, steps) in program.stages.iter().enumerate() {
+            self.stage = stage;
+            for step in &steps.steps {
+                self.step(rows, step);
+            }
+            scheduled.stages.push(ScheduledStage {
+                statements: std::mem::take(&mut self.statements),
+                cost: std::mem::take(&mut self.cost),
+                ..ScheduledStage::default()
+            });
+        }
+        carry::hand_on(&mut scheduled, &self.operations, &self.names);
+        scheduled
+    }
+
+    fn step(&mut self, rows: &Rows, step: &Step) {
+        match step {
+            Step::Define { symbol, node } => {
+                let value = self.value(rows, *node);
+                let name = self.names.of(*symbol).to_owned();
+                let expression = self.root(value);
+                if !matches!(expression, Expression::Name(_) | Expression::Number(_) | Expression::Pi) {
+                    self.bound.insert(value, name.clone());
+                }
+                self.statements.push(Statement::Let {
+                    name,
+                    value: expression,
+                });
+            }
+            Step::Solve {
+                solver,
+                arguments,
+                results,
+            } => {
+                let arguments = arguments
+                    .iter()
+                    .map(|argument: &Argument| {
+                        argument
+                            .nodes()
+                            .into_iter()
+                            .map(|node| {
+                                let value = self.value(rows, node);
+                                self.argument(value)
+                            })
+                            .collect()
+                    })
+                    .collect();
+                let results = results.iter().map(|&symbol| self.result_name(symbol)).collect();
+                self.cost = self.cost + solver.cost();
+                self.statements.push(Statement::Solve {
+                    solver: *solver,
+                    arguments,
+                    results,
+                });
+            }
+            Step::Angle { symbol, x, y, length } => {
+                let [y, x, length] = [*y, *x, *length].map(|node| self.value(rows, node));
+                let (y, x) = (self.argument(y), self.argument(x));
+                let is_positive = matches!(
+                    self.operations.operation(length),
+                    Operation::Number(number) if number.get() > 0.0
+                );
+                let length = (!is_positive).then(|| self.argument(length));
+                self.cost.arc_tangents += 1;
+                let name = self.names.of(*symbol).to_owned();
+                self.statements.push(Statement::Angle { name, y, x, length });
+            }
+            Step::Bound { unknown } => self.statements.push(Statement::Bound { unknown: *unknown }),
+            Step::Open { block } => self.statements.push(Statement::Open { block: *block }),
+            Step::Regular { node } => {
+                let value = self.value(rows, *node);
+                let value = self.argument(value);
+                self.statements.push(Statement::Regular { value });
+            }
+            Step::Close { block } => self.statements.push(Statement::Close { block: *block }),
+        }
+    }
+
+    fn result_name(&mut self, symbol: Symbol) -> Option<String> {
+        let leaf = self.operations.leaf(symbol);
+        let is_used = matches!(symbol, Symbol::Unknown(_)) || self.usage.contains_key(&leaf);
+        is_used.then(|| self.names.of(symbol).to_owned())
+    }
+
+    /// The expression for a value that a `let` is about to name.
+    fn root(&mut self, value: Value) -> Expression {
+        if self.must_be_separate(value) {
+            self.expression(value)
+        } else {
+            self.unfold(value)
+        }
+    }
+
+    /// The expression for a value handed to a function.
+    fn argument(&mut self, value: Value) -> Expression {
+        self.expression(value)
+    }
+
+    /// A function with a partner or a check cannot stand within an expression.
+    fn must_be_separate(&self, value: Value) -> bool {
+        self.bound.contains_key(&value) || self.is_circular(value) || self.is_checked(value)
+    }
+
+    fn is_checked(&self, value: Value) -> bool {
+        self.check_domains
+            && self.stage == 0
+            && matches!(
+                self.operations.operation(value),
+                Operation::Call(Function::Sqrt | Function::Asin | Function::Acos | Function::Ln, _)
+            )
+    }
+
+    /// A value by its name if it has or deserves one, else written out.
+    fn expression(&mut self, value: Value) -> Expression {
+        if let Some(name) = self.bound.get(&value) {
+            return Expression::Name(name.clone());
+        }
+        if self.is_circular(value) {
+            self.bind_circular(value);
+            return Expression::Name(self.bound[&value].clone());
+        }
+        if self.is_checked(value) {
+            let Operation::Call(function, arguments) = self.operations.operation(value).clone() else {
+                unreachable!("only calls are checked");
+            };
+            let argument = self.expression(arguments[0]);
+            let name = self.bind(value);
+            self.cost = self.cost + self.operations.operation(value).cost();
+            self.statements.push(Statement::Checked {
+                name: name.clone(),
+                function,
+                argument,
+            });
+            return Expression::Name(name);
+        }
+        match self.operations.operation(value) {
+            Operation::Number(_) | Operation::Pi | Operation::Leaf(_) => return self.unfold(value),
+            _ => {}
+        }
+        let usage = self.usage.get(&value).copied().unwrap_or_default();
+        if usage.count > 1 || usage.last_stage > self.stage || self.size(value) > READABLE {
+            let expression = self.unfold(value);
+            let name = self.bind(value);
+            self.statements.push(Statement::Let {
+                name: name.clone(),
+                value: expression,
+            });
+            return Expression::Name(name);
+        }
+        self.unfold(value)
+    }
+
+    /// How many operations a value takes, written out.
+    fn size(&self, value: Value) -> usize {
+        if self.bound.contains_key(&value) {
+            return 0;
+        }
+        match self.operations.operation(value) {
+            Operation::Number(_) | Operation::Pi | Operation::Leaf(_) => 0,
+            operation => {
+                1 + operation
+                    .operands()
+                    .into_iter()
+                    .map(|operand| {
+                        let shared = self.usage.get(&operand).is_some_and(|usage| usage.count > 1);
+                        if shared { 0 } else { self.size(operand) }
+                    })
+                    .sum::<usize>()
+            }
+        }
+    }
+
+    fn unfold(&mut self, value: Value) -> Expression {
+        let operation = self.operations.operation(value).clone();
+        self.cost = self.cost + operation.cost();
+        let mut part = |operand: Value| Box::new(self.expression(operand));
+        match operation {
+            Operation::Number(number) => Expression::Number(number.get()),
+            Operation::Pi => Expression::Pi,
+            Operation::Leaf(symbol) => Expression::Name(self.names.of(symbol).to_owned()),
+            Operation::Add(a, b) => Expression::Add(part(a), part(b)),
+            Operation::Subtract(a, b) => Expression::Subtract(part(a), part(b)),
+            Operation::Multiply(a, b) => Expression::Multiply(part(a), part(b)),
+            Operation::Divide(a, b) => Expression::Divide(part(a), part(b)),
+            Operation::Negate(a) => Expression::Negate(part(a)),
+            Operation::Call(function, arguments) => Expression::Call(
+                function,
+                arguments
+                    .into_iter()
+                    .map(|argument| self.expression(argument))
+                    .collect(),
+            ),
+        }
+    }
+
+    fn bind_circular(&mut self, value: Value) {
+        let Operation::Call(_, arguments) = self.operations.operation(value).clone() else {
+            unreachable!("sines and cosines are calls");
+        };
+        let argument = self.expression(arguments[0]);
+        let partner = self.partner(value);
+        let name = self.bind(value);
+        let other = partner.map(|partner| self.bind(partner));
+        let is_sine = matches!(self.operations.operation(value), Operation::Call(Function::Sin, _));
+        let (sine, cosine) = if is_sine {
+            (Some(name), other)
+        } else {
+            (other, Some(name))
+        };
+        self.cost.sine_cosines += 1;
+        self.statements.push(Statement::SinCos { sine, cosine, argument });
+    }
+}
