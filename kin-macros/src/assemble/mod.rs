@@ -4,11 +4,12 @@
 //! every sine and cosine of an unknown is read off those vectors; none is evaluated again.
 
 mod blocks;
+mod choice;
+mod loops;
 mod program;
 mod solver;
 mod units;
 
-pub(crate) use blocks::{Assembled, Limits, assemble};
-pub(crate) use program::{Choice, Mode, Names, Program, Stage, Step};
+pub(crate) use blocks::assemble;
+pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
 pub(crate) use solver::{Argument, Cost, Returns, Solver};
-pub(crate) use units::Units;

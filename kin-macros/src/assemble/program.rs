@@ -18,6 +18,13 @@ pub(crate) enum Mode {
     Ranged { unknown: usize },
 }
 
+/// A range declared for an unknown, as far as choosing needs it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+}
+
 /// The choice that a block leaves.
 pub(crate) struct Choice {
     pub(crate) mode: Mode,

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::operation::{Operation, Operations};
-use super::statement::{Carried, Scheduled, Statement};
+use super::statement::{Carried, Scheduled};
 use crate::assemble::Names;
 use crate::expr::Symbol;
 

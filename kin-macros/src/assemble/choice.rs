@@ -1,0 +1,118 @@
+//! Which of two solutions: by the caller's choice or by a declared range, and how to tell them apart.
+
+use std::collections::BTreeMap;
+
+use super::program::{Limits, Mode};
+use crate::expr::{Graph, Node, Symbol};
+use crate::structure::{Arm, ClosedForm, Complex};
+
+/// How a block's solution is chosen; `assemblies` counts the choices left to the caller.
+pub(super) fn mode(
+    graph: &Graph,
+    form: &ClosedForm,
+    unknowns: &[usize],
+    ranges: &BTreeMap<usize, Limits>,
+    assemblies: &mut usize,
+) -> Mode {
+    if !form.has_assemblies() {
+        return Mode::Only;
+    }
+    let Some((&unknown, limits)) = unknowns.iter().find_map(|unknown| ranges.get_key_value(unknown)) else {
+        *assemblies += 1;
+        return Mode::Assembly(*assemblies - 1);
+    };
+    match fixed_by_range(graph, form, unknown, *limits) {
+        Some(is_open) => Mode::Fixed { is_open },
+        None => Mode::Ranged { unknown },
+    }
+}
+
+/// Positive in the open assembly.
+pub(super) fn orientation(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
+    Some(match form {
+        ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } => return None,
+        ClosedForm::Inverse { then, .. } => return orientation(graph, then),
+        ClosedForm::SquareRoot { unknown, .. } => graph.symbol(Symbol::Unknown(*unknown)),
+        ClosedForm::Quadratic { unknown, a, b, .. } => {
+            let x = graph.symbol(Symbol::Unknown(*unknown));
+            let double = graph.product(&[(*a, 1), (x, 1)]);
+            let slope = graph.linear(0.0, &[(double, 2.0), (*b, 1.0)]);
+            graph.multiply(*a, slope)
+        }
+        ClosedForm::InverseCosine { unknown, .. } => {
+            let x = graph.symbol(Symbol::Unknown(*unknown));
+            graph.sine(x)
+        }
+        ClosedForm::InverseSine { unknown, .. } => {
+            let x = graph.symbol(Symbol::Unknown(*unknown));
+            graph.cosine(x)
+        }
+        ClosedForm::CosineSine { unknown, a, b, .. } => {
+            let x = graph.symbol(Symbol::Unknown(*unknown));
+            let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+            let (first, second) = (graph.multiply(*a, sine), graph.multiply(*b, cosine));
+            graph.subtract(first, second)
+        }
+        ClosedForm::TwoAngles {
+            arms: [first, second], ..
+        } => {
+            // -(v₁ × v₂) with v = factor · cis(± angle)
+            let (first_angle, second_angle) = (signed_angle(graph, first), signed_angle(graph, second));
+            let between = graph.subtract(second_angle, first_angle);
+            let conjugate = first.factor.conjugate(graph);
+            let ratio = conjugate.times(graph, second.factor);
+            let (cosine, sine) = (graph.cosine(between), graph.sine(between));
+            let (along, across) = (graph.multiply(ratio.re, sine), graph.multiply(ratio.im, cosine));
+            let cross = graph.add(along, across);
+            graph.negate(cross)
+        }
+        ClosedForm::AngleLength { arm, direction, .. } => {
+            // -(v · direction)
+            let angle = signed_angle(graph, arm);
+            let unit = Complex::new(graph.cosine(angle), graph.sine(angle));
+            let vector = arm.factor.times(graph, unit);
+            let (x, y) = (
+                graph.multiply(vector.re, direction.re),
+                graph.multiply(vector.im, direction.im),
+            );
+            let dot = graph.add(x, y);
+            graph.negate(dot)
+        }
+        ClosedForm::Polar { length, offset, .. } => {
+            let length = graph.symbol(Symbol::Unknown(*length));
+            graph.add(length, offset.re)
+        }
+    })
+}
+
+fn signed_angle(graph: &mut Graph, arm: &Arm) -> Node {
+    let angle = arm.angle.node(graph);
+    if arm.mirrored { graph.negate(angle) } else { angle }
+}
+
+/// Whether a range decides between the solutions whatever the dimensions are, and for the open one.
+fn fixed_by_range(graph: &Graph, form: &ClosedForm, unknown: usize, limits: Limits) -> Option<bool> {
+    use std::f64::consts::{FRAC_PI_2, PI};
+    const SLACK: f64 = 1e-12;
+    let within = |low: f64, high: f64| limits.low >= low - SLACK && limits.high <= high + SLACK;
+    match form {
+        ClosedForm::SquareRoot { .. } => by_sign(limits),
+        ClosedForm::Polar { length, offset, .. } if *length == unknown && graph.is_zero(offset.re) => by_sign(limits),
+        ClosedForm::InverseCosine { .. } if within(0.0, PI) => Some(true),
+        ClosedForm::InverseCosine { .. } if within(-PI, 0.0) || within(PI, 2.0 * PI) => Some(false),
+        ClosedForm::InverseSine { .. } if within(-FRAC_PI_2, FRAC_PI_2) => Some(true),
+        ClosedForm::InverseSine { .. } if within(FRAC_PI_2, 3.0 * FRAC_PI_2) => Some(false),
+        ClosedForm::Inverse { then, .. } => fixed_by_range(graph, then, unknown, limits),
+        _ => None,
+    }
+}
+
+fn by_sign(limits: Limits) -> Option<bool> {
+    if limits.low >= 0.0 {
+        Some(true)
+    } else if limits.high <= 0.0 {
+        Some(false)
+    } else {
+        None
+    }
+}

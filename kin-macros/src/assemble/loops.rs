@@ -1,0 +1,266 @@
+//! Plane loops as steps: the vectors of the links that turn, and the angles from them.
+
+use super::blocks::Builder;
+use super::program::Step;
+use super::solver::{Argument, Solver};
+use crate::expr::{Node, Symbol};
+use crate::structure::{Arm, Complex};
+
+impl Builder<'_> {
+    /// What a link's components are called: after its length, if that has a name.
+    fn link_name(&mut self, length: Node, angle: &str) -> String {
+        match self.graph.as_symbol(length) {
+            Some(symbol @ Symbol::Parameter(_)) => self.names.of(symbol).to_owned(),
+            _ => format!("link_{angle}"),
+        }
+    }
+
+    fn angle_name(&self, arm: &Arm) -> String {
+        arm.angle
+            .0
+            .iter()
+            .map(|&(symbol, _)| self.names.of(symbol).to_owned())
+            .collect::<Vec<_>>()
+            .join("_")
+    }
+
+    /// The unit vector of an arm from the arm's own vector.
+    fn unit_of(&mut self, vector: Complex, factor: Complex, mirrored: bool) -> Complex {
+        let unit = vector.over(self.graph, factor);
+        if mirrored { unit.conjugate(self.graph) } else { unit }
+    }
+
+    pub(super) fn two_angles(&mut self, unknowns: [usize; 2], arms: &[Arm; 2], target: Complex) {
+        let factors = [self.known_complex(arms[0].factor), self.known_complex(arms[1].factor)];
+        let mut target = self.known_complex(target);
+        let names = [self.angle_name(&arms[0]), self.angle_name(&arms[1])];
+        let both_real = factors.iter().all(|factor| factor.is_real(self.graph));
+        // vectors[k] points along the k-th arm: factor times unit vector, with a positive number in front
+        let (vectors, lengths);
+        if both_real {
+            let (first_sign, first) = self.graph.split_coefficient(factors[0].re);
+            let (second_sign, second) = self.graph.split_coefficient(factors[1].re);
+            let (a, b) = (
+                self.graph.scale(first_sign.abs(), first),
+                self.graph.scale(second_sign.abs(), second),
+            );
+            if first_sign < 0.0 {
+                let minus = self.graph.number(-1.0);
+                target = target.scaled(self.graph, minus);
+            }
+            let target = self.define_complex("diagonal", target);
+            let wish = self.link_name(a, &names[0]);
+            let ([x, y], link) = self.fresh_plane(&wish);
+            self.solve(
+                Solver::CircleCircle,
+                vec![
+                    Argument::Scalar(a),
+                    Argument::Scalar(b),
+                    Argument::Plane(target.re, target.im),
+                ],
+                vec![x, y],
+            );
+            let mut other = Complex::new(
+                self.graph.subtract(target.re, link.re),
+                self.graph.subtract(target.im, link.im),
+            );
+            if (first_sign < 0.0) != (second_sign < 0.0) {
+                let minus = self.graph.number(-1.0);
+                other = other.scaled(self.graph, minus);
+            }
+            let wish = self.link_name(b, &names[1]);
+            let other = self.define_complex(&wish, other);
+            vectors = [link, other];
+            lengths = [a, b];
+        } else {
+            let a2 = factors[0].norm_squared(self.graph);
+            let b2 = factors[1].norm_squared(self.graph);
+            let (a2, b2) = (self.define("length_squared", a2), self.define("length_squared", b2));
+            let target = self.define_complex("diagonal", target);
+            let ([x, y], link) = self.fresh_plane(&format!("link_{}", names[0]));
+            self.solve(
+                Solver::CircleCircleSquared,
+                vec![
+                    Argument::Scalar(a2),
+                    Argument::Scalar(b2),
+                    Argument::Plane(target.re, target.im),
+                ],
+                vec![x, y],
+            );
+            let other = Complex::new(
+                self.graph.subtract(target.re, link.re),
+                self.graph.subtract(target.im, link.im),
+            );
+            let other = self.define_complex(&format!("link_{}", names[1]), other);
+            // turned back by the factor's own angle they lie along the arms, times the factor's square
+            let mut turned = [link, other];
+            let mut squares = [a2, b2];
+            for index in 0..2 {
+                if factors[index].is_real(self.graph) {
+                    squares[index] = factors[index].re;
+                } else {
+                    let conjugate = factors[index].conjugate(self.graph);
+                    let back = turned[index].times(self.graph, conjugate);
+                    turned[index] = self.define_complex(&names[index], back);
+                }
+            }
+            vectors = turned;
+            lengths = squares;
+        }
+        let mut directions = [vectors[0], vectors[1]];
+        for index in 0..2 {
+            let length = Complex::new(lengths[index], self.graph.zero());
+            directions[index] = self.unit_of(vectors[index], length, arms[index].mirrored);
+            let angle = arms[index].angle.node(self.graph);
+            self.units.learn_direction(angle, directions[index]);
+        }
+        self.angles_of_unknowns(unknowns, arms, vectors, lengths, directions);
+    }
+
+    /// The unknowns from the directions of the two arms, which are integer combinations of them.
+    fn angles_of_unknowns(
+        &mut self,
+        unknowns: [usize; 2],
+        arms: &[Arm; 2],
+        vectors: [Complex; 2],
+        lengths: [Node; 2],
+        directions: [Complex; 2],
+    ) {
+        let multiple = |arm: usize, unknown: usize| {
+            arms[arm]
+                .angle
+                .0
+                .iter()
+                .find(|&&(symbol, _)| symbol == Symbol::Unknown(unknowns[unknown]))
+                .map_or(0, |&(_, multiple)| multiple)
+        };
+        let (a, b, c, d) = (multiple(0, 0), multiple(0, 1), multiple(1, 0), multiple(1, 1));
+        let determinant = a * d - b * c;
+        // the inverse of [[a, b], [c, d]], whose determinant is ±1
+        let inverse = [[d * determinant, -b * determinant], [-c * determinant, a * determinant]];
+        for (index, row) in inverse.into_iter().enumerate() {
+            let own = self.graph.symbol(Symbol::Unknown(unknowns[index]));
+            let (vector, length) = match row {
+                [1, 0] => (self.upright(vectors[0], arms[0].mirrored), lengths[0]),
+                [0, 1] => (self.upright(vectors[1], arms[1].mirrored), lengths[1]),
+                _ => {
+                    let mut vector: Option<Complex> = None;
+                    let mut direction: Option<Complex> = None;
+                    let mut length = self.graph.one();
+                    for (arm, &power) in row.iter().enumerate() {
+                        let mut link = self.upright(vectors[arm], arms[arm].mirrored);
+                        let mut unit = directions[arm];
+                        if power < 0 {
+                            link = link.conjugate(self.graph);
+                            unit = unit.conjugate(self.graph);
+                        }
+                        for _ in 0..power.abs() {
+                            vector = Some(vector.map_or(link, |before| before.times(self.graph, link)));
+                            direction = Some(direction.map_or(unit, |before| before.times(self.graph, unit)));
+                            length = self.graph.multiply(length, lengths[arm]);
+                        }
+                    }
+                    let one = Complex::new(self.graph.one(), self.graph.zero());
+                    self.units.learn_direction(own, direction.unwrap_or(one));
+                    (vector.unwrap_or(one), length)
+                }
+            };
+            self.push_angle(unknowns[index], vector, length);
+        }
+    }
+
+    /// A clockwise vector as a counter-clockwise one.
+    fn upright(&mut self, vector: Complex, mirrored: bool) -> Complex {
+        if mirrored { vector.conjugate(self.graph) } else { vector }
+    }
+
+    pub(super) fn angle_length(&mut self, angle: usize, length: usize, arm: &Arm, direction: Complex, target: Complex) {
+        let mut factor = self.known_complex(arm.factor);
+        let mut direction = self.known_complex(direction);
+        let mut target = self.known_complex(target);
+        let minus = self.graph.number(-1.0);
+        let leading = if self.graph.is_zero(direction.re) {
+            direction.im
+        } else {
+            direction.re
+        };
+        if self.graph.as_number(leading).is_some_and(|value| value < 0.0) {
+            factor = factor.scaled(self.graph, minus);
+            direction = direction.scaled(self.graph, minus);
+            target = target.scaled(self.graph, minus);
+        }
+        let square = factor.norm_squared(self.graph);
+        let target = self.define_complex("offset", target);
+        let angle_name = self.unknown_name(angle);
+        let wish = if factor.is_real(self.graph) {
+            let (_, bare) = self.graph.split_coefficient(factor.re);
+            self.link_name(bare, &angle_name)
+        } else {
+            format!("link_{angle_name}")
+        };
+        let ([x, y], link) = self.fresh_plane(&wish);
+        let is_along_x = self.graph.is_one(direction.re) && self.graph.is_zero(direction.im);
+        let is_along_y = self.graph.is_one(direction.im) && self.graph.is_zero(direction.re);
+        let mut arguments = vec![Argument::Scalar(square)];
+        let solver = if is_along_x {
+            Solver::CircleLineX
+        } else if is_along_y {
+            Solver::CircleLineY
+        } else {
+            arguments.push(Argument::Plane(direction.re, direction.im));
+            Solver::CircleLine
+        };
+        arguments.push(Argument::Plane(target.re, target.im));
+        self.solve(solver, arguments, vec![x, y, Symbol::Unknown(length)]);
+        let unit = self.unit_of(link, factor, arm.mirrored);
+        let own = self.graph.symbol(Symbol::Unknown(angle));
+        self.units.learn_direction(own, unit);
+        let (vector, length) = if factor.is_real(self.graph) {
+            (link, factor.re)
+        } else {
+            let conjugate = factor.conjugate(self.graph);
+            (link.times(self.graph, conjugate), self.graph.one())
+        };
+        let vector = self.upright(vector, arm.mirrored);
+        self.push_angle(angle, vector, length);
+    }
+
+    /// The angle of a vector, a number's sign in front of the length being moved into the vector.
+    fn push_angle(&mut self, unknown: usize, vector: Complex, length: Node) {
+        let (coefficient, bare) = self.graph.split_coefficient(length);
+        let sign = self.graph.number(coefficient.signum());
+        let vector = vector.scaled(self.graph, sign);
+        self.steps.push(Step::Angle {
+            symbol: Symbol::Unknown(unknown),
+            x: vector.re,
+            y: vector.im,
+            length: bare,
+        });
+    }
+
+    pub(super) fn polar(&mut self, length: usize, angle: usize, mirrored: bool, offset: Complex, target: Complex) {
+        let (offset, target) = (self.known_complex(offset), self.known_complex(target));
+        let target = self.define_complex("span", target);
+        let own_angle = self.graph.symbol(Symbol::Unknown(angle));
+        let own_length = self.graph.symbol(Symbol::Unknown(length));
+        let has_offset = !(self.graph.is_zero(offset.re) && self.graph.is_zero(offset.im));
+        let given = Argument::Plane(target.re, target.im);
+        if has_offset {
+            let ([x, y], unit) = self.fresh_plane(&self.unknown_name(angle));
+            self.solve(
+                Solver::PolarOffset,
+                vec![Argument::Plane(offset.re, offset.im), given],
+                vec![Symbol::Unknown(length), x, y],
+            );
+            let unit = self.upright(unit, mirrored);
+            self.turn(angle, unit);
+        } else {
+            self.solve(Solver::Polar, vec![given], vec![Symbol::Unknown(length)]);
+            let divisor = Complex::new(own_length, self.graph.zero());
+            let unit = self.unit_of(target, divisor, mirrored);
+            self.units.learn_direction(own_angle, unit);
+            let vector = self.upright(target, mirrored);
+            self.push_angle(angle, vector, own_length);
+        }
+    }
+}
