@@ -45,16 +45,23 @@ pub(crate) struct Plan {
     pub(crate) orientations: ScheduledStage,
 }
 
+/// Equations and outputs in one form, and the graph that has it.
+struct Form {
+    graph: Graph,
+    residuals: Vec<Node>,
+    outputs: Vec<Node>,
+}
+
 /// Tries the ways, order by order, and keeps the cheapest.
 pub(crate) fn plan(task: &Task<'_>) -> Plan {
     let mut best: Option<Plan> = None;
-    for expand in [true, false] {
+    for form in forms(task) {
         let mut ways = Vec::new();
         for order in 1..=task.order {
             let mut cheapest: Option<(usize, Way)> = None;
             for way in [Way::Envelope, Way::Recurrence] {
                 ways.push(way);
-                let cost = cost(&program(task, expand, &ways, order));
+                let cost = cost(&program(task, &form, &ways, order, &[false]));
                 ways.pop();
                 if cheapest.is_none_or(|(least, _)| cost < least) {
                     cheapest = Some((cost, way));
@@ -62,12 +69,30 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
             }
             ways.extend(cheapest.map(|(_, way)| way));
         }
-        let candidate = program(task, expand, &ways, task.order);
+        let candidate = program(task, &form, &ways, task.order, &[false, true]);
         if best.as_ref().is_none_or(|kept| cost(&candidate) < cost(kept)) {
             best = Some(candidate);
         }
     }
-    best.expect("there is at least one way")
+    best.expect("there is at least one form")
+}
+
+/// The equations multiplied out, and as typed if that is something else.
+fn forms(task: &Task<'_>) -> Vec<Form> {
+    let mut graph = task.graph.clone();
+    let mut form = |expand| {
+        let (residuals, outputs) = derive::forms(&mut graph, task.residuals, task.outputs, expand);
+        Form {
+            graph: graph.clone(),
+            residuals,
+            outputs,
+        }
+    };
+    let (expanded, typed) = (form(true), form(false));
+    if (&expanded.residuals, &expanded.outputs) == (&typed.residuals, &typed.outputs) {
+        return vec![expanded];
+    }
+    vec![expanded, typed]
 }
 
 fn cost(plan: &Plan) -> usize {
@@ -76,9 +101,9 @@ fn cost(plan: &Plan) -> usize {
     cost.arithmetic() + 20 * (cost.square_roots + cost.sine_cosines + cost.arc_tangents + cost.others)
 }
 
-/// The program through one order, in one way.
-fn program(task: &Task<'_>, expand: bool, ways: &[Way], order: usize) -> Plan {
-    let mut graph = task.graph.clone();
+/// The program through one order, in one way; `factor_out` are the styles of scheduling to choose from.
+fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out: &[bool]) -> Plan {
+    let mut graph = form.graph.clone();
     let mut names = task.names.clone();
     for order in 1..=order {
         let suffix = order_name(order);
@@ -102,11 +127,10 @@ fn program(task: &Task<'_>, expand: bool, ways: &[Way], order: usize) -> Plan {
     let derivatives = derive::derive(
         &mut graph,
         &derive::Plan {
-            residuals: task.residuals,
+            residuals: &form.residuals,
             blocks: task.blocks,
-            outputs: task.outputs,
+            outputs: &form.outputs,
             order,
-            expand,
             ways,
         },
     );
@@ -174,8 +198,9 @@ fn program(task: &Task<'_>, expand: bool, ways: &[Way], order: usize) -> Plan {
         stages,
         names: names.clone(),
     };
-    let scheduled = [false, true]
-        .map(|factor_out| {
+    let scheduled = factor_out
+        .iter()
+        .map(|&factor_out| {
             schedule(
                 &graph,
                 &program,
@@ -186,9 +211,8 @@ fn program(task: &Task<'_>, expand: bool, ways: &[Way], order: usize) -> Plan {
                 },
             )
         })
-        .into_iter()
         .min_by_key(|scheduled| scheduled.cost().arithmetic())
-        .expect("there are two");
+        .expect("there is at least one style");
     let orientations = orientations(&mut graph, &names, &assembled.choices);
     Plan {
         graph,
@@ -275,12 +299,4 @@ fn unguarded_divisors(graph: &Graph, stages: &[Stage], guaranteed: &[Node]) -> V
             )
         })
         .collect()
-}
-
-/// How many choices a caller has.
-pub(crate) fn assembly_count(choices: &[Choice]) -> usize {
-    choices
-        .iter()
-        .filter(|choice| matches!(choice.mode, Mode::Assembly(_)))
-        .count()
 }

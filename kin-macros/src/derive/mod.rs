@@ -50,32 +50,29 @@ pub(crate) struct Plan<'a> {
     pub(crate) blocks: &'a [Block],
     pub(crate) outputs: &'a [Node],
     pub(crate) order: usize,
-    /// Whether products of sums are multiplied out first.
-    pub(crate) expand: bool,
     /// How sines and cosines are differentiated, by order, the last one for all higher orders.
     pub(crate) ways: &'a [Way],
 }
 
-/// Derives everything that a plan asks for.
-pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
+/// Equations and outputs in the form in which they are differentiated: as typed or multiplied out, and in any case
+/// without a quotient of what varies in the equations.
+pub(crate) fn forms(graph: &mut Graph, residuals: &[Node], outputs: &[Node], expand: bool) -> (Vec<Node>, Vec<Node>) {
     let varies = |symbol| matches!(symbol, Symbol::Input(_) | Symbol::Unknown(_));
-    let residuals: Vec<Node> = plan
-        .residuals
+    let residuals = residuals
         .iter()
         .map(|&residual| {
             let mut expansion = Expansion::new(graph, &varies);
-            if plan.expand || expansion.polynomial(residual).is_none() {
+            if expand || expansion.polynomial(residual).is_none() {
                 expansion.equation(residual).node(graph)
             } else {
                 residual
             }
         })
         .collect();
-    let outputs: Vec<Node> = plan
-        .outputs
+    let outputs = outputs
         .iter()
         .map(|&output| {
-            let polynomial = if plan.expand {
+            let polynomial = if expand {
                 Expansion::new(graph, &varies).polynomial(output)
             } else {
                 None
@@ -83,10 +80,15 @@ pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
             polynomial.map_or(output, |polynomial| polynomial.node(graph))
         })
         .collect();
+    (residuals, outputs)
+}
+
+/// Derives everything that a plan asks for.
+pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
     let jacobians: Vec<Vec<Vec<Node>>> = plan
         .blocks
         .iter()
-        .map(|block| jacobian::jacobian(graph, &residuals, block))
+        .map(|block| jacobian::jacobian(graph, plan.residuals, block))
         .collect();
     let mut rates = Rates::new(plan.ways);
     let mut derivatives = Derivatives {
@@ -115,7 +117,7 @@ pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
                 .equations
                 .iter()
                 .map(|&equation| {
-                    let whole = rates.total(graph, residuals[equation], order);
+                    let whole = rates.total(graph, plan.residuals[equation], order);
                     let rest = graph.substitute(whole, &mut without_own);
                     let right = graph.negate(rest);
                     derivatives.hints.push((right, Hint::Right { equation, order }));
@@ -126,7 +128,7 @@ pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
         }
         derivatives.orders.push(found);
         derivatives.outputs.push(
-            outputs
+            plan.outputs
                 .iter()
                 .map(|&output| rates.total(graph, output, order))
                 .collect(),
