@@ -48,7 +48,12 @@ pub(crate) fn assemble(
         choices.push(Choice { mode, orientation });
         builder.form(&block.form);
         for &unknown in &block.unknowns {
-            builder.steps.push(Step::Bound { unknown });
+            let own = Symbol::Unknown(unknown);
+            let turns = builder
+                .steps
+                .iter()
+                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
+            builder.steps.push(Step::Bound { unknown, turns });
         }
         if block.check_jacobian {
             let node = builder.units.rewrite(builder.graph, determinants[index]);

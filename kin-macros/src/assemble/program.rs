@@ -50,8 +50,9 @@ pub(crate) enum Step {
         y: Node,
         length: Node,
     },
-    /// The unknown, just computed, is brought to the turn wanted and compared with the range declared for it.
-    Bound { unknown: usize },
+    /// The unknown, just computed, is compared with the range declared for it. One that `turns` came from a direction, and
+    /// is as good on any other turn; any other is not, for it stands in its equation as a number.
+    Bound { unknown: usize, turns: bool },
     /// A block begins.
     Open { block: usize },
     /// What must not vanish, because something is divided by it later.

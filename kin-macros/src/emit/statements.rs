@@ -7,7 +7,6 @@ use super::{Mechanism, formula, local};
 use crate::assemble::{Mode, Returns};
 use crate::expr::Symbol;
 use crate::function::Function;
-use crate::model::Dimension;
 use crate::schedule::{ScheduledStage, Statement};
 
 impl Mechanism<'_> {
@@ -108,10 +107,11 @@ impl Mechanism<'_> {
         let place = Literal::usize_unsuffixed(names.iter().position(|name| *name == own).unwrap_or(0));
         let limits = self.ranges[&unknown];
         let (low, high) = (number(limits.low), number(limits.high));
-        let choose = local(match self.model.unknowns[unknown].dimension {
-            Dimension::Angle => "choose_angle",
-            _ => "choose_value",
-        });
+        let own_name = self.plan.names.of(Symbol::Unknown(unknown));
+        let turns = inside
+            .iter()
+            .any(|statement| matches!(statement, Statement::Angle { name, .. } if name == own_name));
+        let choose = local(if turns { "choose_angle" } else { "choose_value" });
         let label = self.model.unknowns[unknown].name.to_string();
         let failed = self.failed(block);
         let [candidate, assembly, first, second] = ["candidate", "assembly", "first", "second"].map(local);
@@ -209,7 +209,7 @@ impl Mechanism<'_> {
                     }
                 }
             }
-            Statement::Bound { unknown } => self.bound(*unknown, block),
+            Statement::Bound { unknown, turns } => self.bound(*unknown, *turns, block),
             Statement::Regular { value } => {
                 let value = formula::tokens(value);
                 let failed = match block {
@@ -279,19 +279,18 @@ impl Mechanism<'_> {
     }
 
     /// An unknown brought to the turn wanted, or into its range.
-    fn bound(&self, unknown: usize, block: Option<usize>) -> TokenStream {
+    fn bound(&self, unknown: usize, turns: bool, block: Option<usize>) -> TokenStream {
         let runtime = self.runtime;
         let own = &self.model.unknowns[unknown];
         let name = self.name_of(Symbol::Unknown(unknown));
-        let is_angle = own.dimension == Dimension::Angle;
         if let Some(limits) = self.ranges.get(&unknown) {
             let label = own.name.to_string();
             let (low, high) = (number(limits.low), number(limits.high));
-            let check = local(if is_angle { "check_angle" } else { "check_value" });
+            let check = local(if turns { "check_angle" } else { "check_value" });
             let failed = self.failed(block.expect("bounds stand in blocks"));
             return quote!(let #name = #runtime::solve::#check(#label, #name, #low, #high) #failed;);
         }
-        if is_angle {
+        if turns {
             let (near, index) = (local("near"), Literal::usize_unsuffixed(unknown));
             return quote!(let #name = #runtime::solve::on_turn(#name, #near, #index););
         }

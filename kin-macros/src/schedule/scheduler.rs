@@ -221,7 +221,12 @@ impl Scheduler<'_> {
                 let name = self.names.of(*symbol).to_owned();
                 self.statements.push(Statement::Angle { name, y, x, length });
             }
-            Step::Bound { unknown } => self.statements.push(Statement::Bound { unknown: *unknown }),
+            Step::Bound { unknown, turns } => {
+                self.statements.push(Statement::Bound {
+                    unknown: *unknown,
+                    turns: *turns,
+                });
+            }
             Step::Open { block } => self.statements.push(Statement::Open { block: *block }),
             Step::Regular { node } => {
                 let value = self.value(rows, *node);

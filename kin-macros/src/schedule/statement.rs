@@ -51,6 +51,7 @@ pub(crate) enum Statement {
     },
     Bound {
         unknown: usize,
+        turns: bool,
     },
     Open {
         block: usize,
