@@ -1,0 +1,207 @@
+//! A four-bar linkage from position to snap, by three methods, beside the values printed in lecture notes.
+//!
+//! ```sh
+//! cargo run --release --example four_bar
+//! ```
+//!
+//! The exit code is not zero if any value differs from the printed one by more than its last digit allows.
+
+use std::error::Error;
+use std::f64::consts::TAU;
+use std::process::ExitCode;
+
+use kin_core::library::{FourBar, FreudensteinFourBar, GeometricFourBar};
+use kin_core::prelude::*;
+
+const ORDERS: [&str; 5] = ["position", "velocity", "acceleration", "jerk", "snap"];
+
+/// A quantity as the notes print it, position first. The notes end with the jerk; the snap is from 50-digit arithmetic.
+struct Printed {
+    name: &'static str,
+    is_angle: bool,
+    values: [&'static str; 5],
+}
+
+const PRINTED: [Printed; 6] = [
+    Printed {
+        name: "theta3",
+        is_angle: true,
+        values: ["13.1515", "3.9013", "7.0627", "490.7125", "-10396.8937614"],
+    },
+    Printed {
+        name: "theta4",
+        is_angle: true,
+        values: ["114.8278", "-5.3533", "69.7682", "237.4051", "19274.1419587"],
+    },
+    Printed { name: "e", is_angle: false, values: ["81.9626", "-298.5547", "364.3867", "32987", "301182.2213"] },
+    Printed {
+        name: "alpha",
+        is_angle: true,
+        values: ["19.3737", "-0.3588", "-38.9682", "-363.3719", "-118.8449067"],
+    },
+    Printed { name: "gamma", is_angle: true, values: ["101.6763", "-9.2546", "62.7055", "-253.3073", "29671.03572"] },
+    Printed { name: "beta", is_angle: true, values: ["45.7986", "5.7122", "-30.8000", "125.9668", "-19155.29705"] },
+];
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    let crank = Motion::from((65_f64.to_radians(), -10.0, 2.0, -0.5, 0.3));
+
+    let agrees = methods(&linkage, crank)?;
+    range_of_motion(&linkage)?;
+    assemblies(&linkage);
+
+    Ok(if agrees { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// The same motion by three sets of equations; whether every value agrees with the printed one.
+fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
+    let FourBar { r1, r2, r3, r4 } = *linkage;
+    let triangles = GeometricFourBar { r1, r2, r3, r4 };
+    let equations = FreudensteinFourBar { r1, r2, r3, r4 };
+
+    let by_loop = linkage.solve(crank, Assembly::Open)?;
+    let by_triangles = triangles.solve(crank, triangles.assembly(crank.value(), Assembly::Open))?;
+    let by_equations = equations.solve(crank, FreudensteinFourBar::OPEN)?;
+
+    // in the order of PRINTED
+    let found = [
+        [Some(by_loop.theta3), Some(by_triangles.theta3), Some(by_equations.theta3)],
+        [Some(by_loop.theta4), Some(by_triangles.theta4), Some(by_equations.theta4)],
+        [None, Some(by_triangles.e), None],
+        [None, Some(by_triangles.alpha), None],
+        [None, Some(by_triangles.gamma), None],
+        [None, Some(by_triangles.beta), None],
+    ];
+
+    println!("Four-bar linkage, r1 = {r1}, r2 = {r2}, r3 = {r3}, r4 = {r4} cm, open assembly");
+    println!(
+        "Crank: theta2 = {} deg, rates {}, {}, {}, {} (rad and s)\n",
+        crank.value().to_degrees().round(),
+        crank.velocity(),
+        crank.acceleration(),
+        crank.jerk(),
+        crank.snap()
+    );
+    println!("Positions of angles are in degrees, their rates in radians; e is in centimetres.\n");
+    println!(
+        "{:8}{:14}{:>16}{:>16}{:>16}{:>16}{:>12}",
+        "", "", "vector loop", "triangles", "Freudenstein", "printed", "deviation"
+    );
+
+    let mut agrees = true;
+    let mut largest: f64 = 0.0;
+    for (printed, motions) in PRINTED.iter().zip(found) {
+        println!("{}", "-".repeat(98));
+        for (order, text) in printed.values.into_iter().enumerate() {
+            let values = motions.map(|motion| motion.map(|motion| shown(printed, motion, order)));
+            let (value, last_digit) = read(text);
+            let deviation = values.iter().flatten().fold(0.0, |most: f64, found| most.max((found - value).abs()));
+            // half of the last digit, and a few roundings of double precision
+            let allowed = 0.5 * last_digit + 64.0 * f64::EPSILON * value.abs();
+            let verdict = if deviation <= allowed { "" } else { " !" };
+            agrees &= deviation <= allowed;
+            largest = largest.max(deviation / last_digit);
+            println!(
+                "{:8}{:14}{:>16}{:>16}{:>16}{text:>16}{deviation:>12.1e}{verdict}",
+                if order == 0 { printed.name } else { "" },
+                ORDERS[order],
+                cell(values[0]),
+                cell(values[1]),
+                cell(values[2]),
+            );
+        }
+    }
+    println!("{}", "-".repeat(98));
+    println!("Largest deviation: {largest:.2} of the last printed digit (0.50 is rounding).");
+    println!("{}\n", if agrees { "All values agree with the printed ones." } else { "NOT all values agree." });
+    Ok(agrees)
+}
+
+/// A derivative in the units of the table. An angle's position is its smallest equivalent: turns do not count.
+fn shown(printed: &Printed, motion: Motion, order: usize) -> f64 {
+    let value = motion.derivatives()[order];
+    if printed.is_angle && order == 0 {
+        (value - TAU * (value / TAU).round()).to_degrees()
+    } else {
+        value
+    }
+}
+
+/// A printed number and the value of its last digit.
+fn read(text: &str) -> (f64, f64) {
+    let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let last_digit = (0..decimals).fold(1.0, |unit, _| unit / 10.0);
+    (text.parse().expect("the table holds numbers"), last_digit)
+}
+
+fn cell(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| format!("{value:.7}"))
+}
+
+/// How far the crank turns, and what happens beyond.
+fn range_of_motion(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
+    let range = linkage.crank_range().ok_or("the links do not close at any angle")?;
+    println!("Range of motion\n");
+    println!(
+        "The linkage closes for |theta2| from {:.4} to {:.4} degrees{}.",
+        range.low.to_degrees(),
+        range.high.to_degrees(),
+        if range.is_full_turn() { ": the crank makes full turns" } else { "; the crank does not make full turns" }
+    );
+    for (place, angle) in [("at the limit", range.high), ("half a degree beyond", range.high + 0.5_f64.to_radians())] {
+        match linkage.position(angle, Assembly::Open) {
+            Ok(position) => println!("\n{place}: theta4 = {:.4} degrees", position.theta4.value().to_degrees()),
+            Err(error) => {
+                let margin = error.margin().map_or_else(String::new, |margin| format!(", margin {margin:.4} cm"));
+                println!("\n{place}{margin}:\n{}", wrapped(&error.to_string(), 92));
+            }
+        }
+    }
+    println!();
+    Ok(())
+}
+
+/// Text in lines of at most so many characters, indented.
+fn wrapped(text: &str, width: usize) -> String {
+    let (mut result, mut column) = (String::from("   "), 0);
+    for word in text.split_whitespace() {
+        if column > 0 && column + word.len() >= width {
+            result.push_str("\n   ");
+            column = 0;
+        }
+        result.push(' ');
+        result.push_str(word);
+        column += word.len() + 1;
+    }
+    result
+}
+
+/// The two ways in which the linkage can be put together, over the range of the crank.
+fn assemblies(linkage: &FourBar) {
+    println!("Both assemblies, at a crank speed of 1 rad/s\n");
+    println!("{:>8} |{:^42} |{:^42}", "", Assembly::Open, Assembly::Crossed);
+    let head = format!("{:>9}{:>9}{:>12}{:>12}", "theta3", "theta4", "theta4'", "theta4''");
+    println!("{:>8} |{head} |{head}", "theta2");
+    println!("{}", "-".repeat(98));
+    for degrees in (-120..=120).step_by(15) {
+        let crank = Motion::at_constant_speed(f64::from(degrees).to_radians(), 1.0);
+        print!("{degrees:>8}");
+        for assembly in FourBar::ASSEMBLIES {
+            match linkage.solve(crank, assembly) {
+                Ok(pose) => print!(
+                    " |{:>9.3}{:>9.3}{:>12.5}{:>12.5}",
+                    pose.theta3.position().to_degrees(),
+                    pose.theta4.position().to_degrees(),
+                    pose.theta4.velocity(),
+                    pose.theta4.acceleration()
+                ),
+                Err(error) => {
+                    let short = error.margin().map_or_else(String::new, |margin| format!(" by {:.3} cm", -margin));
+                    print!(" |{:>42}", format!("out of reach{short}"));
+                }
+            }
+        }
+        println!();
+    }
+}
