@@ -33,18 +33,35 @@ const PRINTED: [Printed; 6] = [
         is_angle: true,
         values: ["114.8278", "-5.3533", "69.7682", "237.4051", "19274.1419587"],
     },
-    Printed { name: "e", is_angle: false, values: ["81.9626", "-298.5547", "364.3867", "32987", "301182.2213"] },
+    Printed {
+        name: "e",
+        is_angle: false,
+        values: ["81.9626", "-298.5547", "364.3867", "32987", "301182.2213"],
+    },
     Printed {
         name: "alpha",
         is_angle: true,
         values: ["19.3737", "-0.3588", "-38.9682", "-363.3719", "-118.8449067"],
     },
-    Printed { name: "gamma", is_angle: true, values: ["101.6763", "-9.2546", "62.7055", "-253.3073", "29671.03572"] },
-    Printed { name: "beta", is_angle: true, values: ["45.7986", "5.7122", "-30.8000", "125.9668", "-19155.29705"] },
+    Printed {
+        name: "gamma",
+        is_angle: true,
+        values: ["101.6763", "-9.2546", "62.7055", "-253.3073", "29671.03572"],
+    },
+    Printed {
+        name: "beta",
+        is_angle: true,
+        values: ["45.7986", "5.7122", "-30.8000", "125.9668", "-19155.29705"],
+    },
 ];
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
     let crank = Motion::from((65_f64.to_radians(), -10.0, 2.0, -0.5, 0.3));
 
     let agrees = methods(&linkage, crank)?;
@@ -66,8 +83,16 @@ fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
 
     // in the order of PRINTED
     let found = [
-        [Some(by_loop.theta3), Some(by_triangles.theta3), Some(by_equations.theta3)],
-        [Some(by_loop.theta4), Some(by_triangles.theta4), Some(by_equations.theta4)],
+        [
+            Some(by_loop.theta3),
+            Some(by_triangles.theta3),
+            Some(by_equations.theta3),
+        ],
+        [
+            Some(by_loop.theta4),
+            Some(by_triangles.theta4),
+            Some(by_equations.theta4),
+        ],
         [None, Some(by_triangles.e), None],
         [None, Some(by_triangles.alpha), None],
         [None, Some(by_triangles.gamma), None],
@@ -96,7 +121,10 @@ fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
         for (order, text) in printed.values.into_iter().enumerate() {
             let values = motions.map(|motion| motion.map(|motion| shown(printed, motion, order)));
             let (value, last_digit) = read(text);
-            let deviation = values.iter().flatten().fold(0.0, |most: f64, found| most.max((found - value).abs()));
+            let deviation = values
+                .iter()
+                .flatten()
+                .fold(0.0, |most: f64, found| most.max((found - value).abs()));
             // half of the last digit, and a few roundings of double precision
             let allowed = 0.5 * last_digit + 64.0 * f64::EPSILON * value.abs();
             let verdict = if deviation <= allowed { "" } else { " !" };
@@ -114,7 +142,14 @@ fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
     }
     println!("{}", "-".repeat(98));
     println!("Largest deviation: {largest:.2} of the last printed digit (0.50 is rounding).");
-    println!("{}\n", if agrees { "All values agree with the printed ones." } else { "NOT all values agree." });
+    println!(
+        "{}\n",
+        if agrees {
+            "All values agree with the printed ones."
+        } else {
+            "NOT all values agree."
+        }
+    );
     Ok(agrees)
 }
 
@@ -147,13 +182,25 @@ fn range_of_motion(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
         "The linkage closes for |theta2| from {:.4} to {:.4} degrees{}.",
         range.low.to_degrees(),
         range.high.to_degrees(),
-        if range.is_full_turn() { ": the crank makes full turns" } else { "; the crank does not make full turns" }
+        if range.is_full_turn() {
+            ": the crank makes full turns"
+        } else {
+            "; the crank does not make full turns"
+        }
     );
-    for (place, angle) in [("at the limit", range.high), ("half a degree beyond", range.high + 0.5_f64.to_radians())] {
+    for (place, angle) in [
+        ("at the limit", range.high),
+        ("half a degree beyond", range.high + 0.5_f64.to_radians()),
+    ] {
         match linkage.position(angle, Assembly::Open) {
-            Ok(position) => println!("\n{place}: theta4 = {:.4} degrees", position.theta4.value().to_degrees()),
+            Ok(position) => println!(
+                "\n{place}: theta4 = {:.4} degrees",
+                position.theta4.value().to_degrees()
+            ),
             Err(error) => {
-                let margin = error.margin().map_or_else(String::new, |margin| format!(", margin {margin:.4} cm"));
+                let margin = error
+                    .margin()
+                    .map_or_else(String::new, |margin| format!(", margin {margin:.4} cm"));
                 println!("\n{place}{margin}:\n{}", wrapped(&error.to_string(), 92));
             }
         }
@@ -197,7 +244,9 @@ fn assemblies(linkage: &FourBar) {
                     pose.theta4.acceleration()
                 ),
                 Err(error) => {
-                    let short = error.margin().map_or_else(String::new, |margin| format!(" by {:.3} cm", -margin));
+                    let short = error
+                        .margin()
+                        .map_or_else(String::new, |margin| format!(" by {:.3} cm", -margin));
                     print!(" |{:>42}", format!("out of reach{short}"));
                 }
             }

@@ -44,7 +44,12 @@ mechanism! {
 const BAR: f64 = 18.0;
 
 fn main() -> Result<(), SolveError> {
-    let press = QuickReturn { ground: 0.05, crank: 0.12, arm: 0.15, rod: 0.50 };
+    let press = QuickReturn {
+        ground: 0.05,
+        crank: 0.12,
+        arm: 0.15,
+        rod: 0.50,
+    };
     let speed = TAU; // one turn per second
     println!("Whitworth quick-return, two loops, one turn of the crank per second (m, rad, s)\n");
     for block in QuickReturn::<f64>::DESCRIPTION.blocks {
@@ -58,7 +63,9 @@ fn main() -> Result<(), SolveError> {
             press.solve(crank, Assembly::Open).map(|pose| (degrees, pose))
         })
         .collect::<Result<Vec<_>, _>>()?;
-    let fastest = poses.iter().fold(0.0, |most: f64, (_, pose)| most.max(pose.ram.velocity().abs()));
+    let fastest = poses
+        .iter()
+        .fold(0.0, |most: f64, (_, pose)| most.max(pose.ram.velocity().abs()));
 
     println!(
         "\n{:>6}{:>9}{:>9}{:>9}{:>9}{:>10}{:>12}  ram's velocity",
@@ -78,16 +85,27 @@ fn main() -> Result<(), SolveError> {
     }
 
     let [(to_and_fro, low), (_, high)] = dead_points(&press)?;
-    println!("\nstroke {:.4} m, time ratio of the two strokes {to_and_fro:.3}", high - low);
+    println!(
+        "\nstroke {:.4} m, time ratio of the two strokes {to_and_fro:.3}",
+        high - low
+    );
     Ok(())
 }
 
 /// A bar from the middle to the left or to the right.
 fn bar(part: f64) -> String {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few characters")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a few characters"
+    )]
     let length = (part.abs() * BAR / 2.0).round() as usize;
     let half = 9;
-    if part < 0.0 { format!("{:>half$}|", "#".repeat(length)) } else { format!("{:half$}|{}", "", "#".repeat(length)) }
+    if part < 0.0 {
+        format!("{:>half$}|", "#".repeat(length))
+    } else {
+        format!("{:half$}|{}", "", "#".repeat(length))
+    }
 }
 
 /// The time ratio with the lowest position of the ram, and with the highest.
@@ -98,6 +116,10 @@ fn dead_points(press: &QuickReturn) -> Result<[(f64, f64); 2], SolveError> {
     let dip = (press.ground / press.crank).asin();
     let (right, left) = (-dip, std::f64::consts::PI + dip);
     let ratio = (left - right) / (TAU - (left - right));
-    let ram = |theta| press.position(theta, Assembly::Open).map(|position| position.ram.value());
+    let ram = |theta| {
+        press
+            .position(theta, Assembly::Open)
+            .map(|position| position.ram.value())
+    };
     Ok([(ratio, ram(left)?), (ratio, ram(right)?)])
 }

@@ -6,7 +6,7 @@ use quote::quote;
 use crate::expand::expand;
 
 /// The expansion as `cargo expand` would show it.
-fn pretty(declaration: TokenStream) -> String {
+fn pretty(declaration: &TokenStream) -> String {
     let tokens = expand(quote!((::kin_core) #declaration));
     let file = syn::parse2(tokens).expect("an expansion is a list of items");
     prettyplease::unparse(&file)
@@ -30,11 +30,11 @@ fn four_bar() -> TokenStream {
 
 #[test]
 fn four_bar_expansion() {
-    insta::assert_snapshot!(pretty(four_bar()));
+    insta::assert_snapshot!(pretty(&four_bar()));
 }
 
 /// The same declaration gives the same bytes.
 #[test]
 fn expansion_is_deterministic() {
-    assert_eq!(pretty(four_bar()), pretty(four_bar()));
+    assert_eq!(pretty(&four_bar()), pretty(&four_bar()));
 }

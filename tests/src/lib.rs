@@ -1,3 +1,4 @@
 //! Proof of kin.
 
+mod book;
 pub mod notes;

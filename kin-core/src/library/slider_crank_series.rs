@@ -57,7 +57,9 @@ impl<T: Scalar> SliderCrankSeries<T> {
         let square = (sine * sine).scale(lambda * lambda);
         // Horner's scheme in the ratios: 1 + x c₁/c₀ (1 + x c₂/c₁ (1 + …))
         let one = Motion::constant(T::constant(1.0));
-        let root = (0..self.terms).rev().fold(one, |inner, k| one + (square * inner).scale(T::constant(ratio(k))));
+        let root = (0..self.terms)
+            .rev()
+            .fold(one, |inner, k| one + (square * inner).scale(T::constant(ratio(k))));
         cosine.scale(self.r) + root.scale(self.l)
     }
 
@@ -87,7 +89,7 @@ impl<T: Scalar> SliderCrankSeries<T> {
     fn angular_bound(&self, order: u32) -> f64 {
         let lambda = (self.r.real() / self.l.real()).abs();
         let square = lambda * lambda;
-        if !(square < 1.0) {
+        if square.is_nan() || square >= 1.0 {
             return f64::INFINITY;
         }
         let amplitude = (0..=self.terms).fold(1.0, |term, k| term * ratio(k).abs() * square);
@@ -97,8 +99,7 @@ impl<T: Scalar> SliderCrankSeries<T> {
         let (mut sum, mut term) = (0.0, amplitude);
         for k in (first..).take(TAIL as usize) {
             let value = term * power(f64::from(k));
-            let growth =
-                (1..order).fold(square, |product, _| product * (1.0 + 1.0 / f64::from(k)));
+            let growth = (1..order).fold(square, |product, _| product * (1.0 + 1.0 / f64::from(k)));
             // enough terms of the tail are summed for the geometric bound on the others to be tight
             if growth < 1.0 && value / (1.0 - growth) <= 0.01 * sum {
                 return scale * (sum + value / (1.0 - growth));
@@ -126,9 +127,16 @@ mod tests {
                 let (mut worst, mut bound, mut size) = ([0.0_f64; 5], [0.0_f64; 5], [0.0_f64; 5]);
                 for step in 0..720 {
                     let theta = Motion::from((f64::from(step).to_radians() / 2.0, 2.0, 0.0, 0.0, 0.0));
-                    let series = SliderCrankSeries { r: lambda, l: 1.0, terms };
-                    let exact =
-                        SliderCrank { r: lambda, l: 1.0 }.solve(theta, Assembly::Open).unwrap().s.derivatives();
+                    let series = SliderCrankSeries {
+                        r: lambda,
+                        l: 1.0,
+                        terms,
+                    };
+                    let exact = SliderCrank { r: lambda, l: 1.0 }
+                        .solve(theta, Assembly::Open)
+                        .unwrap()
+                        .s
+                        .derivatives();
                     let approximate = series.motion(theta).derivatives();
                     bound = series.remainder_bound(theta);
                     for order in 0..5 {
@@ -139,7 +147,10 @@ mod tests {
                 for order in 0..5 {
                     // 1/(1 - λ²) is the condition of the exact root, once more for each order
                     let rounding = 1e-14 * size[order].max(1.0) / (1.0 - lambda * lambda).powi(5);
-                    assert!(worst[order] <= bound[order] + rounding, "λ {lambda}, {terms} terms, order {order}");
+                    assert!(
+                        worst[order] <= bound[order] + rounding,
+                        "λ {lambda}, {terms} terms, order {order}"
+                    );
                     if worst[order] > 100.0 * rounding {
                         let slack = bound[order] / worst[order];
                         println!("λ {lambda}, {terms} terms, order {order}: bound {slack:.2} times the error");
@@ -148,7 +159,10 @@ mod tests {
                         let order = i32::try_from(order).unwrap();
                         let largest = f64::from(terms + 1) + f64::from(order) / (1.0 - lambda * lambda);
                         let order_size = (2.0 * largest).sqrt().powi(order);
-                        assert!(slack < 2.0 * order_size, "λ {lambda}, {terms} terms, order {order}: {slack}");
+                        assert!(
+                            slack < 2.0 * order_size,
+                            "λ {lambda}, {terms} terms, order {order}: {slack}"
+                        );
                     }
                 }
             }
@@ -165,7 +179,10 @@ mod tests {
         for (terms, declared) in [(1, first), (3, higher)] {
             let series = SliderCrankSeries { r, l, terms }.motion(theta);
             for (own, other) in series.derivatives().into_iter().zip(declared.derivatives()) {
-                assert!((own - other).abs() <= 1e-13 * (1.0 + other.abs()) * 81.0, "{terms}: {own} {other}");
+                assert!(
+                    (own - other).abs() <= 1e-13 * (1.0 + other.abs()) * 81.0,
+                    "{terms}: {own} {other}"
+                );
             }
         }
     }
@@ -173,7 +190,12 @@ mod tests {
     #[test]
     fn a_crank_as_long_as_the_rod_has_no_bound() {
         let theta = Motion::from((0.8, 0.0, 0.0, 0.0, 0.0));
-        let bound = SliderCrankSeries { r: 1.0, l: 1.0, terms: 3 }.remainder_bound(theta);
+        let bound = SliderCrankSeries {
+            r: 1.0,
+            l: 1.0,
+            terms: 3,
+        }
+        .remainder_bound(theta);
         assert!(bound.iter().all(|bound| *bound == f64::INFINITY));
     }
 }

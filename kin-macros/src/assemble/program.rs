@@ -72,15 +72,6 @@ impl Step {
             Self::Bound { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),
         }
     }
-
-    /// The symbols that it defines.
-    pub(crate) fn defines(&self) -> Vec<Symbol> {
-        match self {
-            Self::Define { symbol, .. } | Self::Angle { symbol, .. } => vec![*symbol],
-            Self::Solve { results, .. } => results.clone(),
-            Self::Bound { .. } | Self::Regular { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),
-        }
-    }
 }
 
 /// The steps of one order: 0 is position, 1 velocity, and so on.

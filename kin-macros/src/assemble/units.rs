@@ -69,24 +69,21 @@ impl Units {
         if let Some(&direction) = self.directions.get(&angle) {
             return direction;
         }
-        let direction = match self.resolve(graph, angle) {
-            Some(parts) => {
-                let mut product: Option<Complex> = None;
-                for (part, multiple) in parts {
-                    let mut unit = self.direction(graph, part);
-                    if multiple < 0 {
-                        unit = unit.conjugate(graph);
-                    }
-                    for _ in 0..multiple.abs() {
-                        product = Some(product.map_or(unit, |before| before.times(graph, unit)));
-                    }
+        let direction = if let Some(parts) = self.resolve(graph, angle) {
+            let mut product: Option<Complex> = None;
+            for (part, multiple) in parts {
+                let mut unit = self.direction(graph, part);
+                if multiple < 0 {
+                    unit = unit.conjugate(graph);
                 }
-                product.unwrap_or_else(|| Complex::new(graph.one(), graph.zero()))
+                for _ in 0..multiple.abs() {
+                    product = Some(product.map_or(unit, |before| before.times(graph, unit)));
+                }
             }
-            None => {
-                let argument = self.rewrite(graph, angle);
-                Complex::new(graph.cosine(argument), graph.sine(argument))
-            }
+            product.unwrap_or_else(|| Complex::new(graph.one(), graph.zero()))
+        } else {
+            let argument = self.rewrite(graph, angle);
+            Complex::new(graph.cosine(argument), graph.sine(argument))
         };
         self.directions.insert(angle, direction);
         direction

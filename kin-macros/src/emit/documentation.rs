@@ -90,8 +90,12 @@ impl Mechanism<'_> {
         } else {
             format!(" together with {}", with.join(", "))
         };
+        let range = unknown
+            .range
+            .as_ref()
+            .map_or_else(String::new, |range| format!(", `{}`", range.text));
         format!(
-            " Unknown {}; {}{company}.",
+            " Unknown {}{range}; {}{company}.",
             unit(unknown.dimension),
             self.blocks[block].form.description(self.graph)
         )

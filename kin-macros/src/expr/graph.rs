@@ -87,16 +87,6 @@ impl Graph {
         &self.terms[node.index()]
     }
 
-    /// How many nodes there are.
-    pub(crate) fn len(&self) -> usize {
-        self.terms.len()
-    }
-
-    /// Every node, operands before what is made of them.
-    pub(crate) fn nodes(&self) -> impl Iterator<Item = Node> + use<> {
-        (0..u32::try_from(self.terms.len()).expect("fewer than 2^32 nodes")).map(Node)
-    }
-
     /// The node that holds a term, which must be in normal form.
     pub(super) fn intern(&mut self, term: Term) -> Node {
         if let Some(&node) = self.known.get(&term) {

@@ -1,5 +1,7 @@
 //! Expressions as a person would write them, for documentation and messages.
 
+use std::fmt::Write;
+
 use super::{Graph, Node, Symbol, Term};
 
 /// How tightly the surroundings bind.
@@ -36,17 +38,18 @@ impl Graph {
                     if value.abs() == 1.0 {
                         text.push_str(&self.print_within(part, name, Binding::Sum));
                     } else {
-                        text.push_str(&format!(
+                        let _ = write!(
+                            text,
                             "{} * {}",
                             value.abs(),
                             self.print_within(part, name, Binding::Product)
-                        ));
+                        );
                     }
                 }
                 let constant = constant.get();
                 if constant != 0.0 {
                     let sign = if constant < 0.0 { '-' } else { '+' };
-                    text.push_str(&format!(" {sign} {}", constant.abs()));
+                    let _ = write!(text, " {sign} {}", constant.abs());
                 }
                 if outside > Binding::Loose {
                     format!("({text})")
@@ -73,8 +76,12 @@ impl Graph {
                 };
                 match below.as_slice() {
                     [] => {}
-                    [one] => text.push_str(&format!(" / {one}")),
-                    many => text.push_str(&format!(" / ({})", many.join(" * "))),
+                    [one] => {
+                        let _ = write!(text, " / {one}");
+                    }
+                    many => {
+                        let _ = write!(text, " / ({})", many.join(" * "));
+                    }
                 }
                 if outside > Binding::Sum {
                     format!("({text})")

@@ -8,7 +8,7 @@ mod scope;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use syn::{Attribute, Visibility};
 
 use crate::expr::{Graph, Node, Symbol};
@@ -40,8 +40,6 @@ pub(crate) struct Parameter {
     pub(crate) visibility: Visibility,
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) dimension: Dimension,
-    /// One, or the two of a point or vector.
-    pub(crate) nodes: Vec<Node>,
 }
 
 /// An input.
@@ -49,7 +47,6 @@ pub(crate) struct Quantity {
     pub(crate) name: Ident,
     pub(crate) documentation: Vec<Attribute>,
     pub(crate) dimension: Dimension,
-    pub(crate) node: Node,
 }
 
 /// What is to be found.
@@ -57,7 +54,6 @@ pub(crate) struct Unknown {
     pub(crate) name: Ident,
     pub(crate) documentation: Vec<Attribute>,
     pub(crate) dimension: Dimension,
-    pub(crate) node: Node,
     pub(crate) range: Option<Range>,
 }
 
@@ -67,13 +63,10 @@ pub(crate) struct Range {
     pub(crate) high: f64,
     /// `e > 0`
     pub(crate) text: String,
-    pub(crate) span: Span,
 }
 
 pub(crate) struct Equation {
     pub(crate) residual: Residual,
-    /// Of the `==`.
-    pub(crate) span: Span,
     /// The whole equation, for errors that span it.
     pub(crate) tokens: TokenStream,
     pub(crate) text: String,
@@ -93,7 +86,6 @@ pub(crate) struct Output {
     pub(crate) dimension: Dimension,
     pub(crate) value: Value,
     pub(crate) text: String,
-    pub(crate) span: Span,
 }
 
 /// A formula's value.
@@ -185,12 +177,11 @@ fn parameters(
             graph.symbol(Symbol::Parameter(count - 1))
         };
         let exponent = dimension.exponent();
-        let (nodes, typed) = if dimension.is_plane() {
+        let typed = if dimension.is_plane() {
             let (x, y) = (next(), next());
-            (vec![x, y], Typed::plane(x, y, exponent))
+            Typed::plane(x, y, exponent)
         } else {
-            let node = next();
-            (vec![node], Typed::scalar(node, exponent))
+            Typed::scalar(next(), exponent)
         };
         scope.declare(&field.name, Role::Parameter, Meaning::Value(typed), report);
         parameters.push(Parameter {
@@ -198,7 +189,6 @@ fn parameters(
             visibility: field.visibility.clone(),
             attributes: field.attributes.clone(),
             dimension,
-            nodes,
         });
     }
     parameters
@@ -224,7 +214,6 @@ fn quantities(
                         name: item.name.clone(),
                         documentation: item.documentation.clone(),
                         dimension: item.dimension,
-                        node,
                     });
                 }
             }
@@ -237,7 +226,6 @@ fn quantities(
                         name: quantity.name.clone(),
                         documentation: quantity.documentation.clone(),
                         dimension: quantity.dimension,
-                        node,
                         range: range
                             .as_ref()
                             .and_then(|clause| range::range(clause, &quantity.name, declaration, report)),
@@ -280,7 +268,6 @@ fn formulas(
                         Value::Scalar(node) => Residual::Scalar(node),
                         Value::Plane(x, y) => Residual::Plane(x, y),
                     },
-                    span: statement.operator.first,
                     tokens: statement.tokens.clone(),
                     text: statement.to_string(),
                 }));
@@ -337,7 +324,6 @@ fn output(
         dimension: statement.dimension,
         value,
         text: statement.value.to_string(),
-        span: statement.name.span(),
     })
 }
 
@@ -722,12 +708,16 @@ mod tests {
         };
         let declaration = syntax::parse(tokens, &mut report);
         let model = declaration.and_then(|declaration| build(&declaration, &mut report));
-        let Some(mut model) = model else {
+        let Some(model) = model else {
             panic!("{:?}", report.into_messages());
         };
-        let symbols: Vec<Vec<Node>> = model.parameters.iter().map(|p| p.nodes.clone()).collect();
-        let mut symbol = |index| model.graph.symbol(Symbol::Parameter(index));
-        assert_eq!(symbols, [vec![symbol(0)], vec![symbol(1), symbol(2)], vec![symbol(3)]]);
+        let Residual::Plane(_, y) = model.equations[0].residual else {
+            panic!("an equation of vectors has two parts");
+        };
+        // the point's y is the third scalar, and the lengths lie along x
+        let symbols = model.graph.symbols(y);
+        assert!(symbols.contains(&Symbol::Parameter(2)));
+        assert!(!symbols.contains(&Symbol::Parameter(1)) && !symbols.contains(&Symbol::Parameter(3)));
         assert_eq!(model.equations[0].text, "e * cis(t) == p + a + b");
     }
 }

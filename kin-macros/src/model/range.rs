@@ -49,7 +49,6 @@ pub(super) fn range(
         low,
         high,
         text: clause.text(&unknown.to_string()),
-        span: clause.extent.first,
     })
 }
 

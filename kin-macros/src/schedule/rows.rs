@@ -24,7 +24,7 @@ pub(super) enum Row {
 
 /// All rows of a program.
 pub(super) struct Rows {
-    pub(super) rows: Vec<Row>,
+    pub(super) list: Vec<Row>,
     known: HashMap<Row, RowId>,
     by_node: BTreeMap<Node, RowId>,
     /// What more than one product divides by: its reciprocal is computed once.
@@ -49,7 +49,7 @@ impl Rows {
             .map(|(base, _)| base)
             .collect();
         let mut rows = Self {
-            rows: Vec::new(),
+            list: Vec::new(),
             known: HashMap::new(),
             by_node: BTreeMap::new(),
             shared_divisors,
@@ -62,7 +62,7 @@ impl Rows {
     }
 
     pub(super) fn row(&self, id: RowId) -> &Row {
-        &self.rows[id.0]
+        &self.list[id.0]
     }
 
     /// The row of an expression that was among, or within, the roots.
@@ -74,8 +74,8 @@ impl Rows {
         if let Some(&id) = self.known.get(&row) {
             return id;
         }
-        let id = RowId(self.rows.len());
-        self.rows.push(row.clone());
+        let id = RowId(self.list.len());
+        self.list.push(row.clone());
         self.known.insert(row, id);
         id
     }

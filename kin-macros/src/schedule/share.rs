@@ -1,6 +1,6 @@
 //! Common subexpressions of sums and products: pairs that occur more than once are computed once.
 //!
-//! The greedy extraction of two-term divisors, most frequent first (R. K. Brayton and C. McMullen, "The decomposition
+//! The greedy extraction of two-term divisors, most frequent first (R. K. Brayton and C. `McMullen`, "The decomposition
 //! and factorization of Boolean expressions", ISCAS 1982, in its common form for arithmetic expressions).
 
 use std::collections::BTreeMap;
@@ -18,7 +18,7 @@ enum Pair {
 pub(super) fn share(rows: &mut Rows) {
     loop {
         let mut occurrences: BTreeMap<Pair, Vec<usize>> = BTreeMap::new();
-        for (index, row) in rows.rows.iter().enumerate() {
+        for (index, row) in rows.list.iter().enumerate() {
             for (pair, count) in pairs(row) {
                 occurrences.entry(pair).or_default().extend((0..count).map(|_| index));
             }
@@ -30,7 +30,7 @@ pub(super) fn share(rows: &mut Rows) {
         for (pair, mut places) in candidates {
             places.dedup();
             // earlier replacements may have used up what this pair needs
-            let current: usize = places.iter().map(|&place| count_in(&rows.rows[place], pair)).sum();
+            let current: usize = places.iter().map(|&place| count_in(&rows.list[place], pair)).sum();
             if current < 2 {
                 continue;
             }
@@ -40,7 +40,7 @@ pub(super) fn share(rows: &mut Rows) {
             });
             for place in places {
                 if RowId(place) != replacement {
-                    changed |= replace(&mut rows.rows[place], pair, replacement);
+                    changed |= replace(&mut rows.list[place], pair, replacement);
                 }
             }
         }

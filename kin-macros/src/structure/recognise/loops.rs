@@ -16,6 +16,14 @@ struct Rows<'a> {
     scale: Node,
 }
 
+/// A pair of rows read as a loop: each place's factor, and whether its angle runs clockwise.
+struct Reading<'a> {
+    /// How far it is from the plain way to write a loop.
+    cost: usize,
+    factors: Vec<(Complex, bool)>,
+    rows: Rows<'a>,
+}
+
 /// cos φ and sin φ times a power product: one place where a rotating vector stands.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Place {
@@ -54,7 +62,7 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
         .into_iter()
         .collect();
     let first = places.first()?;
-    let mut best: Option<(usize, Vec<(Complex, bool)>, Rows<'_>)> = None;
+    let mut best: Option<Reading<'_>> = None;
     for swapped in [false, true] {
         for mirrored in [false, true] {
             let rows = if swapped {
@@ -79,12 +87,12 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
                 .map(|(factor, mirrored)| 4 * usize::from(!factor.is_real(graph)) + 2 * usize::from(*mirrored))
                 .sum::<usize>()
                 + usize::from(swapped);
-            if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
-                best = Some((cost, factors, rows));
+            if best.as_ref().is_none_or(|least| cost < least.cost) {
+                best = Some(Reading { cost, factors, rows });
             }
         }
     }
-    let (_, factors, rows) = best?;
+    let Reading { factors, rows, .. } = best?;
     let arms: Vec<(Place, Arm)> = places
         .into_iter()
         .zip(factors)
