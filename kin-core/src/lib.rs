@@ -1,12 +1,61 @@
-//! Loop closures in, motion out: position, velocity, acceleration, jerk and snap of mechanisms.
+//! Loop closures in, motion out: position, velocity, acceleration, jerk and snap of plane mechanisms.
 //!
-//! This crate holds what generated solvers call at run time, and what their callers see: a
-//! [`Motion`] is a value with its time derivatives, a [`Plane`] is a vector of the plane, an [`Assembly`] says
-//! on which side a dyad is put together, and a [`SolveError`] says why there is no position. [`Mechanism`] is what all
-//! declared mechanisms have in common. The closed forms themselves are in [`solve`].
+//! [`mechanism!`] takes the loop closure of a mechanism as it is written on a blackboard. At compile time it finds out how
+//! the closure can be solved, differentiates it, and generates straight-line code: a closed-form position solver, and
+//! one solver for each derivative.
 //!
-//! The crate does not allocate and needs no standard library: without the default features, `libm` supplies the
-//! functions.
+//! ```
+//! use kin_core::prelude::*;
+//!
+//! mechanism! {
+//!     /// A slider-crank, driven at its slider.
+//!     pub struct Pump {
+//!         /// Crank.
+//!         pub crank: Length,
+//!         /// Connecting rod.
+//!         pub rod: Length,
+//!     }
+//!     input s: Length;
+//!     unknown theta: Angle, phi: Angle;
+//!
+//!     crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
+//! }
+//!
+//! let pump: Pump = Pump { crank: 3.0, rod: 4.0 };
+//! let stroke = Motion::from((5.0, 1.0, 0.0, 0.0, 0.0));
+//! let pose = pump.solve(stroke, Assembly::Open)?;
+//! assert!((pose.theta.position().tan() - 4.0 / 3.0).abs() < 1e-15);
+//! println!("{} {}", pose.theta.velocity(), pose.theta.snap());
+//!
+//! // beyond the reach of the links: an error, which says by how much
+//! let error = pump.position(7.5, Assembly::Open).unwrap_err();
+//! assert_eq!(error.margin(), Some(-0.5));
+//! # Ok::<(), SolveError>(())
+//! ```
+//!
+//! # Where to look
+//!
+//! | for | see |
+//! |---|---|
+//! | the language of declarations | [`mechanism!`] |
+//! | a value with its time derivatives | [`Motion`] |
+//! | a point or vector of the plane | [`Plane`] |
+//! | which of two solutions | [`Assembly`] |
+//! | why there is no position | [`SolveError`], [`Failure`] |
+//! | code for any mechanism | [`Mechanism`], [`Pose`] |
+//! | mechanisms ready to use | [`library`] |
+//! | the closed forms, with their costs | [`solve`] |
+//! | number types | [`Scalar`], and [`series`] for truncated Taylor series |
+//!
+//! # Units
+//!
+//! Angles are in radians and counter-clockwise. Lengths have any one unit, time has any one unit.
+//!
+//! # Features
+//!
+//! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm` supplies the
+//! floating-point functions. `num-dual` makes that crate's dual numbers a [`Scalar`], `nalgebra` converts to and
+//! from its points and vectors.
 #![no_std]
 #![cfg_attr(
     test,
@@ -76,7 +125,7 @@ pub use scalar::Scalar;
 /// Angles are in radians. Dimensions are checked: a length plus an angle, the sine of a length, or a scalar that
 /// is to equal a vector do not compile. The product of a length and an angle is a length.
 ///
-/// ```ignore
+/// ```
 /// use kin_core::prelude::*;
 ///
 /// mechanism! {

@@ -1,18 +1,18 @@
 //! What stands in for a mechanism whose declaration holds mistakes.
 //!
-//! The struct remains, so that an editor goes on completing its fields. Its methods remain as well, but what they return is a type
-//! with a mistake inside, the first of the declaration: the compiler knows that it has told of it, and stays silent about all that
-//! is done with it. (A macro that fails in the place of a type would leave `()` there; in the length of an array it leaves an
-//! error, and so does an associated type of that array.)
+//! The struct remains, so that an editor goes on completing its fields. It dereferences to a type with a mistake inside, the first
+//! of the declaration: the compiler knows that it has told of it, and stays silent about every method that is sought there, whatever
+//! its arguments, and about all that is done with what it returns. (A macro that fails in the place of a type would leave `()` there;
+//! in the length of an array it leaves an error, and so does an associated type of that array.)
 
 use std::collections::BTreeSet;
 
 use proc_macro2::{Span, TokenStream};
-use quote::{format_ident, quote_spanned};
+use quote::quote_spanned;
 
 use crate::emit;
 use crate::report::Report;
-use crate::syntax::{Declaration, ParameterField, Statement};
+use crate::syntax::{Declaration, ParameterField};
 
 /// The mistakes, and the stand-in for as much as could be read.
 pub(crate) fn tokens(declaration: Option<&Declaration>, report: Report, runtime: &TokenStream) -> TokenStream {
@@ -42,33 +42,6 @@ pub(crate) fn tokens(declaration: Option<&Declaration>, report: Report, runtime:
     };
     let site = Span::mixed_site();
     let name = &declaration.name;
-    let inputs: usize = declaration
-        .statements
-        .iter()
-        .map(|statement| match statement {
-            Statement::Inputs(items) => items.len(),
-            _ => 0,
-        })
-        .sum();
-    let methods = [
-        ("position", 2),
-        ("position_near", 2),
-        ("solve", 2),
-        ("solve_near", 2),
-        ("closure", inputs + 1),
-    ];
-    let methods = methods.iter().map(|&(method, arguments)| {
-        let method = format_ident!("{method}", span = site);
-        let types: Vec<_> = (0..arguments)
-            .map(|index| format_ident!("A{index}", span = site))
-            .collect();
-        quote_spanned! {site=>
-            #[doc(hidden)]
-            pub fn #method<#(#types),*>(&self, #(_: #types),*) -> Unexpanded {
-                ::core::unreachable!()
-            }
-        }
-    });
     quote_spanned! {site=>
         const _: () = {
             type Unexpanded = <[(); #first] as ::core::ops::Deref>::Target;
@@ -76,8 +49,16 @@ pub(crate) fn tokens(declaration: Option<&Declaration>, report: Report, runtime:
             impl<T> #name<T> {
                 #[doc(hidden)]
                 pub const ASSEMBLIES: Unexpanded = ::core::unreachable!();
+                #[doc(hidden)]
+                pub const OPERATIONS: Unexpanded = ::core::unreachable!();
+            }
 
-                #(#methods)*
+            impl<T> ::core::ops::Deref for #name<T> {
+                type Target = Unexpanded;
+
+                fn deref(&self) -> &Unexpanded {
+                    ::core::unreachable!()
+                }
             }
         };
         #(#others)*

@@ -16,6 +16,9 @@ const TOLERANCE: f64 = 1e-9;
 pub(crate) struct Probe(u64);
 
 impl Probe {
+    /// One of them.
+    pub(crate) const FIRST: Self = Self(0);
+
     /// The points, in a fixed order.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         (0..POINTS).map(Self)

@@ -184,13 +184,19 @@ fn has_full_rank(mut rows: Vec<Vec<f64>>) -> bool {
     true
 }
 
-/// Two equations of a block of which one is a multiple of the other.
+/// Two equations of a block of which one is a multiple of the other, by a number or by parameters.
 fn repeated(graph: &mut Graph, residuals: &[Node], equations: &[usize]) -> Option<(usize, usize)> {
     for (position, &second) in equations.iter().enumerate() {
         for &first in &equations[..position] {
             let ratio = graph.divide(residuals[first], residuals[second]);
+            // the same parameters with everything else changed
             let ratios: Vec<f64> = Probe::all()
-                .map(|probe| graph.evaluate(ratio, &|symbol| probe.value(symbol)))
+                .map(|probe| {
+                    graph.evaluate(ratio, &|symbol| match symbol {
+                        Symbol::Parameter(_) => Probe::FIRST.value(symbol),
+                        _ => probe.value(symbol),
+                    })
+                })
                 .collect();
             if ratios
                 .iter()
