@@ -1,5 +1,24 @@
 //! The code in the README and in the book, compiled and run as documentation tests.
 
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-mod readme {}
+macro_rules! chapters {
+    ($($name:ident: $path:literal;)+) => {
+        $(
+            #[cfg(doctest)]
+            #[doc = include_str!($path)]
+            mod $name {}
+        )+
+    };
+}
+
+chapters! {
+    readme: "../../README.md";
+    introduction: "../../docs/introduction.md";
+    theory: "../../docs/theory.md";
+    grammar: "../../docs/grammar.md";
+    closed_forms: "../../docs/closed-forms.md";
+    errors: "../../docs/errors.md";
+    verification: "../../docs/verification.md";
+    library: "../../docs/library.md";
+    architecture: "../../docs/architecture.md";
+    decisions: "../../docs/decisions.md";
+}

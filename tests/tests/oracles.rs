@@ -1,0 +1,55 @@
+//! Every mechanism of the library, every order, every assembly, against both oracles.
+
+use kin_core::library::{
+    FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank,
+    SliderCrankFirstApproximation, SliderCrankHigherApproximation,
+};
+use kin_core::prelude::*;
+use kin_tests::oracles::Worst;
+use kin_tests::random::Random;
+
+/// A grid of crank angles with random motions and dimensions.
+fn prove<M: Mechanism<Scalar = f64>>(name: &str, mut dimension: impl FnMut(&mut Random, usize) -> f64) {
+    let mut random = Random::new(M::DESCRIPTION.name.len() as u64);
+    let mut worst = Worst::default();
+    for linkage in 0..40 {
+        let mechanism = M::from_parameters(M::Parameters::from_fn(|index| dimension(&mut random, index)));
+        for step in 0..12 {
+            let angle = f64::from(30 * step + linkage % 7).to_radians();
+            let inputs = M::Inputs::from_fn(|_| Motion::new(random.motion(angle)));
+            for assembly in M::assemblies() {
+                worst.check(&mechanism, inputs, assembly);
+            }
+        }
+    }
+    worst.report(name);
+}
+
+fn any_length(random: &mut Random, _: usize) -> f64 {
+    random.between(0.5, 5.0)
+}
+
+/// A crank shorter than the rod, so that the series converge.
+fn crank_and_rod(random: &mut Random, index: usize) -> f64 {
+    if index == 0 {
+        random.between(0.5, 1.0)
+    } else {
+        random.between(1.5, 5.0)
+    }
+}
+
+#[test]
+fn four_bars() {
+    prove::<FourBar>("four-bar, vector loop", any_length);
+    prove::<GeometricFourBar>("four-bar, geometric method", any_length);
+    prove::<FreudensteinFourBar>("four-bar, Freudenstein", any_length);
+}
+
+#[test]
+fn slider_cranks() {
+    prove::<SliderCrank>("slider-crank", any_length);
+    prove::<OffsetSliderCrank>("slider-crank with offset", any_length);
+    prove::<InvertedSliderCrank>("inverted slider-crank", any_length);
+    prove::<SliderCrankFirstApproximation>("slider-crank, first approximation", crank_and_rod);
+    prove::<SliderCrankHigherApproximation>("slider-crank, (R/L)^5", crank_and_rod);
+}
