@@ -1,5 +1,6 @@
 //! Proof of kin.
 
+mod book;
 pub mod mechanisms;
 pub mod notes;
 pub mod oracles;
