@@ -42,9 +42,9 @@ pub(crate) fn assemble(
     let mut choices = Vec::new();
     let mut assemblies = 0;
     for (index, block) in blocks.iter().enumerate() {
-        builder.steps.push(Step::Open { block: index });
         let orientation = choice::orientation(builder.graph, &block.form);
         let mode = choice::mode(builder.graph, &block.form, &block.unknowns, ranges, &mut assemblies);
+        builder.steps.push(Step::Open { block: index, mode });
         choices.push(Choice { mode, orientation });
         builder.form(&block.form);
         for &unknown in &block.unknowns {

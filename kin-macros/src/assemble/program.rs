@@ -54,7 +54,7 @@ pub(crate) enum Step {
     /// is as good on any other turn; any other is not, for it stands in its equation as a number.
     Bound { unknown: usize, turns: bool },
     /// A block begins.
-    Open { block: usize },
+    Open { block: usize, mode: Mode },
     /// What must not vanish, because something is divided by it later.
     Regular { node: Node },
     /// It ends.

@@ -150,25 +150,41 @@ impl Solver {
         }
     }
 
-    /// What it costs, in the assembly that costs more; a test runs every library mechanism with counting numbers and
-    /// compares.
-    pub(crate) const fn cost(self) -> Cost {
-        let (additions, multiplications, divisions, square_roots, negations) = match self {
-            Self::CircleCircle => (8, 12, 1, 1, 0),
-            Self::CircleCircleSquared => (6, 11, 1, 1, 0),
-            Self::CircleLine => (7, 10, 1, 1, 0),
-            Self::CircleLineX | Self::CircleLineY => (2, 1, 0, 1, 1),
-            Self::Polar => (1, 2, 0, 1, 1),
-            Self::PolarOffset => (5, 9, 1, 1, 1),
-            Self::CosineSine => (4, 9, 1, 1, 0),
-            Self::InverseCosine | Self::InverseSine => (2, 1, 0, 1, 1),
-            Self::Linear => (0, 0, 1, 0, 0),
-            Self::LinearPair => (3, 8, 1, 0, 0),
-            Self::Quadratic => (2, 3, 1, 1, 0),
-            Self::SquareRoot => (0, 0, 0, 1, 1),
-            Self::SquareOfRoot => (0, 1, 0, 0, 0),
-            Self::SineOfArc | Self::CosineOfArc | Self::TangentOfArc | Self::Logarithm => (0, 0, 0, 0, 0),
+    /// What it costs in the assembly that costs more.
+    pub(crate) const fn dearest(self) -> Cost {
+        let (open, crossed) = (self.cost(true), self.cost(false));
+        if open.negations > crossed.negations {
+            open
+        } else {
+            crossed
+        }
+    }
+
+    /// What it costs in an assembly; a test runs every library mechanism with counting numbers and compares.
+    pub(crate) const fn cost(self, is_open: bool) -> Cost {
+        let (additions, multiplications, divisions, square_roots) = match self {
+            Self::CircleCircle => (8, 12, 1, 1),
+            Self::CircleCircleSquared => (6, 11, 1, 1),
+            Self::CircleLine => (7, 10, 1, 1),
+            Self::CircleLineX | Self::CircleLineY => (2, 1, 0, 1),
+            Self::Polar => (1, 2, 0, 1),
+            Self::PolarOffset => (5, 9, 1, 1),
+            Self::CosineSine => (4, 9, 1, 1),
+            Self::InverseCosine | Self::InverseSine => (2, 1, 0, 1),
+            Self::Linear => (0, 0, 1, 0),
+            Self::LinearPair => (3, 8, 1, 0),
+            Self::Quadratic => (2, 3, 1, 1),
+            Self::SquareRoot => (0, 0, 0, 1),
+            Self::SquareOfRoot => (0, 1, 0, 0),
+            Self::SineOfArc | Self::CosineOfArc | Self::TangentOfArc | Self::Logarithm => (0, 0, 0, 0),
         };
+        // one of the assemblies changes a sign
+        let changes_sign = match self {
+            Self::CircleLineX | Self::CircleLineY => is_open,
+            Self::Polar | Self::PolarOffset | Self::InverseCosine | Self::InverseSine | Self::SquareRoot => !is_open,
+            _ => false,
+        };
+        let negations = if changes_sign { 1 } else { 0 };
         let (sine_cosines, others) = match self {
             Self::SineOfArc | Self::CosineOfArc | Self::TangentOfArc => (1, 0),
             Self::Logarithm => (0, 1),

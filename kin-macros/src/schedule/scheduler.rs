@@ -7,7 +7,7 @@ use super::operation::{Operation, Operations, Value};
 use super::rows::Rows;
 use super::share;
 use super::statement::{Expression, Scheduled, ScheduledStage, Statement};
-use crate::assemble::{Argument, Cost, Names, Program, Step};
+use crate::assemble::{Argument, Cost, Mode, Names, Program, Solver, Step};
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
 
@@ -35,6 +35,8 @@ pub(super) struct Scheduler<'a> {
     stage: usize,
     statements: Vec<Statement>,
     cost: Cost,
+    /// How the block that is being written chooses between its solutions.
+    mode: Mode,
 }
 
 /// What may be decided about a schedule.
@@ -79,6 +81,7 @@ pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)
         stage: 0,
         statements: Vec::new(),
         cost: Cost::default(),
+        mode: Mode::Only,
     };
     scheduler.survey(&rows);
     scheduler.write(&rows)
@@ -202,7 +205,7 @@ impl Scheduler<'_> {
                     })
                     .collect();
                 let results = results.iter().map(|&symbol| self.result_name(symbol)).collect();
-                self.cost = self.cost + solver.cost();
+                self.charge_solver(*solver);
                 self.statements.push(Statement::Solve {
                     solver: *solver,
                     arguments,
@@ -217,7 +220,10 @@ impl Scheduler<'_> {
                     Operation::Number(number) if number.get() > 0.0
                 );
                 let length = (!is_positive).then(|| self.argument(length));
-                self.cost.arc_tangents += 1;
+                self.charge(Cost {
+                    arc_tangents: 1,
+                    ..Cost::default()
+                });
                 let name = self.names.of(*symbol).to_owned();
                 self.statements.push(Statement::Angle { name, y, x, length });
             }
@@ -227,14 +233,40 @@ impl Scheduler<'_> {
                     turns: *turns,
                 });
             }
-            Step::Open { block } => self.statements.push(Statement::Open { block: *block }),
+            Step::Open { block, mode } => {
+                self.mode = *mode;
+                self.statements.push(Statement::Open { block: *block });
+            }
             Step::Regular { node } => {
                 let value = self.value(rows, *node);
                 let value = self.argument(value);
                 self.statements.push(Statement::Regular { value });
             }
-            Step::Close { block } => self.statements.push(Statement::Close { block: *block }),
+            Step::Close { block } => {
+                self.mode = Mode::Only;
+                self.statements.push(Statement::Close { block: *block });
+            }
         }
+    }
+
+    /// Adds to the cost; a block whose range is looked up solves for both candidates.
+    fn charge(&mut self, cost: Cost) {
+        let times = if matches!(self.mode, Mode::Ranged { .. }) { 2 } else { 1 };
+        for _ in 0..times {
+            self.cost = self.cost + cost;
+        }
+    }
+
+    fn charge_solver(&mut self, solver: Solver) {
+        let cost = match self.mode {
+            Mode::Fixed { is_open } => solver.cost(is_open),
+            Mode::Ranged { .. } => {
+                self.cost = self.cost + solver.cost(true) + solver.cost(false);
+                return;
+            }
+            Mode::Assembly(_) | Mode::Only => solver.dearest(),
+        };
+        self.cost = self.cost + cost;
     }
 
     fn result_name(&mut self, symbol: Symbol) -> Option<String> {
@@ -286,7 +318,7 @@ impl Scheduler<'_> {
             };
             let argument = self.expression(arguments[0]);
             let name = self.bind(value);
-            self.cost = self.cost + self.operations.operation(value).cost();
+            self.charge(self.operations.operation(value).cost());
             self.statements.push(Statement::Checked {
                 name: name.clone(),
                 function,
@@ -333,7 +365,7 @@ impl Scheduler<'_> {
 
     fn unfold(&mut self, value: Value) -> Expression {
         let operation = self.operations.operation(value).clone();
-        self.cost = self.cost + operation.cost();
+        self.charge(operation.cost());
         let mut part = |operand: Value| Box::new(self.expression(operand));
         match operation {
             Operation::Number(number) => Expression::Number(number.get()),
@@ -368,7 +400,10 @@ impl Scheduler<'_> {
         } else {
             (other, Some(name))
         };
-        self.cost.sine_cosines += 1;
+        self.charge(Cost {
+            sine_cosines: 1,
+            ..Cost::default()
+        });
         self.statements.push(Statement::SinCos { sine, cosine, argument });
     }
 }
