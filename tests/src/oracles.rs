@@ -41,6 +41,10 @@ fn run<M: Mechanism<Scalar = f64>, S: Scalar>(
     Ok(unknowns.as_ref().to_vec())
 }
 
+/// How many units of error are allowed, order by order: the number of terms in an n-th derivative, generously. Bell's and
+/// Leibniz's sums multiply it by about five an order.
+pub const ALLOWED: [f64; 5] = [16.0, 32.0, 128.0, 512.0, 2048.0];
+
 /// Oracle (a): the unknowns' derivatives by differentiating the position solution.
 ///
 /// # Errors
@@ -51,7 +55,12 @@ pub fn by_differentiation<M: Mechanism<Scalar = f64>>(
     assembly: M::Assembly,
 ) -> Result<Vec<[f64; 5]>, SolveError> {
     let second = run(mechanism, inputs, assembly, HyperDual64::new(0.0, 1.0, 1.0, 0.0))?;
-    let third = run(mechanism, inputs, assembly, HyperHyperDual64::new(0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0))?;
+    let third = run(
+        mechanism,
+        inputs,
+        assembly,
+        HyperHyperDual64::new(0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
+    )?;
     let zero = HyperDual64::from(0.0);
     let one = HyperDual64::from(1.0);
     let time = HyperDual::new(HyperDual64::new(0.0, 1.0, 1.0, 0.0), one, one, zero);
@@ -70,19 +79,19 @@ pub fn by_differentiation<M: Mechanism<Scalar = f64>>(
 }
 
 /// Oracle (b): what is left of each equation, order by order, when the motions are put into it.
-pub fn closure<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    inputs: &Inputs<M>,
-    unknowns: &Motions<M>,
-) -> Vec<[f64; 5]> {
+pub fn closure<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Motions<M>) -> Vec<[f64; 5]> {
     type S = Series<5>;
     let lifted = mechanism.convert(S::constant);
     let series = |motion: &Motion<f64, 5>| S::from_derivatives(motion.derivatives());
-    let inputs =
-        <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| series(&inputs.as_ref()[index]));
+    let inputs = <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| series(&inputs.as_ref()[index]));
     let unknowns =
         <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| series(&unknowns.as_ref()[index]));
-    lifted.residuals(inputs, unknowns).as_ref().iter().map(|left| left.derivatives()).collect()
+    lifted
+        .residuals(inputs, unknowns)
+        .as_ref()
+        .iter()
+        .map(|left| left.derivatives())
+        .collect()
 }
 
 /// What errors are measured against at a pose.
@@ -114,7 +123,11 @@ impl Gauge {
             .filter(|(quantity, _)| is_length(quantity))
             .fold(0.0_f64, |largest, (_, value)| largest.max(value.abs()));
         let natural = |quantity: &kin_core::Quantity, motion: &Motion<f64, 5>| {
-            if is_length(quantity) { lengths } else { motion.value().abs().max(1.0) }
+            if is_length(quantity) {
+                lengths
+            } else {
+                motion.value().abs().max(1.0)
+            }
         };
         let sizes: Vec<f64> = description
             .unknowns
@@ -140,11 +153,20 @@ impl Gauge {
             for (entry, size) in row.iter_mut().zip(&sizes) {
                 *entry *= size;
             }
-            let size = row.iter().chain(&others).fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+            let size = row
+                .iter()
+                .chain(&others)
+                .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
             row.iter_mut().for_each(|entry| *entry /= size);
             rows.push(size);
         }
-        Self { condition: condition(jacobian), frequency, driving, sizes, rows }
+        Self {
+            condition: condition(jacobian),
+            frequency,
+            driving,
+            sizes,
+            rows,
+        }
     }
 
     /// The unit of error of an unknown's n-th derivative, against oracle (a).
@@ -193,7 +215,12 @@ fn gradients<M: Mechanism<Scalar = f64>>(
         });
         let lifted_unknowns =
             <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| number(index, unknowns[index]));
-        lifted.residuals(lifted_inputs, lifted_unknowns).as_ref().iter().map(|left| left.eps).collect()
+        lifted
+            .residuals(lifted_inputs, lifted_unknowns)
+            .as_ref()
+            .iter()
+            .map(|left| left.eps)
+            .collect()
     };
     let by_unknowns: Vec<Vec<f64>> = (0..unknowns.len()).map(column).collect();
     let by_others: Vec<Vec<f64>> = parameters
@@ -201,11 +228,16 @@ fn gradients<M: Mechanism<Scalar = f64>>(
         .chain(&inputs)
         .enumerate()
         .map(|(index, value)| {
-            column(unknowns.len() + index).into_iter().map(|partial| partial * value.abs()).collect()
+            column(unknowns.len() + index)
+                .into_iter()
+                .map(|partial| partial * value.abs())
+                .collect()
         })
         .collect();
     let rows = |columns: &[Vec<f64>]| -> Vec<Vec<f64>> {
-        (0..unknowns.len()).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
+        (0..unknowns.len())
+            .map(|row| columns.iter().map(|column| column[row]).collect())
+            .collect()
     };
     (rows(&by_unknowns), rows(&by_others))
 }
@@ -214,11 +246,14 @@ fn gradients<M: Mechanism<Scalar = f64>>(
 fn condition(matrix: Vec<Vec<f64>>) -> f64 {
     let size = matrix.len();
     let norm = |rows: &[Vec<f64>]| {
-        rows.iter().map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>()).fold(0.0_f64, f64::max)
+        rows.iter()
+            .map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>())
+            .fold(0.0_f64, f64::max)
     };
     let mut left = matrix;
-    let mut inverse: Vec<Vec<f64>> =
-        (0..size).map(|row| (0..size).map(|column| if row == column { 1.0 } else { 0.0 }).collect()).collect();
+    let mut inverse: Vec<Vec<f64>> = (0..size)
+        .map(|row| (0..size).map(|column| if row == column { 1.0 } else { 0.0 }).collect())
+        .collect();
     for step in 0..size {
         let pivot = (step..size)
             .max_by(|&a, &b| left[a][step].abs().total_cmp(&left[b][step].abs()))
@@ -286,13 +321,15 @@ impl Worst {
     /// If one is not, or if there were hardly any poses.
     pub fn report(&self, name: &str) {
         let row = |errors: [f64; 5]| errors.map(|error| format!("{error:9.3}")).join(" ");
-        println!("{name:32} {:6} poses, differentiation {}", self.poses, row(self.differentiation));
+        println!(
+            "{name:32} {:6} poses, differentiation {}",
+            self.poses,
+            row(self.differentiation)
+        );
         println!("{:32} {:6}        closure         {}", "", "", row(self.closure));
         assert!(self.poses > 50, "{name}: only {} poses", self.poses);
-        // the number of terms in an n-th derivative, generously: Bell's and Leibniz's sums multiply it by about five an order
-        let allowed = [16.0, 32.0, 128.0, 512.0, 2048.0];
         for errors in [self.differentiation, self.closure] {
-            for (order, (error, allowed)) in errors.into_iter().zip(allowed).enumerate() {
+            for (order, (error, allowed)) in errors.into_iter().zip(ALLOWED).enumerate() {
                 assert!(error <= allowed, "{name}, order {order}: {error} units of error");
             }
         }

@@ -30,14 +30,16 @@ fn larger(a: Operations, b: Operations) -> Operations {
 }
 
 fn declared<M: Mechanism>() -> Operations {
-    M::DESCRIPTION.operations.iter().fold(Operations::default(), |sum, order| sum.plus(*order))
+    M::DESCRIPTION
+        .operations
+        .iter()
+        .fold(Operations::default(), |sum, order| sum.plus(*order))
 }
 
 /// Runs a mechanism on counting numbers in every assembly, and compares the dearest with what was declared.
 fn prove<M: Mechanism<Scalar = Counted>>() {
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| Counted::new(PARAMETERS[index])));
-    let inputs =
-        M::Inputs::from_fn(|_| Motion::new([ANGLE, 1.0, 2.0, 3.0, 4.0].map(Counted::new)));
+    let inputs = M::Inputs::from_fn(|_| Motion::new([ANGLE, 1.0, 2.0, 3.0, 4.0].map(Counted::new)));
     let mut measured = Operations::default();
     let mut count_of_poses = 0;
     for assembly in M::assemblies() {
@@ -68,7 +70,12 @@ fn constants_are_what_is_carried_out() {
 #[test]
 fn each_order_costs_only_its_own_work() {
     let counted = Counted::new;
-    let linkage = FourBar { r1: counted(5.0), r2: counted(2.0), r3: counted(4.0), r4: counted(3.5) };
+    let linkage = FourBar {
+        r1: counted(5.0),
+        r2: counted(2.0),
+        r3: counted(4.0),
+        r4: counted(3.5),
+    };
     let position = linkage.position(counted(ANGLE), Assembly::Open).expect("it closes");
     let velocity = position.velocity(counted(1.0));
     let acceleration = velocity.acceleration(counted(2.0));
@@ -88,7 +95,10 @@ fn each_order_costs_only_its_own_work() {
 fn the_four_bar_beats_the_hand_made_figure() {
     let cost = declared::<FourBar>();
     assert!(cost.arithmetic() <= 197, "{}", cost.arithmetic());
-    assert_eq!((cost.sine_cosines, cost.square_roots, cost.arc_tangents, cost.others), (1, 1, 2, 0));
+    assert_eq!(
+        (cost.sine_cosines, cost.square_roots, cost.arc_tangents, cost.others),
+        (1, 1, 2, 0)
+    );
 }
 
 #[test]
@@ -96,7 +106,10 @@ fn library_costs() {
     let mut table = String::new();
     let mut line = |description: kin_core::Description| {
         let orders: Vec<usize> = description.operations.iter().map(Operations::arithmetic).collect();
-        let sum = description.operations.iter().fold(Operations::default(), |sum, order| sum.plus(*order));
+        let sum = description
+            .operations
+            .iter()
+            .fold(Operations::default(), |sum, order| sum.plus(*order));
         writeln!(
             table,
             "{:32} {orders:3?} = {:3}, {} sine-cosine pairs, {} roots, {} arctangents",
