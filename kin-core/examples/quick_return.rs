@@ -4,7 +4,7 @@
 //! cargo run --release --example quick_return
 //! ```
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use kin_core::prelude::*;
 
@@ -84,11 +84,25 @@ fn main() -> Result<(), SolveError> {
         );
     }
 
-    let [(to_and_fro, low), (_, high)] = dead_points(&press)?;
+    let strokes = strokes(&press)?;
+    let time_ratio = strokes.slow / strokes.fast;
+    println!("\nstroke {:.4} m", strokes.length);
+    println!("time ratio of the slow stroke to the fast one {time_ratio:.3}");
+
+    // the extremes over the turn, at every degree of the crank
+    let (mut forward, mut backward, mut snap): (f64, f64, f64) = (0.0, 0.0, 0.0);
+    for degrees in 0..360 {
+        let crank = Motion::at_constant_speed(f64::from(degrees).to_radians(), speed);
+        let ram = press.solve(crank, Assembly::Open)?.ram;
+        forward = forward.max(ram.velocity());
+        backward = backward.max(-ram.velocity());
+        snap = snap.max(ram.snap().abs());
+    }
     println!(
-        "\nstroke {:.4} m, time ratio of the two strokes {to_and_fro:.3}",
-        high - low
+        "velocity ratio of the fast stroke to the slow one, peak by peak {:.3}",
+        forward / backward
     );
+    println!("largest snap {snap:.0} m/s^4");
     Ok(())
 }
 
@@ -108,18 +122,26 @@ fn bar(part: f64) -> String {
     }
 }
 
-/// The time ratio with the lowest position of the ram, and with the highest.
-///
+/// The ram's two strokes: their length, and the crank angles that they take.
+struct Strokes {
+    length: f64,
+    slow: f64,
+    fast: f64,
+}
+
 /// The ram reverses where arm and rod lie on one line: at phi = 0 (farthest) and phi = 180 degrees. There the crank's
 /// pin is level with the lever's pivot, sin(theta) = -ground / crank.
-fn dead_points(press: &QuickReturn) -> Result<[(f64, f64); 2], SolveError> {
+fn strokes(press: &QuickReturn) -> Result<Strokes, SolveError> {
     let dip = (press.ground / press.crank).asin();
-    let (right, left) = (-dip, std::f64::consts::PI + dip);
-    let ratio = (left - right) / (TAU - (left - right));
+    let (right, left) = (-dip, PI + dip);
     let ram = |theta| {
         press
             .position(theta, Assembly::Open)
             .map(|position| position.ram.value())
     };
-    Ok([(ratio, ram(left)?), (ratio, ram(right)?)])
+    Ok(Strokes {
+        length: ram(right)? - ram(left)?,
+        slow: left - right,
+        fast: TAU - (left - right),
+    })
 }

@@ -1,0 +1,171 @@
+//! What the book says without running it: its chapters, its tables of operations, and its excerpts of generated code.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use kin_core::library::{
+    FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank,
+    SliderCrankFirstApproximation, SliderCrankHigherApproximation,
+};
+use kin_core::{Mechanism, Operations};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn read(path: &str) -> String {
+    fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// The files of the chapters, in alphabetical order.
+fn chapters() -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(root().join("docs"))
+        .expect("the book is there")
+        .map(|entry| {
+            entry
+                .expect("it can be listed")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "md"))
+        .filter(|name| name != "SUMMARY.md")
+        .collect();
+    names.sort_unstable();
+    names
+}
+
+/// Each fenced block's language and lines.
+fn blocks(text: &str) -> Vec<(String, Vec<String>)> {
+    let mut blocks: Vec<(String, Vec<String>)> = Vec::new();
+    let mut is_inside = false;
+    for line in text.lines() {
+        match line.strip_prefix("```") {
+            Some(_) if is_inside => is_inside = false,
+            Some(language) => {
+                is_inside = true;
+                blocks.push((language.to_owned(), Vec::new()));
+            }
+            None if is_inside => blocks.last_mut().expect("a block is open").1.push(line.to_owned()),
+            None => {}
+        }
+    }
+    assert!(!is_inside, "a block is not closed");
+    blocks
+}
+
+/// The summary links every chapter by its own title, and nothing else.
+#[test]
+fn the_summary_lists_the_chapters() {
+    let mut links: Vec<(String, String)> = read("docs/SUMMARY.md")
+        .lines()
+        .filter_map(|line| {
+            let (title, target) = line.trim_start_matches("- ").strip_prefix('[')?.split_once("](")?;
+            Some((target.trim_end_matches(')').to_owned(), title.to_owned()))
+        })
+        .collect();
+    links.sort_unstable();
+    let found: Vec<(String, String)> = chapters()
+        .into_iter()
+        .map(|name| {
+            let text = read(&format!("docs/{name}"));
+            let title = text.lines().next().and_then(|line| line.strip_prefix("# "));
+            let title = title.unwrap_or_else(|| panic!("{name} has no title")).to_owned();
+            (name, title)
+        })
+        .collect();
+    assert_eq!(links, found);
+}
+
+/// Code runs as a documentation test if its chapter is listed there, and if its block says that it is Rust.
+#[test]
+fn all_code_is_run() {
+    let listed = read("tests/src/book.rs");
+    for name in chapters() {
+        assert!(listed.contains(&format!("docs/{name}\"")), "{name} is not run");
+    }
+    let pages = chapters().into_iter().map(|name| format!("docs/{name}"));
+    for page in pages.chain(["README.md".to_owned(), "CHANGELOG.md".to_owned()]) {
+        for (language, _) in blocks(&read(&page)) {
+            let is_known = ["rust", "rust,compile_fail", "text", "sh", "toml"].contains(&language.as_str());
+            assert!(is_known, "{page} has a block of `{language}`");
+        }
+    }
+}
+
+/// Without white space, and without the commas that formatting sets at the ends of lines.
+fn bare(code: &str) -> String {
+    let dense: String = code.chars().filter(|character| !character.is_whitespace()).collect();
+    dense.replace(",)", ")")
+}
+
+/// What the architecture shows of the generated code stands in the snapshot of the expansion.
+#[test]
+fn excerpts_are_what_is_generated() {
+    let snapshot = bare(&read(
+        "kin-macros/src/snapshots/kin_macros__expansion_tests__four_bar_expansion.snap",
+    ));
+    let mut count = 0;
+    for (language, lines) in blocks(&read("docs/architecture.md")) {
+        let is_generated = lines.first().is_some_and(|line| line.starts_with("let "));
+        if language == "text" && is_generated {
+            let code = lines.join("\n");
+            assert!(snapshot.contains(&bare(&code)), "not generated any more:\n{code}");
+            count += 1;
+        }
+    }
+    assert!(count > 0, "there are excerpts");
+}
+
+fn row<M: Mechanism>() -> String {
+    let description = M::DESCRIPTION;
+    let sum = description
+        .operations
+        .iter()
+        .fold(Operations::NONE, |sum, order| sum.plus(*order));
+    let orders: Vec<String> = description
+        .operations
+        .iter()
+        .map(|order| order.arithmetic().to_string())
+        .collect();
+    assert_eq!(sum.others, 0, "the table has no column for other functions");
+    format!(
+        "| `{}` | {} | {} | {} | {} | {} |",
+        description.name,
+        orders.join(" | "),
+        sum.arithmetic(),
+        sum.square_roots,
+        sum.sine_cosines,
+        sum.arc_tangents
+    )
+}
+
+/// The library's table of operations is what the mechanisms say of themselves.
+#[test]
+fn tables_of_operations_are_up_to_date() {
+    let library = read("docs/library.md");
+    for row in [
+        row::<FourBar>(),
+        row::<GeometricFourBar>(),
+        row::<FreudensteinFourBar>(),
+        row::<SliderCrank>(),
+        row::<OffsetSliderCrank>(),
+        row::<InvertedSliderCrank>(),
+        row::<SliderCrankFirstApproximation>(),
+        row::<SliderCrankHigherApproximation>(),
+    ] {
+        assert!(
+            library.lines().any(|line| line == row),
+            "docs/library.md should say\n{row}"
+        );
+    }
+    let orders: Vec<String> = FourBar::OPERATIONS
+        .iter()
+        .map(|order| order.arithmetic().to_string())
+        .collect();
+    let row = format!("| operations | {} |", orders.join(" | "));
+    assert!(
+        read("README.md").lines().any(|line| line == row),
+        "README.md should say\n{row}"
+    );
+}
