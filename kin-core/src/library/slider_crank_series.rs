@@ -25,7 +25,7 @@ const TAIL: u32 = 20_000;
 /// use kin_core::prelude::*;
 ///
 /// let crank = Motion::from((1.0_f64, 100.0, 0.0, 0.0, 0.0));
-/// let series = SliderCrankSeries { r: 1.0, l: 3.5, terms: 4 };
+/// let series = SliderCrankSeries { r: 1.0, l: 3.5, terms: 8 };
 /// let exact = SliderCrank { r: 1.0, l: 3.5 }.solve(crank, Assembly::Open)?;
 /// let (approximate, bound) = (series.motion(crank), series.remainder_bound(crank));
 /// assert!((approximate.snap() - exact.s.snap()).abs() <= bound[4]);

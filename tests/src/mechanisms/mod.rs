@@ -1,3 +1,10 @@
 //! Declared mechanisms to put the macro to the test.
 
+pub mod dyads;
 pub mod four_bar_typings;
+pub mod inverted_slider_crank_typings;
+pub mod multi_loop;
+pub mod outputs;
+pub mod ranged;
+pub mod scalar_forms;
+pub mod slider_crank_typings;
