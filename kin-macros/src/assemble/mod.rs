@@ -12,4 +12,4 @@ mod units;
 
 pub(crate) use blocks::assemble;
 pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
-pub(crate) use solver::{Argument, Cost, Returns, Solver};
+pub(crate) use solver::{Argument, Cost, Returns, Shape, Solver};

@@ -50,7 +50,25 @@ pub(crate) enum Argument {
     Matrix([[Node; 2]; 2]),
 }
 
+/// The shape of what is handed to a closed form.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Shape {
+    Scalar,
+    Plane,
+    Pair,
+    Matrix,
+}
+
 impl Argument {
+    pub(crate) const fn shape(&self) -> Shape {
+        match self {
+            Self::Scalar(_) => Shape::Scalar,
+            Self::Plane(..) => Shape::Plane,
+            Self::Pair(_) => Shape::Pair,
+            Self::Matrix(_) => Shape::Matrix,
+        }
+    }
+
     /// The expressions in it.
     pub(crate) fn nodes(&self) -> Vec<Node> {
         match *self {

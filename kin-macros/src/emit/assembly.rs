@@ -149,7 +149,7 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
     let inputs = mechanism.input_names();
     let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
     let stage = &mechanism.plan.orientations;
-    let near = local("near");
+    let near = mechanism.own("near");
     let used: std::collections::BTreeSet<String> = stage.statements.iter().flat_map(Statement::uses).collect();
     let unknowns = (0..mechanism.model.unknowns.len())
         .map(|index| (index, mechanism.plan.names.of(Symbol::Unknown(index)).to_owned()))

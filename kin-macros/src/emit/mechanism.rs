@@ -83,13 +83,13 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         #attributes
         impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
             type Scalar = T;
-            type With<S: #runtime::Scalar> = #name<S>;
+            type With<Number: #runtime::Scalar> = #name<Number>;
             type Assembly = #assembly_type;
             type Pose = #pose<T>;
-            type Parameters<V: ::core::marker::Copy> = [V; #parameter_count];
-            type Inputs<V: ::core::marker::Copy> = [V; #input_count];
-            type Unknowns<V: ::core::marker::Copy> = [V; #unknown_count];
-            type Residuals<V: ::core::marker::Copy> = [V; #residual_count];
+            type Parameters<Element: ::core::marker::Copy> = [Element; #parameter_count];
+            type Inputs<Element: ::core::marker::Copy> = [Element; #input_count];
+            type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
+            type Residuals<Element: ::core::marker::Copy> = [Element; #residual_count];
 
             const DESCRIPTION: #runtime::Description = #description;
             const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
@@ -107,10 +107,10 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 [#(#values),*]
             }
 
-            fn convert<S: #runtime::Scalar>(
+            fn convert<Number: #runtime::Scalar>(
                 &self,
-                mut #convert: impl ::core::ops::FnMut(T) -> S,
-            ) -> #name<S> {
+                mut #convert: impl ::core::ops::FnMut(T) -> Number,
+            ) -> #name<Number> {
                 #name { #(#converted),* }
             }
 
@@ -145,8 +145,8 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         #attributes
         impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {
             type Scalar = T;
-            type Unknowns<V: ::core::marker::Copy> = [V; #unknown_count];
-            type Outputs<V: ::core::marker::Copy> = [V; #output_count];
+            type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
+            type Outputs<Element: ::core::marker::Copy> = [Element; #output_count];
 
             fn unknown_motions(&self) -> [#runtime::Motion<T, 5>; #unknown_count] {
                 [#(self.#unknown_fields),*]

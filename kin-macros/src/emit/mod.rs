@@ -123,6 +123,18 @@ impl Mechanism<'_> {
         local(self.plan.names.of(symbol))
     }
 
+    /// A name of the generated code's own, unlike any input or unknown.
+    fn own(&self, name: &str) -> Ident {
+        let model = self.model;
+        let mut name = name.to_owned();
+        while model.inputs.iter().any(|input| input.name == name)
+            || model.unknowns.iter().any(|unknown| unknown.name == name)
+        {
+            name.push('_');
+        }
+        local(&name)
+    }
+
     /// The inputs as arguments of type `T`.
     fn input_names(&self) -> Vec<Ident> {
         self.model
@@ -189,7 +201,7 @@ impl Mechanism<'_> {
         if self.choices().is_empty() {
             return TokenStream::new();
         }
-        let (assembly, kind) = (local("assembly"), self.assembly_type());
+        let (assembly, kind) = (self.own("assembly"), self.assembly_type());
         quote!(#assembly: #kind)
     }
 
@@ -198,7 +210,7 @@ impl Mechanism<'_> {
         if self.choices().is_empty() {
             return TokenStream::new();
         }
-        let assembly = local("assembly");
+        let assembly = self.own("assembly");
         quote!(#assembly)
     }
 }

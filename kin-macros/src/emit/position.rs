@@ -20,7 +20,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         quote!(#assembly,)
     };
     let value = if value.is_empty() { value } else { quote!(#value,) };
-    let near = local("near");
+    let near = mechanism.own("near");
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let stage = &mechanism.plan.scheduled.stages[0];
     let given: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();

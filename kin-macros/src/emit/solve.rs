@@ -16,7 +16,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
     let length = Literal::usize_unsuffixed(order + 1);
     let count = Literal::usize_unsuffixed(model.unknowns.len());
-    let [position, result, near] = ["position", "result", "near"].map(local);
+    let [position, result, near] = ["position", "result", "near"].map(|name| mechanism.own(name));
     let steps: TokenStream = (1..=order)
         .map(|order| {
             let method = local(&order_name(order));
@@ -44,7 +44,11 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         .collect();
     let labels: Vec<String> = inputs.iter().map(ToString::to_string).collect();
     let closure = closure::tokens(mechanism.declaration, model, runtime);
-    let (failure, block, quantity) = (local("failure"), local("block"), local("quantity"));
+    let (failure, block, quantity) = (
+        mechanism.own("failure"),
+        mechanism.own("block"),
+        mechanism.own("quantity"),
+    );
     let summary = format!(
         " Position and all time derivatives to {} in one call.",
         order_name(order)

@@ -4,10 +4,10 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{Mechanism, formula, local};
-use crate::assemble::{Mode, Returns};
+use crate::assemble::{Mode, Returns, Shape};
 use crate::expr::Symbol;
 use crate::function::Function;
-use crate::schedule::{ScheduledStage, Statement};
+use crate::schedule::{Expression, ScheduledStage, Statement};
 
 impl Mechanism<'_> {
     /// `let` for the values of earlier stages, positions and rates that a stage reads; `given` are arguments already.
@@ -114,7 +114,8 @@ impl Mechanism<'_> {
         let choose = local(if turns { "choose_angle" } else { "choose_value" });
         let label = self.model.unknowns[unknown].name.to_string();
         let failed = self.failed(block);
-        let [candidate, assembly, first, second] = ["candidate", "assembly", "first", "second"].map(local);
+        let [candidate, assembly, first, second] =
+            ["candidate", "assembly", "first", "second"].map(|name| self.own(name));
         quote! {
             let #candidate = |#assembly: #runtime::Assembly| -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError> {
                 #(#body)*
@@ -138,7 +139,7 @@ impl Mechanism<'_> {
 
     fn failed_at(&self, place: &str) -> TokenStream {
         let inputs = self.input_names();
-        let failure = local("failure");
+        let failure = self.own("failure");
         quote!(.map_err(|#failure| self.__failed(#failure, #place, #(#inputs),*))?)
     }
 
@@ -187,8 +188,10 @@ impl Mechanism<'_> {
                 results,
             } => {
                 let function = local(solver.name());
-                let mut arguments: Vec<TokenStream> =
-                    arguments.iter().map(|argument| self.argument(argument)).collect();
+                let mut arguments: Vec<TokenStream> = arguments
+                    .iter()
+                    .map(|(shape, parts)| self.argument(*shape, parts))
+                    .collect();
                 let block = block.expect("closed forms stand in blocks");
                 if solver.takes_assembly() {
                     arguments.push(self.assembly_of(block));
@@ -240,14 +243,15 @@ impl Mechanism<'_> {
         })
     }
 
-    fn argument(&self, parts: &[crate::schedule::Expression]) -> TokenStream {
+    fn argument(&self, shape: Shape, parts: &[Expression]) -> TokenStream {
         let runtime = self.runtime;
         let parts: Vec<TokenStream> = parts.iter().map(formula::tokens).collect();
-        match parts.as_slice() {
-            [scalar] => scalar.clone(),
-            [x, y] => quote!(#runtime::Plane::new(#x, #y)),
-            [a, b, c, d] => quote!([[#a, #b], [#c, #d]]),
-            _ => unreachable!("arguments are scalars, vectors and 2x2 matrices"),
+        match (shape, parts.as_slice()) {
+            (Shape::Scalar, [scalar]) => scalar.clone(),
+            (Shape::Plane, [x, y]) => quote!(#runtime::Plane::new(#x, #y)),
+            (Shape::Pair, [first, second]) => quote!([#first, #second]),
+            (Shape::Matrix, [a, b, c, d]) => quote!([[#a, #b], [#c, #d]]),
+            _ => unreachable!("arguments have the parts of their shape"),
         }
     }
 
@@ -266,7 +270,7 @@ impl Mechanism<'_> {
     /// Which of a block's solutions is wanted.
     fn assembly_of(&self, block: usize) -> TokenStream {
         let runtime = self.runtime;
-        let assembly = local("assembly");
+        let assembly = self.own("assembly");
         match self.plan.choices[block].mode {
             Mode::Fixed { is_open: true } => quote!(#runtime::Assembly::Open),
             Mode::Fixed { is_open: false } => quote!(#runtime::Assembly::Crossed),
@@ -291,7 +295,7 @@ impl Mechanism<'_> {
             return quote!(let #name = #runtime::solve::#check(#label, #name, #low, #high) #failed;);
         }
         if turns {
-            let (near, index) = (local("near"), Literal::usize_unsuffixed(unknown));
+            let (near, index) = (self.own("near"), Literal::usize_unsuffixed(unknown));
             return quote!(let #name = #runtime::solve::on_turn(#name, #near, #index););
         }
         TokenStream::new()

@@ -194,14 +194,11 @@ impl Scheduler<'_> {
                 let arguments = arguments
                     .iter()
                     .map(|argument: &Argument| {
-                        argument
-                            .nodes()
-                            .into_iter()
-                            .map(|node| {
-                                let value = self.value(rows, node);
-                                self.argument(value)
-                            })
-                            .collect()
+                        let parts = argument.nodes().into_iter().map(|node| {
+                            let value = self.value(rows, node);
+                            self.argument(value)
+                        });
+                        (argument.shape(), parts.collect())
                     })
                     .collect();
                 let results = results.iter().map(|&symbol| self.result_name(symbol)).collect();

@@ -1,6 +1,6 @@
 //! What a scheduled program is made of.
 
-use crate::assemble::{Cost, Solver};
+use crate::assemble::{Cost, Shape, Solver};
 use crate::expr::Symbol;
 use crate::function::Function;
 
@@ -39,7 +39,7 @@ pub(crate) enum Statement {
     /// A closed form; a result that nothing needs has no name.
     Solve {
         solver: Solver,
-        arguments: Vec<Vec<Expression>>,
+        arguments: Vec<(Shape, Vec<Expression>)>,
         results: Vec<Option<String>>,
     },
     /// A direction; `length` only where it may be negative.
@@ -124,7 +124,7 @@ impl Statement {
             Self::Solve { arguments, .. } => {
                 arguments
                     .iter()
-                    .flatten()
+                    .flat_map(|(_, parts)| parts)
                     .for_each(|argument| argument.collect_names(&mut names));
             }
             Self::Angle { y, x, length, .. } => {

@@ -1,0 +1,212 @@
+//! Every test mechanism with dimensions and inputs for which it closes.
+
+use kin_core::prelude::*;
+
+use super::{
+    dyads, four_bar_typings, inverted_slider_crank_typings, multi_loop, outputs, ranged, scalar_forms,
+    slider_crank_typings,
+};
+use crate::random::Random;
+
+/// Dimensions of a mechanism, and the range of each of its inputs.
+#[derive(Clone, Copy, Debug)]
+pub struct Case {
+    /// Scalar by scalar, in the order of declaration.
+    pub parameters: &'static [f64],
+    /// From where to where each input goes; the mechanism need not close everywhere between.
+    pub inputs: &'static [(f64, f64)],
+}
+
+impl Case {
+    /// The mechanism itself.
+    #[must_use]
+    pub fn mechanism<M: Mechanism<Scalar = f64>>(&self) -> M {
+        M::from_parameters(M::Parameters::from_fn(|index| self.parameters[index]))
+    }
+
+    /// The mechanism with its dimensions changed by up to a tenth.
+    #[must_use]
+    pub fn varied<M: Mechanism<Scalar = f64>>(&self, random: &mut Random) -> M {
+        M::from_parameters(M::Parameters::from_fn(|index| {
+            self.parameters[index] * random.between(0.9, 1.1)
+        }))
+    }
+
+    /// Inputs a fraction of their ranges from the start, each fraction the next multiple of the first, with random rates.
+    #[must_use]
+    pub fn inputs<M: Mechanism<Scalar = f64>>(&self, fraction: f64, random: &mut Random) -> M::Inputs<Motion<f64, 5>> {
+        let mut own = 0.0;
+        M::Inputs::from_fn(|index| {
+            own += fraction;
+            let (low, high) = self.inputs[index];
+            Motion::new(random.motion(low + (high - low) * (own - own.floor())))
+        })
+    }
+}
+
+/// Something that is to be done with mechanisms of all kinds.
+pub trait Visitor {
+    /// Does it with one of them.
+    fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case);
+}
+
+/// A function for each group of mechanisms, that leads a visitor through it.
+macro_rules! groups {
+    ($(
+        $(#[$documentation:meta])*
+        $group:ident of $module:ident { $($mechanism:ident [$($parameter:expr),*] at $([$low:expr, $high:expr])+;)+ }
+    )+) => {
+        $(
+            $(#[$documentation])*
+            pub fn $group(visitor: &mut impl Visitor) {
+                $(visitor.visit::<$module::$mechanism>(Case {
+                    parameters: &[$($parameter),*],
+                    inputs: &[$(($low, $high)),+],
+                });)+
+            }
+        )+
+
+        /// All of them.
+        pub fn all(visitor: &mut impl Visitor) {
+            $($group(visitor);)+
+        }
+    };
+}
+
+groups! {
+    /// One four-bar linkage in many typings.
+    four_bars of four_bar_typings {
+        FourBarPlain [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarSidesSwapped [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarReordered [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarMovedAcross [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarSumToZero [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarZeroToSum [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarComponents [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarComponentsSwapped [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarNegatedComponent [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarMixedComponents [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarDoubled [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarScaledByGround [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarScaledApart [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarDivided [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarConjugate [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarTurned [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarInCrankFrame [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarPolar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarCoordinates [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarProduct [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarHalfAngles [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarLets [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarRockerFromPin [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarCouplerFromRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarRockerFromUpright [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarQuarterTurn [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarClockwiseRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarClockwiseCoupler [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarRelativeRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarUnknownsSwapped [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarRenamed [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+    }
+
+    /// One slider-crank in many typings, and driven elsewhere.
+    slider_cranks of slider_crank_typings {
+        SliderCrankLoop [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankSidesSwapped [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankSumToZero [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankComponents [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankScaled [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankTurned [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankMixedComponents [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankRodFromSlider [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankClockwise [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankBackwards [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankUpright [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankInclined [1.0, 3.0, 0.4, 0.7] at [-3.1, 3.1];
+        SliderCrankAlongVector [1.0, 3.0, 0.2, -0.3, 1.5, 2.0] at [-3.1, 3.1];
+        SliderCrankDrivenAtSlider [1.0, 3.0, 0.4] at [1.9, 4.1];
+        SliderCrankDrivenByRod [1.0, 3.0, 0.4] at [-0.4, 0.6];
+    }
+
+    /// One inverted slider-crank in many typings, with and without offset, and driven elsewhere.
+    inverted_slider_cranks of inverted_slider_crank_typings {
+        InvertedLoop [2.0, 0.8] at [-3.1, 3.1];
+        InvertedPolar [2.0, 0.8] at [-3.1, 3.1];
+        InvertedComponents [2.0, 0.8] at [-3.1, 3.1];
+        InvertedInCrankFrame [2.0, 0.8] at [-3.1, 3.1];
+        InvertedFromPin [2.0, 0.8] at [-3.1, 3.1];
+        InvertedClockwise [2.0, 0.8] at [-3.1, 3.1];
+        InvertedOffset [2.0, 0.8, 0.5] at [-3.1, 3.1];
+        InvertedOffsetAtRightAngles [2.0, 0.8, 0.5] at [-3.1, 3.1];
+        InvertedOffsetComponents [2.0, 0.8, 0.5] at [-3.1, 3.1];
+        InvertedOffsetInLeverFrame [2.0, 0.8, 0.5] at [-3.1, 3.1];
+        InvertedDrivenByCylinder [2.0, 0.8] at [1.1, 2.9];
+    }
+
+    /// Single loops of other kinds.
+    loops of dyads {
+        TwoSlides [1.3, 0.4, 2.2] at [-3.1, 3.1];
+        SwingingSlides [2.0, 1.2] at [-3.1, 3.1];
+        TwoLinkArm [1.2, 0.9] at [-1.4, 1.4] [-1.3, 1.4];
+        TwoLinkArmPolar [1.2, 0.9] at [0.2, 2.2] [-3.1, 3.1];
+        OffsetAngles [90.0, 30.0, 60.0, 45.0, 0.3, 0.5] at [-1.9, 1.9];
+        ComplexLinks [80.0, 20.0, 30.0, 55.0, 25.0, 40.0, 30.0] at [-3.1, 3.1];
+        ComplexRod [1.0, 2.5, 0.8, 0.7] at [-3.1, 3.1];
+        FiveBar [2.0, 1.0, 2.0, 1.8, 1.1] at [0.2, 2.9] [0.3, 3.0];
+    }
+
+    /// Several loops, one after the other.
+    chains of multi_loop {
+        FourBarsInSeries [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] at [-3.1, 3.1];
+        FourBarsInSeriesShuffled [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] at [-3.1, 3.1];
+        WattSixBar [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
+        StephensonSixBar [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 5.0, 3.0, 3.0, 2.5] at [-3.1, 3.1];
+        Whitworth [0.5, 1.2, 1.5, 5.0, 0.3] at [-3.1, 3.1];
+        ToggleOnCoupler [4.0, 1.0, 3.0, 2.5, 4.0, 0.4] at [-3.1, 3.1];
+        GearedYoke [4.0, 1.0, 3.0, 2.5, 2.5, 0.7] at [-3.1, 3.1];
+    }
+
+    /// One scalar equation after another.
+    scalars of scalar_forms {
+        LinearForm [0.7, 1.3] at [-1.5, 1.5];
+        QuadraticForm [1.5, 2.0, 0.5] at [-3.0, 3.0];
+        QuadraticWhere [4.0, 0.5] at [-0.5, 3.0];
+        SquareForm [1.2] at [0.3, 3.0];
+        SquareWhere [1.2] at [0.3, 3.0];
+        SquareWhereNegative [1.2] at [0.3, 3.0];
+        CircularForm [1.2, 0.8] at [-1.4, 1.4];
+        CircularPhase [1.2, 0.8, 0.4] at [-1.4, 1.4];
+        CosineForm [1.5] at [-1.3, 1.3];
+        SineForm [1.5] at [-1.3, 1.3];
+        TangentForm [1.5] at [-4.0, 4.0];
+        RootForm [1.5] at [-1.2, 4.0];
+        DistanceForm [1.5] at [1.8, 4.0];
+        ArcSineForm [1.5] at [-1.4, 1.4];
+        ArcCosineForm [1.5] at [0.3, 6.0];
+        ArcTangentForm [1.5] at [-1.4, 1.4];
+        ExponentialForm [1.5] at [0.2, 4.0];
+        LogarithmForm [0.8] at [-2.0, 2.0];
+        ExplicitFunctions [3.0, 1.0] at [-3.1, 3.1];
+    }
+
+    /// Unknowns with a range.
+    ranges of ranged {
+        RangedCoupler [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        RangedRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        RangedAngle [2.0, 3.0] at [1.2, 4.8];
+        RangedAngleBelow [2.0, 3.0] at [1.2, 4.8];
+        RangedSine [1.5] at [-1.3, 1.3];
+        RangedSineObtuse [1.5] at [-1.3, 1.3];
+        RangedSlider [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        RangedLever [2.0, 0.8] at [-3.1, 3.1];
+        RangedCircular [1.2, 0.8] at [-0.1, 1.1];
+        RangedLinear [1.5] at [0.1, 6.0];
+    }
+
+    /// With outputs, and with functions that are not defined everywhere.
+    with_outputs of outputs {
+        FourBarOutputs [90.0, 30.0, 60.0, 45.0, 25.0, 15.0] at [-1.9, 1.9];
+        OutputOutsideDomain [1.5] at [1.8, 5.0];
+        ClosureOutsideDomain [1.5] at [0.3, 5.0];
+    }
+}

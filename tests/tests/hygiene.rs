@@ -1,0 +1,251 @@
+//! Declarations among items whose names mean something else.
+#![allow(unreachable_pub, missing_docs)]
+
+use kin_core::prelude::{Mechanism, Motion as KinMotion};
+
+/// A slider-crank and a four-bar under the names given, wherever the macro is used.
+macro_rules! declare {
+    ($slider:ident, $linkage:ident) => {
+        kin_core::mechanism! {
+            pub struct $slider { pub r: Length, pub l: Length }
+            input theta: Angle;
+            unknown phi: Angle, s: Length;
+            r * sin(theta) == l * sin(phi);
+            s == r * cos(theta) + l * cos(phi);
+        }
+        kin_core::mechanism! {
+            pub struct $linkage { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
+            input theta2: Angle;
+            unknown theta3: Angle in -PI..=PI, theta4: Angle in 0.0..=PI;
+            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+            output pin: Point = r2 * cis(theta2);
+            output root: Length = sqrt(r2 * r3) + asin(r2 / r1) * r4;
+        }
+    };
+}
+
+/// Every name that the prelude, the standard library or generated code could mean.
+#[allow(non_camel_case_types, dead_code, non_upper_case_globals)]
+mod own_items {
+    pub struct Result;
+    pub struct Option;
+    pub struct Motion;
+    pub struct Plane;
+    pub struct Assembly;
+    pub struct Failure;
+    pub struct SolveError;
+    pub struct String;
+    pub struct Vec;
+    pub struct Self_;
+    pub struct S;
+    pub struct T;
+    pub struct V;
+    pub struct f64;
+    pub struct f32;
+    pub struct usize;
+    pub struct bool;
+    pub struct str;
+    pub trait Scalar {}
+    pub trait Copy {}
+    pub trait Clone {}
+    pub trait Fn {}
+    pub trait FnMut {}
+    pub trait Mechanism {}
+    pub trait Debug {}
+    pub trait PartialEq {}
+    pub trait Iterator {}
+    pub fn sin() {}
+    pub fn cos() {}
+    pub fn sqrt() {}
+    pub fn cis() {}
+    pub fn position() {}
+    pub fn solve() {}
+    pub mod kin {}
+    pub mod core {}
+    pub mod std {}
+    pub mod solve {}
+    pub mod runtime {}
+    #[allow(non_snake_case)]
+    pub fn Ok() {}
+    #[allow(non_snake_case)]
+    pub fn Err() {}
+    #[allow(non_snake_case)]
+    pub fn Some() {}
+    pub const None: u8 = 0;
+    pub const PI: u8 = 3;
+    pub const Open: u8 = 0;
+
+    declare!(Slider, Linkage);
+}
+
+#[test]
+fn own_items_are_not_taken_for_others() {
+    let slider = own_items::Slider { r: 1.0, l: 3.0 };
+    let pose = slider
+        .solve(KinMotion::constant(0.0), kin_core::Assembly::Open)
+        .expect("it closes");
+    assert_eq!(pose.s.position(), 4.0);
+    let linkage = own_items::Linkage {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    assert!(linkage.solve(KinMotion::constant(1.0)).is_ok());
+}
+
+#[test]
+fn inside_of_a_function_and_a_block() {
+    declare!(Slider, Linkage);
+    let pose = {
+        mod inner {
+            declare!(Slider, Linkage);
+            pub(super) fn linkage() -> Linkage {
+                Linkage {
+                    r1: 90.0,
+                    r2: 30.0,
+                    r3: 60.0,
+                    r4: 45.0,
+                }
+            }
+        }
+        inner::linkage().position(1.0).expect("it closes")
+    };
+    let slider = Slider { r: 1.0, l: 3.0 };
+    assert!(slider.position(1.0, kin_core::Assembly::Crossed).is_ok());
+    assert_eq!(
+        Linkage {
+            r1: 90.0,
+            r2: 30.0,
+            r3: 60.0,
+            r4: 45.0
+        }
+        .position(1.0)
+        .map(|pose| pose.unknowns().len()),
+        Ok(2)
+    );
+    assert!(pose.pin.position().x > 0.0);
+}
+
+/// Private and restricted visibility, and nothing used: no warnings (they are errors in the fixture without the standard
+/// library; here it must compile).
+#[allow(dead_code)]
+mod visibilities {
+    kin_core::mechanism! {
+        struct Private { r: Length, l: Length }
+        input theta: Angle;
+        unknown phi: Angle, s: Length;
+        r * cis(theta) + l * cis(phi) == vec2(s, 0);
+    }
+    kin_core::mechanism! {
+        pub(crate) struct Restricted { pub(crate) r: Length, pub(super) l: Length }
+        input theta: Angle;
+        unknown phi: Angle, s: Length;
+        r * cis(theta) + l * cis(phi) == vec2(s, 0);
+    }
+}
+
+/// Quantities that are called as the generated code calls its own.
+mod names_of_the_generator {
+    kin_core::mechanism! {
+        pub struct Locals { pub assembly: Length, pub near: Length, pub result: Length, pub failure: Length, pub index: Length }
+        input position: Angle, inputs: Length;
+        unknown first: Angle, second: Angle, determinant: Length, candidate: Length where candidate > 0;
+
+        near * cis(position) + result * cis(first) == assembly + failure * cis(second);
+        determinant == inputs + index * sin(first);
+        candidate.powi(2) == determinant.powi(2) + index.powi(2);
+
+        let diagonal = near * 2;
+        output diagonal_x: Length = determinant * cos(second);
+        output velocity: Length = candidate - diagonal;
+        output t: Point = near * cis(first);
+    }
+
+    kin_core::mechanism! {
+        pub struct Rows { pub parameters: Length, pub convert: Length, pub unknowns: Length }
+        input inverse_determinant: Angle;
+        unknown right_1_velocity: Angle, this: Length;
+        parameters * cis(inverse_determinant) + convert * cis(right_1_velocity) == vec2(this, unknowns);
+    }
+}
+
+#[test]
+fn quantities_may_be_called_anything() {
+    use names_of_the_generator::{Locals, Rows};
+    let mechanism: Locals = Locals {
+        assembly: 90.0,
+        near: 30.0,
+        result: 60.0,
+        failure: 45.0,
+        index: 2.0,
+    };
+    let pose = mechanism
+        .solve(
+            KinMotion::new([1.0, 2.0, 3.0, 4.0, 5.0]),
+            KinMotion::new([7.0, 1.0, 0.0, 0.0, 0.0]),
+            kin_core::Assembly::Open,
+        )
+        .expect("it closes");
+    assert!((pose.velocity.velocity() - pose.candidate.velocity()).abs() < 1e-12);
+    assert!((pose.determinant.snap() - 2.0 * sine_snap(&pose.first)).abs() < 1e-9);
+    let rows = Rows {
+        parameters: 1.0,
+        convert: 3.0,
+        unknowns: 0.5,
+    };
+    assert!(rows.position(1.0, kin_core::Assembly::Open).is_ok());
+}
+
+fn sine_snap(angle: &KinMotion<f64, 5>) -> f64 {
+    angle.sin_cos().0.snap()
+}
+
+/// Mechanisms that are called as something in the generated code.
+#[allow(non_camel_case_types)]
+mod names_of_mechanisms {
+    macro_rules! named {
+        ($($name:ident)*) => {$(
+            pub mod $name {
+                kin_core::mechanism! {
+                    pub struct $name { pub r: Length, pub l: Length }
+                    input theta: Angle;
+                    unknown phi: Angle, s: Length;
+                    r * cis(theta) + l * cis(phi) == vec2(s, 0);
+                }
+            }
+        )*};
+    }
+    named!(kin Kin Result Option Some Ok Motion Plane Assembly Mechanism Scalar S V f64);
+}
+
+#[test]
+fn mechanisms_may_be_called_anything() {
+    fn stroke<M: Mechanism<Scalar = f64, Assembly = kin_core::Assembly>>() -> f64 {
+        use kin_core::prelude::{Pose, Row};
+        let mechanism = M::from_parameters(M::Parameters::from_fn(|index| [1.0, 3.0][index]));
+        let inputs = M::Inputs::from_fn(|_| KinMotion::constant(0.0));
+        let pose = mechanism
+            .solve_motion(inputs, kin_core::Assembly::Open)
+            .expect("it closes");
+        pose.unknown_motions().as_ref()[1].value()
+    }
+    use names_of_mechanisms as named;
+    let strokes = [
+        stroke::<named::kin::kin>(),
+        stroke::<named::Kin::Kin>(),
+        stroke::<named::Result::Result>(),
+        stroke::<named::Option::Option>(),
+        stroke::<named::Some::Some>(),
+        stroke::<named::Ok::Ok>(),
+        stroke::<named::Motion::Motion>(),
+        stroke::<named::Plane::Plane>(),
+        stroke::<named::Assembly::Assembly>(),
+        stroke::<named::Mechanism::Mechanism>(),
+        stroke::<named::Scalar::Scalar>(),
+        stroke::<named::S::S>(),
+        stroke::<named::V::V>(),
+        stroke::<named::f64::f64>(),
+    ];
+    assert_eq!(strokes, [4.0; 14]);
+}
