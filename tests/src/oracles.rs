@@ -7,14 +7,15 @@
 //! # Tolerance
 //! Let κ be the condition of the Jacobian, its columns scaled by the sizes of the unknowns and its rows by the terms of the
 //! equations, w the largest |x⁽ᵏ⁾|^(1/k)
-//! over all quantities x (lengths relative to the mechanism's size) and k. Every term of an n-th derivative is of the size
+//! over all quantities x (lengths relative to the mechanism's size) and k, and no less than the rate at which the scaled
+//! Jacobian changes, which is beyond that of the quantities where a function of them is steep. Every term of an n-th derivative is of the size
 //! wⁿ at most, and is computed to a few ε. Solving J q = r multiplies the error of r by κ, and the position, in error
 //! by ε κ itself, enters J: so an n-th derivative is known to ε κ² wⁿ times a number that depends on the count of
 //! terms. Errors are given in these units.
 
 use kin_core::prelude::*;
 use kin_core::series::Series;
-use num_dual::{Dual64, HyperDual, HyperDual64, HyperHyperDual64};
+use num_dual::{Dual, Dual64, HyperDual, HyperDual64, HyperHyperDual64};
 
 /// Motions of the unknowns through snap.
 pub type Motions<M> = <M as Mechanism>::Unknowns<Motion<f64, 5>>;
@@ -146,10 +147,11 @@ impl Gauge {
             largest
         };
         let driving = frequency(description.inputs, inputs.as_ref());
-        let frequency = driving.max(frequency(description.unknowns, unknowns.as_ref()));
+        let mut frequency = driving.max(frequency(description.unknowns, unknowns.as_ref()));
         let (mut jacobian, others) = gradients(mechanism, inputs, unknowns);
+        let rates = jacobian_rates(mechanism, inputs, unknowns);
         let mut rows = Vec::new();
-        for (row, others) in jacobian.iter_mut().zip(others) {
+        for ((row, others), rates) in jacobian.iter_mut().zip(others).zip(rates) {
             for (entry, size) in row.iter_mut().zip(&sizes) {
                 *entry *= size;
             }
@@ -157,7 +159,9 @@ impl Gauge {
                 .iter()
                 .chain(&others)
                 .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-            row.iter_mut().for_each(|entry| *entry /= size);
+            for entry in row.iter_mut() {
+                *entry /= size;
+            }
             rows.push(size);
         }
         Self {
@@ -188,7 +192,7 @@ impl Gauge {
 }
 
 fn values(motions: &[Motion<f64, 5>]) -> Vec<f64> {
-    motions.iter().map(|motion| motion.value()).collect()
+    motions.iter().map(Motion::value).collect()
 }
 
 /// The equations' partial derivatives by dual numbers: by the unknowns, and by parameters and inputs times these themselves,
@@ -240,6 +244,32 @@ fn gradients<M: Mechanism<Scalar = f64>>(
             .collect()
     };
     (rows(&by_unknowns), rows(&by_others))
+}
+
+/// The time derivative of each of the equations' partial derivatives by the unknowns, row by row.
+fn jacobian_rates<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    inputs: &Inputs<M>,
+    unknowns: &Motions<M>,
+) -> Vec<Vec<f64>> {
+    // outside along time, inside along one unknown
+    type D = Dual<Dual64>;
+    let lifted = mechanism.convert(|value| <D as Scalar>::constant(value));
+    let number = |motion: &Motion<f64, 5>, seed: f64| {
+        D::new(Dual64::new(motion.value(), seed), Dual64::new(motion.velocity(), 0.0))
+    };
+    let inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs.as_ref()[index], 0.0));
+    let columns: Vec<_> = (0..unknowns.as_ref().len())
+        .map(|seeded| {
+            let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| {
+                number(&unknowns.as_ref()[index], if index == seeded { 1.0 } else { 0.0 })
+            });
+            lifted.residuals(inputs, unknowns)
+        })
+        .collect();
+    (0..columns.len())
+        .map(|row| columns.iter().map(|column| column.as_ref()[row].eps.eps).collect())
+        .collect()
 }
 
 /// ‖A⁻¹‖ in the maximum norm, which is the condition of a matrix scaled to rows of size 1, by Gauss-Jordan elimination with row pivoting.

@@ -1,5 +1,5 @@
 //! Declarations among items whose names mean something else.
-#![allow(unreachable_pub, missing_docs)]
+#![allow(unreachable_pub, missing_docs, non_snake_case)]
 
 use kin_core::prelude::{Mechanism, Motion as KinMotion};
 

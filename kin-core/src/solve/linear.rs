@@ -29,8 +29,6 @@ pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
 
 /// The solution of two linear equations, `a[i][0] x + a[i][1] y = b[i]`, by Cramer's rule.
 ///
-/// `b` is a pair, or the vector of the plane if the equations are those of a loop.
-///
 /// 12 operations: 3 additions, 8 multiplications, 1 division.
 ///
 /// # Errors
@@ -42,8 +40,7 @@ pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
 /// assert_eq!(solve::linear_pair([[1.0, 1.0], [1.0, -1.0]], [3.0, 1.0]), Ok((2.0, 1.0)));
 /// ```
 #[inline]
-pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: impl Into<[T; 2]>) -> Result<(T, T), Failure> {
-    let b = b.into();
+pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failure> {
     let product = a[0][0] * a[1][1];
     let determinant = product - a[0][1] * a[1][0];
     let inverse = T::constant(1.0) / determinant;

@@ -17,14 +17,18 @@ pub(super) fn mode(
     if !form.has_assemblies() {
         return Mode::Only;
     }
-    let Some((&unknown, limits)) = unknowns.iter().find_map(|unknown| ranges.get_key_value(unknown)) else {
+    let ranged: Vec<(usize, Limits)> = unknowns
+        .iter()
+        .filter_map(|&unknown| Some((unknown, *ranges.get(&unknown)?)))
+        .collect();
+    if ranged.is_empty() {
         *assemblies += 1;
         return Mode::Assembly(*assemblies - 1);
-    };
-    match fixed_by_range(graph, form, unknown, *limits) {
-        Some(is_open) => Mode::Fixed { is_open },
-        None => Mode::Ranged { unknown },
     }
+    ranged
+        .into_iter()
+        .find_map(|(unknown, limits)| fixed_by_range(graph, form, unknown, limits))
+        .map_or(Mode::Ranged, |is_open| Mode::Fixed { is_open })
 }
 
 /// Positive in the open assembly.

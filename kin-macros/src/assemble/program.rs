@@ -14,8 +14,8 @@ pub(crate) enum Mode {
     Assembly(usize),
     /// By the range declared for an unknown, known when the declaration is compiled.
     Fixed { is_open: bool },
-    /// By the range declared for an unknown, looked up when the candidates are there.
-    Ranged { unknown: usize },
+    /// By the ranges declared for unknowns, looked up when the candidates are there.
+    Ranged,
 }
 
 /// A range declared for an unknown, as far as choosing needs it.

@@ -65,8 +65,8 @@ impl Mechanism<'_> {
                 .position(|statement| matches!(statement, Statement::Close { .. }))
                 .unwrap_or(after.len());
             let (inside, after) = (&after[..end], &after[(end + 1).min(after.len())..]);
-            if let Mode::Ranged { unknown } = self.plan.choices[block].mode {
-                tokens.extend(self.candidates(block, unknown, inside, after, stage));
+            if self.plan.choices[block].mode == Mode::Ranged {
+                tokens.extend(self.candidates(block, inside, after, stage));
             } else {
                 tokens.extend(inside.iter().map(|statement| self.statement(statement, Some(block))));
             }
@@ -79,7 +79,6 @@ impl Mechanism<'_> {
     fn candidates(
         &self,
         block: usize,
-        unknown: usize,
         inside: &[Statement],
         after: &[Statement],
         stage: &ScheduledStage,
@@ -103,19 +102,34 @@ impl Mechanism<'_> {
         let kinds = names.iter().map(|_| quote!(T));
         let body = inside.iter().map(|statement| self.statement(statement, Some(block)));
         let bounds = bounds.iter().map(|statement| self.statement(statement, Some(block)));
-        let own = self.name_of(Symbol::Unknown(unknown));
-        let place = Literal::usize_unsuffixed(names.iter().position(|name| *name == own).unwrap_or(0));
-        let limits = self.ranges[&unknown];
-        let (low, high) = (number(limits.low), number(limits.high));
-        let own_name = self.plan.names.of(Symbol::Unknown(unknown));
-        let turns = inside
-            .iter()
-            .any(|statement| matches!(statement, Statement::Angle { name, .. } if name == own_name));
-        let choose = local(if turns { "choose_angle" } else { "choose_value" });
-        let label = self.model.unknowns[unknown].name.to_string();
         let failed = self.failed(block);
         let [candidate, assembly, first, second] =
             ["candidate", "assembly", "first", "second"].map(|name| self.own(name));
+        let choices: Vec<TokenStream> = self.blocks[block]
+            .unknowns
+            .iter()
+            .filter_map(|unknown| {
+                let limits = self.ranges.get(unknown)?;
+                let own = self.plan.names.of(Symbol::Unknown(*unknown));
+                let turns = inside
+                    .iter()
+                    .any(|statement| matches!(statement, Statement::Angle { name, .. } if name == own));
+                let choose = local(if turns { "choose_angle" } else { "choose_value" });
+                let place = Literal::usize_unsuffixed(kept.iter().position(|name| name == own)?);
+                let (low, high) = (number(limits.low), number(limits.high));
+                let label = self.model.unknowns[*unknown].name.to_string();
+                Some(quote!(#runtime::solve::#choose(#label, #first.#place, #second.#place, #low, #high)))
+            })
+            .collect();
+        // where one range holds both solutions, the next one is asked
+        let choice = choices.into_iter().rev().reduce(|after, before| {
+            quote! {
+                match #before {
+                    ::core::result::Result::Err(#runtime::Failure::Ambiguous { .. }) => #after,
+                    decided => decided,
+                }
+            }
+        });
         quote! {
             let #candidate = |#assembly: #runtime::Assembly| -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError> {
                 #(#body)*
@@ -124,7 +138,7 @@ impl Mechanism<'_> {
             let #first = #candidate(#runtime::Assembly::Open)?;
             let #second = #candidate(#runtime::Assembly::Crossed)?;
             let (#(#names,)*) =
-                match #runtime::solve::#choose(#label, #first.#place, #second.#place, #low, #high) #failed {
+                match #choice #failed {
                     #runtime::Assembly::Open => #first,
                     #runtime::Assembly::Crossed => #second,
                 };
@@ -278,7 +292,7 @@ impl Mechanism<'_> {
                 let field = &super::assembly::fields(self)[index];
                 quote!(#assembly.#field)
             }
-            Mode::Assembly(_) | Mode::Ranged { .. } | Mode::Only => quote!(#assembly),
+            Mode::Assembly(_) | Mode::Ranged | Mode::Only => quote!(#assembly),
         }
     }
 

@@ -248,7 +248,7 @@ impl Scheduler<'_> {
 
     /// Adds to the cost; a block whose range is looked up solves for both candidates.
     fn charge(&mut self, cost: Cost) {
-        let times = if matches!(self.mode, Mode::Ranged { .. }) { 2 } else { 1 };
+        let times = if matches!(self.mode, Mode::Ranged) { 2 } else { 1 };
         for _ in 0..times {
             self.cost = self.cost + cost;
         }
@@ -257,7 +257,7 @@ impl Scheduler<'_> {
     fn charge_solver(&mut self, solver: Solver) {
         let cost = match self.mode {
             Mode::Fixed { is_open } => solver.cost(is_open),
-            Mode::Ranged { .. } => {
+            Mode::Ranged => {
                 self.cost = self.cost + solver.cost(true) + solver.cost(false);
                 return;
             }
