@@ -28,13 +28,53 @@ fn four_bar() -> TokenStream {
     }
 }
 
+/// A chain of scalar equations, with ranges and three choices.
+fn geometric_four_bar() -> TokenStream {
+    quote! {
+        pub struct GeometricFourBar { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
+        input theta2: Angle;
+        unknown e: Length where e > 0, alpha: Angle, gamma: Angle in 0.0..=PI, beta: Angle, theta4: Angle, theta3: Angle;
+        e.powi(2) == r1.powi(2) + r2.powi(2) - 2 * r1 * r2 * cos(theta2);
+        sin(alpha) == r2 * sin(theta2) / e;
+        cos(gamma) == (r3.powi(2) + r4.powi(2) - e.powi(2)) / (2 * r3 * r4);
+        sin(beta) == r3 * sin(gamma) / e;
+        alpha + beta + theta4 == PI;
+        theta3 == theta4 - gamma;
+    }
+}
+
+/// Two loops, one of them a polar form, with a point, a length and a looked-up range.
+fn quick_return() -> TokenStream {
+    quote! {
+        struct QuickReturn { pivot: Point, crank: Length, lever: Length, rod: Length, height: Length }
+        input theta: Angle;
+        unknown slide: Length where slide > 0, phi: Angle, psi: Angle in -PI/4..=PI/4, stroke: Length;
+        pivot + crank * cis(theta) == slide * cis(phi);
+        lever * cis(phi) + rod * cis(psi) == vec2(stroke, height);
+        output tip: Point = lever * cis(phi);
+        output leverage: Scalar = slide / crank;
+    }
+}
+
 #[test]
 fn four_bar_expansion() {
     insta::assert_snapshot!(pretty(&four_bar()));
 }
 
+#[test]
+fn geometric_four_bar_expansion() {
+    insta::assert_snapshot!(pretty(&geometric_four_bar()));
+}
+
+#[test]
+fn quick_return_expansion() {
+    insta::assert_snapshot!(pretty(&quick_return()));
+}
+
 /// The same declaration gives the same bytes.
 #[test]
 fn expansion_is_deterministic() {
-    assert_eq!(pretty(&four_bar()), pretty(&four_bar()));
+    for declaration in [four_bar(), geometric_four_bar(), quick_return()] {
+        assert_eq!(expand(declaration.clone()).to_string(), expand(declaration).to_string());
+    }
 }

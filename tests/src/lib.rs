@@ -1,6 +1,7 @@
 //! Proof of kin.
 
 mod book;
+pub mod compare;
 pub mod mechanisms;
 pub mod notes;
 pub mod oracles;

@@ -162,6 +162,9 @@ impl Gauge {
             for entry in row.iter_mut() {
                 *entry /= size;
             }
+            for (rate, own) in rates.into_iter().zip(&sizes) {
+                frequency = frequency.max(rate.abs() * own / size);
+            }
             rows.push(size);
         }
         Self {

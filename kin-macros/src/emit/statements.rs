@@ -122,11 +122,12 @@ impl Mechanism<'_> {
             })
             .collect();
         // where one range holds both solutions, the next one is asked
+        let decided = self.own("decided");
         let choice = choices.into_iter().rev().reduce(|after, before| {
             quote! {
                 match #before {
                     ::core::result::Result::Err(#runtime::Failure::Ambiguous { .. }) => #after,
-                    decided => decided,
+                    #decided => #decided,
                 }
             }
         });

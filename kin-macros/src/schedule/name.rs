@@ -4,7 +4,7 @@ use super::operation::{Operation, Value};
 use super::scheduler::Scheduler;
 
 /// Longer names are not made.
-const NAME_LENGTH: usize = 30;
+const NAME_LENGTH: usize = 36;
 
 impl Scheduler<'_> {
     /// Gives a value a name.
@@ -32,6 +32,7 @@ impl Scheduler<'_> {
             }
             Operation::Multiply(a, b) if a == b => self.short_name(*a).map(|name| format!("{name}_squared")),
             Operation::Multiply(a, b) => match (self.short_name(*a), self.short_name(*b)) {
+                (Some(a), Some(b)) if b == format!("{a}_squared") => Some(format!("{a}_cubed")),
                 (Some(a), Some(b)) => Some(format!("{a}_{b}")),
                 _ => None,
             },
