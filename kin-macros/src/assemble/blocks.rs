@@ -1,6 +1,7 @@
 //! Each block's closed form as steps.
 
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 use super::choice;
 use super::program::{Choice, Limits, Names, Stage, Step};
@@ -53,7 +54,12 @@ pub(crate) fn assemble(
                 .steps
                 .iter()
                 .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
-            builder.steps.push(Step::Bound { unknown, turns });
+            let principal = -PI..=PI;
+            let wraps = turns
+                && ranges
+                    .get(&unknown)
+                    .is_some_and(|limits| !(principal.contains(&limits.low) && principal.contains(&limits.high)));
+            builder.steps.push(Step::Bound { unknown, turns, wraps });
         }
         if block.check_jacobian {
             let node = builder.units.rewrite(builder.graph, determinants[index]);

@@ -51,8 +51,9 @@ pub(crate) enum Step {
         length: Node,
     },
     /// The unknown, just computed, is compared with the range declared for it. One that `turns` came from a direction, and
-    /// is as good on any other turn; any other is not, for it stands in its equation as a number.
-    Bound { unknown: usize, turns: bool },
+    /// is as good on any other turn; any other is not, for it stands in its equation as a number. One that `wraps` may have
+    /// to be moved by a turn to lie in its range.
+    Bound { unknown: usize, turns: bool, wraps: bool },
     /// A block begins.
     Open { block: usize, mode: Mode },
     /// What must not vanish, because something is divided by it later.

@@ -194,7 +194,8 @@ impl Solver {
             Self::Quadratic => (2, 3, 1, 1),
             Self::SquareRoot => (0, 0, 0, 1),
             Self::SquareOfRoot => (0, 1, 0, 0),
-            Self::SineOfArc | Self::CosineOfArc | Self::TangentOfArc | Self::Logarithm => (0, 0, 0, 0),
+            Self::TangentOfArc => (0, 0, 1, 0),
+            Self::SineOfArc | Self::CosineOfArc | Self::Logarithm => (0, 0, 0, 0),
         };
         // one of the assemblies changes a sign
         let changes_sign = match self {

@@ -216,6 +216,11 @@ impl Scheduler<'_> {
                     self.operations.operation(length),
                     Operation::Number(number) if number.get() > 0.0
                 );
+                // an unknown length is negative in one of the two assemblies, and the vector is turned round there
+                let is_unknown = matches!(self.operations.operation(length), Operation::Leaf(Symbol::Unknown(_)));
+                if is_unknown && self.mode != (Mode::Fixed { is_open: true }) {
+                    self.cost.negations += 2;
+                }
                 let length = (!is_positive).then(|| self.argument(length));
                 self.charge(Cost {
                     arc_tangents: 1,
@@ -224,7 +229,10 @@ impl Scheduler<'_> {
                 let name = self.names.of(*symbol).to_owned();
                 self.statements.push(Statement::Angle { name, y, x, length });
             }
-            Step::Bound { unknown, turns } => {
+            Step::Bound { unknown, turns, wraps } => {
+                if *wraps {
+                    self.cost.additions += 1;
+                }
                 self.statements.push(Statement::Bound {
                     unknown: *unknown,
                     turns: *turns,
