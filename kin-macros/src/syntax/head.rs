@@ -100,6 +100,12 @@ fn head(input: ParseStream<'_>) -> Result<Head> {
         ));
     }
     let name = name::parse(input, "mechanism", keyword.span)?;
+    if name == "T" {
+        return Err(syn::Error::new(
+            name.span(),
+            "`T` is what the number type of every mechanism is called; choose another name",
+        ));
+    }
     let mut head = Head {
         attributes,
         visibility,
