@@ -257,11 +257,12 @@ fn jacobian_rates<M: Mechanism<Scalar = f64>>(
 ) -> Vec<Vec<f64>> {
     // outside along time, inside along one unknown
     type D = Dual<Dual64>;
-    let lifted = mechanism.convert(|value| <D as Scalar>::constant(value));
+    let lifted = mechanism.convert(<D as Scalar>::constant);
     let number = |motion: &Motion<f64, 5>, seed: f64| {
         D::new(Dual64::new(motion.value(), seed), Dual64::new(motion.velocity(), 0.0))
     };
-    let inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs.as_ref()[index], 0.0));
+    let inputs =
+        <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs.as_ref()[index], 0.0));
     let columns: Vec<_> = (0..unknowns.as_ref().len())
         .map(|seeded| {
             let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| {

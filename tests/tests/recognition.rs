@@ -217,14 +217,8 @@ fn inclined_slides() {
     let inclined = SliderCrankInclined::<f64>::from_parameters([1.0, 3.0, 0.4, beta]);
     let (sine, cosine) = f64::sin_cos(beta);
     // a direction of length 2, so that its travel is half of the other
-    let along = SliderCrankAlongVector::<f64>::from_parameters([
-        1.0,
-        3.0,
-        -0.4 * sine,
-        0.4 * cosine,
-        2.0 * cosine,
-        2.0 * sine,
-    ]);
+    let along =
+        SliderCrankAlongVector::<f64>::from_parameters([1.0, 3.0, -0.4 * sine, 0.4 * cosine, 2.0 * cosine, 2.0 * sine]);
     let straight = OffsetSliderCrank { r: 1.0, l: 3.0, h: 0.4 };
     for step in 0..72 {
         let theta = Motion::new(random.motion((f64::from(5 * step) + 0.4).to_radians()));
@@ -247,7 +241,11 @@ fn inclined_slides() {
 fn upright_slides() {
     let mut random = Random::new(13);
     let upright = SliderCrankUpright::<f64>::from_parameters([1.0, 3.0, 0.4]);
-    let level = OffsetSliderCrank { r: 1.0, l: 3.0, h: -0.4 };
+    let level = OffsetSliderCrank {
+        r: 1.0,
+        l: 3.0,
+        h: -0.4,
+    };
     for step in 0..72 {
         let theta = Motion::new(random.motion((f64::from(5 * step) + 0.4).to_radians()));
         for assembly in Assembly::BOTH {
@@ -278,13 +276,37 @@ fn slider_cranks_driven_elsewhere() {
             let gauge = Gauge::new(&by_slider, &[forward.s], &back.unknown_motions());
             // what was lost on the way there is lost in the input of the way back
             let own = Gauge::new(&by_crank, &[theta], &forward.unknown_motions());
-            assert_agree("crank", back.theta, theta, false, &[(&gauge, 0), (&gauge, 1), (&own, 0)]);
-            assert_agree("rod", back.phi, forward.phi, false, &[(&gauge, 0), (&gauge, 1), (&own, 0)]);
+            assert_agree(
+                "crank",
+                back.theta,
+                theta,
+                false,
+                &[(&gauge, 0), (&gauge, 1), (&own, 0)],
+            );
+            assert_agree(
+                "rod",
+                back.phi,
+                forward.phi,
+                false,
+                &[(&gauge, 0), (&gauge, 1), (&own, 0)],
+            );
             let near = [forward.s.value(), theta.value()];
             let back = by_rod.solve_near(forward.phi, near).expect("it closes");
             let gauge = Gauge::new(&by_rod, &[forward.phi], &back.unknown_motions());
-            assert_agree("crank", back.theta, theta, false, &[(&gauge, 1), (&gauge, 0), (&own, 0)]);
-            assert_agree("slider", back.s, forward.s, false, &[(&gauge, 0), (&gauge, 1), (&own, 1)]);
+            assert_agree(
+                "crank",
+                back.theta,
+                theta,
+                false,
+                &[(&gauge, 1), (&gauge, 0), (&own, 0)],
+            );
+            assert_agree(
+                "slider",
+                back.s,
+                forward.s,
+                false,
+                &[(&gauge, 0), (&gauge, 1), (&own, 1)],
+            );
         }
     }
     assert_eq!(
@@ -319,11 +341,19 @@ fn inverted_slider_cranks() {
         let theta2 = Motion::new(random.motion((f64::from(5 * step) + 0.4).to_radians()));
         let own = InvertedLoop::<f64>::from_parameters([2.0, 0.8]);
         let [open, crossed] = Assembly::BOTH.map(|assembly| own.solve(theta2, assembly).expect("it closes"));
-        let library = InvertedSliderCrank { r1: 2.0, r2: 0.8 }.solve(theta2).expect("it closes");
+        let library = InvertedSliderCrank { r1: 2.0, r2: 0.8 }
+            .solve(theta2)
+            .expect("it closes");
         assert_eq!(open.unknown_motions(), library.unknown_motions());
         let gauge = Gauge::new(&own, &[theta2], &open.unknown_motions());
         assert_agree("length", crossed.r4, -open.r4, false, &[(&gauge, 0)]);
-        assert_agree("angle", crossed.theta4, open.theta4 + constant(PI), true, &[(&gauge, 1)]);
+        assert_agree(
+            "angle",
+            crossed.theta4,
+            open.theta4 + constant(PI),
+            true,
+            &[(&gauge, 1)],
+        );
     }
 }
 
