@@ -1,10 +1,30 @@
-//! What a user calls: the chain of orders, guesses, assemblies, metadata, number types and errors.
+//! What a declaration turns into: the steps and their signatures, assemblies, metadata, number types, errors.
+
+use core::error::Error;
 
 use kin_core::library::{
-    FourBar, FreudensteinFourBar, GeometricFourBar, GeometricFourBarAssembly, InvertedSliderCrank,
+    FourBar, FourBarAcceleration, FourBarJerk, FourBarPosition, FourBarSnap, FourBarVelocity, GeometricFourBar,
+    InvertedSliderCrank, SliderCrank,
 };
 use kin_core::prelude::*;
+use kin_core::series::Series;
 use kin_core::{Dimension, InputValues};
+use kin_tests::mechanisms::cases::{self, Case, Visitor};
+use kin_tests::mechanisms::dyads::{FiveBar, FiveBarPosition, FiveBarVelocity, TwoLinkArm, TwoSlides};
+use kin_tests::mechanisms::inverted_slider_crank_typings::{InvertedLoop, InvertedOffset};
+use kin_tests::mechanisms::multi_loop::{
+    FourBarsInSeries, FourBarsInSeriesAssembly, StephensonSixBar, ToggleOnCoupler, WattSixBar, Whitworth,
+};
+use kin_tests::mechanisms::outputs::FourBarOutputs;
+use kin_tests::mechanisms::ranged::RangedCoupler;
+use kin_tests::mechanisms::scalar_forms::{
+    CircularForm, CosineForm, DistanceForm, ExplicitFunctions, LinearForm, LogarithmForm, QuadraticForm, SineForm,
+    SquareForm, TangentForm,
+};
+use kin_tests::mechanisms::slider_crank_typings::{
+    SliderCrankDrivenAtSlider, SliderCrankInclined, SliderCrankLoop, SliderCrankUpright,
+};
+use kin_tests::random::Random;
 use num_dual::Dual64;
 
 const SAMPLE: FourBar = FourBar {
@@ -13,83 +33,177 @@ const SAMPLE: FourBar = FourBar {
     r3: 60.0,
     r4: 45.0,
 };
-const CRANK: [f64; 5] = [1.1, -10.0, 2.0, -0.5, 0.3];
+const MOTION: [f64; 5] = [0.6, -10.0, 2.0, -0.5, 0.3];
 
-/// Each step takes the input's derivative of its order alone, and the last pose is the one that `solve` gives, bit by bit.
+/// Each step takes the derivative of the inputs that its order adds, and nothing else.
+#[test]
+fn signatures() {
+    let _: fn(&FourBar, f64, Assembly) -> Result<FourBarPosition, SolveError> = FourBar::position;
+    let _: fn(&FourBarPosition, f64) -> FourBarVelocity = FourBarPosition::velocity;
+    let _: fn(&FourBarVelocity, f64) -> FourBarAcceleration = FourBarVelocity::acceleration;
+    let _: fn(&FourBarAcceleration, f64) -> FourBarJerk = FourBarAcceleration::jerk;
+    let _: fn(&FourBarJerk, f64) -> FourBarSnap = FourBarJerk::snap;
+    let _: fn(&FourBar, Motion<f64, 5>, Assembly) -> Result<FourBarSnap, SolveError> = FourBar::solve;
+    let _: fn(&FourBar, f64, [f64; 2]) -> Result<FourBarPosition, SolveError> = FourBar::position_near;
+    let _: fn(&FourBar, Motion<f64, 5>, [f64; 2]) -> Result<FourBarSnap, SolveError> = FourBar::solve_near;
+    let _: fn(&FourBar, f64, [f64; 2]) -> Assembly = FourBar::assembly_at;
+    // one argument for each input; no assembly where there is none to choose
+    let _: fn(&FiveBar, f64, f64, Assembly) -> Result<FiveBarPosition, SolveError> = FiveBar::position;
+    let _: fn(&FiveBarPosition, f64, f64) -> FiveBarVelocity = FiveBarPosition::velocity;
+    let explicit = InvertedSliderCrank { r1: 2.0, r2: 1.0 };
+    assert!(explicit.position(0.3).is_ok() && explicit.solve(Motion::new(MOTION)).is_ok());
+    // the number type is a parameter everywhere
+    let _: fn(&FourBarPosition<f32>, f32) -> FourBarVelocity<f32> = FourBarPosition::velocity;
+}
+
+/// The chain of the steps is the one call, bit for bit.
+macro_rules! assert_chain_is_solve {
+    ($($mechanism:ident $parameters:tt ($($input:expr),+) $(in $assembly:expr)?;)+) => {
+        $({
+            let mechanism = $mechanism::<f64>::from_parameters($parameters);
+            let whole = mechanism.solve($(Motion::new($input),)+ $($assembly)?).expect("it closes");
+            let steps = mechanism
+                .position($($input[0],)+ $($assembly)?)
+                .expect("it closes")
+                .velocity($($input[1]),+)
+                .acceleration($($input[2]),+)
+                .jerk($($input[3]),+)
+                .snap($($input[4]),+);
+            assert_eq!(whole, steps, stringify!($mechanism));
+            // what a step has found, later ones do not change
+            let position = mechanism.position($($input[0],)+ $($assembly)?).expect("it closes");
+            assert_eq!(position.unknowns(), whole.unknowns(), stringify!($mechanism));
+            let velocity = position.velocity($($input[1]),+);
+            assert_eq!(velocity.unknowns(), whole.unknowns(), stringify!($mechanism));
+        })+
+    };
+}
+
 #[test]
 fn the_chain_is_the_whole() {
-    for assembly in FourBar::ASSEMBLIES {
-        let [angle, velocity, acceleration, jerk, snap] = CRANK;
-        let position = SAMPLE.position(angle, assembly).expect("it closes");
-        let moving = position.velocity(velocity);
-        let steps = moving.acceleration(acceleration).jerk(jerk).snap(snap);
-        let whole = SAMPLE.solve(Motion::new(CRANK), assembly).expect("it closes");
-        assert_eq!(steps, whole);
-        // lower orders stay what they were
-        assert_eq!(whole.theta3.position(), position.theta3.position());
-        assert_eq!(whole.theta4.velocity(), moving.theta4.velocity());
-        assert_eq!(whole.theta2, Motion::new(CRANK));
-        assert_eq!(
-            position.unknowns(),
-            [position.theta3.position(), position.theta4.position()]
-        );
-    }
-}
-
-#[test]
-fn a_guess_finds_its_assembly_and_turn() {
-    use core::f64::consts::TAU;
-    for assembly in FourBar::ASSEMBLIES {
-        let [theta3, theta4] = SAMPLE.position(1.1, assembly).expect("it closes").unknowns();
-        let guess = [theta3 + 0.1, theta4 - 0.1 + 3.0 * TAU];
-        assert_eq!(SAMPLE.assembly_at(1.1, guess), assembly);
-        let near = SAMPLE.position_near(1.1, guess).expect("it closes").unknowns();
-        assert_eq!(near[0], theta3);
-        assert!((near[1] - theta4 - 3.0 * TAU).abs() < 1e-14);
-        let moving = SAMPLE.solve_near(Motion::new(CRANK), guess).expect("it closes");
-        let plain = SAMPLE.solve(Motion::new(CRANK), assembly).expect("it closes");
-        assert_eq!(moving.theta4.snap(), plain.theta4.snap());
-    }
-}
-
-#[test]
-fn assemblies_of_several_blocks() {
-    let all = GeometricFourBar::ASSEMBLIES;
-    assert_eq!(all.len(), 8);
-    assert_eq!(<GeometricFourBar as Mechanism>::assemblies().collect::<Vec<_>>(), all);
-    let geometric = GeometricFourBar {
-        r1: 90.0,
-        r2: 30.0,
-        r3: 60.0,
-        r4: 45.0,
-    };
-    for assembly in all {
-        let pose = geometric.position(1.1, assembly).expect("the triangles close");
-        assert_eq!(geometric.assembly_at(1.1, pose.unknowns()), assembly);
-    }
-    let own = geometric.assembly(1.1, Assembly::Crossed);
-    assert_eq!(
-        own,
-        GeometricFourBarAssembly {
-            alpha: Assembly::Open,
-            gamma: Assembly::Crossed,
-            beta: Assembly::Open
+    const OTHER: [f64; 5] = [1.1, 0.4, -3.0, 5.0, 7.0];
+    for assembly in Assembly::BOTH {
+        assert_chain_is_solve! {
+            FourBar [90.0, 30.0, 60.0, 45.0] (MOTION) in assembly;
+            FourBarOutputs [90.0, 30.0, 60.0, 45.0, 25.0, 15.0] (MOTION) in assembly;
+            SliderCrank [1.0, 3.0] (MOTION) in assembly;
+            SliderCrankInclined [1.0, 3.0, 0.4, 0.7] (MOTION) in assembly;
+            InvertedOffset [2.0, 0.8, 0.5] (MOTION) in assembly;
+            TwoLinkArm [1.2, 0.9] (MOTION, OTHER) in assembly;
+            FiveBar [2.0, 1.0, 2.0, 1.8, 1.1] (MOTION, OTHER) in assembly;
+            Whitworth [0.5, 1.2, 1.5, 5.0, 0.3] (MOTION) in assembly;
+            CircularForm [1.2, 0.8] (MOTION) in assembly;
+            QuadraticForm [1.5, 2.0, 0.5] (MOTION) in assembly;
         }
-    );
-    assert_eq!(FreudensteinFourBar::ASSEMBLIES.len(), 4);
-    // a range leaves nothing to choose
-    assert_eq!(InvertedSliderCrank::ASSEMBLIES, [()]);
+    }
+    for assembly in WattSixBar::ASSEMBLIES {
+        assert_chain_is_solve! {
+            WattSixBar [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] (MOTION) in assembly;
+        }
+    }
+    assert_chain_is_solve! {
+        InvertedSliderCrank [2.0, 0.8] (MOTION);
+        TwoSlides [1.3, 0.4, 2.2] (MOTION);
+        RangedCoupler [90.0, 30.0, 60.0, 45.0] (MOTION);
+        ExplicitFunctions [3.0, 1.0] (MOTION);
+        LinearForm [0.7, 1.3] (MOTION);
+    }
+}
+
+/// The trait's ways give what the inherent ones give, and every row is as long as the description says.
+#[test]
+fn the_trait_is_the_inherent_interface() {
+    let inherent = SAMPLE.solve(Motion::new(MOTION), Assembly::Crossed).expect("it closes");
+    let by_trait = SAMPLE
+        .solve_motion([Motion::new(MOTION)], Assembly::Crossed)
+        .expect("it closes");
+    assert_eq!(inherent, by_trait);
+    assert_eq!(by_trait.unknown_motions(), [inherent.theta3, inherent.theta4]);
+    let position = SAMPLE.position(0.6, Assembly::Crossed).expect("it closes");
+    assert_eq!(SAMPLE.solve_position([0.6], Assembly::Crossed), Ok(position.unknowns()));
+    assert_eq!(SAMPLE.residuals([0.6], [0.2, 0.3]), SAMPLE.closure(0.6, [0.2, 0.3]));
+    assert_eq!(SAMPLE.parameters(), [90.0, 30.0, 60.0, 45.0]);
+    assert_eq!(FourBar::from_parameters([90.0, 30.0, 60.0, 45.0]), SAMPLE);
+
+    struct Check;
+    impl Visitor for Check {
+        fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+            let description = M::DESCRIPTION;
+            let name = description.name;
+            assert_eq!(
+                description.parameters.len(),
+                <M::Parameters<f64> as Row<f64>>::LENGTH,
+                "{name}"
+            );
+            assert_eq!(description.inputs.len(), <M::Inputs<f64> as Row<f64>>::LENGTH, "{name}");
+            assert_eq!(
+                description.unknowns.len(),
+                <M::Unknowns<f64> as Row<f64>>::LENGTH,
+                "{name}"
+            );
+            assert_eq!(
+                description.unknowns.len(),
+                <M::Residuals<f64> as Row<f64>>::LENGTH,
+                "{name}"
+            );
+            assert_eq!(
+                description.outputs.len(),
+                <<M::Pose as Pose>::Outputs<f64> as Row<f64>>::LENGTH,
+                "{name}"
+            );
+            assert_eq!((description.order, description.operations.len()), (4, 5), "{name}");
+            assert!(
+                !description.equations.is_empty() && !description.blocks.is_empty(),
+                "{name}"
+            );
+            // every unknown is in one block
+            let mut listed: Vec<&str> = description
+                .blocks
+                .iter()
+                .flat_map(|block| block.unknowns.split(", "))
+                .collect();
+            let mut declared: Vec<&str> = description.unknowns.iter().map(|unknown| unknown.name).collect();
+            listed.sort_unstable();
+            declared.sort_unstable();
+            assert_eq!(listed, declared, "{name}");
+
+            let mechanism: M = case.mechanism();
+            assert_eq!(mechanism.parameters().as_ref(), case.parameters, "{name}");
+            assert_eq!(
+                mechanism.convert(|value| 2.0 * value).parameters().as_ref()[0],
+                2.0 * case.parameters[0]
+            );
+            assert_eq!(M::assemblies().count(), M::ASSEMBLY_COUNT);
+            for (first, one) in M::assemblies().enumerate() {
+                assert!(M::assemblies().skip(first + 1).all(|other| one != other), "{name}");
+                assert_eq!(M::assembly(first + M::ASSEMBLY_COUNT), one, "{name}");
+            }
+            // where the unknowns are those of a solution, nothing is left of the equations
+            let inputs = case.inputs::<M>(0.6, &mut Random::new(61));
+            for assembly in M::assemblies() {
+                let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+                if let (Ok(unknowns), Ok(pose)) = (
+                    mechanism.solve_position(values, assembly),
+                    mechanism.solve_motion(inputs, assembly),
+                ) {
+                    let positions: Vec<f64> = pose
+                        .unknown_motions()
+                        .as_ref()
+                        .iter()
+                        .map(|motion| motion.value())
+                        .collect();
+                    assert_eq!(unknowns.as_ref(), positions, "{name}");
+                }
+            }
+        }
+    }
+    cases::all(&mut Check);
 }
 
 #[test]
-fn a_mechanism_describes_itself() {
-    let description = <FourBar as Mechanism>::DESCRIPTION;
-    assert_eq!(description.name, "FourBar");
-    assert_eq!(
-        description.equations,
-        ["r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4)"]
-    );
-    assert_eq!(description.order, 4);
+fn descriptions() {
+    let description = <FourBar>::DESCRIPTION;
+    assert_eq!((description.name, description.order), ("FourBar", 4));
     let names: Vec<&str> = description.parameters.iter().map(|quantity| quantity.name).collect();
     assert_eq!(names, ["r1", "r2", "r3", "r4"]);
     assert!(
@@ -98,61 +212,236 @@ fn a_mechanism_describes_itself() {
             .iter()
             .all(|quantity| quantity.dimension == Dimension::Length)
     );
-    assert!(
-        description
-            .unknowns
-            .iter()
-            .all(|quantity| quantity.dimension == Dimension::Angle)
+    assert_eq!(
+        description.parameters[0].description,
+        "Ground link, from the crank's pivot to the rocker's."
     );
-    assert_eq!(description.inputs[0].description, "The crank's angle.");
+    assert_eq!(
+        (description.inputs[0].name, description.inputs[0].dimension),
+        ("theta2", Dimension::Angle)
+    );
+    assert_eq!(description.unknowns[1].name, "theta4");
+    assert_eq!(description.outputs.len(), 0);
+    assert_eq!(
+        description.equations,
+        ["r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4)"]
+    );
+    assert_eq!(description.blocks.len(), 1);
     assert_eq!(description.blocks[0].unknowns, "theta3, theta4");
     assert_eq!(description.operations, FourBar::OPERATIONS);
-    assert_eq!(FourBar::from_parameters([90.0, 30.0, 60.0, 45.0]), SAMPLE);
-    assert_eq!(SAMPLE.parameters(), [90.0, 30.0, 60.0, 45.0]);
+
+    // a vector is two scalars, named by its parts
+    let outputs = <FourBarOutputs>::DESCRIPTION.outputs;
+    assert_eq!(
+        (outputs[0].name, outputs[1].name),
+        ("coupler_point.x", "coupler_point.y")
+    );
+    assert_eq!(outputs[0].dimension, Dimension::Length);
+    assert_eq!(
+        (outputs[4].name, outputs[4].dimension),
+        ("transmission", Dimension::Angle)
+    );
+    assert_eq!((outputs[7].name, outputs[7].dimension), ("slope", Dimension::Scalar));
+    let parameters = <FourBarOutputs>::DESCRIPTION.parameters;
+    assert_eq!((parameters[4].name, parameters[5].name), ("trace.x", "trace.y"));
+    assert_eq!(parameters[4].description, "A point of the coupler, in its frame.");
 }
 
-/// Single precision, and dual numbers: the sensitivity of a rate to a length.
 #[test]
-fn other_number_types() {
-    let single = SAMPLE.convert(|value| {
-        #[expect(clippy::cast_possible_truncation, reason = "single precision is wanted")]
-        let value = value as f32;
-        value
-    });
-    let pose = single.position(1.1_f32, Assembly::Open).expect("it closes");
-    let double = SAMPLE.position(1.1, Assembly::Open).expect("it closes");
-    assert!((f64::from(pose.theta4.position()) - double.theta4.position()).abs() < 1e-5);
-
-    let speed = |r3: f64| {
-        let linkage = FourBar { r3, ..SAMPLE };
-        linkage
-            .position(1.1, Assembly::Open)
-            .expect("it closes")
-            .velocity(-10.0)
-            .theta4
-            .velocity()
+fn assemblies() {
+    assert_eq!(FourBar::ASSEMBLIES, [Assembly::Open, Assembly::Crossed]);
+    assert_eq!(InvertedSliderCrank::ASSEMBLIES, [()]);
+    assert_eq!(
+        (GeometricFourBar::ASSEMBLIES.len(), <GeometricFourBar>::ASSEMBLY_COUNT),
+        (8, 8)
+    );
+    // a field for each block with a choice, named after its unknowns
+    let [first, second, third, fourth] = FourBarsInSeries::ASSEMBLIES;
+    let of = |theta3_theta4, phi3_phi4| FourBarsInSeriesAssembly {
+        theta3_theta4,
+        phi3_phi4,
     };
-    let mut dual = SAMPLE.convert(Dual64::from);
-    dual.r3 = dual.r3.derivative();
-    let rate = dual
-        .position(Dual64::from(1.1), Assembly::Open)
-        .expect("it closes")
-        .velocity(Dual64::from(-10.0));
-    let step = 1e-4;
-    let difference = (speed(60.0 + step) - speed(60.0 - step)) / (2.0 * step);
-    assert!((rate.theta4.velocity().eps - difference).abs() < 1e-8);
+    assert_eq!(first, of(Assembly::Open, Assembly::Open));
+    assert_eq!(second, of(Assembly::Open, Assembly::Crossed));
+    assert_eq!(third, of(Assembly::Crossed, Assembly::Open));
+    assert_eq!(fourth, of(Assembly::Crossed, Assembly::Crossed));
+    for (listed, by_trait) in FourBarsInSeries::ASSEMBLIES
+        .into_iter()
+        .zip(<FourBarsInSeries>::assemblies())
+    {
+        assert_eq!(listed, by_trait);
+    }
+}
+
+/// A solution is recognised for what it is: its assembly is told from its unknowns, and it is found again from them.
+macro_rules! assert_found_again {
+    ($($mechanism:ident $parameters:tt ($($input:expr),+);)+) => {
+        $({
+            let mechanism = $mechanism::<f64>::from_parameters($parameters);
+            for assembly in $mechanism::ASSEMBLIES {
+                let position = mechanism.position($($input,)+ assembly).expect("it closes");
+                let unknowns = position.unknowns();
+                assert_eq!(mechanism.assembly_at($($input,)+ unknowns), assembly, stringify!($mechanism));
+                let again = mechanism.position_near($($input,)+ unknowns).expect("it closes");
+                assert_eq!(again.unknowns(), unknowns, stringify!($mechanism));
+                // a little beside it, too
+                let beside = unknowns.map(|value| value + 1e-3 * (1.0 + value.abs()));
+                let again = mechanism.position_near($($input,)+ beside).expect("it closes");
+                assert_eq!(again.unknowns(), unknowns, stringify!($mechanism));
+            }
+        })+
+    };
 }
 
 #[test]
-fn errors_say_where_and_by_how_much() {
+fn solutions_are_found_again() {
+    assert_found_again! {
+        FourBar [90.0, 30.0, 60.0, 45.0] (1.0);
+        GeometricFourBar [90.0, 30.0, 60.0, 45.0] (1.0);
+        SliderCrank [1.0, 3.0] (1.0);
+        SliderCrankLoop [1.0, 3.0, 0.4] (1.0);
+        SliderCrankInclined [1.0, 3.0, 0.4, 0.7] (1.0);
+        SliderCrankUpright [1.0, 3.0, 0.4] (1.0);
+        SliderCrankDrivenAtSlider [1.0, 3.0, 0.4] (3.0);
+        InvertedLoop [2.0, 0.8] (1.0);
+        InvertedOffset [2.0, 0.8, 0.5] (1.0);
+        TwoLinkArm [1.2, 0.9] (0.9, 0.7);
+        FiveBar [2.0, 1.0, 2.0, 1.8, 1.1] (1.0, 1.2);
+        FourBarsInSeries [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] (1.0);
+        WattSixBar [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] (1.0);
+        StephensonSixBar [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 5.0, 3.0, 3.0, 2.5] (1.0);
+        Whitworth [0.5, 1.2, 1.5, 5.0, 0.3] (1.0);
+        ToggleOnCoupler [4.0, 1.0, 3.0, 2.5, 4.0, 0.4] (1.0);
+        QuadraticForm [1.5, 2.0, 0.5] (1.0);
+        SquareForm [1.2] (1.0);
+        CircularForm [1.2, 0.8] (1.0);
+        CosineForm [1.5] (1.0);
+        SineForm [1.5] (1.0);
+        TangentForm [1.5] (1.0);
+        DistanceForm [1.5] (2.0);
+        LogarithmForm [0.8] (1.0);
+    }
+}
+
+/// Near a guess some turns away, the angles are on its turn, and everything else is the same.
+#[test]
+fn angles_on_the_turn_that_is_asked_for() {
+    let turn = core::f64::consts::TAU;
+    let plain = SAMPLE.solve(Motion::new(MOTION), Assembly::Open).expect("it closes");
+    let [theta3, theta4] = plain.unknowns();
+    let own = SAMPLE
+        .solve_near(
+            Motion::new(MOTION),
+            [theta3 + 3.0 * turn + 0.5, theta4 - 2.0 * turn - 0.5],
+        )
+        .expect("it closes");
+    assert_eq!(own.theta3.value(), theta3 + 3.0 * turn);
+    assert_eq!(own.theta4.value(), theta4 - 2.0 * turn);
+    assert_eq!(own.theta3.derivatives()[1..], plain.theta3.derivatives()[1..]);
+    assert_eq!(own.theta4.derivatives()[1..], plain.theta4.derivatives()[1..]);
+    // a guess that is no number asks for no turn
+    let own = SAMPLE.position_near(0.6, [f64::NAN, 0.3]);
+    assert!(own.is_ok_and(|position| position.theta3.value().abs() <= turn));
+    // lengths have no turns
+    let lever = InvertedLoop::<f64>::from_parameters([2.0, 0.8]);
+    let own = lever.position_near(0.6, [100.0, 20.0]).expect("it closes");
+    assert_eq!(own.r4, lever.position(0.6, Assembly::Open).expect("it closes").r4);
+    assert!((own.theta4.value() - 20.0).abs() <= turn / 2.0);
+}
+
+#[test]
+fn motions_have_names() {
+    let pose = SAMPLE.solve(Motion::new(MOTION), Assembly::Open).expect("it closes");
+    let [position, velocity, acceleration, jerk, snap] = pose.theta4.derivatives();
+    assert_eq!(pose.theta4.position(), position);
+    assert_eq!(pose.theta4.value(), position);
+    assert_eq!(pose.theta4.velocity(), velocity);
+    assert_eq!(pose.theta4.acceleration(), acceleration);
+    assert_eq!(pose.theta4.jerk(), jerk);
+    assert_eq!(pose.theta4.snap(), snap);
+    assert_eq!(pose.theta4.derivative(3), Some(jerk));
+    assert_eq!(pose.theta4.derivative(5), None);
+    // the input is passed on
+    assert_eq!(pose.theta2.derivatives(), MOTION);
+}
+
+/// One function for every number type.
+fn rocker<S: Scalar>(theta2: S) -> S {
+    let linkage = FourBar {
+        r1: S::constant(90.0),
+        r2: S::constant(30.0),
+        r3: S::constant(60.0),
+        r4: S::constant(45.0),
+    };
+    linkage
+        .position(theta2, Assembly::Open)
+        .expect("it closes")
+        .theta4
+        .value()
+}
+
+#[test]
+fn number_types() {
+    let pose = SAMPLE.solve(Motion::new(MOTION), Assembly::Open).expect("it closes");
+    assert_eq!(rocker(0.6_f64), pose.theta4.value());
+    assert!((f64::from(rocker(0.6_f32)) - pose.theta4.value()).abs() < 16.0 * f64::from(f32::EPSILON));
+    let dual = rocker(Dual64::new(0.6, -10.0));
+    assert_eq!(dual.re, pose.theta4.value());
+    assert!((dual.eps - pose.theta4.velocity()).abs() < 1e-12);
+    let series = rocker(Series::<5>::from_derivatives(MOTION)).derivatives();
+    for (order, (a, b)) in series.into_iter().zip(pose.theta4.derivatives()).enumerate() {
+        assert!(
+            (a - b).abs() <= 1e-12 * b.abs().max(1.0),
+            "order {order}: {a} against {b}"
+        );
+    }
+    // single precision all the way
+    let single = SAMPLE.convert(|value| {
+        #[expect(clippy::cast_possible_truncation, reason = "the lengths are small integers")]
+        let single = value as f32;
+        single
+    });
+    assert_eq!(single.r3, 60.0_f32);
+    let own: FourBarSnap<f32> = single
+        .solve(Motion::new([0.6_f32, -10.0, 2.0, -0.5, 0.3]), Assembly::Open)
+        .expect("it closes");
+    assert!((f64::from(own.theta4.snap()) / pose.theta4.snap() - 1.0).abs() < 1e-4);
+}
+
+/// An error says which block, at which inputs, what is the matter and by how much; it is an [`Error`], and small.
+#[test]
+fn errors() {
     let error = SAMPLE.position(2.0, Assembly::Open).expect_err("out of reach");
     assert_eq!(error.block, "theta3, theta4");
     assert_eq!(error.inputs, InputValues::new(&["theta2"], &[2.0]));
-    let missing = 105.0 - (90.0_f64.powi(2) + 30.0_f64.powi(2) - 2.0 * 90.0 * 30.0 * 2.0_f64.cos()).sqrt();
-    assert!((error.margin().expect("it has a margin") - missing).abs() < 1e-12);
+    // the diagonal is longer than coupler and rocker together
+    let diagonal = (90.0_f64.powi(2) + 30.0_f64.powi(2) - 2.0 * 90.0 * 30.0 * 2.0_f64.cos()).sqrt();
+    let margin = error.margin().expect("it is a matter of reach");
+    assert!((margin - (105.0 - diagonal)).abs() < 1e-12, "{margin}");
     let message = error.to_string();
     assert!(
         message.starts_with("theta3, theta4 cannot be found at theta2 = 2: out of reach by "),
         "{message}"
     );
+    let boxed: Box<dyn Error + Send + Sync> = error.into();
+    assert!(boxed.downcast_ref::<SolveError>().is_some());
+
+    // both inputs are told, and the culprit of two
+    let linkage = FiveBar::<f64>::from_parameters([20.0, 1.0, 2.0, 1.8, 1.1]);
+    let error = linkage.position(0.3, 0.4, Assembly::Open).expect_err("out of reach");
+    assert_eq!(error.inputs.iter().collect::<Vec<_>>(), [("alpha", 0.3), ("beta", 0.4)]);
+    let near = FiveBar::<f64>::from_parameters([2.0, 1.0, 2.0, 1.8, 1.1]);
+    let error = near.position(0.3, f64::NAN, Assembly::Open).expect_err("not a number");
+    assert_eq!(error.failure, Failure::NotFinite { quantity: "beta" });
+    let motions = [Motion::new(MOTION), Motion::new([0.4, 0.0, f64::INFINITY, 0.0, 0.0])];
+    let error = near
+        .solve(motions[0], motions[1], Assembly::Open)
+        .expect_err("infinite");
+    assert_eq!(error.failure, Failure::NotFinite { quantity: "beta" });
+    // so it is where a block fails that the culprit does not enter by itself
+    let series = FourBarsInSeries::<f64>::from_parameters([4.0, 1.0, 3.0, 2.5, 4.0, f64::NAN, 3.0]);
+    let error = series
+        .position(1.0, FourBarsInSeries::ASSEMBLIES[0])
+        .expect_err("not a number");
+    assert_eq!(error.failure, Failure::NotFinite { quantity: "s3" });
 }

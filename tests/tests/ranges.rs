@@ -162,7 +162,7 @@ fn no_range_is_ever_left() {
                 let inputs = case.inputs::<M>(f64::from(step) / 60.0, &mut random);
                 for assembly in M::assemblies() {
                     match mechanism.solve_motion(inputs, assembly) {
-                        Ok(pose) => assert!(pose.unknown_motions().as_ref().iter().all(Motion::is_finite)),
+                        Ok(pose) => assert!(pose.unknown_motions().as_ref().iter().all(Motion::<f64, 5>::is_finite)),
                         Err(error) => assert!(!error.to_string().is_empty()),
                     }
                     self.0 += 1;

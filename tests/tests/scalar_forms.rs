@@ -84,7 +84,7 @@ fn quadratic_with_both_roots() {
 fn quadratic_with_a_range() {
     // x² - (t + b) x + b c = 0 with x > 2: the roots' product is b c = 2
     for t in [-0.5, 0.0, 1.0, 3.0] {
-        let half = t.midpoint(4.0);
+        let half = f64::midpoint(t, 4.0);
         let larger = half + (half * half - 2.0).sqrt();
         assert_near(value::<QuadraticWhere>(&[4.0, 0.5], t, ()), larger);
     }
