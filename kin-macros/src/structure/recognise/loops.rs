@@ -81,11 +81,13 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
             else {
                 continue;
             };
-            // prefer real factors, then counter-clockwise angles, then the order as typed
+            // prefer real factors, then counter-clockwise angles, then the rows as typed: where as many angles run
+            // clockwise as not, a loop must not be taken for its mirror image, in which open and crossed change places
             let cost = factors
                 .iter()
-                .map(|(factor, mirrored)| 4 * usize::from(!factor.is_real(graph)) + 2 * usize::from(*mirrored))
+                .map(|(factor, mirrored)| 16 * usize::from(!factor.is_real(graph)) + 4 * usize::from(*mirrored))
                 .sum::<usize>()
+                + 2 * usize::from(!graph.is_one(rows.scale))
                 + usize::from(swapped);
             if best.as_ref().is_none_or(|least| cost < least.cost) {
                 best = Some(Reading { cost, factors, rows });
