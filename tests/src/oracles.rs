@@ -362,6 +362,14 @@ impl Worst {
         );
         println!("{:32} {:6}        closure         {}", "", "", row(self.closure));
         assert!(self.poses > 50, "{name}: only {} poses", self.poses);
+        self.assert_allowed(name);
+    }
+
+    /// Asserts that the worst errors are small multiples of the unit.
+    ///
+    /// # Panics
+    /// If one is not.
+    pub fn assert_allowed(&self, name: &str) {
         for errors in [self.differentiation, self.closure] {
             for (order, (error, allowed)) in errors.into_iter().zip(ALLOWED).enumerate() {
                 assert!(error <= allowed, "{name}, order {order}: {error} units of error");

@@ -187,12 +187,7 @@ fn the_trait_is_the_inherent_interface() {
                     mechanism.solve_position(values, assembly),
                     mechanism.solve_motion(inputs, assembly),
                 ) {
-                    let positions: Vec<f64> = pose
-                        .unknown_motions()
-                        .as_ref()
-                        .iter()
-                        .map(|motion| motion.value())
-                        .collect();
+                    let positions: Vec<f64> = pose.unknown_motions().as_ref().iter().map(Motion::value).collect();
                     assert_eq!(unknowns.as_ref(), positions, "{name}");
                 }
             }
