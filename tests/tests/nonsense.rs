@@ -121,7 +121,7 @@ fn extremes() {
     }
     fn check<M: Mechanism<Scalar = f64>>(result: Result<M::Pose, SolveError>, extreme: f64) {
         if let Ok(pose) = result {
-            let finite = |motions: &[Motion<f64, 5>]| motions.iter().all(|motion| motion.is_finite());
+            let finite = |motions: &[Motion<f64, 5>]| motions.iter().all(Motion::<f64, 5>::is_finite);
             assert!(
                 finite(pose.unknown_motions().as_ref()) && finite(pose.output_motions().as_ref()),
                 "{}, {extreme}: {pose:?}",
