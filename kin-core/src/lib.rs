@@ -78,6 +78,7 @@ mod interop;
 pub mod library;
 mod mechanism;
 mod motion;
+mod near;
 mod plane;
 mod scalar;
 pub mod series;
@@ -88,6 +89,7 @@ pub use error::{Failure, SolveError};
 pub use inputs::InputValues;
 pub use mechanism::{Block, Description, Dimension, Mechanism, Operations, Pose, Quantity, Row};
 pub use motion::Motion;
+pub use near::Near;
 pub use plane::Plane;
 pub use scalar::Scalar;
 
@@ -175,15 +177,15 @@ macro_rules! mechanism {
 pub mod prelude {
     // Of this name only the macro is public, the module is not.
     pub use crate::mechanism;
-    pub use crate::{Assembly, Failure, Mechanism, Motion, Plane, Pose, Row, Scalar, SolveError};
+    pub use crate::{Assembly, Failure, Mechanism, Motion, Near, Plane, Pose, Row, Scalar, SolveError};
 }
 
 /// What generated code refers to; not for direct use, and free to change.
 #[doc(hidden)]
 pub mod __private {
     pub use crate::{
-        Assembly, Block, Description, Dimension, Failure, InputValues, Mechanism, Motion, Operations, Plane, Pose,
-        Quantity, Row, Scalar, SolveError, series, solve,
+        Assembly, Block, Description, Dimension, Failure, InputValues, Mechanism, Motion, Near, Operations, Plane,
+        Pose, Quantity, Row, Scalar, SolveError, series, solve,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

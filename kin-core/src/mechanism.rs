@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use crate::{Motion, Scalar, SolveError};
+use crate::{Scalar, SolveError};
 
 /// A declared mechanism, as the `mechanism!` macro implements it.
 ///
@@ -17,11 +17,11 @@ use crate::{Motion, Scalar, SolveError};
 /// fn peak<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, speed: f64) -> f64 {
 ///     let mut peak: f64 = 0.0;
 ///     for step in 0..360 {
-///         let input = Motion::at_constant_speed(f64::from(step).to_radians(), speed);
-///         let inputs = M::Inputs::from_fn(|_| input);
+///         let rates = [f64::from(step).to_radians(), speed];
+///         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| rates.get(order).copied().unwrap_or(0.0)));
 ///         if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
 ///             for unknown in pose.unknown_motions().as_ref() {
-///                 peak = peak.max(unknown.acceleration().abs());
+///                 peak = peak.max(unknown.as_ref()[2].abs());
 ///             }
 ///         }
 ///     }
@@ -35,11 +35,18 @@ pub trait Mechanism: Copy + Debug {
     /// The number type.
     type Scalar: Scalar;
     /// The same mechanism with another number type.
-    type With<S: Scalar>: Mechanism<Scalar = S, Assembly = Self::Assembly>;
-    /// Which of several solutions: [`Assembly`](crate::Assembly), a structure of them, or `()` if there is but one.
+    type With<S: Scalar>: Mechanism<Scalar = S, Assembly = Self::Assembly, Motion<S> = Self::Motion<S>>;
+    /// Which of several solutions: [`Assembly`](crate::Assembly), a structure of them, `()` if there is but one, or
+    /// [`Near`](crate::Near) values of the unknowns, where a block of coupled equations has no closed form.
     type Assembly: Copy + Debug + PartialEq + 'static;
-    /// Position and all time derivatives to snap.
-    type Pose: Pose<Scalar = Self::Scalar, Unknowns<Motion<Self::Scalar, 5>> = Self::Unknowns<Motion<Self::Scalar, 5>>>;
+    /// A value with all its time derivatives to the mechanism's order, [`Motion<V, 5>`](crate::Motion) through snap.
+    type Motion<V: Copy>: Row<V>;
+    /// Position and all time derivatives to the mechanism's order.
+    type Pose: Pose<
+            Scalar = Self::Scalar,
+            Motion = Self::Motion<Self::Scalar>,
+            Unknowns<Self::Motion<Self::Scalar>> = Self::Unknowns<Self::Motion<Self::Scalar>>,
+        >;
     /// A value for each scalar parameter.
     type Parameters<V: Copy>: Row<V>;
     /// A value for each input.
@@ -51,11 +58,14 @@ pub trait Mechanism: Copy + Debug {
 
     /// Names, dimensions, equations and how they are solved.
     const DESCRIPTION: Description;
-    /// How many assemblies there are.
+    /// How many assemblies there are whatever the dimensions, zero if that depends on them.
     const ASSEMBLY_COUNT: usize;
 
-    /// The assembly of a number below [`ASSEMBLY_COUNT`](Self::ASSEMBLY_COUNT); higher ones count from the start again.
-    fn assembly(index: usize) -> Self::Assembly;
+    /// The assembly of a number, if it is below [`ASSEMBLY_COUNT`](Self::ASSEMBLY_COUNT).
+    fn assembly(index: usize) -> Option<Self::Assembly>;
+
+    /// The assembly to which values of the unknowns belong.
+    fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
 
     /// A mechanism of given parameters.
     fn from_parameters(parameters: Self::Parameters<Self::Scalar>) -> Self;
@@ -66,14 +76,24 @@ pub trait Mechanism: Copy + Debug {
     /// The same mechanism with its parameters converted, to dual numbers for instance.
     fn convert<S: Scalar>(&self, convert: impl FnMut(Self::Scalar) -> S) -> Self::With<S>;
 
-    /// Position and all time derivatives to snap, as the inherent `solve` gives them.
+    /// Position and all time derivatives, as the inherent `solve` gives them.
     ///
     /// # Errors
     /// As the inherent method.
     fn solve_motion(
         &self,
-        inputs: Self::Inputs<Motion<Self::Scalar, 5>>,
+        inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
+    ) -> Result<Self::Pose, SolveError>;
+
+    /// Position and all time derivatives nearest to values of the unknowns, as the inherent `solve_near` gives them.
+    ///
+    /// # Errors
+    /// As the inherent method.
+    fn solve_motion_near(
+        &self,
+        inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
+        near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Pose, SolveError>;
 
     /// The position alone, as the inherent `position` gives it: the values of the unknowns.
@@ -86,6 +106,16 @@ pub trait Mechanism: Copy + Debug {
         assembly: Self::Assembly,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
+    /// The position nearest to values of the unknowns, as the inherent `position_near` gives it.
+    ///
+    /// # Errors
+    /// As the inherent method.
+    fn solve_position_near(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        near: Self::Unknowns<Self::Scalar>,
+    ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
+
     /// What is left of each scalar equation, left side less right, for any values of inputs and unknowns.
     fn residuals(
         &self,
@@ -93,26 +123,28 @@ pub trait Mechanism: Copy + Debug {
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
 
-    /// Every assembly.
+    /// Every assembly, none if they depend on the dimensions.
     fn assemblies() -> impl Iterator<Item = Self::Assembly> {
-        (0..Self::ASSEMBLY_COUNT).map(Self::assembly)
+        (0..Self::ASSEMBLY_COUNT).filter_map(Self::assembly)
     }
 }
 
-/// The motion of a mechanism through snap.
+/// The motion of a mechanism through all its orders.
 pub trait Pose: Copy + Debug {
     /// The number type.
     type Scalar: Scalar;
+    /// A value with its time derivatives.
+    type Motion: Row<Self::Scalar>;
     /// A value for each unknown.
     type Unknowns<V: Copy>: Row<V>;
     /// A value for each scalar output.
     type Outputs<V: Copy>: Row<V>;
 
     /// The unknowns, in the order in which they were declared.
-    fn unknown_motions(&self) -> Self::Unknowns<Motion<Self::Scalar, 5>>;
+    fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
     /// The outputs, in the order in which they were declared; a point is its x, then its y.
-    fn output_motions(&self) -> Self::Outputs<Motion<Self::Scalar, 5>>;
+    fn output_motions(&self) -> Self::Outputs<Self::Motion>;
 }
 
 /// An array of one value for each of some quantities.
@@ -182,8 +214,12 @@ pub enum Dimension {
 pub struct Block {
     /// Their names, separated by commas.
     pub unknowns: &'static str,
-    /// The closed form.
-    pub closed_form: &'static str,
+    /// How they are found: the closed form, or Newton's method.
+    pub solution: &'static str,
+    /// Their places among the mechanism's unknowns, ascending.
+    pub members: &'static [usize],
+    /// The places of the scalar equations that determine them, as many, ascending.
+    pub equations: &'static [usize],
 }
 
 /// How many operations something takes, by kind.

@@ -3,7 +3,7 @@
 use core::array;
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::{Plane, Scalar};
+use crate::{Plane, Row, Scalar};
 
 /// A value and its first `N - 1` derivatives with respect to time.
 ///
@@ -227,6 +227,31 @@ fn leibniz<T: Scalar>(first: &[T], second: &[T]) -> T {
 #[expect(clippy::cast_precision_loss, reason = "orders of derivatives are small numbers")]
 fn count(number: usize) -> f64 {
     number as f64
+}
+
+/// Value and derivatives; the index is the order.
+impl<T, const N: usize> AsRef<[T]> for Motion<T, N> {
+    #[inline]
+    fn as_ref(&self) -> &[T] {
+        &self.derivatives
+    }
+}
+
+/// Value and derivatives; the index is the order.
+impl<T, const N: usize> AsMut<[T]> for Motion<T, N> {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [T] {
+        &mut self.derivatives
+    }
+}
+
+impl<T: Copy, const N: usize> Row<T> for Motion<T, N> {
+    const LENGTH: usize = N;
+
+    #[inline]
+    fn from_fn(function: impl FnMut(usize) -> T) -> Self {
+        Self::new(array::from_fn(function))
+    }
 }
 
 impl<T, const N: usize> From<[T; N]> for Motion<T, N> {

@@ -14,6 +14,8 @@
 //! terms. Errors are given in these units.
 
 use kin_core::prelude::*;
+
+use crate::mechanisms::cases::ThroughSnap;
 use kin_core::series::Series;
 use num_dual::{Dual, Dual64, HyperDual, HyperDual64, HyperHyperDual64};
 
@@ -23,7 +25,7 @@ pub type Motions<M> = <M as Mechanism>::Unknowns<Motion<f64, 5>>;
 pub type Inputs<M> = <M as Mechanism>::Inputs<Motion<f64, 5>>;
 
 /// The inputs at a time that is any kind of number, from their derivatives at zero.
-fn at<M: Mechanism<Scalar = f64>, S: Scalar>(inputs: &Inputs<M>, time: S) -> <M::With<S> as Mechanism>::Inputs<S> {
+fn at<M: ThroughSnap, S: Scalar>(inputs: &Inputs<M>, time: S) -> <M::With<S> as Mechanism>::Inputs<S> {
     <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| {
         let [x, v, a, j, s] = inputs.as_ref()[index].derivatives().map(S::constant);
         let term = |rate: S, below: f64| rate * S::constant(1.0 / below);
@@ -31,7 +33,7 @@ fn at<M: Mechanism<Scalar = f64>, S: Scalar>(inputs: &Inputs<M>, time: S) -> <M:
     })
 }
 
-fn run<M: Mechanism<Scalar = f64>, S: Scalar>(
+fn run<M: ThroughSnap, S: Scalar>(
     mechanism: &M,
     inputs: &Inputs<M>,
     assembly: M::Assembly,
@@ -50,7 +52,7 @@ pub const ALLOWED: [f64; 5] = [16.0, 32.0, 128.0, 512.0, 2048.0];
 ///
 /// # Errors
 /// As the position solver.
-pub fn by_differentiation<M: Mechanism<Scalar = f64>>(
+pub fn by_differentiation<M: ThroughSnap>(
     mechanism: &M,
     inputs: &Inputs<M>,
     assembly: M::Assembly,
@@ -80,7 +82,7 @@ pub fn by_differentiation<M: Mechanism<Scalar = f64>>(
 }
 
 /// Oracle (b): what is left of each equation, order by order, when the motions are put into it.
-pub fn closure<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Motions<M>) -> Vec<[f64; 5]> {
+pub fn closure<M: ThroughSnap>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Motions<M>) -> Vec<[f64; 5]> {
     type S = Series<5>;
     let lifted = mechanism.convert(S::constant);
     let series = |motion: &Motion<f64, 5>| S::from_derivatives(motion.derivatives());
@@ -111,7 +113,7 @@ pub struct Gauge {
 
 impl Gauge {
     /// The gauge at a pose.
-    pub fn new<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Motions<M>) -> Self {
+    pub fn new<M: ThroughSnap>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Motions<M>) -> Self {
         let description = M::DESCRIPTION;
         let is_length = |quantity: &kin_core::Quantity| quantity.dimension == kin_core::Dimension::Length;
         let parameters = mechanism.parameters();
@@ -200,7 +202,7 @@ fn values(motions: &[Motion<f64, 5>]) -> Vec<f64> {
 
 /// The equations' partial derivatives by dual numbers: by the unknowns, and by parameters and inputs times these themselves,
 /// which is how much a relative error in one of them shifts an equation.
-fn gradients<M: Mechanism<Scalar = f64>>(
+fn gradients<M: ThroughSnap>(
     mechanism: &M,
     inputs: &Inputs<M>,
     unknowns: &Motions<M>,
@@ -250,11 +252,7 @@ fn gradients<M: Mechanism<Scalar = f64>>(
 }
 
 /// The time derivative of each of the equations' partial derivatives by the unknowns, row by row.
-fn jacobian_rates<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    inputs: &Inputs<M>,
-    unknowns: &Motions<M>,
-) -> Vec<Vec<f64>> {
+fn jacobian_rates<M: ThroughSnap>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Motions<M>) -> Vec<Vec<f64>> {
     // outside along time, inside along one unknown
     type D = Dual<Dual64>;
     let lifted = mechanism.convert(<D as Scalar>::constant);
@@ -327,7 +325,7 @@ impl Worst {
     ///
     /// # Panics
     /// If the position solution can be found, but not on dual numbers.
-    pub fn check<M: Mechanism<Scalar = f64>>(&mut self, mechanism: &M, inputs: Inputs<M>, assembly: M::Assembly) {
+    pub fn check<M: ThroughSnap>(&mut self, mechanism: &M, inputs: Inputs<M>, assembly: M::Assembly) {
         let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
             return;
         };

@@ -5,6 +5,7 @@ use core::f64::consts::PI;
 use kin_core::library::{FourBar, InvertedSliderCrank, OffsetSliderCrank};
 use kin_core::prelude::*;
 use kin_tests::compare::assert_agree;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::multi_loop::*;
 use kin_tests::oracles::Gauge;
 use kin_tests::random::Random;
@@ -31,12 +32,7 @@ fn cranks(seed: u64) -> Vec<Angle> {
 }
 
 /// Compares the unknowns of a chain with those of its parts. Errors of the parts feed the whole, whose gauge holds all of it.
-fn assert_all_agree<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    crank: Angle,
-    own: &M::Unknowns<Angle>,
-    expected: &[(Angle, bool)],
-) {
+fn assert_all_agree<M: ThroughSnap>(mechanism: &M, crank: Angle, own: &M::Unknowns<Angle>, expected: &[(Angle, bool)]) {
     let gauge = Gauge::new(mechanism, &M::Inputs::from_fn(|_| crank), own);
     let gauges: Vec<(&Gauge, usize)> = (0..expected.len()).map(|index| (&gauge, index)).collect();
     for (index, (own, (expected, is_angle))) in own.as_ref().iter().zip(expected).enumerate() {

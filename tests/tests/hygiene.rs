@@ -224,11 +224,11 @@ fn mechanisms_may_be_called_anything() {
     fn stroke<M: Mechanism<Scalar = f64, Assembly = kin_core::Assembly>>() -> f64 {
         use kin_core::prelude::{Pose, Row};
         let mechanism = M::from_parameters(M::Parameters::from_fn(|index| [1.0, 3.0][index]));
-        let inputs = M::Inputs::from_fn(|_| KinMotion::constant(0.0));
+        let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|_| 0.0));
         let pose = mechanism
             .solve_motion(inputs, kin_core::Assembly::Open)
             .expect("it closes");
-        pose.unknown_motions().as_ref()[1].value()
+        pose.unknown_motions().as_ref()[1].as_ref()[0]
     }
     use names_of_mechanisms as named;
     let strokes = [

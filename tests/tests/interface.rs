@@ -10,6 +10,7 @@ use kin_core::library::{
 use kin_core::prelude::*;
 use kin_core::series::Series;
 use kin_core::{Dimension, InputValues};
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::mechanisms::dyads::{FiveBar, FiveBarPosition, FiveBarVelocity, TwoLinkArm, TwoSlides};
 use kin_tests::mechanisms::inverted_slider_crank_typings::{InvertedLoop, InvertedOffset};
@@ -128,7 +129,7 @@ fn the_trait_is_the_inherent_interface() {
 
     struct Check;
     impl Visitor for Check {
-        fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+        fn visit<M: ThroughSnap>(&mut self, case: Case) {
             let description = M::DESCRIPTION;
             let name = description.name;
             assert_eq!(
@@ -177,8 +178,9 @@ fn the_trait_is_the_inherent_interface() {
             assert_eq!(M::assemblies().count(), M::ASSEMBLY_COUNT);
             for (first, one) in M::assemblies().enumerate() {
                 assert!(M::assemblies().skip(first + 1).all(|other| one != other), "{name}");
-                assert_eq!(M::assembly(first + M::ASSEMBLY_COUNT), one, "{name}");
+                assert_eq!(M::assembly(first), Some(one), "{name}");
             }
+            assert_eq!(M::assembly(M::ASSEMBLY_COUNT), None, "{name}");
             // where the unknowns are those of a solution, nothing is left of the equations
             let inputs = case.inputs::<M>(0.6, &mut Random::new(61));
             for assembly in M::assemblies() {
@@ -189,6 +191,15 @@ fn the_trait_is_the_inherent_interface() {
                 ) {
                     let positions: Vec<f64> = pose.unknown_motions().as_ref().iter().map(Motion::value).collect();
                     assert_eq!(unknowns.as_ref(), positions, "{name}");
+                    assert_eq!(mechanism.assembly_near(values, unknowns), assembly, "{name}");
+                    let near = mechanism.solve_position_near(values, unknowns).expect("it closes");
+                    assert_eq!(near.as_ref(), positions, "{name}");
+                    let near = mechanism.solve_motion_near(inputs, unknowns).expect("it closes");
+                    assert_eq!(
+                        near.unknown_motions().as_ref(),
+                        pose.unknown_motions().as_ref(),
+                        "{name}"
+                    );
                 }
             }
         }

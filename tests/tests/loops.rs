@@ -89,11 +89,8 @@ fn two_lengths() {
         assert_agree("a", own.a, a, false, &[(&gauge, 0)]);
         assert_agree("b", own.b, b, false, &[(&gauge, 1)]);
     }
-    assert_eq!(<TwoSlides>::DESCRIPTION.blocks[0].closed_form, "two linear equations");
-    assert_eq!(
-        <SwingingSlides>::DESCRIPTION.blocks[0].closed_form,
-        "two linear equations"
-    );
+    assert_eq!(<TwoSlides>::DESCRIPTION.blocks[0].solution, "two linear equations");
+    assert_eq!(<SwingingSlides>::DESCRIPTION.blocks[0].solution, "two linear equations");
 }
 
 /// A ternary link is an ordinary one with its angle shifted.

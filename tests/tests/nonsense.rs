@@ -1,6 +1,7 @@
 //! Every test mechanism with every parameter and every input in turn not a number, or infinite: the culprit is named.
 
 use kin_core::prelude::*;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::random::Random;
 
@@ -33,7 +34,7 @@ impl Wrong {
 }
 
 /// A mechanism, inputs and an assembly that fit together.
-fn closing<M: Mechanism<Scalar = f64>>(case: Case) -> (M, M::Inputs<Motion<f64, 5>>, M::Assembly) {
+fn closing<M: ThroughSnap>(case: Case) -> (M, M::Inputs<Motion<f64, 5>>, M::Assembly) {
     let mechanism: M = case.mechanism();
     let mut random = Random::new(71);
     for step in 0..60 {
@@ -48,7 +49,7 @@ fn closing<M: Mechanism<Scalar = f64>>(case: Case) -> (M, M::Inputs<Motion<f64, 
 }
 
 impl Visitor for Parameters {
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let (mechanism, inputs, assembly) = closing::<M>(case);
         for (place, quantity) in M::DESCRIPTION.parameters.iter().enumerate() {
             for nonsense in NONSENSE {
@@ -62,7 +63,7 @@ impl Visitor for Parameters {
 }
 
 impl Visitor for Inputs {
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let (mechanism, inputs, assembly) = closing::<M>(case);
         for (place, quantity) in M::DESCRIPTION.inputs.iter().enumerate() {
             for nonsense in NONSENSE {
@@ -98,7 +99,7 @@ fn inputs_and_their_rates() {
 fn extremes() {
     struct Extremes;
     impl Visitor for Extremes {
-        fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+        fn visit<M: ThroughSnap>(&mut self, case: Case) {
             let (mechanism, inputs, assembly) = closing::<M>(case);
             for extreme in [0.0, 1e-320, -1e-200, 1e-160, -1e160, 1e200, f64::MAX, f64::MIN_POSITIVE] {
                 for place in 0..M::DESCRIPTION.parameters.len() {
@@ -119,7 +120,7 @@ fn extremes() {
             }
         }
     }
-    fn check<M: Mechanism<Scalar = f64>>(result: Result<M::Pose, SolveError>, extreme: f64) {
+    fn check<M: ThroughSnap>(result: Result<M::Pose, SolveError>, extreme: f64) {
         if let Ok(pose) = result {
             let finite = |motions: &[Motion<f64, 5>]| motions.iter().all(Motion::<f64, 5>::is_finite);
             assert!(

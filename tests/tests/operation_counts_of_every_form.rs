@@ -6,6 +6,7 @@ use core::fmt::Write;
 use kin_core::Operations;
 use kin_core::count::{self, Counted};
 use kin_core::prelude::*;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::random::Random;
 
@@ -36,17 +37,18 @@ struct Count {
 }
 
 impl Visitor for Count {
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let mut random = Random::new(7);
         let mechanism: M = case.mechanism();
         let counting = mechanism.convert(Counted::new);
         let mut dearest = [0; 8];
         for step in 0..24 {
             let inputs = case.inputs::<M>(f64::from(step) / 24.0, &mut random);
-            let counted =
-                <<M::With<Counted> as Mechanism>::Inputs<Motion<Counted, 5>> as Row<Motion<Counted, 5>>>::from_fn(
-                    |index| inputs.as_ref()[index].map(Counted::new),
-                );
+            let counted = <<M::With<Counted> as Mechanism>::Inputs<M::Motion<Counted>> as Row<_>>::from_fn(|index| {
+                <M::Motion<Counted> as Row<Counted>>::from_fn(|order| {
+                    Counted::new(inputs.as_ref()[index].as_slice()[order])
+                })
+            });
             for assembly in M::assemblies() {
                 let mut closes = false;
                 let tally = count::of(|| closes = counting.solve_motion(counted, assembly).is_ok());
@@ -77,7 +79,7 @@ fn constants_are_what_is_carried_out() {
 struct Table(String);
 
 impl Visitor for Table {
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, _: Case) {
+    fn visit<M: ThroughSnap>(&mut self, _: Case) {
         let orders: Vec<usize> = M::DESCRIPTION.operations.iter().map(Operations::arithmetic).collect();
         let sum = published::<M>();
         writeln!(
@@ -106,7 +108,7 @@ fn costs() {
 fn no_typing_is_punished() {
     struct Dearest(usize);
     impl Visitor for Dearest {
-        fn visit<M: Mechanism<Scalar = f64>>(&mut self, _: Case) {
+        fn visit<M: ThroughSnap>(&mut self, _: Case) {
             self.0 = self.0.max(published::<M>().arithmetic());
         }
     }

@@ -5,11 +5,12 @@ use kin_core::library::{
     SliderCrankFirstApproximation, SliderCrankHigherApproximation,
 };
 use kin_core::prelude::*;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::oracles::Worst;
 use kin_tests::random::Random;
 
 /// A grid of crank angles with random motions and dimensions.
-fn prove<M: Mechanism<Scalar = f64>>(name: &str, mut dimension: impl FnMut(&mut Random, usize) -> f64) {
+fn prove<M: ThroughSnap>(name: &str, mut dimension: impl FnMut(&mut Random, usize) -> f64) {
     let mut random = Random::new(M::DESCRIPTION.name.len() as u64);
     let mut worst = Worst::default();
     for linkage in 0..40 {

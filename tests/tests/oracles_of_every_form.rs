@@ -3,6 +3,7 @@
 //! The worst errors per order are printed: `cargo test -p kin-tests --test oracles_of_every_form -- --nocapture`.
 
 use kin_core::prelude::*;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::oracles::Worst;
 use kin_tests::random::Random;
@@ -11,7 +12,7 @@ use kin_tests::random::Random;
 struct Prove;
 
 impl Visitor for Prove {
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let mut random = Random::new(M::DESCRIPTION.name.bytes().map(u64::from).sum());
         let mut worst = Worst::default();
         for _ in 0..8 {

@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use kin_core::prelude::*;
 use kin_core::series::Series;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::mechanisms::dyads::FiveBar;
 use kin_tests::mechanisms::outputs::{ClosureOutsideDomain, FourBarOutputs, OutputOutsideDomain};
@@ -63,7 +64,7 @@ fn assert_agree(name: &str, own: Motion<f64, 5>, expected: [f64; 5], size: f64, 
 fn outputs_by_differentiation() {
     struct Prove(usize);
     impl Visitor for Prove {
-        fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+        fn visit<M: ThroughSnap>(&mut self, case: Case) {
             type Pose<M> = <<M as Mechanism>::With<Nested> as Mechanism>::Pose;
             if M::DESCRIPTION.outputs.is_empty() {
                 return;

@@ -5,6 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use kin_core::library::FourBar;
 use kin_core::prelude::*;
 use kin_tests::compare::turned_back;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::mechanisms::ranged::*;
 use kin_tests::random::Random;
@@ -155,7 +156,7 @@ fn a_range_of_a_later_block_is_kept() {
 fn no_range_is_ever_left() {
     struct Check(usize);
     impl Visitor for Check {
-        fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+        fn visit<M: ThroughSnap>(&mut self, case: Case) {
             let mut random = Random::new(42);
             for step in 0..60 {
                 let mechanism: M = case.varied(&mut random);

@@ -7,6 +7,7 @@ use core::fmt::Write;
 use kin_core::library::{FourBar, InvertedSliderCrank, OffsetSliderCrank};
 use kin_core::prelude::*;
 use kin_tests::compare::assert_agree;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::mechanisms::four_bar_typings::*;
 use kin_tests::mechanisms::inverted_slider_crank_typings::*;
@@ -25,8 +26,8 @@ fn constant(value: f64) -> Angle {
 /// `expected` makes a typing's unknowns of the reference's, in its order; `angles` says which of them are angles.
 fn same<M, R>(expected: impl Fn(&Motions<R>) -> Vec<Angle>, angles: &[bool], parameters: &[&[f64]])
 where
-    M: Mechanism<Scalar = f64, Assembly = Assembly>,
-    R: Mechanism<Scalar = f64, Assembly = Assembly>,
+    M: ThroughSnap<Assembly = Assembly>,
+    R: ThroughSnap<Assembly = Assembly>,
 {
     same_with::<M, R>(expected, angles, parameters, |assembly| assembly);
 }
@@ -38,8 +39,8 @@ fn same_with<M, R>(
     parameters: &[&[f64]],
     named: impl Fn(Assembly) -> Assembly,
 ) where
-    M: Mechanism<Scalar = f64, Assembly = Assembly>,
-    R: Mechanism<Scalar = f64, Assembly = Assembly>,
+    M: ThroughSnap<Assembly = Assembly>,
+    R: ThroughSnap<Assembly = Assembly>,
 {
     let name = M::DESCRIPTION.name;
     let mut random = Random::new(11);
@@ -381,7 +382,7 @@ fn inverted_slider_cranks_with_offset() {
 struct ClosedForms(String);
 
 impl Visitor for ClosedForms {
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, _: Case) {
+    fn visit<M: ThroughSnap>(&mut self, _: Case) {
         let blocks: Vec<String> = M::DESCRIPTION
             .blocks
             .iter()

@@ -6,10 +6,11 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use kin_core::prelude::*;
 use kin_tests::compare::turned_back;
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::scalar_forms::*;
 
 /// The value of the only unknown, or what is the matter.
-fn value<M: Mechanism<Scalar = f64>>(parameters: &[f64], input: f64, assembly: M::Assembly) -> Result<f64, Failure> {
+fn value<M: ThroughSnap>(parameters: &[f64], input: f64, assembly: M::Assembly) -> Result<f64, Failure> {
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| parameters[index]));
     mechanism
         .solve_position(M::Inputs::from_fn(|_| input), assembly)
@@ -18,7 +19,7 @@ fn value<M: Mechanism<Scalar = f64>>(parameters: &[f64], input: f64, assembly: M
 }
 
 /// Both solutions, open first.
-fn both<M: Mechanism<Scalar = f64, Assembly = Assembly>>(parameters: &[f64], input: f64) -> [Result<f64, Failure>; 2] {
+fn both<M: ThroughSnap<Assembly = Assembly>>(parameters: &[f64], input: f64) -> [Result<f64, Failure>; 2] {
     Assembly::BOTH.map(|assembly| value::<M>(parameters, input, assembly))
 }
 

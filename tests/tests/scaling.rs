@@ -2,6 +2,7 @@
 
 use kin_core::prelude::*;
 use kin_core::{Dimension, Quantity};
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
@@ -40,7 +41,7 @@ struct Compare {
 }
 
 impl Visitor for Compare {
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case) {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let units = self.units;
         let mut random = Random::new(81);
         for step in 0..12 {

@@ -64,7 +64,13 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             quote!(#inputs[#place])
         })
         .collect();
-    let (unknowns, wanted) = (local("unknowns"), local("assembly"));
+    let (unknowns, wanted, near) = (local("unknowns"), local("assembly"), local("near"));
+    let length = size(order + 1);
+    let assembly_near = if value.is_empty() {
+        quote!(let _ = (#inputs, #near);)
+    } else {
+        quote!(self.assembly_at(#(#places,)* #near))
+    };
     let description = description(mechanism);
     let unknown_fields = model.unknowns.iter().map(|unknown| &unknown.name);
     let output_fields = model.outputs.iter().map(|output| {
@@ -85,6 +91,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             type Scalar = T;
             type With<Number: #runtime::Scalar> = #name<Number>;
             type Assembly = #assembly_type;
+            type Motion<Element: ::core::marker::Copy> = #runtime::Motion<Element, #length>;
             type Pose = #pose<T>;
             type Parameters<Element: ::core::marker::Copy> = [Element; #parameter_count];
             type Inputs<Element: ::core::marker::Copy> = [Element; #input_count];
@@ -94,9 +101,16 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             const DESCRIPTION: #runtime::Description = #description;
             const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
 
-            fn assembly(#index: ::core::primitive::usize) -> Self::Assembly {
-                let _ = #index;
-                #by_number
+            fn assembly(#index: ::core::primitive::usize) -> ::core::option::Option<Self::Assembly> {
+                if #index < Self::ASSEMBLY_COUNT {
+                    ::core::option::Option::Some(#by_number)
+                } else {
+                    ::core::option::Option::None
+                }
+            }
+
+            fn assembly_near(&self, #inputs: [T; #input_count], #near: [T; #unknown_count]) -> Self::Assembly {
+                #assembly_near
             }
 
             fn from_parameters(#parameters: [T; #parameter_count]) -> Self {
@@ -116,11 +130,19 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 
             fn solve_motion(
                 &self,
-                #inputs: [#runtime::Motion<T, 5>; #input_count],
+                #inputs: [#runtime::Motion<T, #length>; #input_count],
                 #wanted: Self::Assembly,
             ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
                 #ignore
                 self.solve(#(#places,)* #value)
+            }
+
+            fn solve_motion_near(
+                &self,
+                #inputs: [#runtime::Motion<T, #length>; #input_count],
+                #near: [T; #unknown_count],
+            ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
+                self.solve_near(#(#places,)* #near)
             }
 
             fn solve_position(
@@ -137,6 +159,19 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 }
             }
 
+            fn solve_position_near(
+                &self,
+                #inputs: [T; #input_count],
+                #near: [T; #unknown_count],
+            ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
+                match self.position_near(#(#places,)* #near) {
+                    ::core::result::Result::Ok(position) => {
+                        ::core::result::Result::Ok(position.unknowns())
+                    }
+                    ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
+                }
+            }
+
             fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
                 self.closure(#(#places,)* #unknowns)
             }
@@ -145,14 +180,15 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         #attributes
         impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {
             type Scalar = T;
+            type Motion = #runtime::Motion<T, #length>;
             type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
             type Outputs<Element: ::core::marker::Copy> = [Element; #output_count];
 
-            fn unknown_motions(&self) -> [#runtime::Motion<T, 5>; #unknown_count] {
+            fn unknown_motions(&self) -> [#runtime::Motion<T, #length>; #unknown_count] {
                 [#(self.#unknown_fields),*]
             }
 
-            fn output_motions(&self) -> [#runtime::Motion<T, 5>; #output_count] {
+            fn output_motions(&self) -> [#runtime::Motion<T, #length>; #output_count] {
                 [#(#output_fields),*]
             }
         }
@@ -196,7 +232,21 @@ fn description(mechanism: &Mechanism<'_>) -> TokenStream {
             mechanism.block_name(block),
             mechanism.blocks[block].form.description(mechanism.graph),
         );
-        quote!(#runtime::Block { unknowns: #unknowns, closed_form: #form })
+        let [members, equations] =
+            [&mechanism.blocks[block].unknowns, &mechanism.blocks[block].equations].map(|places| {
+                places
+                    .iter()
+                    .map(|&place| Literal::usize_unsuffixed(place))
+                    .collect::<Vec<_>>()
+            });
+        quote! {
+            #runtime::Block {
+                unknowns: #unknowns,
+                solution: #form,
+                members: &[#(#members),*],
+                equations: &[#(#equations),*],
+            }
+        }
     });
     let order = Literal::usize_unsuffixed(mechanism.order());
     let operations = description::operations(mechanism);

@@ -8,6 +8,11 @@ use super::{
 };
 use crate::random::Random;
 
+/// A mechanism in double precision, through snap.
+pub trait ThroughSnap: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>> {}
+
+impl<M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>> ThroughSnap for M {}
+
 /// Dimensions of a mechanism, and the range of each of its inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
@@ -20,13 +25,13 @@ pub struct Case {
 impl Case {
     /// The mechanism itself.
     #[must_use]
-    pub fn mechanism<M: Mechanism<Scalar = f64>>(&self) -> M {
+    pub fn mechanism<M: ThroughSnap>(&self) -> M {
         M::from_parameters(M::Parameters::from_fn(|index| self.parameters[index]))
     }
 
     /// The mechanism with its dimensions changed by up to a tenth.
     #[must_use]
-    pub fn varied<M: Mechanism<Scalar = f64>>(&self, random: &mut Random) -> M {
+    pub fn varied<M: ThroughSnap>(&self, random: &mut Random) -> M {
         M::from_parameters(M::Parameters::from_fn(|index| {
             self.parameters[index] * random.between(0.9, 1.1)
         }))
@@ -34,7 +39,7 @@ impl Case {
 
     /// Inputs a fraction of their ranges from the start, each fraction the next multiple of the first, with random rates.
     #[must_use]
-    pub fn inputs<M: Mechanism<Scalar = f64>>(&self, fraction: f64, random: &mut Random) -> M::Inputs<Motion<f64, 5>> {
+    pub fn inputs<M: ThroughSnap>(&self, fraction: f64, random: &mut Random) -> M::Inputs<Motion<f64, 5>> {
         let mut own = 0.0;
         M::Inputs::from_fn(|index| {
             own += fraction;
@@ -47,7 +52,7 @@ impl Case {
 /// Something that is to be done with mechanisms of all kinds.
 pub trait Visitor {
     /// Does it with one of them.
-    fn visit<M: Mechanism<Scalar = f64>>(&mut self, case: Case);
+    fn visit<M: ThroughSnap>(&mut self, case: Case);
 }
 
 /// A function for each group of mechanisms, that leads a visitor through it.
