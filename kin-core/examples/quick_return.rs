@@ -53,7 +53,7 @@ fn main() -> Result<(), SolveError> {
     let speed = TAU; // one turn per second
     println!("Whitworth quick-return, two loops, one turn of the crank per second (m, rad, s)\n");
     for block in QuickReturn::<f64>::DESCRIPTION.blocks {
-        println!("  {:<12} {}", block.unknowns, block.closed_form);
+        println!("  {:<12} {}", block.unknowns, block.solution);
     }
 
     let poses = (0..=24)
