@@ -39,7 +39,7 @@ fn declared<M: Mechanism>() -> Operations {
 /// Runs a mechanism on counting numbers in every assembly, and compares the dearest with what was declared.
 fn prove<M: Mechanism<Scalar = Counted>>() {
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| Counted::new(PARAMETERS[index])));
-    let inputs = M::Inputs::from_fn(|_| Motion::new([ANGLE, 1.0, 2.0, 3.0, 4.0].map(Counted::new)));
+    let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| Counted::new([ANGLE, 1.0, 2.0, 3.0, 4.0][order])));
     let mut measured = Operations::default();
     let mut count_of_poses = 0;
     for assembly in M::assemblies() {
