@@ -2,7 +2,6 @@
 //!
 //! The worst errors per order are printed: `cargo test -p kin-tests --test oracles_of_every_form -- --nocapture`.
 
-use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
 use kin_tests::oracles::Worst;
