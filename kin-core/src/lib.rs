@@ -89,7 +89,7 @@ pub use error::{Failure, SolveError};
 pub use inputs::InputValues;
 pub use mechanism::{Block, Description, Dimension, Mechanism, Operations, Pose, Quantity, Row};
 pub use motion::Motion;
-pub use near::Near;
+pub use near::{Guess, Near};
 pub use plane::Plane;
 pub use scalar::Scalar;
 
@@ -184,8 +184,8 @@ pub mod prelude {
 #[doc(hidden)]
 pub mod __private {
     pub use crate::{
-        Assembly, Block, Description, Dimension, Failure, InputValues, Mechanism, Motion, Near, Operations, Plane,
-        Pose, Quantity, Row, Scalar, SolveError, series, solve,
+        Assembly, Block, Description, Dimension, Failure, Guess, InputValues, Mechanism, Motion, Near, Operations,
+        Plane, Pose, Quantity, Row, Scalar, SolveError, series, solve,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

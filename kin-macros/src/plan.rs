@@ -5,8 +5,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Stage, Step};
-use crate::derive::{self, Hint, Way};
+use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Regularity, Stage, Step};
+use crate::derive::{self, Hint, Rate, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
 use crate::structure::Block;
@@ -134,13 +134,19 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
             ways,
         },
     );
-    let assembled = assemble::assemble(
-        &mut graph,
-        &mut names,
-        task.blocks,
-        task.ranges,
-        &derivatives.determinants,
-    );
+    let jacobians: Vec<Regularity> = derivatives
+        .regular
+        .iter()
+        .zip(&derivatives.systems)
+        .map(|(regular, system)| Regularity {
+            regular: regular.clone(),
+            system: system.clone(),
+        })
+        .collect();
+    for (symbol, _) in derivatives.systems.iter().flatten() {
+        names.name(*symbol, "factors");
+    }
+    let assembled = assemble::assemble(&mut graph, &mut names, task.blocks, task.ranges, &jacobians);
     let mut units = assembled.units;
     let mut stages = vec![assembled.stage];
     for (index, &output) in task.outputs.iter().enumerate() {
@@ -153,11 +159,30 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
     for order in 1..=order {
         let mut steps = Vec::new();
         for rate in &derivatives.orders[order - 1] {
-            let node = units.rewrite(&mut graph, rate.value);
-            steps.push(Step::Define {
-                symbol: Symbol::UnknownRate(rate.unknown, order),
-                node,
-            });
+            match rate {
+                Rate::Value { unknown, value } => {
+                    let node = units.rewrite(&mut graph, *value);
+                    steps.push(Step::Define {
+                        symbol: Symbol::UnknownRate(*unknown, order),
+                        node,
+                    });
+                }
+                Rate::System {
+                    factors,
+                    unknowns,
+                    right,
+                } => {
+                    let right = right.iter().map(|&node| units.rewrite(&mut graph, node)).collect();
+                    steps.push(Step::Substitute {
+                        factors: graph.symbol(*factors),
+                        right,
+                        results: unknowns
+                            .iter()
+                            .map(|&unknown| Symbol::UnknownRate(unknown, order))
+                            .collect(),
+                    });
+                }
+            }
         }
         for (index, &output) in derivatives.outputs[order - 1].iter().enumerate() {
             let node = units.rewrite(&mut graph, output);
@@ -169,7 +194,7 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
         stages.push(Stage { steps });
     }
     let mut hints: Vec<(Node, String)> = Vec::new();
-    for &determinant in &derivatives.determinants {
+    for &determinant in derivatives.regular.iter().flatten() {
         hints.push((units.rewrite(&mut graph, determinant), "determinant".to_owned()));
     }
     for (node, hint) in derivatives.hints {
@@ -183,9 +208,9 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
         hints.extend([(node, name.clone()), (opposite, name)]);
     }
     let guaranteed: Vec<Node> = derivatives
-        .pivots
+        .guaranteed
         .iter()
-        .chain(&derivatives.determinants)
+        .chain(derivatives.regular.iter().flatten())
         .map(|&node| units.rewrite(&mut graph, node))
         .collect();
     let checks = unguarded_divisors(&graph, &stages, &guaranteed);

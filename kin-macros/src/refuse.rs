@@ -77,25 +77,6 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
                     ),
                 ),
             },
-            Fault::NoClosedForm { unknowns, equations } if unknowns.len() == 1 => report.error(
-                whole(model, origins[equations[0]]),
-                format_args!(
-                    "no closed form is known for {} in this {}: it must be linear or quadratic in it, of the form \
-                     a cos x + b sin x = c, or one invertible function of it; rearrange it, or make {} an input",
-                    names(unknowns),
-                    origins[equations[0]].part,
-                    names(unknowns),
-                ),
-            ),
-            Fault::NoClosedForm { unknowns, equations } => report.error(
-                whole(model, origins[equations[0]]),
-                format_args!(
-                    "no closed form is known for the {} that couple {}; write the closure as loops with two unknowns \
-                     each that can be solved one after another, or make one of the unknowns an input",
-                    count(equations.len(), "scalar equation"),
-                    names(unknowns),
-                ),
-            ),
         }
     }
 }

@@ -9,7 +9,7 @@ use super::solver::{Argument, Solver};
 use super::units::Units;
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
-use crate::structure::{Block, ClosedForm, Complex};
+use crate::structure::{Block, ClosedForm, Complex, Part, Solution};
 
 /// The steps that find the position, what they teach about directions, and the choices they leave.
 pub(crate) struct Assembled {
@@ -26,13 +26,21 @@ pub(super) struct Builder<'a> {
     pub(super) units: Units,
 }
 
-/// Turns blocks into steps; `determinants` are the blocks' Jacobians, for those that must be checked.
+/// What is asked of a block's Jacobian when the position is known.
+pub(crate) struct Regularity {
+    /// What must not vanish.
+    pub(crate) regular: Vec<Node>,
+    /// What is to be factored, under a symbol by which later stages know the factors.
+    pub(crate) system: Option<(Symbol, Vec<Vec<Node>>)>,
+}
+
+/// Turns blocks into steps.
 pub(crate) fn assemble(
     graph: &mut Graph,
     names: &mut Names,
     blocks: &[Block],
     ranges: &BTreeMap<usize, Limits>,
-    determinants: &[Node],
+    jacobians: &[Regularity],
 ) -> Assembled {
     let mut builder = Builder {
         graph,
@@ -42,30 +50,23 @@ pub(crate) fn assemble(
     };
     let mut choices = Vec::new();
     let mut assemblies = 0;
-    for (index, block) in blocks.iter().enumerate() {
-        let orientation = choice::orientation(builder.graph, &block.form);
-        let mode = choice::mode(builder.graph, &block.form, &block.unknowns, ranges, &mut assemblies);
-        builder.steps.push(Step::Open { block: index, mode });
-        choices.push(Choice { mode, orientation });
-        builder.form(&block.form);
-        for &unknown in &block.unknowns {
-            let own = Symbol::Unknown(unknown);
-            let turns = builder
-                .steps
-                .iter()
-                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
-            let principal = -PI..=PI;
-            let wraps = turns
-                && ranges
-                    .get(&unknown)
-                    .is_some_and(|limits| !(principal.contains(&limits.low) && principal.contains(&limits.high)));
-            builder.steps.push(Step::Bound { unknown, turns, wraps });
+    for (block, jacobian) in blocks.iter().zip(jacobians) {
+        for (place, part) in block.parts.iter().enumerate() {
+            let number = choices.len();
+            let orientation = choice::orientation(builder.graph, part);
+            let mode = choice::mode(builder.graph, part, ranges, &mut assemblies);
+            builder.steps.push(Step::Open { part: number, mode });
+            choices.push(Choice { mode, orientation });
+            match &part.solution {
+                Solution::Closed(form) => builder.form(form),
+                Solution::Newton { residuals } => builder.newton(number, &part.unknowns, residuals),
+            }
+            builder.bounds(part, ranges);
+            if place + 1 == block.parts.len() && block.check_jacobian {
+                builder.regular(jacobian);
+            }
+            builder.steps.push(Step::Close { part: number });
         }
-        if block.check_jacobian {
-            let node = builder.units.rewrite(builder.graph, determinants[index]);
-            builder.steps.push(Step::Regular { node });
-        }
-        builder.steps.push(Step::Close { block: index });
     }
     Assembled {
         stage: Stage { steps: builder.steps },
@@ -75,6 +76,41 @@ pub(crate) fn assemble(
 }
 
 impl Builder<'_> {
+    /// What a block's Jacobian must fulfil, once all of its unknowns are known.
+    fn regular(&mut self, jacobian: &Regularity) {
+        for &node in &jacobian.regular {
+            let node = self.known(node);
+            self.steps.push(Step::Regular { node });
+        }
+        if let Some((symbol, matrix)) = &jacobian.system {
+            let matrix = matrix
+                .iter()
+                .map(|row| row.iter().map(|&entry| self.known(entry)).collect())
+                .collect();
+            self.steps.push(Step::Factor {
+                symbol: *symbol,
+                matrix,
+            });
+        }
+    }
+
+    /// The unknowns of a part, just found, are brought to the turn or into the range that is wanted.
+    fn bounds(&mut self, part: &Part, ranges: &BTreeMap<usize, Limits>) {
+        for &unknown in &part.unknowns {
+            let own = Symbol::Unknown(unknown);
+            let turns = self
+                .steps
+                .iter()
+                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
+            let principal = -PI..=PI;
+            let wraps = turns
+                && ranges
+                    .get(&unknown)
+                    .is_some_and(|limits| !(principal.contains(&limits.low) && principal.contains(&limits.high)));
+            self.steps.push(Step::Bound { unknown, turns, wraps });
+        }
+    }
+
     pub(super) fn known(&mut self, node: Node) -> Node {
         self.units.rewrite(self.graph, node)
     }
@@ -187,6 +223,7 @@ impl Builder<'_> {
             } => {
                 self.angle_length(*angle, *length, arm, *direction, *target);
             }
+            ClosedForm::Direction { unknown, arm, target } => self.direction(*unknown, arm, *target),
             ClosedForm::Polar {
                 length,
                 angle,

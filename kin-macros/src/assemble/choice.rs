@@ -4,20 +4,16 @@ use std::collections::BTreeMap;
 
 use super::program::{Limits, Mode};
 use crate::expr::{Graph, Node, Symbol};
-use crate::structure::{Arm, ClosedForm, Complex};
+use crate::structure::{Arm, ClosedForm, Complex, Part, Solution};
 
-/// How a block's solution is chosen; `assemblies` counts the choices left to the caller.
-pub(super) fn mode(
-    graph: &Graph,
-    form: &ClosedForm,
-    unknowns: &[usize],
-    ranges: &BTreeMap<usize, Limits>,
-    assemblies: &mut usize,
-) -> Mode {
-    if !form.has_assemblies() {
-        return Mode::Only;
-    }
-    let ranged: Vec<(usize, Limits)> = unknowns
+/// How a part's solution is chosen; `assemblies` counts the choices left to the caller.
+pub(super) fn mode(graph: &Graph, part: &Part, ranges: &BTreeMap<usize, Limits>, assemblies: &mut usize) -> Mode {
+    let form = match &part.solution {
+        Solution::Closed(form) if form.has_assemblies() => form,
+        _ => return Mode::Only,
+    };
+    let ranged: Vec<(usize, Limits)> = part
+        .unknowns
         .iter()
         .filter_map(|&unknown| Some((unknown, *ranges.get(&unknown)?)))
         .collect();
@@ -32,10 +28,17 @@ pub(super) fn mode(
 }
 
 /// Positive in the open assembly.
-pub(super) fn orientation(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
+pub(super) fn orientation(graph: &mut Graph, part: &Part) -> Option<Node> {
+    match &part.solution {
+        Solution::Closed(form) => orientation_of(graph, form),
+        Solution::Newton { .. } => None,
+    }
+}
+
+fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
     Some(match form {
-        ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } => return None,
-        ClosedForm::Inverse { then, .. } => return orientation(graph, then),
+        ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } | ClosedForm::Direction { .. } => return None,
+        ClosedForm::Inverse { then, .. } => return orientation_of(graph, then),
         ClosedForm::SquareRoot { unknown, .. } => graph.symbol(Symbol::Unknown(*unknown)),
         ClosedForm::Quadratic { unknown, a, b, .. } => {
             let x = graph.symbol(Symbol::Unknown(*unknown));

@@ -30,6 +30,21 @@ impl Builder<'_> {
         if mirrored { unit.conjugate(self.graph) } else { unit }
     }
 
+    /// The angle of a link that spans a known vector.
+    pub(super) fn direction(&mut self, unknown: usize, arm: &Arm, target: Complex) {
+        let factor = self.known_complex(arm.factor);
+        let target = self.known_complex(target);
+        let wish = if factor.is_real(self.graph) {
+            let (_, length) = self.graph.split_coefficient(factor.re);
+            self.link_name(length, &self.angle_name(arm))
+        } else {
+            format!("link_{}", self.angle_name(arm))
+        };
+        let vector = self.define_complex(&wish, target);
+        let unit = self.unit_of(vector, factor, arm.mirrored);
+        self.turn(unknown, unit);
+    }
+
     pub(super) fn two_angles(&mut self, unknowns: [usize; 2], arms: &[Arm; 2], target: Complex) {
         let factors = [self.known_complex(arms[0].factor), self.known_complex(arms[1].factor)];
         let mut target = self.known_complex(target);

@@ -1,4 +1,4 @@
-//! Position: the blocks' closed forms as steps of a program.
+//! Position: the blocks' closed forms, and Newton's method for what has none, as steps of a program.
 //!
 //! Closed forms give the vectors of the links that turn, and the angle itself by one arctangent at the end. From then on
 //! every sine and cosine of an unknown is read off those vectors; none is evaluated again.
@@ -6,10 +6,11 @@
 mod blocks;
 mod choice;
 mod loops;
+mod newton;
 mod program;
 mod solver;
 mod units;
 
-pub(crate) use blocks::assemble;
+pub(crate) use blocks::{Regularity, assemble};
 pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
 pub(crate) use solver::{Argument, Cost, Returns, Shape, Solver};

@@ -54,12 +54,29 @@ pub(crate) enum Step {
     /// is as good on any other turn; any other is not, for it stands in its equation as a number. One that `wraps` may have
     /// to be moved by a turn to lie in its range.
     Bound { unknown: usize, turns: bool, wraps: bool },
-    /// A block begins.
-    Open { block: usize, mode: Mode },
+    /// A part of a block begins.
+    Open { part: usize, mode: Mode },
+    /// Newton's method from the guess that the caller gave: values of the unknowns at which the residuals vanish. `outside` are the
+    /// values of earlier steps that the residuals refer to.
+    Newton {
+        part: usize,
+        unknowns: Vec<usize>,
+        residuals: Vec<Node>,
+        jacobian: Vec<Vec<Node>>,
+        outside: Vec<Node>,
+    },
+    /// The factors of a matrix by which later stages solve.
+    Factor { symbol: Symbol, matrix: Vec<Vec<Node>> },
+    /// matrix · results = right, by its factors.
+    Substitute {
+        factors: Node,
+        right: Vec<Node>,
+        results: Vec<Symbol>,
+    },
     /// What must not vanish, because something is divided by it later.
     Regular { node: Node },
     /// It ends.
-    Close { block: usize },
+    Close { part: usize },
 }
 
 impl Step {
@@ -70,6 +87,9 @@ impl Step {
             Self::Solve { arguments, .. } => arguments.iter().flat_map(Argument::nodes).collect(),
             Self::Angle { x, y, length, .. } => vec![*y, *x, *length],
             Self::Regular { node } => vec![*node],
+            Self::Newton { outside, .. } => outside.clone(),
+            Self::Factor { matrix, .. } => matrix.concat(),
+            Self::Substitute { factors, right, .. } => [*factors].into_iter().chain(right.iter().copied()).collect(),
             Self::Bound { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),
         }
     }

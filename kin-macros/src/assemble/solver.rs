@@ -24,6 +24,43 @@ impl Cost {
     }
 }
 
+impl Cost {
+    /// Of factoring a matrix of so many rows, see `kin_core::solve::factor`.
+    pub(crate) const fn of_factors(size: usize) -> Self {
+        let mut products = 0;
+        let mut rows = 1;
+        while rows < size {
+            products += rows * rows;
+            rows += 1;
+        }
+        let quotients = size * (size - 1) / 2;
+        Self {
+            additions: products,
+            multiplications: products + quotients,
+            divisions: size,
+            negations: 0,
+            square_roots: 0,
+            sine_cosines: 0,
+            arc_tangents: 0,
+            others: 0,
+        }
+    }
+
+    /// Of solving by the factors of a matrix of so many rows.
+    pub(crate) const fn of_substitution(size: usize) -> Self {
+        Self {
+            additions: size * (size - 1),
+            multiplications: size * size,
+            divisions: 0,
+            negations: 0,
+            square_roots: 0,
+            sine_cosines: 0,
+            arc_tangents: 0,
+            others: 0,
+        }
+    }
+}
+
 impl Add for Cost {
     type Output = Self;
 

@@ -1,11 +1,64 @@
 //! A block's Jacobian, and the linear systems that it solves for the rates of every order.
+//!
+//! A large Jacobian is reduced first, by steps that cannot fail where its determinant does not vanish, whatever the position:
+//! an entry that stands alone in its row or column is a factor of the determinant; two entries that stand alone in their
+//! column, p and q, are turned into √(p² + q²) and zero; and an entry that is a number is a pivot at all times. What remains is
+//! solved by Cramer's rule up to three unknowns, and beyond by the factors that the position has left.
 
 use super::Rate;
 use crate::expr::{Graph, Node, Symbol};
 use crate::structure::Block;
 
+/// Up to so many unknowns are solved by Cramer's rule.
+const CRAMER: usize = 3;
+
+/// A Jacobian, reduced as far as it goes.
+pub(super) struct Jacobian {
+    pivots: Vec<Pivot>,
+    /// The equations that remain, by their places in the block.
+    rows: Vec<usize>,
+    /// The unknowns that remain.
+    unknowns: Vec<usize>,
+    core: Vec<Vec<Node>>,
+    /// The factors of the core, where it is too large for Cramer's rule.
+    factors: Option<Symbol>,
+}
+
+/// A step of the reduction.
+enum Pivot {
+    /// The only unknown of an equation is found before all others; what it adds to the other equations.
+    First {
+        row: usize,
+        unknown: usize,
+        entry: Node,
+        column: Vec<(usize, Node)>,
+    },
+    /// The only equation with an unknown gives it after all others.
+    Last {
+        row: usize,
+        unknown: usize,
+        entry: Node,
+        others: Vec<(usize, Node)>,
+    },
+    /// An equation with a number before an unknown is subtracted from the others, and gives it after all others.
+    Number {
+        row: usize,
+        unknown: usize,
+        entry: Node,
+        multiples: Vec<(usize, Node)>,
+        others: Vec<(usize, Node)>,
+    },
+    /// Two equations with an unknown are turned so that only the first has it.
+    Turn {
+        rows: [usize; 2],
+        entries: [Node; 2],
+        unknown: usize,
+        others: Vec<(usize, Node)>,
+    },
+}
+
 /// The partial derivatives of a block's equations (rows) by its unknowns (columns).
-pub(super) fn jacobian(graph: &mut Graph, residuals: &[Node], block: &Block) -> Vec<Vec<Node>> {
+fn partials(graph: &mut Graph, residuals: &[Node], block: &Block) -> Vec<Vec<Node>> {
     block
         .equations
         .iter()
@@ -19,62 +72,386 @@ pub(super) fn jacobian(graph: &mut Graph, residuals: &[Node], block: &Block) -> 
         .collect()
 }
 
-/// Closed forms have one or two unknowns.
-pub(super) fn determinant(graph: &mut Graph, matrix: &[Vec<Node>]) -> Node {
+impl Jacobian {
+    pub(super) fn new(graph: &mut Graph, residuals: &[Node], block: &Block) -> Self {
+        let core = partials(graph, residuals, block);
+        let mut jacobian = Self {
+            pivots: Vec::new(),
+            rows: (0..core.len()).collect(),
+            unknowns: block.unknowns.clone(),
+            core,
+            factors: None,
+        };
+        while jacobian.core.len() > 2 && jacobian.reduce(graph) {}
+        if jacobian.core.len() > CRAMER {
+            jacobian.factors = Some(graph.new_step().0);
+        }
+        jacobian
+    }
+
+    fn entries<'a>(&'a self, graph: &'a Graph, column: usize) -> impl Iterator<Item = usize> + 'a {
+        (0..self.core.len()).filter(move |&row| !graph.is_zero(self.core[row][column]))
+    }
+
+    /// One step of the reduction; false if there is none.
+    fn reduce(&mut self, graph: &mut Graph) -> bool {
+        let size = self.core.len();
+        for row in 0..size {
+            let filled: Vec<usize> = (0..size)
+                .filter(|&column| !graph.is_zero(self.core[row][column]))
+                .collect();
+            if let [column] = filled[..] {
+                self.first(graph, row, column);
+                return true;
+            }
+        }
+        let columns: Vec<Vec<usize>> = (0..size).map(|column| self.entries(graph, column).collect()).collect();
+        if let Some(column) = columns.iter().position(|rows| rows.len() == 1) {
+            self.last(graph, columns[column][0], column);
+            return true;
+        }
+        if size <= CRAMER {
+            return false;
+        }
+        let number = (0..size)
+            .flat_map(|row| (0..size).map(move |column| (row, column)))
+            .find(|&(row, column)| {
+                graph
+                    .as_number(self.core[row][column])
+                    .is_some_and(|number| number != 0.0)
+                    && self.core[row].iter().all(|&entry| {
+                        graph
+                            .symbols(entry)
+                            .iter()
+                            .all(|symbol| !matches!(symbol, Symbol::Unknown(_)))
+                    })
+            });
+        if let Some((row, column)) = number {
+            self.number(graph, row, column);
+            return true;
+        }
+        if let Some(column) = columns.iter().position(|rows| rows.len() == 2) {
+            self.turn(graph, [columns[column][0], columns[column][1]], column);
+            return true;
+        }
+        let number = (0..size)
+            .flat_map(|row| (0..size).map(move |column| (row, column)))
+            .find(|&(row, column)| {
+                graph
+                    .as_number(self.core[row][column])
+                    .is_some_and(|number| number != 0.0)
+            });
+        if let Some((row, column)) = number {
+            self.number(graph, row, column);
+            return true;
+        }
+        false
+    }
+
+    /// What else stands in a row, by unknown.
+    fn others(&self, graph: &Graph, row: usize, column: usize) -> Vec<(usize, Node)> {
+        self.core[row]
+            .iter()
+            .enumerate()
+            .filter(|&(other, &entry)| other != column && !graph.is_zero(entry))
+            .map(|(other, &entry)| (self.unknowns[other], entry))
+            .collect()
+    }
+
+    fn remove(&mut self, row: usize, column: usize) {
+        self.core.remove(row);
+        self.rows.remove(row);
+        self.unknowns.remove(column);
+        for entries in &mut self.core {
+            entries.remove(column);
+        }
+    }
+
+    fn first(&mut self, graph: &Graph, row: usize, column: usize) {
+        let others = self
+            .entries(graph, column)
+            .filter(|&other| other != row)
+            .map(|other| (self.rows[other], self.core[other][column]))
+            .collect();
+        self.pivots.push(Pivot::First {
+            row: self.rows[row],
+            unknown: self.unknowns[column],
+            entry: self.core[row][column],
+            column: others,
+        });
+        self.remove(row, column);
+    }
+
+    fn last(&mut self, graph: &Graph, row: usize, column: usize) {
+        self.pivots.push(Pivot::Last {
+            row: self.rows[row],
+            unknown: self.unknowns[column],
+            entry: self.core[row][column],
+            others: self.others(graph, row, column),
+        });
+        self.remove(row, column);
+    }
+
+    fn number(&mut self, graph: &mut Graph, row: usize, column: usize) {
+        let entry = self.core[row][column];
+        let mut multiples = Vec::new();
+        for other in 0..self.core.len() {
+            if other == row || graph.is_zero(self.core[other][column]) {
+                continue;
+            }
+            let factor = graph.divide(self.core[other][column], entry);
+            for place in 0..self.unknowns.len() {
+                let product = graph.multiply(factor, self.core[row][place]);
+                self.core[other][place] = graph.subtract(self.core[other][place], product);
+            }
+            multiples.push((self.rows[other], factor));
+        }
+        self.pivots.push(Pivot::Number {
+            row: self.rows[row],
+            unknown: self.unknowns[column],
+            entry,
+            multiples,
+            others: self.others(graph, row, column),
+        });
+        self.remove(row, column);
+    }
+
+    fn turn(&mut self, graph: &mut Graph, rows: [usize; 2], column: usize) {
+        let entries = rows.map(|row| self.core[row][column]);
+        let mut others = Vec::new();
+        for place in (0..self.unknowns.len()).filter(|&place| place != column) {
+            let values = rows.map(|row| self.core[row][place]);
+            let (along, across) = turned(graph, entries, values);
+            if !graph.is_zero(along) {
+                others.push((self.unknowns[place], along));
+            }
+            self.core[rows[1]][place] = across;
+        }
+        self.pivots.push(Pivot::Turn {
+            rows: rows.map(|row| self.rows[row]),
+            entries,
+            unknown: self.unknowns[column],
+            others,
+        });
+        self.remove(rows[0], column);
+    }
+
+    /// What must not vanish: the determinant as a product of what it factors into.
+    pub(super) fn regular(&self, graph: &mut Graph) -> Vec<Node> {
+        let mut factors: Vec<Node> = self
+            .pivots
+            .iter()
+            .filter_map(|pivot| match pivot {
+                Pivot::First { entry, .. } | Pivot::Last { entry, .. } => Some(*entry),
+                Pivot::Number { .. } | Pivot::Turn { .. } => None,
+            })
+            .collect();
+        if self.factors.is_none() && !self.core.is_empty() {
+            factors.push(determinant(graph, &self.core));
+        }
+        factors
+    }
+
+    /// What rates are divided by that does not vanish where the determinant does not.
+    pub(super) fn guaranteed(&self, graph: &mut Graph) -> Vec<Node> {
+        let mut nodes = Vec::new();
+        if let [first, second] = self.core.as_slice()
+            && first.iter().chain(second).any(|&entry| graph.is_zero(entry))
+        {
+            nodes.extend(first.iter().chain(second).filter(|&&entry| !graph.is_zero(entry)));
+        }
+        for pivot in &self.pivots {
+            if let Pivot::Turn { entries, .. } = pivot {
+                nodes.push(squares(graph, *entries));
+            }
+        }
+        nodes
+    }
+
+    /// What is to be factored when the position is known.
+    pub(super) fn system(&self) -> Option<(Symbol, Vec<Vec<Node>>)> {
+        Some((self.factors?, self.core.clone()))
+    }
+
+    /// The rates of one order from J q⁽ⁿ⁾ = right, in the order in which they can be computed.
+    pub(super) fn solve(&self, graph: &mut Graph, right: &[Node], order: usize) -> Vec<Rate> {
+        let mut right = right.to_vec();
+        let mut rates = Vec::new();
+        for pivot in &self.pivots {
+            match pivot {
+                Pivot::First {
+                    row,
+                    unknown,
+                    entry,
+                    column,
+                } => {
+                    let value = graph.divide(right[*row], *entry);
+                    rates.push(Rate::Value {
+                        unknown: *unknown,
+                        value,
+                    });
+                    for &(other, entry) in column {
+                        right[other] = without(graph, right[other], &[(*unknown, entry)], order);
+                    }
+                }
+                Pivot::Number { row, multiples, .. } => {
+                    for &(other, factor) in multiples {
+                        let product = graph.multiply(factor, right[*row]);
+                        right[other] = graph.subtract(right[other], product);
+                    }
+                }
+                Pivot::Turn { rows, entries, .. } => {
+                    let (along, across) = turned(graph, *entries, rows.map(|row| right[row]));
+                    right[rows[0]] = along;
+                    right[rows[1]] = across;
+                }
+                Pivot::Last { .. } => {}
+            }
+        }
+        let own: Vec<Node> = self.rows.iter().map(|&row| right[row]).collect();
+        match self.factors {
+            Some(factors) => rates.push(Rate::System {
+                factors,
+                unknowns: self.unknowns.clone(),
+                right: own,
+            }),
+            None => rates.extend(cramer(graph, &self.core, &own, &self.unknowns, order)),
+        }
+        for pivot in self.pivots.iter().rev() {
+            let (row, unknown, entry, others) = match pivot {
+                Pivot::First { .. } => continue,
+                Pivot::Last {
+                    row,
+                    unknown,
+                    entry,
+                    others,
+                }
+                | Pivot::Number {
+                    row,
+                    unknown,
+                    entry,
+                    others,
+                    ..
+                } => (*row, *unknown, *entry, others),
+                Pivot::Turn {
+                    rows,
+                    entries,
+                    unknown,
+                    others,
+                } => (rows[0], *unknown, squares(graph, *entries), others),
+            };
+            let rest = without(graph, right[row], others, order);
+            let value = graph.divide(rest, entry);
+            rates.push(Rate::Value { unknown, value });
+        }
+        rates
+    }
+}
+
+/// p a + q b and q a - p b.
+fn turned(graph: &mut Graph, [p, q]: [Node; 2], [a, b]: [Node; 2]) -> (Node, Node) {
+    let (pa, qb) = (graph.multiply(p, a), graph.multiply(q, b));
+    let (qa, pb) = (graph.multiply(q, a), graph.multiply(p, b));
+    (graph.add(pa, qb), graph.subtract(qa, pb))
+}
+
+fn squares(graph: &mut Graph, [p, q]: [Node; 2]) -> Node {
+    let (p, q) = (graph.power(p, 2), graph.power(q, 2));
+    graph.add(p, q)
+}
+
+/// A right-hand side less what known rates add to its equation.
+fn without(graph: &mut Graph, right: Node, others: &[(usize, Node)], order: usize) -> Node {
+    let mut rest = right;
+    for &(unknown, entry) in others {
+        let rate = graph.symbol(Symbol::UnknownRate(unknown, order));
+        let product = graph.multiply(entry, rate);
+        rest = graph.subtract(rest, product);
+    }
+    rest
+}
+
+/// The cross product of two rows of three.
+fn cross(graph: &mut Graph, a: &[Node], b: &[Node]) -> [Node; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
+        let (first, second) = (graph.multiply(a[i], b[j]), graph.multiply(a[j], b[i]));
+        graph.subtract(first, second)
+    })
+}
+
+fn determinant(graph: &mut Graph, matrix: &[Vec<Node>]) -> Node {
     match matrix {
         [row] => row[0],
         [first, second] => {
             let (main, other) = (graph.multiply(first[0], second[1]), graph.multiply(first[1], second[0]));
             graph.subtract(main, other)
         }
-        _ => unreachable!("closed forms have one or two unknowns"),
+        [first, second, third] => {
+            let cofactors = cross(graph, second, third);
+            let terms: Vec<Node> = first
+                .iter()
+                .zip(cofactors)
+                .map(|(&entry, cofactor)| graph.multiply(entry, cofactor))
+                .collect();
+            graph.sum(&terms)
+        }
+        _ => unreachable!("larger systems are factored at run time"),
     }
 }
 
-/// The entries on the diagonal of a triangular system: they do not vanish where its determinant does not.
-pub(super) fn pivots(graph: &Graph, matrix: &[Vec<Node>]) -> Vec<Node> {
+/// The rates of up to three unknowns by Cramer's rule.
+fn cramer(graph: &mut Graph, matrix: &[Vec<Node>], right: &[Node], unknowns: &[usize], order: usize) -> Vec<Rate> {
     match matrix {
-        [first, second] if first.iter().chain(second).any(|&entry| graph.is_zero(entry)) => first
-            .iter()
-            .chain(second)
-            .copied()
-            .filter(|&entry| !graph.is_zero(entry))
-            .collect(),
-        _ => Vec::new(),
+        [] => Vec::new(),
+        [row] => {
+            let value = graph.divide(right[0], row[0]);
+            vec![Rate::Value {
+                unknown: unknowns[0],
+                value,
+            }]
+        }
+        [_, _] => pair(graph, matrix, right, unknowns, order),
+        _ => {
+            // the columns of the adjugate are the cross products of the rows
+            let cofactors = [
+                cross(graph, &matrix[1], &matrix[2]),
+                cross(graph, &matrix[2], &matrix[0]),
+                cross(graph, &matrix[0], &matrix[1]),
+            ];
+            let determinant = determinant(graph, matrix);
+            let reciprocal = graph.power(determinant, -1);
+            (0..3)
+                .map(|column| {
+                    let terms: Vec<Node> = (0..3)
+                        .map(|row| graph.multiply(right[row], cofactors[row][column]))
+                        .collect();
+                    let numerator = graph.sum(&terms);
+                    Rate::Value {
+                        unknown: unknowns[column],
+                        value: graph.multiply(numerator, reciprocal),
+                    }
+                })
+                .collect()
+        }
     }
 }
 
-/// The rates of one order from J q⁽ⁿ⁾ = right, in the order in which they can be computed.
-pub(super) fn solve(
-    graph: &mut Graph,
-    matrix: &[Vec<Node>],
-    right: &[Node],
-    unknowns: &[usize],
-    order: usize,
-) -> Vec<Rate> {
-    if let [row] = matrix {
-        let value = graph.divide(right[0], row[0]);
-        return vec![Rate {
-            unknown: unknowns[0],
-            value,
-        }];
-    }
+fn pair(graph: &mut Graph, matrix: &[Vec<Node>], right: &[Node], unknowns: &[usize], order: usize) -> Vec<Rate> {
     // a zero in the matrix makes the system triangular: one unknown first, the other from it
     for row in 0..2 {
         for column in 0..2 {
             if graph.is_zero(matrix[row][column]) {
                 let (other_row, first) = (1 - row, 1 - column);
                 let first_value = graph.divide(right[row], matrix[row][first]);
-                let known = graph.symbol(Symbol::UnknownRate(unknowns[first], order));
-                let product = graph.multiply(matrix[other_row][first], known);
-                let rest = graph.subtract(right[other_row], product);
+                let known = [(unknowns[first], matrix[other_row][first])];
+                let rest = without(graph, right[other_row], &known, order);
                 let second_value = graph.divide(rest, matrix[other_row][column]);
                 return vec![
-                    Rate {
+                    Rate::Value {
                         unknown: unknowns[first],
                         value: first_value,
                     },
-                    Rate {
+                    Rate::Value {
                         unknown: unknowns[column],
                         value: second_value,
                     },
@@ -92,7 +469,7 @@ pub(super) fn solve(
                 graph.multiply(matrix[column][other], right[other]),
             );
             let numerator = graph.subtract(main, cross);
-            Rate {
+            Rate::Value {
                 unknown: unknowns[column],
                 value: graph.multiply(numerator, reciprocal),
             }

@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 
 pub(crate) use rates::{Rates, Way};
 
+use jacobian::Jacobian;
+
 use crate::expr::{Expansion, Graph, Node, Symbol};
 use crate::structure::Block;
 
@@ -19,10 +21,12 @@ pub(crate) struct Derivatives {
     pub(crate) orders: Vec<Vec<Rate>>,
     /// `outputs[n - 1][k]` is the n-th derivative of the k-th output expression.
     pub(crate) outputs: Vec<Vec<Node>>,
-    /// The Jacobian's determinant of each block.
-    pub(crate) determinants: Vec<Node>,
-    /// What the rates are divided by, besides the determinants.
-    pub(crate) pivots: Vec<Node>,
+    /// What of each block's Jacobian must not vanish: the factors of its determinant.
+    pub(crate) regular: Vec<Vec<Node>>,
+    /// What of each block's Jacobian is to be factored at run time, with the symbol of the factors.
+    pub(crate) systems: Vec<Option<(Symbol, Vec<Vec<Node>>)>>,
+    /// What the rates are divided by, besides the determinants, that does not vanish where these do not.
+    pub(crate) guaranteed: Vec<Node>,
     /// Names for parts that a reader of the program will want to know.
     pub(crate) hints: Vec<(Node, Hint)>,
 }
@@ -38,10 +42,16 @@ pub(crate) enum Hint {
     Q { angle: Symbol, order: usize },
 }
 
-/// One unknown's time derivative.
-pub(crate) struct Rate {
-    pub(crate) unknown: usize,
-    pub(crate) value: Node,
+/// How time derivatives of unknowns are found.
+pub(crate) enum Rate {
+    /// One by itself.
+    Value { unknown: usize, value: Node },
+    /// Several together, by the factors of their Jacobian.
+    System {
+        factors: Symbol,
+        unknowns: Vec<usize>,
+        right: Vec<Node>,
+    },
 }
 
 /// What is differentiated, and how.
@@ -85,28 +95,26 @@ pub(crate) fn forms(graph: &mut Graph, residuals: &[Node], outputs: &[Node], exp
 
 /// Derives everything that a plan asks for.
 pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
-    let jacobians: Vec<Vec<Vec<Node>>> = plan
+    let jacobians: Vec<Jacobian> = plan
         .blocks
         .iter()
-        .map(|block| jacobian::jacobian(graph, plan.residuals, block))
+        .map(|block| Jacobian::new(graph, plan.residuals, block))
         .collect();
     let mut rates = Rates::new(plan.ways);
     let mut derivatives = Derivatives {
         orders: Vec::new(),
         outputs: Vec::new(),
-        determinants: jacobians
+        regular: jacobians.iter().map(|jacobian| jacobian.regular(graph)).collect(),
+        systems: jacobians.iter().map(Jacobian::system).collect(),
+        guaranteed: jacobians
             .iter()
-            .map(|matrix| jacobian::determinant(graph, matrix))
-            .collect(),
-        pivots: jacobians
-            .iter()
-            .flat_map(|matrix| jacobian::pivots(graph, matrix))
+            .flat_map(|jacobian| jacobian.guaranteed(graph))
             .collect(),
         hints: Vec::new(),
     };
     for order in 1..=plan.order {
         let mut found = Vec::new();
-        for (block, matrix) in plan.blocks.iter().zip(&jacobians) {
+        for (block, jacobian) in plan.blocks.iter().zip(&jacobians) {
             let zero = graph.zero();
             let mut without_own: BTreeMap<Node, Node> = block
                 .unknowns
@@ -124,7 +132,7 @@ pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
                     right
                 })
                 .collect();
-            found.extend(jacobian::solve(graph, matrix, &right, &block.unknowns, order));
+            found.extend(jacobian.solve(graph, &right, order));
         }
         derivatives.orders.push(found);
         derivatives.outputs.push(

@@ -20,8 +20,8 @@ pub(super) fn fields(mechanism: &Mechanism<'_>) -> Vec<Ident> {
     mechanism
         .choices()
         .into_iter()
-        .map(|block| {
-            let names: Vec<String> = mechanism.blocks[block]
+        .map(|part| {
+            let names: Vec<String> = mechanism.parts()[part]
                 .unknowns
                 .iter()
                 .map(|&unknown| mechanism.model.unknowns[unknown].name.to_string())
@@ -54,7 +54,7 @@ pub(super) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
     let documentation = mechanism
         .choices()
         .into_iter()
-        .map(|block| mechanism.choice_documentation(block));
+        .map(|part| mechanism.choice_documentation(part));
     let fields = fields.iter().zip(documentation).map(|(field, lines)| {
         quote! {
             #(#[doc = #lines])*
@@ -108,7 +108,7 @@ pub(super) fn by_number(mechanism: &Mechanism<'_>, index: &TokenStream) -> Token
 
 fn list(mechanism: &Mechanism<'_>) -> TokenStream {
     let count = mechanism.choices().len();
-    if count > LISTED {
+    if count > LISTED || mechanism.is_coupled() {
         return TokenStream::new();
     }
     let (name, runtime) = (&mechanism.model.name, mechanism.runtime);

@@ -4,6 +4,7 @@ use super::Mechanism;
 use crate::assemble::Cost;
 use crate::expr::Symbol;
 use crate::model::{Dimension, Quantity, Unknown};
+use crate::structure::{Block, Part, Solution};
 
 impl Mechanism<'_> {
     /// The equations as a list of code lines.
@@ -17,27 +18,42 @@ impl Mechanism<'_> {
 
     /// The blocks and their closed forms, as a list.
     pub(super) fn block_lines(&self) -> Vec<String> {
-        (0..self.blocks.len())
-            .map(|block| {
-                format!(
-                    " - `{}`: {}",
-                    self.block_name(block),
-                    self.blocks[block].form.description(self.graph)
-                )
-            })
+        self.blocks
+            .iter()
+            .map(|block| format!(" - `{}`: {}", self.names(&block.unknowns), self.solution(block)))
             .collect()
     }
 
-    /// What open and crossed mean for a block.
-    pub(super) fn choice_documentation(&self, block: usize) -> Vec<String> {
+    /// How a block is solved, part by part.
+    pub(super) fn solution(&self, block: &Block) -> String {
+        if let [only] = block.parts.as_slice() {
+            return self.solution_of_part(only);
+        }
+        let parts: Vec<String> = block
+            .parts
+            .iter()
+            .map(|part| format!("{} for {}", self.solution_of_part(part), self.names(&part.unknowns)))
+            .collect();
+        parts.join(", then ")
+    }
+
+    fn solution_of_part(&self, part: &Part) -> String {
+        match &part.solution {
+            Solution::Closed(form) => form.description(self.graph),
+            Solution::Newton { .. } => "Newton's method".to_owned(),
+        }
+    }
+
+    /// What open and crossed mean for a part.
+    pub(super) fn choice_documentation(&self, part: usize) -> Vec<String> {
         vec![
             format!(
                 " The block of `{}`: {}.",
-                self.block_name(block),
-                self.blocks[block].form.description(self.graph)
+                self.part_name(part),
+                self.solution_of_part(self.parts()[part])
             ),
             String::new(),
-            format!(" Open where `{}`, crossed where it is negative.", self.criterion(block)),
+            format!(" Open where `{}`, crossed where it is negative.", self.criterion(part)),
         ]
     }
 
@@ -46,13 +62,7 @@ impl Mechanism<'_> {
         let lines: Vec<String> = self
             .choices()
             .into_iter()
-            .map(|block| {
-                format!(
-                    " - `{}`: open where `{}`",
-                    self.block_name(block),
-                    self.criterion(block)
-                )
-            })
+            .map(|part| format!(" - `{}`: open where `{}`", self.part_name(part), self.criterion(part)))
             .collect();
         if lines.is_empty() {
             return lines;
@@ -63,10 +73,10 @@ impl Mechanism<'_> {
             .collect()
     }
 
-    /// What is positive in a block's open assembly.
-    fn criterion(&self, block: usize) -> String {
+    /// What is positive in a part's open assembly.
+    fn criterion(&self, part: usize) -> String {
         let names = |symbol: Symbol| self.plan.names.of(symbol).to_owned();
-        self.plan.choices[block]
+        self.plan.choices[part]
             .orientation
             .map_or_else(String::new, |node| format!("{} > 0", self.graph.print(node, &names)))
     }
@@ -74,12 +84,12 @@ impl Mechanism<'_> {
     /// What is known of an unknown.
     pub(super) fn unknown_line(&self, index: usize) -> String {
         let unknown = &self.model.unknowns[index];
-        let block = self
-            .blocks
-            .iter()
-            .position(|block| block.unknowns.contains(&index))
-            .expect("every unknown is solved in a block");
-        let with: Vec<String> = self.blocks[block]
+        let part = self
+            .parts()
+            .into_iter()
+            .find(|part| part.unknowns.contains(&index))
+            .expect("every unknown is solved in a part of a block");
+        let with: Vec<String> = part
             .unknowns
             .iter()
             .filter(|&&other| other != index)
@@ -97,7 +107,7 @@ impl Mechanism<'_> {
         format!(
             " Unknown {}{range}; {}{company}.",
             unit(unknown.dimension),
-            self.blocks[block].form.description(self.graph)
+            self.solution_of_part(part)
         )
     }
 

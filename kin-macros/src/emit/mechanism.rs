@@ -66,7 +66,27 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         .collect();
     let (unknowns, wanted, near) = (local("unknowns"), local("assembly"), local("near"));
     let length = size(order + 1);
-    let assembly_near = if value.is_empty() {
+    let is_coupled = mechanism.is_coupled();
+    let (assembly_type, value) = if is_coupled {
+        (quote!(#runtime::Near<#unknown_count>), quote!(#wanted))
+    } else {
+        (assembly_type, value)
+    };
+    let assembly_count = if is_coupled { size(0) } else { assembly_count };
+    let assembly_by_number = if is_coupled {
+        quote!(let _ = #index; ::core::option::Option::None)
+    } else {
+        quote! {
+            if #index < Self::ASSEMBLY_COUNT {
+                ::core::option::Option::Some(#by_number)
+            } else {
+                ::core::option::Option::None
+            }
+        }
+    };
+    let assembly_near = if is_coupled {
+        quote!(let _ = #inputs; #runtime::Near(#near.map(#runtime::Scalar::real)))
+    } else if value.is_empty() {
         quote!(let _ = (#inputs, #near);)
     } else {
         quote!(self.assembly_at(#(#places,)* #near))
@@ -102,11 +122,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
 
             fn assembly(#index: ::core::primitive::usize) -> ::core::option::Option<Self::Assembly> {
-                if #index < Self::ASSEMBLY_COUNT {
-                    ::core::option::Option::Some(#by_number)
-                } else {
-                    ::core::option::Option::None
-                }
+                #assembly_by_number
             }
 
             fn assembly_near(&self, #inputs: [T; #input_count], #near: [T; #unknown_count]) -> Self::Assembly {
@@ -227,22 +243,18 @@ fn description(mechanism: &Mechanism<'_>) -> TokenStream {
             .collect::<Vec<_>>()
     });
     let equations = model.equations.iter().map(|equation| &equation.text);
-    let blocks = (0..mechanism.blocks.len()).map(|block| {
-        let (unknowns, form) = (
-            mechanism.block_name(block),
-            mechanism.blocks[block].form.description(mechanism.graph),
-        );
-        let [members, equations] =
-            [&mechanism.blocks[block].unknowns, &mechanism.blocks[block].equations].map(|places| {
-                places
-                    .iter()
-                    .map(|&place| Literal::usize_unsuffixed(place))
-                    .collect::<Vec<_>>()
-            });
+    let blocks = mechanism.blocks.iter().map(|block| {
+        let (unknowns, solution) = (mechanism.names(&block.unknowns), mechanism.solution(block));
+        let [members, equations] = [&block.unknowns, &block.equations].map(|places| {
+            places
+                .iter()
+                .map(|&place| Literal::usize_unsuffixed(place))
+                .collect::<Vec<_>>()
+        });
         quote! {
             #runtime::Block {
                 unknowns: #unknowns,
-                solution: #form,
+                solution: #solution,
                 members: &[#(#members),*],
                 equations: &[#(#equations),*],
             }

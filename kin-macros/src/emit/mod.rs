@@ -20,7 +20,7 @@ use crate::assemble::{Limits, Mode};
 use crate::expr::{Graph, Symbol};
 use crate::model::{Dimension, Model, Value};
 use crate::plan::Plan;
-use crate::structure::Block;
+use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
 
 /// All that is known of a mechanism when it is written down.
@@ -102,21 +102,35 @@ impl Mechanism<'_> {
         format_ident!("{}{name}", self.model.name, span = self.model.name.span())
     }
 
-    /// The indices of the blocks that leave a choice to the caller, in order.
+    /// The parts of all blocks, in the order in which they are solved.
+    fn parts(&self) -> Vec<&Part> {
+        self.blocks.iter().flat_map(|block| &block.parts).collect()
+    }
+
+    /// Whether a part is left to Newton's method, so that its assembly is told by values near by.
+    fn is_coupled(&self) -> bool {
+        self.blocks.iter().any(Block::is_coupled)
+    }
+
+    /// The indices of the parts that leave a choice to the caller, in order.
     fn choices(&self) -> Vec<usize> {
-        (0..self.blocks.len())
-            .filter(|&block| matches!(self.plan.choices[block].mode, Mode::Assembly(_)))
+        (0..self.plan.choices.len())
+            .filter(|&part| matches!(self.plan.choices[part].mode, Mode::Assembly(_)))
             .collect()
     }
 
-    /// The names of a block's unknowns, separated by commas.
-    fn block_name(&self, block: usize) -> String {
-        let names: Vec<String> = self.blocks[block]
-            .unknowns
+    /// The names of unknowns, separated by commas.
+    fn names(&self, unknowns: &[usize]) -> String {
+        let names: Vec<String> = unknowns
             .iter()
             .map(|&unknown| self.model.unknowns[unknown].name.to_string())
             .collect();
         names.join(", ")
+    }
+
+    /// The names of a part's unknowns, separated by commas.
+    fn part_name(&self, part: usize) -> String {
+        self.names(&self.parts()[part].unknowns)
     }
 
     fn name_of(&self, symbol: Symbol) -> Ident {
@@ -183,7 +197,7 @@ impl Mechanism<'_> {
         scalars
     }
 
-    /// The type that says which assembly: one choice, a structure of several, or nothing.
+    /// The type that says which assembly of the parts with a closed form: one choice, a structure of several, or nothing.
     fn assembly_type(&self) -> TokenStream {
         let runtime = self.runtime;
         match self.choices().len() {

@@ -70,7 +70,13 @@ fn structure(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     });
     let carried = mechanism.plan.scheduled.stages[order].carries.iter().map(|carried| {
         let name = local(&carried.name);
-        quote!(#name: T)
+        match carried.factors {
+            None => quote!(#name: T),
+            Some(size) => {
+                let size = Literal::usize_unsuffixed(size);
+                quote!(#name: #runtime::solve::Factors<T, #size>)
+            }
+        }
     });
     quote! {
         #[doc = #summary]

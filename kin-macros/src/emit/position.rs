@@ -43,6 +43,22 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         " The position nearest to given values of the unknowns, `[{}]`: in their assembly, and angles on their turn.",
         mechanism.unknown_order()
     );
+    let is_coupled = mechanism.is_coupled();
+    let (choice, chosen) = if is_coupled {
+        let chosen = quote!(self.position_near(#(#inputs,)* #runtime::Guess::values(#near)));
+        (quote!(#near: impl #runtime::Guess<T, #count>), chosen)
+    } else {
+        let chosen = quote!(self.__position(#(#inputs,)* #value ::core::option::Option::None));
+        (assembly, chosen)
+    };
+    let (near_type, near_value) = if is_coupled {
+        (quote!([T; #count]), quote!(#near))
+    } else {
+        (
+            quote!(::core::option::Option<[T; #count]>),
+            quote!(::core::option::Option::Some(#near)),
+        )
+    };
     quote! {
         #attributes
         impl<T: #runtime::Scalar> #name<T> {
@@ -63,10 +79,10 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             /// If there is no position, if it is singular, or if a number is not finite; the error says where and by
             /// how much.
             #[inline]
-            pub fn position(&self, #(#inputs: T,)* #assembly)
+            pub fn position(&self, #(#inputs: T,)* #choice)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
-                self.__position(#(#inputs,)* #value ::core::option::Option::None)
+                #chosen
             }
 
             #[doc = #near_line]
@@ -77,11 +93,11 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             pub fn position_near(&self, #(#inputs: T,)* #near: [T; #count])
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
-                self.__position(#(#inputs,)* #found ::core::option::Option::Some(#near))
+                self.__position(#(#inputs,)* #found #near_value)
             }
 
             #[inline]
-            fn __position(&self, #(#inputs: T,)* #assembly_then #near: ::core::option::Option<[T; #count]>)
+            fn __position(&self, #(#inputs: T,)* #assembly_then #near: #near_type)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
                 #readings

@@ -17,6 +17,11 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let length = Literal::usize_unsuffixed(order + 1);
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let [position, result, near] = ["position", "result", "near"].map(|name| mechanism.own(name));
+    let (assembly, value) = if mechanism.is_coupled() {
+        (quote!(#near: impl #runtime::Guess<T, #count>), quote!(#near))
+    } else {
+        (assembly, value)
+    };
     let steps: TokenStream = (1..=order)
         .map(|order| {
             let method = local(&order_name(order));

@@ -7,6 +7,7 @@ use super::{Mechanism, formula, local};
 use crate::assemble::{Mode, Returns, Shape};
 use crate::expr::Symbol;
 use crate::function::Function;
+use crate::model::Dimension;
 use crate::schedule::{Expression, ScheduledStage, Statement};
 
 impl Mechanism<'_> {
@@ -55,7 +56,7 @@ impl Mechanism<'_> {
         let mut tokens = TokenStream::new();
         let mut rest = stage.statements.as_slice();
         while let Some((first, after)) = rest.split_first() {
-            let Statement::Open { block } = *first else {
+            let Statement::Open { part } = *first else {
                 tokens.extend(self.statement(first, None));
                 rest = after;
                 continue;
@@ -65,20 +66,20 @@ impl Mechanism<'_> {
                 .position(|statement| matches!(statement, Statement::Close { .. }))
                 .unwrap_or(after.len());
             let (inside, after) = (&after[..end], &after[(end + 1).min(after.len())..]);
-            if self.plan.choices[block].mode == Mode::Ranged {
-                tokens.extend(self.candidates(block, inside, after, stage));
+            if self.plan.choices[part].mode == Mode::Ranged {
+                tokens.extend(self.candidates(part, inside, after, stage));
             } else {
-                tokens.extend(inside.iter().map(|statement| self.statement(statement, Some(block))));
+                tokens.extend(inside.iter().map(|statement| self.statement(statement, Some(part))));
             }
             rest = after;
         }
         tokens
     }
 
-    /// Both solutions of a block, and the choice between them by a declared range.
+    /// Both solutions of a part, and the choice between them by a declared range.
     fn candidates(
         &self,
-        block: usize,
+        part: usize,
         inside: &[Statement],
         after: &[Statement],
         stage: &ScheduledStage,
@@ -100,12 +101,12 @@ impl Mechanism<'_> {
         kept.retain(|name| needed.contains(name));
         let names: Vec<_> = kept.iter().map(|name| local(name)).collect();
         let kinds = names.iter().map(|_| quote!(T));
-        let body = inside.iter().map(|statement| self.statement(statement, Some(block)));
-        let bounds = bounds.iter().map(|statement| self.statement(statement, Some(block)));
-        let failed = self.failed(block);
+        let body = inside.iter().map(|statement| self.statement(statement, Some(part)));
+        let bounds = bounds.iter().map(|statement| self.statement(statement, Some(part)));
+        let failed = self.failed(part);
         let [candidate, assembly, first, second] =
             ["candidate", "assembly", "first", "second"].map(|name| self.own(name));
-        let choices: Vec<TokenStream> = self.blocks[block]
+        let choices: Vec<TokenStream> = self.parts()[part]
             .unknowns
             .iter()
             .filter_map(|unknown| {
@@ -148,8 +149,8 @@ impl Mechanism<'_> {
     }
 
     /// `.map_err(…)?` with the block and the inputs.
-    fn failed(&self, block: usize) -> TokenStream {
-        self.failed_at(&self.block_name(block))
+    fn failed(&self, part: usize) -> TokenStream {
+        self.failed_at(&self.part_name(part))
     }
 
     fn failed_at(&self, place: &str) -> TokenStream {
@@ -158,7 +159,7 @@ impl Mechanism<'_> {
         quote!(.map_err(|#failure| self.__failed(#failure, #place, #(#inputs),*))?)
     }
 
-    fn statement(&self, statement: &Statement, block: Option<usize>) -> TokenStream {
+    fn statement(&self, statement: &Statement, part: Option<usize>) -> TokenStream {
         let runtime = self.runtime;
         match statement {
             Statement::Let { name, value } => {
@@ -186,8 +187,8 @@ impl Mechanism<'_> {
                     Function::Acos => "arc_cosine",
                     _ => "logarithm",
                 });
-                let failed = match block {
-                    Some(block) => self.failed(block),
+                let failed = match part {
+                    Some(part) => self.failed(part),
                     None => self.failed_at("the outputs"),
                 };
                 quote!(let #name = #runtime::solve::#function(#argument) #failed;)
@@ -207,13 +208,13 @@ impl Mechanism<'_> {
                     .iter()
                     .map(|(shape, parts)| self.argument(*shape, parts))
                     .collect();
-                let block = block.expect("closed forms stand in blocks");
+                let part = part.expect("closed forms stand in parts of blocks");
                 if solver.takes_assembly() {
-                    arguments.push(self.assembly_of(block));
+                    arguments.push(self.assembly_of(part));
                 }
                 let results: Vec<TokenStream> = results.iter().map(|name| pattern(name.as_deref())).collect();
                 let result = self.results(solver.returns(), &results);
-                let failed = self.failed(block);
+                let failed = self.failed(part);
                 quote!(let #result = #runtime::solve::#function(#(#arguments),*) #failed;)
             }
             Statement::Angle { name, y, x, length } => {
@@ -227,17 +228,118 @@ impl Mechanism<'_> {
                     }
                 }
             }
-            Statement::Bound { unknown, turns } => self.bound(*unknown, *turns, block),
+            Statement::Bound { unknown, turns } => self.bound(*unknown, *turns, part),
             Statement::Regular { value } => {
                 let value = formula::tokens(value);
-                let failed = match block {
-                    Some(block) => self.failed(block),
+                let failed = match part {
+                    Some(part) => self.failed(part),
                     None => self.failed_at("the rates"),
                 };
                 quote!(#runtime::solve::regular(#value) #failed;)
             }
+            Statement::Newton {
+                unknowns,
+                body,
+                residuals,
+                jacobian,
+            } => self.newton(
+                part.expect("iterations stand in parts of blocks"),
+                unknowns,
+                body,
+                residuals,
+                jacobian,
+            ),
+            Statement::Factor { name, matrix } => {
+                let name = local(name);
+                let rows = matrix.iter().map(|row| {
+                    let entries = row.iter().map(formula::tokens);
+                    quote!([#(#entries),*])
+                });
+                let failed = match part {
+                    Some(part) => self.failed(part),
+                    None => self.failed_at("the rates"),
+                };
+                quote!(let #name = #runtime::solve::factor([#(#rows),*]) #failed;)
+            }
+            Statement::Substitute {
+                factors,
+                right,
+                results,
+            } => {
+                let factors = local(factors);
+                let results = results.iter().map(|name| local(name));
+                let right = right.iter().map(formula::tokens);
+                quote!(let [#(#results),*] = #runtime::solve::Factors::solve(&#factors, [#(#right),*]);)
+            }
             Statement::Open { .. } | Statement::Close { .. } => TokenStream::new(),
         }
+    }
+
+    /// Newton's method from the guess.
+    fn newton(
+        &self,
+        part: usize,
+        unknowns: &[usize],
+        body: &[Statement],
+        residuals: &[Expression],
+        jacobian: &[Vec<Expression>],
+    ) -> TokenStream {
+        let runtime = self.runtime;
+        let near = self.own("near");
+        let names: Vec<_> = unknowns
+            .iter()
+            .map(|&unknown| self.name_of(Symbol::Unknown(unknown)))
+            .collect();
+        let guesses = unknowns.iter().map(|&unknown| {
+            let place = Literal::usize_unsuffixed(unknown);
+            quote!(#near[#place])
+        });
+        let lengths: Vec<TokenStream> = self.lengths();
+        let sizes = unknowns
+            .iter()
+            .map(|&unknown| match self.model.unknowns[unknown].dimension {
+                Dimension::Length if !lengths.is_empty() => {
+                    quote!(#runtime::solve::largest(&[#(#runtime::Scalar::real(#lengths)),*]))
+                }
+                _ => quote!(1.0),
+            });
+        let count = Literal::usize_unsuffixed(unknowns.len());
+        let body = body.iter().map(|statement| self.statement(statement, Some(part)));
+        let residuals = residuals.iter().map(formula::tokens);
+        let jacobian = jacobian.iter().map(|row| {
+            let row = row.iter().map(formula::tokens);
+            quote!([#(#row),*])
+        });
+        let failed = self.failed(part);
+        quote! {
+            let [#(#names),*] = #runtime::solve::newton(
+                [#(#guesses),*],
+                [#(#sizes),*],
+                |[#(#names),*]: [T; #count]| {
+                    #(#body)*
+                    ([#(#residuals),*], [#(#jacobian),*])
+                },
+            ) #failed;
+        }
+    }
+
+    /// The parameters and inputs that are lengths.
+    fn lengths(&self) -> Vec<TokenStream> {
+        let parameters = self
+            .scalar_parameters()
+            .into_iter()
+            .filter(|(_, _, dimension, _)| *dimension == Dimension::Length)
+            .map(|(_, value, ..)| value);
+        let inputs = self
+            .model
+            .inputs
+            .iter()
+            .filter(|input| input.dimension == Dimension::Length)
+            .map(|input| {
+                let name = local(&input.name.to_string());
+                quote!(#name)
+            });
+        parameters.chain(inputs).collect()
     }
 
     /// Outputs and unknowns that come from no closed form are tested for being finite; the label for messages.
@@ -282,11 +384,11 @@ impl Mechanism<'_> {
         }
     }
 
-    /// Which of a block's solutions is wanted.
-    fn assembly_of(&self, block: usize) -> TokenStream {
+    /// Which of a part's solutions is wanted.
+    fn assembly_of(&self, part: usize) -> TokenStream {
         let runtime = self.runtime;
         let assembly = self.own("assembly");
-        match self.plan.choices[block].mode {
+        match self.plan.choices[part].mode {
             Mode::Fixed { is_open: true } => quote!(#runtime::Assembly::Open),
             Mode::Fixed { is_open: false } => quote!(#runtime::Assembly::Crossed),
             Mode::Assembly(index) if self.choices().len() > 1 => {
@@ -298,7 +400,7 @@ impl Mechanism<'_> {
     }
 
     /// An unknown brought to the turn wanted, or into its range.
-    fn bound(&self, unknown: usize, turns: bool, block: Option<usize>) -> TokenStream {
+    fn bound(&self, unknown: usize, turns: bool, part: Option<usize>) -> TokenStream {
         let runtime = self.runtime;
         let own = &self.model.unknowns[unknown];
         let name = self.name_of(Symbol::Unknown(unknown));
@@ -306,11 +408,16 @@ impl Mechanism<'_> {
             let label = own.name.to_string();
             let (low, high) = (number(limits.low), number(limits.high));
             let check = local(if turns { "check_angle" } else { "check_value" });
-            let failed = self.failed(block.expect("bounds stand in blocks"));
+            let failed = self.failed(part.expect("bounds stand in parts of blocks"));
             return quote!(let #name = #runtime::solve::#check(#label, #name, #low, #high) #failed;);
         }
         if turns {
             let (near, index) = (self.own("near"), Literal::usize_unsuffixed(unknown));
+            let near = if self.is_coupled() {
+                quote!(::core::option::Option::Some(#near))
+            } else {
+                quote!(#near)
+            };
             return quote!(let #name = #runtime::solve::on_turn(#name, #near, #index););
         }
         TokenStream::new()

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::operation::{Operation, Operations};
-use super::statement::{Carried, Scheduled};
+use super::statement::{Carried, Scheduled, Statement};
 use crate::assemble::Names;
 use crate::expr::Symbol;
 
@@ -22,6 +22,7 @@ pub(super) fn hand_on(scheduled: &mut Scheduled, operations: &Operations, names:
         })
         .collect();
     let mut born: BTreeMap<String, usize> = BTreeMap::new();
+    let mut systems: BTreeMap<String, usize> = BTreeMap::new();
     for (stage, scheduled_stage) in scheduled.stages.iter().enumerate() {
         for statement in &scheduled_stage.statements {
             for name in statement.uses() {
@@ -54,12 +55,16 @@ pub(super) fn hand_on(scheduled: &mut Scheduled, operations: &Operations, names:
                     let carried = Carried {
                         name: name.clone(),
                         parameter,
+                        factors: systems.get(&name).copied(),
                     };
                     uses[stage].insert(carried.clone());
                     for earlier in &mut carries[since..stage] {
                         earlier.insert(carried.clone());
                     }
                 }
+            }
+            if let Statement::Factor { name, matrix } = statement {
+                systems.insert(name.clone(), matrix.len());
             }
             for name in statement.defines() {
                 born.entry(name).or_insert(stage);

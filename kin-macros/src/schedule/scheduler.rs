@@ -7,7 +7,7 @@ use super::operation::{Operation, Operations, Value};
 use super::rows::Rows;
 use super::share;
 use super::statement::{Expression, Scheduled, ScheduledStage, Statement};
-use crate::assemble::{Argument, Cost, Mode, Names, Program, Solver, Step};
+use crate::assemble::{Argument, Cost, Mode, Names, Program, Solver, Stage, Step};
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
 
@@ -37,7 +37,80 @@ pub(super) struct Scheduler<'a> {
     cost: Cost,
     /// How the block that is being written chooses between its solutions.
     mode: Mode,
+    /// What an iteration of Newton's method does, by part.
+    iterations: BTreeMap<usize, Iteration>,
 }
+
+/// One iteration of Newton's method.
+#[derive(Clone)]
+struct Iteration {
+    statement: Statement,
+    cost: Cost,
+}
+
+/// Schedules the iterations of Newton's method, each a program of its own.
+fn iterations(graph: &Graph, program: &Program) -> BTreeMap<usize, Iteration> {
+    let mut iterations = BTreeMap::new();
+    for step in program.stages.iter().flat_map(|stage| &stage.steps) {
+        let Step::Newton {
+            part,
+            unknowns,
+            residuals,
+            jacobian,
+            ..
+        } = step
+        else {
+            continue;
+        };
+        // the same rows, in one piece, as an argument of no solver at all
+        let inner = Program {
+            stages: vec![Stage {
+                steps: vec![Step::Factor {
+                    symbol: RESIDUALS,
+                    matrix: [residuals.clone()]
+                        .into_iter()
+                        .chain(jacobian.iter().cloned())
+                        .collect(),
+                }],
+            }],
+            names: program.names.clone(),
+        };
+        let mut scheduled = schedule(
+            graph,
+            &inner,
+            &[],
+            Style {
+                factor_out: false,
+                check_domains: false,
+            },
+        );
+        let ScheduledStage {
+            mut statements, cost, ..
+        } = scheduled.stages.swap_remove(0);
+        let Some(Statement::Factor { matrix, .. }) = statements.pop() else {
+            unreachable!("it is the last statement");
+        };
+        let mut matrix = matrix.into_iter();
+        let residuals = matrix.next().unwrap_or_default();
+        let cost = cost + Cost::of_factors(unknowns.len()) + Cost::of_substitution(unknowns.len());
+        iterations.insert(
+            *part,
+            Iteration {
+                statement: Statement::Newton {
+                    unknowns: unknowns.clone(),
+                    body: statements,
+                    residuals,
+                    jacobian: matrix.collect(),
+                },
+                cost,
+            },
+        );
+    }
+    iterations
+}
+
+/// Stands for the residuals and the Jacobian of an iteration while it is scheduled.
+const RESIDUALS: Symbol = Symbol::Step(usize::MAX);
 
 /// What may be decided about a schedule.
 #[derive(Clone, Copy)]
@@ -82,6 +155,7 @@ pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)
         statements: Vec::new(),
         cost: Cost::default(),
         mode: Mode::Only,
+        iterations: iterations(graph, program),
     };
     scheduler.survey(&rows);
     scheduler.write(&rows)
@@ -238,18 +312,66 @@ impl Scheduler<'_> {
                     turns: *turns,
                 });
             }
-            Step::Open { block, mode } => {
+            Step::Open { part, mode } => {
                 self.mode = *mode;
-                self.statements.push(Statement::Open { block: *block });
+                self.statements.push(Statement::Open { part: *part });
+            }
+            Step::Newton { part, .. } => {
+                let iteration = self.iterations[part].clone();
+                self.charge(iteration.cost);
+                self.statements.push(iteration.statement);
+            }
+            Step::Factor { symbol, matrix } => {
+                let matrix: Vec<Vec<Expression>> = matrix
+                    .iter()
+                    .map(|row| {
+                        row.iter()
+                            .map(|&entry| {
+                                let value = self.value(rows, entry);
+                                self.argument(value)
+                            })
+                            .collect()
+                    })
+                    .collect();
+                if *symbol != RESIDUALS {
+                    self.charge(Cost::of_factors(matrix.len()));
+                }
+                self.statements.push(Statement::Factor {
+                    name: self.names.of(*symbol).to_owned(),
+                    matrix,
+                });
+            }
+            Step::Substitute {
+                factors,
+                right,
+                results,
+            } => {
+                let right: Vec<Expression> = right
+                    .iter()
+                    .map(|&node| {
+                        let value = self.value(rows, node);
+                        self.argument(value)
+                    })
+                    .collect();
+                let factors = self.value(rows, *factors);
+                let Operation::Leaf(symbol) = *self.operations.operation(factors) else {
+                    unreachable!("factors are known by a symbol");
+                };
+                self.charge(Cost::of_substitution(right.len()));
+                self.statements.push(Statement::Substitute {
+                    factors: self.names.of(symbol).to_owned(),
+                    right,
+                    results: results.iter().map(|&symbol| self.names.of(symbol).to_owned()).collect(),
+                });
             }
             Step::Regular { node } => {
                 let value = self.value(rows, *node);
                 let value = self.argument(value);
                 self.statements.push(Statement::Regular { value });
             }
-            Step::Close { block } => {
+            Step::Close { part } => {
                 self.mode = Mode::Only;
-                self.statements.push(Statement::Close { block: *block });
+                self.statements.push(Statement::Close { part: *part });
             }
         }
     }

@@ -54,14 +54,32 @@ pub(crate) enum Statement {
         turns: bool,
     },
     Open {
-        block: usize,
+        part: usize,
+    },
+    /// Newton's method; the unknowns bear their names.
+    Newton {
+        unknowns: Vec<usize>,
+        body: Vec<Statement>,
+        residuals: Vec<Expression>,
+        jacobian: Vec<Vec<Expression>>,
+    },
+    /// The factors of a matrix.
+    Factor {
+        name: String,
+        matrix: Vec<Vec<Expression>>,
+    },
+    /// A linear system solved by its factors.
+    Substitute {
+        factors: String,
+        right: Vec<Expression>,
+        results: Vec<String>,
     },
     /// What must not vanish.
     Regular {
         value: Expression,
     },
     Close {
-        block: usize,
+        part: usize,
     },
 }
 
@@ -71,6 +89,8 @@ pub(crate) struct Carried {
     pub(crate) name: String,
     /// Set if it is a parameter, which the first stage takes from the structure itself.
     pub(crate) parameter: Option<usize>,
+    /// Set if it is the factors of a matrix of so many rows.
+    pub(crate) factors: Option<usize>,
 }
 
 /// The statements of one stage.
@@ -134,6 +154,29 @@ impl Statement {
                     .for_each(|part| part.collect_names(&mut names));
             }
             Self::Regular { value } => value.collect_names(&mut names),
+            Self::Newton {
+                body,
+                residuals,
+                jacobian,
+                ..
+            } => {
+                let inner: Vec<String> = self.inner_names();
+                for statement in body {
+                    names.extend(statement.uses());
+                }
+                residuals
+                    .iter()
+                    .chain(jacobian.iter().flatten())
+                    .for_each(|part| part.collect_names(&mut names));
+                names.retain(|name| !inner.contains(name));
+            }
+            Self::Factor { matrix, .. } => matrix.iter().flatten().for_each(|part| part.collect_names(&mut names)),
+            Self::Substitute { factors, right, .. } => {
+                names.push(factors.clone());
+                for part in right {
+                    part.collect_names(&mut names);
+                }
+            }
             Self::Bound { .. } | Self::Open { .. } | Self::Close { .. } => {}
         }
         names
@@ -145,7 +188,21 @@ impl Statement {
             Self::Let { name, .. } | Self::Checked { name, .. } | Self::Angle { name, .. } => vec![name.clone()],
             Self::SinCos { sine, cosine, .. } => sine.iter().chain(cosine).cloned().collect(),
             Self::Solve { results, .. } => results.iter().flatten().cloned().collect(),
-            Self::Bound { .. } | Self::Regular { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),
+            Self::Factor { name, .. } => vec![name.clone()],
+            Self::Substitute { results, .. } => results.clone(),
+            Self::Newton { .. }
+            | Self::Bound { .. }
+            | Self::Regular { .. }
+            | Self::Open { .. }
+            | Self::Close { .. } => Vec::new(),
+        }
+    }
+
+    /// The names that are local to the iteration of Newton's method, besides the unknowns.
+    fn inner_names(&self) -> Vec<String> {
+        match self {
+            Self::Newton { body, .. } => body.iter().flat_map(Self::defines).collect(),
+            _ => Vec::new(),
         }
     }
 }

@@ -29,6 +29,10 @@ impl Complex {
         Self::new(self.re, graph.negate(self.im))
     }
 
+    pub(crate) fn negated(self, graph: &mut Graph) -> Self {
+        Self::new(graph.negate(self.re), graph.negate(self.im))
+    }
+
     pub(crate) fn scaled(self, graph: &mut Graph, factor: Node) -> Self {
         Self::new(graph.multiply(self.re, factor), graph.multiply(self.im, factor))
     }
@@ -108,6 +112,8 @@ pub(crate) enum ClosedForm {
         direction: Complex,
         target: Complex,
     },
+    /// arm = target, where their lengths are equal: the direction of a link that other equations have placed.
+    Direction { unknown: usize, arm: Arm, target: Complex },
     /// (length + offset) · cis(± angle) = target: polar form (RPR dyad).
     Polar {
         length: usize,
@@ -122,7 +128,7 @@ impl ClosedForm {
     /// Whether there are two solutions to choose from.
     pub(crate) fn has_assemblies(&self) -> bool {
         match self {
-            Self::Linear { .. } | Self::LinearPair { .. } => false,
+            Self::Linear { .. } | Self::LinearPair { .. } | Self::Direction { .. } => false,
             Self::Inverse { then, .. } => then.has_assemblies(),
             _ => true,
         }
@@ -148,6 +154,7 @@ impl ClosedForm {
             Self::LinearPair { .. } => "two linear equations".to_owned(),
             Self::TwoAngles { .. } => "circle meets circle (RRR dyad)".to_owned(),
             Self::AngleLength { .. } => "circle meets line (RRP dyad)".to_owned(),
+            Self::Direction { .. } => "direction of a placed link".to_owned(),
             Self::Polar { offset, .. } if graph.is_zero(offset.re) && graph.is_zero(offset.im) => {
                 "polar form (RPR dyad)".to_owned()
             }

@@ -1,18 +1,20 @@
-//! Equations to blocks: which equations determine which unknowns, in which order, and by which closed form.
+//! Equations to blocks: which equations determine which unknowns, in which order, and how they are solved.
 //!
 //! The scalar equations are matched to the unknowns, the matching is ordered into the smallest blocks that can be
-//! solved one after another, and each block is compared with the closed forms that are known.
+//! solved one after another, and each block is compared with the closed forms that are known. A block that fits none is torn
+//! into parts, of which as few as possible are left to Newton's method.
 
 mod closed_form;
 mod matching;
 mod order;
 mod recognise;
+mod tear;
 
 use std::collections::BTreeSet;
 
 pub(crate) use closed_form::{Arm, ClosedForm, Complex};
 
-use crate::expr::{Expansion, Graph, Node, Polynomial, Probe, Symbol};
+use crate::expr::{Expansion, Graph, Node, Probe, Symbol};
 
 /// Unknowns that are solved together, the equations that determine them, and how.
 pub(crate) struct Block {
@@ -20,9 +22,35 @@ pub(crate) struct Block {
     pub(crate) equations: Vec<usize>,
     /// The numbers of the unknowns, ascending.
     pub(crate) unknowns: Vec<usize>,
-    pub(crate) form: ClosedForm,
-    /// Whether the closed form alone does not guarantee that the Jacobian is regular where it succeeds.
+    /// How they are solved, one part after another; most blocks are of one part.
+    pub(crate) parts: Vec<Part>,
+    /// Whether the parts alone do not guarantee that the Jacobian is regular where they succeed.
     pub(crate) check_jacobian: bool,
+}
+
+/// Unknowns of a block that are found in one step.
+pub(crate) struct Part {
+    /// Their numbers, ascending.
+    pub(crate) unknowns: Vec<usize>,
+    pub(crate) solution: Solution,
+}
+
+/// How a part is solved.
+pub(crate) enum Solution {
+    Closed(ClosedForm),
+    /// By Newton's method for as many expressions that must vanish, in which earlier parts' unknowns are known.
+    Newton {
+        residuals: Vec<Node>,
+    },
+}
+
+impl Block {
+    /// Whether a part of it is left to Newton's method, and so has no assembly with a name.
+    pub(crate) fn is_coupled(&self) -> bool {
+        self.parts
+            .iter()
+            .any(|part| matches!(part.solution, Solution::Newton { .. }))
+    }
 }
 
 /// Why a declaration cannot be solved; equations and unknowns by number.
@@ -44,30 +72,12 @@ pub(crate) enum Fault {
         equations: Vec<usize>,
         repeats: Option<(usize, usize)>,
     },
-    /// A block that none of the closed forms fits.
-    NoClosedForm {
-        unknowns: Vec<usize>,
-        equations: Vec<usize>,
-    },
 }
 
 /// Orders the scalar equations `residual == 0` into solvable blocks.
 pub(crate) fn analyse(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<Block>, Vec<Fault>> {
     let is_unknown = |symbol| matches!(symbol, Symbol::Unknown(_));
-    let incidence: Vec<BTreeSet<usize>> = residuals
-        .iter()
-        .map(|&residual| {
-            let polynomial = Expansion::new(graph, &is_unknown).equation(residual);
-            polynomial
-                .variables(graph, &is_unknown)
-                .into_iter()
-                .filter_map(|symbol| match symbol {
-                    Symbol::Unknown(index) => Some(index),
-                    _ => None,
-                })
-                .collect()
-        })
-        .collect();
+    let incidence = incidence(graph, residuals, &is_unknown);
     let matching = matching::Matching::of(&incidence, unknowns);
     let mut faults = matching.faults(&incidence);
     if !faults.is_empty() {
@@ -88,6 +98,24 @@ pub(crate) fn analyse(graph: &mut Graph, residuals: &[Node], unknowns: usize) ->
     if faults.is_empty() { Ok(blocks) } else { Err(faults) }
 }
 
+/// The unknowns that each equation contains, once it is multiplied out.
+fn incidence(graph: &mut Graph, equations: &[Node], is_unknown: &dyn Fn(Symbol) -> bool) -> Vec<BTreeSet<usize>> {
+    equations
+        .iter()
+        .map(|&equation| {
+            let polynomial = Expansion::new(graph, is_unknown).equation(equation);
+            polynomial
+                .variables(graph, is_unknown)
+                .into_iter()
+                .filter_map(|symbol| match symbol {
+                    Symbol::Unknown(index) => Some(index),
+                    _ => None,
+                })
+                .collect()
+        })
+        .collect()
+}
+
 fn solve_block(
     graph: &mut Graph,
     residuals: &[Node],
@@ -103,27 +131,26 @@ fn solve_block(
         });
     }
     let is_member = |symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
-    let polynomials: Vec<Polynomial> = equations
+    let nodes: Vec<Node> = equations.iter().map(|&equation| residuals[equation]).collect();
+    let cleared = nodes
         .iter()
-        .map(|&equation| Expansion::new(graph, &is_member).equation(residuals[equation]))
-        .collect();
-    let cleared = equations.iter().any(|&equation| {
-        Expansion::new(graph, &is_member)
-            .polynomial(residuals[equation])
-            .is_none()
-    });
-    match recognise::closed_form(graph, &polynomials, &unknowns) {
-        Some(form) => {
-            let check_jacobian = cleared || form.has_inverse();
-            Ok(Block {
-                equations,
-                unknowns,
-                form,
-                check_jacobian,
-            })
-        }
-        None => Err(Fault::NoClosedForm { unknowns, equations }),
-    }
+        .any(|&node| Expansion::new(graph, &is_member).polynomial(node).is_none());
+    let parts = tear::parts(graph, &nodes, &unknowns);
+    let check_jacobian = match parts.as_slice() {
+        [
+            Part {
+                solution: Solution::Closed(form),
+                ..
+            },
+        ] => cleared || form.has_inverse(),
+        _ => true,
+    };
+    Ok(Block {
+        equations,
+        unknowns,
+        parts,
+        check_jacobian,
+    })
 }
 
 /// Whether the block's Jacobian is singular everywhere: then the equations do not determine the unknowns.

@@ -112,6 +112,61 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
         .or_else(|| polar(graph, &rows, &arms, unknowns))
 }
 
+/// The one link of a loop that turns with an unknown, and the rest of the loop: arm + rest = 0. `None` if the unknown stands
+/// in the equations in any other way.
+pub(in crate::structure) fn arm(
+    graph: &mut Graph,
+    equations: [&Polynomial; 2],
+    unknown: usize,
+) -> Option<(Arm, Complex)> {
+    let angle = Angle(vec![(Symbol::Unknown(unknown), 1)]);
+    let place = Place {
+        powers: Vec::new(),
+        angle: angle.clone(),
+    };
+    let monomials = place.monomials();
+    let is_unknown = |symbol| symbol == Symbol::Unknown(unknown);
+    let is_elsewhere = equations.iter().any(|equation| {
+        let mut others = (*equation).clone();
+        others.0.retain(|monomial, _| !monomials.contains(monomial));
+        !others.variables(graph, &is_unknown).is_empty()
+    });
+    if is_elsewhere {
+        return None;
+    }
+    for swapped in [false, true] {
+        for mirrored in [false, true] {
+            let rows = if swapped {
+                [equations[1], equations[0]]
+            } else {
+                equations
+            };
+            let Some(scale) = row_scale(graph, rows, &place, mirrored) else {
+                continue;
+            };
+            let rows = Rows { rows, scale };
+            let Some((factor, mirrored)) = rows.factor(graph, &place) else {
+                continue;
+            };
+            let [mut above, mut below] = rows.rows.map(Clone::clone);
+            for polynomial in [&mut above, &mut below] {
+                polynomial.0.retain(|monomial, _| !monomials.contains(monomial));
+            }
+            let (above, below) = (above.node(graph), below.node(graph));
+            let rest = Complex::new(above, graph.multiply(rows.scale, below));
+            return Some((
+                Arm {
+                    angle,
+                    mirrored,
+                    factor,
+                },
+                rest,
+            ));
+        }
+    }
+    None
+}
+
 /// The factor of the second row that makes the first place a multiplication by a complex number.
 fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &Place, mirrored: bool) -> Option<Node> {
     let [cosine, sine] = place.monomials();

@@ -8,6 +8,8 @@ mod linear_pair;
 mod loops;
 mod powers;
 
+pub(in crate::structure) use loops::arm;
+
 use super::ClosedForm;
 use crate::expr::{Graph, Polynomial};
 

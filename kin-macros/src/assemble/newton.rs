@@ -1,0 +1,113 @@
+//! What no closed form finds: the residuals of a part, made ready for Newton's method.
+
+use std::collections::BTreeMap;
+
+use super::blocks::Builder;
+use super::program::Step;
+use crate::expr::{Graph, Node, Symbol, Term};
+
+impl Builder<'_> {
+    /// The step that finds a part's unknowns from the guess that the caller gave.
+    pub(super) fn newton(&mut self, part: usize, unknowns: &[usize], residuals: &[Node]) {
+        let residuals: Vec<Node> = residuals.iter().map(|&residual| self.known(residual)).collect();
+        let jacobian: Vec<Vec<Node>> = residuals
+            .iter()
+            .map(|&residual| {
+                unknowns
+                    .iter()
+                    .map(|&unknown| self.graph.partial(residual, Symbol::Unknown(unknown)))
+                    .collect()
+            })
+            .collect();
+        // what does not change from one iteration to the next is computed once, before the first
+        let mut moved = BTreeMap::new();
+        let residuals: Vec<Node> = residuals
+            .into_iter()
+            .map(|node| self.hoist(node, unknowns, &mut moved))
+            .collect();
+        let jacobian: Vec<Vec<Node>> = jacobian
+            .into_iter()
+            .map(|row| {
+                row.into_iter()
+                    .map(|node| self.hoist(node, unknowns, &mut moved))
+                    .collect()
+            })
+            .collect();
+        let all: Vec<Node> = residuals.iter().chain(jacobian.iter().flatten()).copied().collect();
+        let outside = self
+            .graph
+            .reachable(&all)
+            .into_iter()
+            .filter(|&node| match self.graph.as_symbol(node) {
+                Some(Symbol::Unknown(unknown)) => !unknowns.contains(&unknown),
+                Some(_) => true,
+                None => false,
+            })
+            .collect();
+        self.steps.push(Step::Newton {
+            part,
+            unknowns: unknowns.to_vec(),
+            residuals,
+            jacobian,
+            outside,
+        });
+    }
+
+    /// An expression with everything that is free of the unknowns replaced by names for it.
+    fn hoist(&mut self, node: Node, unknowns: &[usize], moved: &mut BTreeMap<Node, Node>) -> Node {
+        if let Some(&known) = moved.get(&node) {
+            return known;
+        }
+        let result = if is_free(self.graph, node, unknowns) {
+            self.define("given", node)
+        } else {
+            match self.graph.term(node).clone() {
+                Term::Number(_) | Term::Pi | Term::Symbol(_) => node,
+                Term::Sum(constant, terms) => {
+                    let (given, moving): (Vec<_>, Vec<_>) = terms
+                        .into_iter()
+                        .map(|(part, coefficient)| (part, coefficient.get()))
+                        .partition(|&(part, _)| is_free(self.graph, part, unknowns));
+                    let mut whole: Vec<(Node, f64)> = moving
+                        .into_iter()
+                        .map(|(part, coefficient)| (self.hoist(part, unknowns, moved), coefficient))
+                        .collect();
+                    if given.is_empty() {
+                        self.graph.linear(constant.get(), &whole)
+                    } else {
+                        let given = self.graph.linear(constant.get(), &given);
+                        whole.push((self.hoist(given, unknowns, moved), 1.0));
+                        self.graph.linear(0.0, &whole)
+                    }
+                }
+                Term::Product(factors) => {
+                    let (given, moving): (Vec<_>, Vec<_>) = factors
+                        .into_iter()
+                        .partition(|&(part, _)| is_free(self.graph, part, unknowns));
+                    let mut whole: Vec<(Node, i32)> = moving
+                        .into_iter()
+                        .map(|(part, exponent)| (self.hoist(part, unknowns, moved), exponent))
+                        .collect();
+                    let given = self.graph.product(&given);
+                    whole.push((self.hoist(given, unknowns, moved), 1));
+                    self.graph.product(&whole)
+                }
+                Term::Call(function, arguments) => {
+                    let arguments: Vec<Node> = arguments
+                        .into_iter()
+                        .map(|argument| self.hoist(argument, unknowns, moved))
+                        .collect();
+                    self.graph.call(function, &arguments)
+                }
+            }
+        };
+        moved.insert(node, result);
+        result
+    }
+}
+
+fn is_free(graph: &Graph, node: Node, unknowns: &[usize]) -> bool {
+    !unknowns
+        .iter()
+        .any(|&unknown| graph.contains(node, Symbol::Unknown(unknown)))
+}

@@ -1,0 +1,188 @@
+//! A block torn into parts: as much of it as possible is solved in closed form, and Newton's method finds the rest.
+//!
+//! What is taken out leaves no choice behind, so that tearing adds no singular positions of its own to those of the block:
+//!
+//! - an equation that is linear in an unknown, with a number for its coefficient, gives that unknown by the others;
+//! - a link whose angle stands in one loop only is taken out of it by the length of what it spans,
+//!   |C|² = |A|² for A cis(θ) = C, and its direction is that of C.
+//!
+//! What remains may fall apart into smaller parts, or have a closed form. (Tearing is G. Kron's word for it: "Diakoptics",
+//! 1963.)
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::matching::Matching;
+use super::{ClosedForm, Part, Solution, incidence, order, recognise};
+use crate::expr::{Expansion, Graph, Node, Polynomial, Symbol};
+
+/// The parts that equations fall into, in the order in which they are solved.
+pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
+    let is_member = |symbol: Symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
+    // numbered within the block, as the matching wants them
+    let incidence: Vec<BTreeSet<usize>> = incidence(graph, equations, &is_member)
+        .into_iter()
+        .map(|members| {
+            members
+                .into_iter()
+                .filter_map(|unknown| unknowns.iter().position(|&own| own == unknown))
+                .collect()
+        })
+        .collect();
+    let matching = Matching::of(&incidence, unknowns.len());
+    if !matching.faults(&incidence).is_empty() {
+        // an unknown has cancelled where it was taken out: the equations are solved as they are
+        return vec![newton(equations, unknowns)];
+    }
+    let mut parts = Vec::new();
+    for block in order::blocks(&incidence, &matching) {
+        let mut members: Vec<usize> = block
+            .iter()
+            .map(|&equation| unknowns[matching.unknown_of(equation)])
+            .collect();
+        members.sort_unstable();
+        let nodes: Vec<Node> = block.iter().map(|&equation| equations[equation]).collect();
+        parts.extend(connected(graph, &nodes, &members));
+    }
+    parts
+}
+
+/// The parts of equations that cannot be ordered any further.
+fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
+    let is_member = |symbol: Symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
+    let polynomials: Vec<Polynomial> = equations
+        .iter()
+        .map(|&equation| Expansion::new(graph, &is_member).equation(equation))
+        .collect();
+    if let Some(form) = recognise::closed_form(graph, &polynomials, unknowns) {
+        return vec![closed(unknowns.to_vec(), form)];
+    }
+    let torn = relation(graph, equations, unknowns)
+        .or_else(|| link(graph, equations, &polynomials, unknowns))
+        .or_else(|| length(graph, equations, unknowns));
+    let Some(Torn { rest, unknown, form }) = torn else {
+        return vec![newton(equations, unknowns)];
+    };
+    let others: Vec<usize> = unknowns.iter().copied().filter(|&other| other != unknown).collect();
+    let mut parts = parts(graph, &rest, &others);
+    parts.push(closed(vec![unknown], form));
+    parts
+}
+
+/// An unknown taken out: the equations that remain, and how it is found when they are solved.
+struct Torn {
+    rest: Vec<Node>,
+    unknown: usize,
+    form: ClosedForm,
+}
+
+fn closed(unknowns: Vec<usize>, form: ClosedForm) -> Part {
+    Part {
+        unknowns,
+        solution: Solution::Closed(form),
+    }
+}
+
+fn newton(equations: &[Node], unknowns: &[usize]) -> Part {
+    Part {
+        unknowns: unknowns.to_vec(),
+        solution: Solution::Newton {
+            residuals: equations.to_vec(),
+        },
+    }
+}
+
+/// A relation between unknowns that is linear in all of them, such as that of two gears: the first unknown whose coefficient
+/// is 1 or -1 is taken out.
+fn relation(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<Torn> {
+    for (place, &equation) in equations.iter().enumerate() {
+        let partials: Vec<(usize, Node)> = unknowns
+            .iter()
+            .map(|&unknown| (unknown, graph.partial(equation, Symbol::Unknown(unknown))))
+            .collect();
+        let is_linear = partials.iter().all(|&(_, partial)| {
+            graph
+                .symbols(partial)
+                .iter()
+                .all(|symbol| !matches!(symbol, Symbol::Unknown(_)))
+        });
+        let unit = partials
+            .iter()
+            .find(|&&(_, partial)| graph.as_number(partial).is_some_and(|number| number.abs() == 1.0));
+        if is_linear && let Some(&(unknown, coefficient)) = unit {
+            return Some(substituted(graph, equations, place, unknown, coefficient));
+        }
+    }
+    None
+}
+
+/// An unknown that stands in an equation with a number for its coefficient, such as a length along an axis.
+fn length(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<Torn> {
+    for (place, &equation) in equations.iter().enumerate() {
+        for &unknown in unknowns {
+            let coefficient = graph.partial(equation, Symbol::Unknown(unknown));
+            if graph.as_number(coefficient).is_some_and(|number| number != 0.0) {
+                return Some(substituted(graph, equations, place, unknown, coefficient));
+            }
+        }
+    }
+    None
+}
+
+/// The other equations with an unknown replaced by what one of them says of it.
+fn substituted(graph: &mut Graph, equations: &[Node], place: usize, unknown: usize, coefficient: Node) -> Torn {
+    let own = graph.symbol(Symbol::Unknown(unknown));
+    let term = graph.multiply(coefficient, own);
+    let right = graph.subtract(term, equations[place]);
+    let value = graph.divide(right, coefficient);
+    let mut replacements = BTreeMap::from([(own, value)]);
+    let rest = equations
+        .iter()
+        .enumerate()
+        .filter(|&(other, _)| other != place)
+        .map(|(_, &equation)| graph.substitute(equation, &mut replacements))
+        .collect();
+    Torn {
+        rest,
+        unknown,
+        form: ClosedForm::Linear {
+            unknown,
+            coefficient,
+            right,
+        },
+    }
+}
+
+/// A link whose angle stands in the two equations of one loop and nowhere else.
+fn link(graph: &mut Graph, equations: &[Node], polynomials: &[Polynomial], unknowns: &[usize]) -> Option<Torn> {
+    for &unknown in unknowns {
+        let is_unknown = |symbol| symbol == Symbol::Unknown(unknown);
+        let places: Vec<usize> = (0..equations.len())
+            .filter(|&place| !polynomials[place].variables(graph, &is_unknown).is_empty())
+            .collect();
+        let &[first, second] = places.as_slice() else {
+            continue;
+        };
+        let Some((arm, rest)) = recognise::arm(graph, [&polynomials[first], &polynomials[second]], unknown) else {
+            continue;
+        };
+        let (spanned, length) = (rest.norm_squared(graph), arm.factor.norm_squared(graph));
+        let mut others: Vec<Node> = Vec::new();
+        for (place, &equation) in equations.iter().enumerate() {
+            if place == first {
+                others.push(graph.subtract(spanned, length));
+            } else if place != second {
+                others.push(equation);
+            }
+        }
+        return Some(Torn {
+            rest: others,
+            unknown,
+            form: ClosedForm::Direction {
+                unknown,
+                arm,
+                target: rest.negated(graph),
+            },
+        });
+    }
+    None
+}
