@@ -50,6 +50,15 @@ pub enum Failure {
         /// Its argument.
         argument: f64,
     },
+    /// The iteration for a block without closed form found no root from the guess it was given.
+    NotConverged {
+        /// The largest residual where it gave up, in the unit of its equation.
+        residual: f64,
+        /// How many steps were taken.
+        iterations: u32,
+        /// The condition number of the Jacobian where it gave up, in the maximum norm after scaling.
+        condition: f64,
+    },
     /// A parameter, an input or a result is not finite: NaN, infinite, or beyond the range of the number type.
     NotFinite {
         /// What it is that is not finite, in a few words.
@@ -131,6 +140,18 @@ impl fmt::Display for Failure {
                 formatter,
                 "{function} is not defined for {}; change dimensions or inputs",
                 Figures(argument)
+            ),
+            Self::NotConverged {
+                residual,
+                iterations,
+                condition,
+            } => write!(
+                formatter,
+                "no solution found near the guess, a residual of {} is left after {iterations} steps \
+                 (condition of the Jacobian {}); start from a better guess, track from a known pose, or bring the inputs \
+                 back within reach",
+                Figures(residual),
+                Figures(condition)
             ),
             Self::NotFinite { quantity } => write!(
                 formatter,
@@ -243,6 +264,16 @@ mod tests {
                 },
                 "theta3 cannot be found at theta2 = 1.954, x = 3: asin is not defined for 1.25; \
                  change dimensions or inputs",
+            ),
+            (
+                Failure::NotConverged {
+                    residual: 0.25,
+                    iterations: 12,
+                    condition: 3.5e9,
+                },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: no solution found near the guess, a residual of 0.25 \
+                 is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
+                 track from a known pose, or bring the inputs back within reach",
             ),
             (
                 Failure::NotFinite { quantity: "r1" },

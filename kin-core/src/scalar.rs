@@ -40,6 +40,10 @@ pub trait Scalar:
     /// The smallest positive real part that still has full precision.
     const SMALLEST: f64 = f64::MIN_POSITIVE;
 
+    /// How many successive derivatives the number carries beside its real part: 0 for a plain number, n for a series
+    /// through the n-th power of time. An iteration goes on until the highest of them is right.
+    const ORDER: usize = 0;
+
     /// The number with the given real part and no other part, rounded to the precision at hand.
     #[must_use]
     fn constant(value: f64) -> Self;

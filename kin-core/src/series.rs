@@ -167,6 +167,7 @@ impl<const N: usize> Div for Series<N> {
 
 impl<const N: usize> Scalar for Series<N> {
     const EPSILON: f64 = f64::EPSILON;
+    const ORDER: usize = N - 1;
 
     fn constant(value: f64) -> Self {
         let mut coefficients = [0.0; N];

@@ -5,7 +5,7 @@ use num_dual::{Dual, Dual2, Dual3, DualNum, DualNumFloat, HyperDual, HyperHyperD
 use crate::Scalar;
 
 macro_rules! dual_scalar {
-    ($($dual:ident: $($part:ident)+;)+) => {
+    ($($dual:ident: $order:literal, $($part:ident)+;)+) => {
         $(
             impl<T, F> Scalar for $dual<T>
             where
@@ -14,6 +14,7 @@ macro_rules! dual_scalar {
             {
                 const EPSILON: f64 = T::EPSILON;
                 const SMALLEST: f64 = T::SMALLEST;
+                const ORDER: usize = $order + T::ORDER;
 
                 #[inline]
                 fn constant(value: f64) -> Self {
@@ -84,11 +85,11 @@ macro_rules! dual_scalar {
 }
 
 dual_scalar! {
-    Dual: eps;
-    Dual2: v1 v2;
-    Dual3: v1 v2 v3;
-    HyperDual: eps1 eps2 eps1eps2;
-    HyperHyperDual: eps1 eps2 eps3 eps1eps2 eps1eps3 eps2eps3 eps1eps2eps3;
+    Dual: 1, eps;
+    Dual2: 2, v1 v2;
+    Dual3: 3, v1 v2 v3;
+    HyperDual: 2, eps1 eps2 eps1eps2;
+    HyperHyperDual: 3, eps1 eps2 eps3 eps1eps2 eps1eps3 eps2eps3 eps1eps2eps3;
 }
 
 #[cfg(test)]
@@ -216,6 +217,51 @@ mod tests {
         let hyper = program(HyperHyperDual::new(0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0));
         assert_eq!(hyper.eps1eps2eps3, 0.0);
         assert_eq!(<Dual<f32> as Scalar>::EPSILON, f64::from(f32::EPSILON));
+    }
+
+    #[test]
+    fn orders_add_up() {
+        assert_eq!(<Dual<f64> as Scalar>::ORDER, 1);
+        assert_eq!(<Dual2<f64> as Scalar>::ORDER, 2);
+        assert_eq!(<Dual3<f64> as Scalar>::ORDER, 3);
+        assert_eq!(<HyperDual<f32> as Scalar>::ORDER, 2);
+        assert_eq!(<HyperHyperDual<f64> as Scalar>::ORDER, 3);
+        assert_eq!(<Nested as Scalar>::ORDER, 4);
+        assert_eq!(<Mixed as Scalar>::ORDER, 4);
+    }
+
+    #[test]
+    fn newton_steps_differentiate() {
+        fn angle<T: Scalar>(t: T) -> T {
+            let half = T::constant(0.5);
+            let root = solve::newton([T::constant(1.0)], [1.0], |[x]: [T; 1]| {
+                let (sine, cosine) = x.sin_cos();
+                ([x + half * sine - t], [[T::constant(1.0) + half * cosine]])
+            });
+            root.unwrap()[0]
+        }
+        agree!("x + sin(x) / 2 = t", angle, X);
+        // And t from x gives back the motion of t.
+        let motion = nested(X);
+        let [x] = solve::newton([Nested::constant(0.3)], [1.0], |[x]: [Nested; 1]| {
+            (
+                [x * x * x + x - motion],
+                [[x * x * Nested::constant(3.0) + Nested::constant(1.0)]],
+            )
+        })
+        .unwrap();
+        let back = x * x * x + x;
+        check(
+            "cubic",
+            [
+                back.re.re,
+                back.re.eps2,
+                back.eps1.eps1,
+                back.eps1.eps1eps2,
+                back.eps1eps2.eps1eps2,
+            ],
+            X,
+        );
     }
 
     #[test]

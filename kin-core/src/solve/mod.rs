@@ -1,4 +1,4 @@
-//! Closed forms for the blocks of a loop closure, one per file.
+//! Closed forms for the blocks of a loop closure, one per file, and Newton's method for the rest.
 //!
 //! | block | function | additions, multiplications, divisions, square roots |
 //! |---|---|---|
@@ -14,6 +14,9 @@
 //! | two unknowns in two linear equations | [`linear_pair`] | 3, 8, 1, 0 |
 //! | one unknown and its square | [`quadratic`] | 2, 3, 1, 1 |
 //! | the square of an unknown | [`square_root`] | 0, 0, 0, 1 and a change of sign if crossed |
+//!
+//! A block that none of them fits is left to [`newton`], with the triangular factors of [`factor`] for any number of
+//! unknowns.
 //!
 //! The counts are those of the tests, which run the functions on numbers that count what is done to them.
 //! Declared ranges are looked after by [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`];
@@ -35,8 +38,10 @@ mod cosine_sine;
 mod diagnosis;
 mod direction;
 mod domain;
+mod factor;
 mod inverse;
 mod linear;
+mod newton;
 mod polar;
 mod quadratic;
 mod range;
@@ -51,8 +56,10 @@ pub use direction::direction;
 pub use domain::{
     arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
 };
+pub use factor::{Factors, factor};
 pub use inverse::{inverse_cosine, inverse_sine};
 pub use linear::{linear, linear_pair};
+pub use newton::newton;
 pub use polar::{polar, polar_offset};
 pub use quadratic::quadratic;
 pub use range::{check_angle, check_value, choose_angle, choose_value};

@@ -1,0 +1,446 @@
+//! A small square matrix as a product of two triangular ones.
+
+use crate::{Failure, Scalar};
+
+const QUANTITY: &str = "Jacobian of a block without closed form";
+
+/// A matrix in triangular factors, ready for any number of right-hand sides.
+///
+/// Rows and columns are scaled by powers of two, which rounds nothing, until the largest entry of each lies between 1 and
+/// 2; then rows are exchanged so that each pivot is the largest of its column. So the result does not depend on the units of
+/// equations and unknowns. This is Gaussian elimination with partial pivoting (N. J. Higham, *Accuracy and Stability of
+/// Numerical Algorithms*, 2nd edition, SIAM 2002, chapters 7 and 9).
+///
+/// The factors are ours, and not those of a library for linear algebra, because their entries are any [`Scalar`]: the
+/// derivatives that dual numbers and series carry go through, while pivots are chosen on real parts. nalgebra's
+/// factorisation takes real and complex fields only, and would be a heavy dependency for a default build.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Factors<T, const N: usize> {
+    /// Row by row: below the diagonal the multipliers, from the diagonal on the pivots and what is right of them.
+    entries: [[T; N]; N],
+    /// Which row of the matrix each row came from.
+    origins: [usize; N],
+    /// The powers of two by which the rows of the matrix were multiplied.
+    row_exponents: [i32; N],
+    /// The same for the columns.
+    column_exponents: [i32; N],
+    /// Whether an odd number of pairs of rows was exchanged.
+    odd: bool,
+    /// The largest sum of magnitudes along a row of the scaled matrix.
+    norm: f64,
+}
+
+/// The triangular factors of a matrix, given row by row.
+///
+/// About N³/3 multiplications and as many additions.
+///
+/// # Errors
+/// [`Failure::Singular`] if a pivot of the scaled matrix is not larger than 2 N ε times its largest entry, where ε is the
+/// distance from 1 to the next number: rounding the entries alone can make such a pivot zero;
+/// [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::solve;
+///
+/// let factors = solve::factor([[0.0, 2.0], [0.5, 1.5]])?;
+/// assert_eq!(factors.solve([4.0, 2.5]), [-1.0, 2.0]);
+/// assert_eq!(factors.determinant(), -1.0);
+///
+/// // 0.1 * 0.6 and 0.2 * 0.3 differ by rounding alone
+/// assert!(solve::factor([[0.1, 0.2], [0.3, 0.6]]).is_err());
+/// # Ok::<(), kin_core::Failure>(())
+/// ```
+pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<T, N>, Failure> {
+    factor_to(matrix, T::EPSILON)
+}
+
+/// [`factor`] for entries that are known to a relative `epsilon`, which may be less than their type could hold.
+pub(super) fn factor_to<T: Scalar, const N: usize>(
+    mut entries: [[T; N]; N],
+    epsilon: f64,
+) -> Result<Factors<T, N>, Failure> {
+    if !entries.iter().flatten().all(|entry| entry.is_finite()) {
+        return Err(Failure::NotFinite { quantity: QUANTITY });
+    }
+    let row_exponents = entries.map(|row| levelling::<T>(row.into_iter()));
+    for (row, exponent) in entries.iter_mut().zip(row_exponents) {
+        *row = row.map(|entry| entry * power_of_two(exponent));
+    }
+    let column_exponents = core::array::from_fn(|column| levelling::<T>(entries.iter().map(|row| row[column])));
+    for row in &mut entries {
+        for (entry, exponent) in row.iter_mut().zip(column_exponents) {
+            *entry = *entry * power_of_two(exponent);
+        }
+    }
+    let norm = row_norm(&entries);
+    let mut largest = largest_of(entries.iter().flatten());
+    let mut origins = core::array::from_fn(|row| row);
+    let mut odd = false;
+    let mut singular = false;
+    for step in 0..N {
+        let mut best = step;
+        for row in step + 1..N {
+            if entries[row][step].real().abs() > entries[best][step].real().abs() {
+                best = row;
+            }
+        }
+        if best != step {
+            entries.swap(best, step);
+            origins.swap(best, step);
+            odd = !odd;
+        }
+        let pivot_row = entries[step];
+        let pivot = pivot_row[step];
+        let size = pivot.real().abs();
+        if size == 0.0 {
+            return Err(Failure::Singular { determinant: 0.0 });
+        }
+        singular |= size.is_nan() || size <= 2.0 * number(N) * epsilon * largest;
+        for row in &mut entries[step + 1..] {
+            let multiplier = row[step] / pivot;
+            row[step] = multiplier;
+            for (entry, above) in row[step + 1..].iter_mut().zip(&pivot_row[step + 1..]) {
+                *entry = *entry - multiplier * *above;
+            }
+            largest = largest.max(largest_of(row[step + 1..].iter()));
+        }
+    }
+    let factors = Factors {
+        entries,
+        origins,
+        row_exponents,
+        column_exponents,
+        odd,
+        norm,
+    };
+    if singular {
+        let determinant = factors.determinant().real();
+        return Err(if determinant.is_finite() {
+            Failure::Singular { determinant }
+        } else {
+            Failure::NotFinite { quantity: QUANTITY }
+        });
+    }
+    Ok(factors)
+}
+
+impl<T: Scalar, const N: usize> Factors<T, N> {
+    /// The solution of `matrix · x = right`. N² multiplications and as many additions.
+    ///
+    /// Not finite if `right` is not, or if the solution is beyond the range of the number type.
+    #[must_use]
+    pub fn solve(&self, right: [T; N]) -> [T; N] {
+        let mut solution = right;
+        for row in 0..N {
+            let origin = self.origins[row];
+            let mut sum = right[origin] * power_of_two(self.row_exponents[origin]);
+            for (factor, known) in self.entries[row][..row].iter().zip(&solution) {
+                sum = sum - *factor * *known;
+            }
+            solution[row] = sum;
+        }
+        for row in (0..N).rev() {
+            let entries = &self.entries[row];
+            let mut sum = solution[row];
+            for (factor, known) in entries[row + 1..].iter().zip(&solution[row + 1..]) {
+                sum = sum - *factor * *known;
+            }
+            solution[row] = sum / entries[row];
+        }
+        for (entry, exponent) in solution.iter_mut().zip(self.column_exponents) {
+            *entry = *entry * power_of_two(exponent);
+        }
+        solution
+    }
+
+    /// The determinant of the matrix. Infinite or zero if it is beyond the range of the number type.
+    #[must_use]
+    pub fn determinant(&self) -> T {
+        let mut exponent = self.exponent();
+        let mut product = self.pivots();
+        // In steps that are numbers of the type, so that only a determinant out of range overflows.
+        while exponent != 0 {
+            let step = exponent.clamp(-range::<T>(), range::<T>());
+            product = product * power_of_two(step);
+            exponent -= step;
+        }
+        product
+    }
+
+    /// The condition number of the scaled matrix in the maximum norm: by how much a relative change of its entries is
+    /// magnified in the solution. 1 at best; the reciprocal of ε and above, and nothing is left of the solution.
+    ///
+    /// Formed from the inverse of the real parts, with N³ multiplications.
+    #[must_use]
+    pub fn condition(&self) -> f64 {
+        let mut sums = [0.0; N];
+        let real = Factors {
+            entries: self.entries.map(|row| row.map(Scalar::real)),
+            row_exponents: [0; N],
+            column_exponents: [0; N],
+            origins: self.origins,
+            odd: self.odd,
+            norm: self.norm,
+        };
+        for column in 0..N {
+            for (sum, entry) in sums.iter_mut().zip(real.solve(unit(column))) {
+                *sum += entry.abs();
+            }
+        }
+        self.norm * sums.into_iter().fold(0.0, f64::max)
+    }
+
+    /// The product of the pivots, with the sign of the exchanges: the determinant of the scaled matrix.
+    fn pivots(&self) -> T {
+        let sign = T::constant(if self.odd { -1.0 } else { 1.0 });
+        (0..N).fold(sign, |product, step| product * self.entries[step][step])
+    }
+
+    /// The power of two that makes the determinant of it.
+    fn exponent(&self) -> i32 {
+        -(self.row_exponents.iter().sum::<i32>() + self.column_exponents.iter().sum::<i32>())
+    }
+}
+
+impl<const N: usize> Factors<f64, N> {
+    /// The determinant as a multiple of that of another matrix, without overflow on the way.
+    pub(super) fn determinant_relative_to(&self, other: &Self) -> f64 {
+        let exponent = (self.exponent() - other.exponent()).clamp(-range::<f64>(), range::<f64>());
+        self.pivots() / other.pivots() * power_of_two::<f64>(exponent)
+    }
+
+    /// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: by how much relative rounding errors of
+    /// each equation's terms are magnified in the solution, in the units of the unknowns as they stand. The
+    /// units of the equations do not matter. (R. D. Skeel, Scaling for numerical stability in Gaussian elimination,
+    /// Journal of the ACM 26, 1979, 494-526.)
+    pub(super) fn amplification(&self, matrix: &[[f64; N]; N]) -> f64 {
+        let mut sums = [0.0; N];
+        for (column, row) in matrix.iter().enumerate() {
+            let size: f64 = row.iter().map(|entry| entry.abs()).sum();
+            for (sum, entry) in sums.iter_mut().zip(self.solve(unit(column))) {
+                *sum += entry.abs() * size;
+            }
+        }
+        sums.into_iter().fold(0.0, f64::max)
+    }
+}
+
+fn unit<const N: usize>(index: usize) -> [f64; N] {
+    core::array::from_fn(|place| if place == index { 1.0 } else { 0.0 })
+}
+
+fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
+    entries.fold(0.0, |largest, entry| entry.real().abs().max(largest))
+}
+
+fn row_norm<T: Scalar, const N: usize>(matrix: &[[T; N]; N]) -> f64 {
+    matrix
+        .iter()
+        .map(|row| row.iter().map(|entry| entry.real().abs()).sum())
+        .fold(0.0, f64::max)
+}
+
+/// The exponent of the power of two that brings the largest of the entries between 1 and 2.
+fn levelling<T: Scalar>(entries: impl Iterator<Item = T>) -> i32 {
+    let largest = entries.fold(0.0, |largest: f64, entry| entry.real().abs().max(largest));
+    if largest == 0.0 {
+        return 0;
+    }
+    (-exponent_of(largest)).clamp(-range::<T>(), range::<T>())
+}
+
+/// The largest exponent for which the power of two and its reciprocal are numbers of the type with full precision.
+fn range<T: Scalar>() -> i32 {
+    -exponent_of(T::SMALLEST) - 6
+}
+
+/// The exponent of the largest power of two that does not exceed a positive number.
+fn exponent_of(value: f64) -> i32 {
+    let field = (value.to_bits() >> 52) & 0x7ff;
+    i32::try_from(field).map_or(0, |field| field - 1023)
+}
+
+/// The power of two with an exponent within the [range] of the type.
+fn power_of_two<T: Scalar>(exponent: i32) -> T {
+    let field = u64::try_from(exponent + 1023).unwrap_or(0);
+    T::constant(f64::from_bits(field << 52))
+}
+
+#[expect(clippy::cast_precision_loss, reason = "the number of unknowns of a block is small")]
+const fn number(count: usize) -> f64 {
+    count as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+    use proptest::prelude::*;
+    use proptest::test_runner::TestCaseResult;
+
+    use super::factor;
+    use crate::series::Series;
+    use crate::solve::strategies::coordinate;
+    use crate::{Failure, Scalar};
+
+    fn matrix<const N: usize>() -> impl Strategy<Value = [[f64; N]; N]> {
+        proptest::collection::vec(coordinate(), N * N)
+            .prop_map(|entries| core::array::from_fn(|row| core::array::from_fn(|column| entries[row * N + column])))
+    }
+
+    fn vector<const N: usize>() -> impl Strategy<Value = [f64; N]> {
+        proptest::collection::vec(-1.0..1.0_f64, N).prop_map(|entries| core::array::from_fn(|row| entries[row]))
+    }
+
+    /// Right-hand side of a known solution, then that solution from ours and from nalgebra's factors.
+    fn agrees<const N: usize>(a: [[f64; N]; N], x: [f64; N]) -> TestCaseResult
+    where
+        nalgebra::Const<N>: nalgebra::DimMin<nalgebra::Const<N>, Output = nalgebra::Const<N>>,
+    {
+        let theirs = SMatrix::<f64, N, N>::from_fn(|row, column| a[row][column]);
+        let right = theirs * SVector::<f64, N>::from(x);
+        let Ok(factors) = factor(a) else {
+            // Refused: then their triangular factors of a matrix with level rows must have a small pivot as well.
+            let rows = SMatrix::<f64, N, N>::from_fn(|row, column| {
+                a[row][column] / a[row].iter().fold(0.0, |size: f64, entry| entry.abs().max(size))
+            });
+            let columns = SMatrix::<f64, N, N>::from_fn(|row, column| rows[(row, column)] / rows.column(column).amax());
+            let upper = columns.lu().u();
+            let (smallest, largest) = (upper.diagonal().abs().min(), upper.amax());
+            prop_assert!(smallest <= 16.0 * f64::EPSILON * super::number(N) * largest);
+            return Ok(());
+        };
+        let solution = factors.solve(right.into());
+        // Backward error: what is left over is rounding of the terms, whatever the condition.
+        let residual = right - theirs * SVector::<f64, N>::from(solution);
+        for row in 0..N {
+            let terms: f64 = (0..N).map(|column| (a[row][column] * solution[column]).abs()).sum();
+            let growth: f64 = (0..N)
+                .map(|other| {
+                    // Rows of other units do not mix: compare after the scaling of rows.
+                    let scale = |row: usize| a[row].iter().fold(0.0, |size: f64, entry| entry.abs().max(size));
+                    let terms: f64 = (0..N).map(|column| (a[other][column] * solution[column]).abs()).sum();
+                    terms / scale(other) * scale(row)
+                })
+                .sum();
+            let tolerance = 16.0 * f64::EPSILON * super::number(N) * (terms + growth);
+            prop_assert!(residual[row].abs() <= tolerance, "{} > {tolerance}", residual[row]);
+        }
+        let condition = factors.condition();
+        prop_assert!(condition >= 1.0);
+        // In the scaled unknowns, the two solutions differ by rounding times condition.
+        let scaled = |entry: f64, column: usize| entry * 2.0_f64.powi(-factors.column_exponents[column]);
+        let size = (0..N).map(|column| scaled(x[column], column).abs()).fold(0.0, f64::max);
+        let tolerance = 16.0 * f64::EPSILON * super::number(N * N) * condition * size;
+        for column in 0..N {
+            let error = scaled(solution[column] - x[column], column).abs();
+            prop_assert!(error <= tolerance, "{error} > {tolerance}");
+        }
+        // nalgebra does not scale: its determinant is compared on the scaled matrix.
+        let levelled = SMatrix::<f64, N, N>::from_fn(|row, column| {
+            a[row][column] * 2.0_f64.powi(factors.row_exponents[row] + factors.column_exponents[column])
+        });
+        let lu = levelled.lu();
+        let error = (factors.pivots() - lu.determinant()).abs();
+        prop_assert!(error <= 16.0 * f64::EPSILON * super::number(N * N) * condition * lu.determinant().abs());
+        let inverse = lu.try_inverse().expect("it is regular");
+        let norm = |matrix: SMatrix<f64, N, N>| matrix.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max);
+        let expected = norm(levelled) * norm(inverse);
+        prop_assert!((condition / expected - 1.0).abs() <= 16.0 * f64::EPSILON * super::number(N * N) * condition);
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn two_agree(a in matrix::<2>(), x in vector()) { agrees(a, x)?; }
+
+        #[test]
+        fn three_agree(a in matrix::<3>(), x in vector()) { agrees(a, x)?; }
+
+        #[test]
+        fn six_agree(a in matrix::<6>(), x in vector()) { agrees(a, x)?; }
+
+        #[test]
+        fn a_row_that_is_a_sum_of_others_is_singular(a in matrix::<3>(), weights in vector::<2>()) {
+            let mut a = a;
+            a[2] = core::array::from_fn(|column| weights[0] * a[0][column] + weights[1] * a[1][column]);
+            match factor(a) {
+                Err(failure) => {
+                    let is_singular = matches!(failure, Failure::Singular { .. });
+                    prop_assert!(is_singular, "{}", failure);
+                }
+                // Where the sum cancels, its rounding is large against what is left of it.
+                Ok(factors) => prop_assert!(factors.condition() >= 1e10),
+            }
+        }
+    }
+
+    #[test]
+    fn units_do_not_matter() {
+        let plain = [[1.0, 2.0, 3.0], [4.0, 5.0, 7.0], [1.0, -1.0, 1.0]];
+        let expected = factor(plain).unwrap();
+        for exponent in [-900, -300, -20, 20, 300, 900] {
+            let unit = 2.0_f64.powi(exponent);
+            let mut rows = plain;
+            rows[1] = rows[1].map(|entry| entry * unit);
+            let factors = factor(rows).unwrap();
+            assert_eq!(factors.condition(), expected.condition());
+            assert_eq!(factors.solve([6.0, 16.0 * unit, 1.0]), expected.solve([6.0, 16.0, 1.0]));
+            assert_eq!(factors.determinant(), expected.determinant() * unit);
+            let columns = plain.map(|row| [row[0], row[1], row[2] * unit]);
+            assert_eq!(factor(columns).unwrap().condition(), expected.condition());
+        }
+        // A determinant within the range of numbers, though the product of two pivots is not.
+        let extreme = factor([[1e300_f64, 0.0, 0.0], [0.0, 1e300, 0.0], [0.0, 0.0, 1e-300]]).unwrap();
+        assert!((extreme.determinant() / 1e300 - 1.0).abs() < 1e-15);
+        let single = factor([[1e-38_f32, 0.0], [0.0, 1e38]]).unwrap();
+        assert!((single.determinant() - 1.0).abs() <= 2.0 * f32::EPSILON);
+        assert!((1.0..2.0).contains(&single.condition()));
+    }
+
+    #[test]
+    fn derivatives_go_through() {
+        // [[1 + t, t], [t, 2]] x = [1, t], by Cramer's rule.
+        type Third = Series<3>;
+        let t = Third::from_coefficients([0.0, 1.0, 0.0]);
+        let one = Third::constant(1.0);
+        let two = Third::constant(2.0);
+        let factors = factor([[one + t, t], [t, two]]).unwrap();
+        let determinant = (one + t) * two - t * t;
+        let expected = [(two - t * t) / determinant, ((one + t) * t - t) / determinant];
+        for (actual, expected) in factors.solve([one, t]).into_iter().zip(expected) {
+            for (actual, expected) in actual.coefficients().into_iter().zip(expected.coefficients()) {
+                assert!((actual - expected).abs() <= 4.0 * f64::EPSILON);
+            }
+        }
+        assert_eq!(factors.determinant(), determinant);
+    }
+
+    #[test]
+    fn singular_matrices_are_refused() {
+        assert_eq!(factor([[0.0]]), Err(Failure::Singular { determinant: 0.0 }));
+        assert_eq!(
+            factor([[1.0, 2.0], [2.0, 4.0]]),
+            Err(Failure::Singular { determinant: 0.0 })
+        );
+        assert!(
+            matches!(factor([[0.1, 0.2], [0.3, 0.6]]), Err(Failure::Singular { determinant }) if determinant.abs() < 1e-16)
+        );
+        assert!(factor([[1.0, 0.0], [0.0, 1e-30]]).is_ok());
+        assert!(factor([[1.0_f32, 1.0], [1.0, 1.0 + f32::EPSILON]]).is_err());
+        assert!(factor([[1.0_f64, 1.0], [1.0, 1.0 + f64::from(f32::EPSILON)]]).is_ok());
+    }
+
+    #[test]
+    fn what_is_not_finite_is_refused() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for place in 0..4 {
+                let mut entries = [2.0, 1.0, 1.0, 3.0];
+                entries[place] = value;
+                let [a, b, c, d] = entries;
+                assert!(matches!(factor([[a, b], [c, d]]), Err(Failure::NotFinite { .. })));
+            }
+        }
+        let broken = Series::from_coefficients([1.0, f64::NAN]);
+        assert!(matches!(factor([[broken]]), Err(Failure::NotFinite { .. })));
+    }
+}
