@@ -56,6 +56,25 @@ fn quick_return() -> TokenStream {
     }
 }
 
+/// A class III triad: four coupled unknowns, two of them left to Newton's method.
+fn triad() -> TokenStream {
+    quote! {
+        pub struct Triad {
+            crank: Length, a: Length, b: Length, c: Length, p: Length, q: Length, delta: Angle, pivot_b: Point, pivot_c: Point
+        }
+        input theta: Angle;
+        unknown alpha: Angle, beta: Angle, gamma: Angle, phi: Angle;
+        let joint = crank * cis(theta) + a * cis(alpha);
+        joint + p * cis(phi) == pivot_b + b * cis(beta);
+        joint + q * cis(phi + delta) == pivot_c + c * cis(gamma);
+    }
+}
+
+#[test]
+fn triad_expansion() {
+    insta::assert_snapshot!(pretty(&triad()));
+}
+
 #[test]
 fn four_bar_expansion() {
     insta::assert_snapshot!(pretty(&four_bar()));

@@ -1,6 +1,7 @@
 //! Declared mechanisms to put the macro to the test.
 
 pub mod cases;
+pub mod coupled;
 pub mod dyads;
 pub mod four_bar_typings;
 pub mod inverted_slider_crank_typings;
