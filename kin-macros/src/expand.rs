@@ -8,7 +8,7 @@ use quote::quote;
 use crate::assemble::{Limits, Names};
 use crate::expr::{Node, Symbol};
 use crate::model::{Model, Residual};
-use crate::refuse::{Origin, refuse};
+use crate::refuse::{Origin, refuse, refuse_ranges};
 use crate::report::Report;
 use crate::{emit, fallback, model, plan, structure, syntax};
 
@@ -35,6 +35,10 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
             return fallback::tokens(Some(&declaration), report, &runtime);
         }
     };
+    refuse_ranges(&model, &blocks, &mut report);
+    if !report.is_empty() {
+        return fallback::tokens(Some(&declaration), report, &runtime);
+    }
     let ranges = ranges(&model);
     let outputs: Vec<Node> = model.outputs.iter().flat_map(|output| output.value.nodes()).collect();
     let plan = plan::plan(&plan::Task {

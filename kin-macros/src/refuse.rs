@@ -1,10 +1,12 @@
 //! What the structure's faults are called, each at the place of its cause.
 
+use std::collections::BTreeSet;
+
 use quote::ToTokens;
 
 use crate::model::Model;
 use crate::report::Report;
-use crate::structure::Fault;
+use crate::structure::{Block, Fault, Solution};
 
 /// The declared equation that a scalar equation is a part of, and which part.
 #[derive(Clone, Copy)]
@@ -27,11 +29,12 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
             Fault::Underdetermined { unknowns, equations } => report.error(
                 &model.unknowns[unknowns[0]].name,
                 format_args!(
-                    "too few equations: {} {} determined by {} only; add {}, or make one of them an input",
+                    "too few equations: {} {} determined by {} only; add {}, or make one of them an input ({})",
                     names(unknowns),
                     if unknowns.len() == 1 { "is" } else { "are" },
                     count(equations.len(), "scalar equation"),
                     count(unknowns.len() - equations.len(), "equation"),
+                    mobility(model, origins),
                 ),
             ),
             Fault::Overdetermined {
@@ -39,18 +42,24 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
                 equations,
                 surplus,
             } => {
-                let origin = origins[surplus[0]];
-                report.error(
-                    whole(model, origin),
-                    format_args!(
-                        "too many equations: {} for {} ({}); this {} is one too many: remove it, or declare what it \
-                         determines as unknown (a plane equation counts as two)",
-                        count(equations.len(), "scalar equation"),
-                        count(unknowns.len(), "unknown"),
-                        names(unknowns),
-                        origin.part,
-                    ),
-                );
+                let together: BTreeSet<usize> = equations.iter().map(|&equation| origins[equation].equation).collect();
+                for &surplus in surplus {
+                    let origin = origins[surplus];
+                    let others = together.iter().filter(|&&other| other != origin.equation);
+                    report.error(
+                        whole(model, origin),
+                        format_args!(
+                            "too many equations: {} for {} ({}); this {} is one too many beside {}: remove it, or declare \
+                             what it determines as unknown ({}; a plane equation counts as two)",
+                            count(equations.len(), "scalar equation"),
+                            count(unknowns.len(), "unknown"),
+                            names(unknowns),
+                            origin.part,
+                            list(others.map(|&other| format!("`{}`", model.equations[other].text))),
+                            mobility(model, origins),
+                        ),
+                    );
+                }
             }
             Fault::Dependent {
                 unknowns,
@@ -79,6 +88,44 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
             },
         }
     }
+}
+
+/// A range chooses one of two solutions, and coupled equations may have any number of them.
+pub(crate) fn refuse_ranges(model: &Model, blocks: &[Block], report: &mut Report) {
+    for part in blocks.iter().flat_map(|block| &block.parts) {
+        if !matches!(part.solution, Solution::Newton { .. }) {
+            continue;
+        }
+        for &unknown in &part.unknowns {
+            let own = &model.unknowns[unknown];
+            if let Some(range) = &own.range {
+                report.error(
+                    &own.name,
+                    format_args!(
+                        "the range `{}` cannot choose the assembly of `{}`, which has no closed form: remove it, and tell \
+                         the assembly by values near the position, as in `position_near(.., [..])`",
+                        range.text, own.name,
+                    ),
+                );
+            }
+        }
+    }
+}
+
+/// How many degrees of freedom the equations leave, and how many inputs drive them.
+fn mobility(model: &Model, origins: &[Origin]) -> String {
+    let (unknowns, inputs, equations) = (model.unknowns.len(), model.inputs.len(), origins.len());
+    let left = (unknowns + inputs).checked_sub(equations).map_or_else(
+        || format!("-{}", equations - unknowns - inputs),
+        |left| left.to_string(),
+    );
+    format!(
+        "{} and {} less {} leave a mobility of {left}, to be driven by {}",
+        count(unknowns, "unknown"),
+        count(inputs, "input"),
+        count(equations, "scalar equation"),
+        count(inputs, "input"),
+    )
 }
 
 fn whole(model: &Model, origin: Origin) -> impl ToTokens {

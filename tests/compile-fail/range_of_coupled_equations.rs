@@ -7,7 +7,7 @@ mechanism! {
     /// The mean anomaly.
     input m: Angle;
     /// The eccentric anomaly.
-    unknown a: Angle;
+    unknown a: Angle in 0..=PI;
     a - e * sin(a) == m;
 }
 

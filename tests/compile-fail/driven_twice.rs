@@ -7,10 +7,10 @@ mechanism! {
         pub r3: Length,
         pub r4: Length,
     }
-    input theta2: Angle;
+    input theta2: Angle, drive: Angle;
     unknown theta3: Angle, theta4: Angle;
-    r1 * sin(theta2) == r2 * sin(theta3) + r3 * sin(2 * theta4);
-    r1 * cos(theta2) == r2 * cos(theta3) + r4 * cos(3 * theta4);
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    theta3 - theta2 == drive;
 }
 
 fn main() {}
