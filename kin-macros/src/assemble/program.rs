@@ -143,6 +143,14 @@ impl Names {
         self.names.insert(symbol, name.to_owned());
     }
 
+    /// The symbols by their names.
+    pub(crate) fn by_name(&self) -> BTreeMap<&str, Symbol> {
+        self.names
+            .iter()
+            .map(|(&symbol, name)| (name.as_str(), symbol))
+            .collect()
+    }
+
     /// The name of a symbol that has been named.
     pub(crate) fn of(&self, symbol: Symbol) -> &str {
         self.names.get(&symbol).map_or("unnamed", String::as_str)

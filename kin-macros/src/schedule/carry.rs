@@ -2,31 +2,23 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::operation::{Operation, Operations};
 use super::statement::{Carried, Scheduled, Statement};
 use crate::assemble::Names;
 use crate::expr::Symbol;
 
 /// What each stage leaves for the later ones.
-pub(super) fn hand_on(scheduled: &mut Scheduled, operations: &Operations, names: &Names) {
+pub(super) fn hand_on(scheduled: &mut Scheduled, names: &Names) {
     let last = scheduled.stages.len();
     let mut uses: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
     let mut symbols: Vec<BTreeSet<Symbol>> = vec![BTreeSet::new(); last];
     let mut carries: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
-    let leaves: BTreeMap<String, Symbol> = operations
-        .list
-        .iter()
-        .filter_map(|operation| match operation {
-            Operation::Leaf(symbol) => Some((names.of(*symbol).to_owned(), *symbol)),
-            _ => None,
-        })
-        .collect();
+    let leaves = names.by_name();
     let mut born: BTreeMap<String, usize> = BTreeMap::new();
     let mut systems: BTreeMap<String, usize> = BTreeMap::new();
     for (stage, scheduled_stage) in scheduled.stages.iter().enumerate() {
         for statement in &scheduled_stage.statements {
             for name in statement.uses() {
-                let symbol = leaves.get(&name).copied();
+                let symbol = leaves.get(name.as_str()).copied();
                 let (since, parameter) = match symbol {
                     Some(Symbol::Parameter(index)) => {
                         if stage == 0 {

@@ -242,7 +242,7 @@ impl Scheduler<'_> {
                 ..ScheduledStage::default()
             });
         }
-        carry::hand_on(&mut scheduled, &self.operations, &self.names);
+        carry::hand_on(&mut scheduled, &self.names);
         scheduled
     }
 
