@@ -93,7 +93,8 @@ pub use near::{Guess, Near};
 pub use plane::Plane;
 pub use scalar::Scalar;
 
-/// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap.
+/// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap,
+/// or to any other order.
 ///
 /// A declaration is a structure with the dimensions of the mechanism, and statements in any order:
 ///
@@ -103,6 +104,7 @@ pub use scalar::Scalar;
 ///             | "unknown" NAME ":" scalar range? ("," NAME ":" scalar range?)* ";"
 ///             | "let" NAME "=" expression ";"
 ///             | "output" NAME ":" dimension "=" expression ";"
+///             | "order" "=" INTEGER ";"
 ///             | expression "==" expression ";"
 /// scalar      = "Length" | "Angle" | "Scalar"
 /// dimension   = scalar | "Point" | "Vector"
@@ -115,6 +117,8 @@ pub use scalar::Scalar;
 /// - An equation joins two scalars, or two plane vectors and so counts as two. There are as many scalar equations as
 ///   unknowns.
 /// - A range tells apart two solutions. Unknowns that have none are told apart by an [`Assembly`].
+/// - The order is that of the highest time derivative, from 1 to 12, and 4, which is snap, if none is given. After snap come
+///   crackle and pop, then `derivative_7` and so on.
 /// - A `let` is an abbreviation, written before its uses. An output is a quantity that is carried to the same order as
 ///   the unknowns.
 ///
@@ -164,6 +168,30 @@ pub use scalar::Scalar;
 /// let acceleration = velocity.acceleration(crank.acceleration());
 /// let jerk = acceleration.jerk(crank.jerk());
 /// let snap = jerk.snap(crank.snap());
+/// # Ok::<(), SolveError>(())
+/// ```
+///
+/// To the sixth derivative:
+///
+/// ```
+/// use kin_core::prelude::*;
+///
+/// mechanism! {
+///     /// A point on a wheel.
+///     pub struct Wheel {
+///         /// Its distance from the axle.
+///         pub radius: Length,
+///     }
+///     input theta: Angle;
+///     unknown height: Length;
+///     height == radius * sin(theta);
+///     order = 6;
+/// }
+///
+/// let wheel = Wheel { radius: 2.0 };
+/// let pose: WheelPop = wheel.solve(Motion::at_constant_speed(0.5, 3.0))?;
+/// assert!((pose.height.crackle() - 2.0 * 243.0 * 0.5_f64.cos()).abs() < 1e-12);
+/// assert!((pose.height.pop() + 2.0 * 729.0 * 0.5_f64.sin()).abs() < 1e-12);
 /// # Ok::<(), SolveError>(())
 /// ```
 #[macro_export]

@@ -285,6 +285,8 @@ from_tuple!(2: value, velocity);
 from_tuple!(3: value, velocity, acceleration);
 from_tuple!(4: value, velocity, acceleration, jerk);
 from_tuple!(5: value, velocity, acceleration, jerk, snap);
+from_tuple!(6: value, velocity, acceleration, jerk, snap, crackle);
+from_tuple!(7: value, velocity, acceleration, jerk, snap, crackle, pop);
 
 /// An accessor for each length of motion that has the entry, so that asking for a derivative that is not there
 /// does not compile.
@@ -304,19 +306,31 @@ macro_rules! accessor {
 }
 
 accessor!("The value, the derivative of order 0."
-    position = 0, for 1 2 3 4 5 6 7 8 9 10 11);
+    position = 0, for 1 2 3 4 5 6 7 8 9 10 11 12 13);
 accessor!("The derivative of order 1."
-    velocity = 1, for 2 3 4 5 6 7 8 9 10 11);
+    velocity = 1, for 2 3 4 5 6 7 8 9 10 11 12 13);
 accessor!("The derivative of order 2."
-    acceleration = 2, for 3 4 5 6 7 8 9 10 11);
+    acceleration = 2, for 3 4 5 6 7 8 9 10 11 12 13);
 accessor!("The derivative of order 3."
-    jerk = 3, for 4 5 6 7 8 9 10 11);
+    jerk = 3, for 4 5 6 7 8 9 10 11 12 13);
 accessor!("The derivative of order 4."
-    snap = 4, for 5 6 7 8 9 10 11);
+    snap = 4, for 5 6 7 8 9 10 11 12 13);
 accessor!("The derivative of order 5."
-    crackle = 5, for 6 7 8 9 10 11);
+    crackle = 5, for 6 7 8 9 10 11 12 13);
 accessor!("The derivative of order 6."
-    pop = 6, for 7 8 9 10 11);
+    pop = 6, for 7 8 9 10 11 12 13);
+accessor!("The derivative of order 7."
+    derivative_7 = 7, for 8 9 10 11 12 13);
+accessor!("The derivative of order 8."
+    derivative_8 = 8, for 9 10 11 12 13);
+accessor!("The derivative of order 9."
+    derivative_9 = 9, for 10 11 12 13);
+accessor!("The derivative of order 10."
+    derivative_10 = 10, for 11 12 13);
+accessor!("The derivative of order 11."
+    derivative_11 = 11, for 12 13);
+accessor!("The derivative of order 12."
+    derivative_12 = 12, for 13);
 
 macro_rules! and {
     ($($length:literal -> $longer:literal: $($entry:ident)+;)+) => {
@@ -345,6 +359,8 @@ and! {
     8 -> 9: a b c d e f g h;
     9 -> 10: a b c d e f g h i;
     10 -> 11: a b c d e f g h i j;
+    11 -> 12: a b c d e f g h i j k;
+    12 -> 13: a b c d e f g h i j k l;
 }
 
 impl<T: Copy, const N: usize> Motion<Plane<T>, N> {
@@ -460,7 +476,14 @@ mod tests {
         assert_eq!(long.snap(), 4.0);
         assert_eq!(long.crackle(), 5.0);
         assert_eq!(long.pop(), 6.0);
-        assert_eq!(long.and(7.0).and(8.0).and(9.0).and(10.0).pop(), 6.0);
+        let longest = long.and(7.0).and(8.0).and(9.0).and(10.0).and(11.0).and(12.0);
+        assert_eq!(longest.pop(), 6.0);
+        assert_eq!(longest.derivative_7(), 7.0);
+        assert_eq!(longest.derivative_8(), 8.0);
+        assert_eq!(longest.derivative_9(), 9.0);
+        assert_eq!(longest.derivative_10(), 10.0);
+        assert_eq!(longest.derivative_11(), 11.0);
+        assert_eq!(longest.derivative_12(), 12.0);
         assert_eq!(long.truncate::<2>(), Motion::from([0.0, 1.0]));
     }
 

@@ -12,9 +12,6 @@ use crate::refuse::{Origin, refuse, refuse_ranges};
 use crate::report::Report;
 use crate::{emit, fallback, model, plan, structure, syntax};
 
-/// The highest time derivative that is derived: snap.
-const ORDER: usize = 4;
-
 /// Expands `(path::to::kin) declaration`. Mistakes are told after the pass that finds them; after the last check nothing can fail.
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let (runtime, tokens) = runtime(tokens);
@@ -48,7 +45,7 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
         ranges: &ranges,
         outputs: &outputs,
         inputs: model.inputs.len(),
-        order: ORDER,
+        order: model.order,
         names: &names(&model),
     });
     emit::tokens(&emit::Mechanism {

@@ -14,6 +14,7 @@
 //!             | "unknown" unknown  ("," unknown)* ";"
 //!             | "let" NAME "=" expression ";"
 //!             | "output" NAME ":" dimension "=" expression ";"
+//!             | "order" "=" INTEGER ";"
 //!             | expression "==" expression ";"
 //! quantity    = NAME ":" ("Length" | "Angle" | "Scalar")
 //! unknown     = quantity range?

@@ -452,3 +452,59 @@ fn errors() {
         .expect_err("not a number");
     assert_eq!(error.failure, Failure::NotFinite { quantity: "s3" });
 }
+
+mechanism! {
+    /// To the velocity alone.
+    struct ThroughVelocity {
+        order: Length,
+    }
+    input theta: Angle;
+    unknown height: Length;
+    order * sin(theta) == height;
+    order = 1;
+    output twice: Length = 2 * height;
+}
+
+mechanism! {
+    /// As far as motions have names for their derivatives.
+    struct ThroughTwelve {
+        order: Length,
+    }
+    input theta: Angle;
+    unknown height: Length;
+    order = 12;
+    order == height / sin(theta);
+}
+
+/// The chain of solvers is as long as the order that is declared, and `order` is a name like any other.
+#[test]
+fn the_order_is_declared() {
+    let _: fn(&ThroughVelocityPosition, f64) -> ThroughVelocityVelocity = ThroughVelocityPosition::velocity;
+    let _: fn(&ThroughVelocity, Motion<f64, 2>) -> Result<ThroughVelocityVelocity, SolveError> = ThroughVelocity::solve;
+    let _: fn(&ThroughTwelveSnap, f64) -> ThroughTwelveCrackle = ThroughTwelveSnap::crackle;
+    let _: fn(&ThroughTwelveCrackle, f64) -> ThroughTwelvePop = ThroughTwelveCrackle::pop;
+    let _: fn(&ThroughTwelvePop, f64) -> ThroughTwelveDerivative7 = ThroughTwelvePop::derivative_7;
+    let _: fn(&ThroughTwelve, Motion<f64, 13>) -> Result<ThroughTwelveDerivative12, SolveError> = ThroughTwelve::solve;
+    assert_eq!(<ThroughVelocity as Mechanism>::DESCRIPTION.order, 1);
+    assert_eq!(<ThroughTwelve as Mechanism>::DESCRIPTION.order, 12);
+
+    // sine and its derivatives come round every four orders
+    let pose = ThroughTwelve { order: 2.0 }
+        .solve(Motion::at_constant_speed(0.3, 1.0))
+        .expect("it is explicit");
+    let cycle = [0.3_f64.sin(), 0.3_f64.cos(), -0.3_f64.sin(), -0.3_f64.cos()];
+    for (order, own) in pose.height.derivatives().into_iter().enumerate() {
+        let expected = 2.0 * cycle[order % 4];
+        let terms = 2.0_f64.powi(i32::try_from(order).expect("orders are small"));
+        // each term of the sum of 2^order terms may be rounded
+        assert!(
+            (own - expected).abs() <= f64::EPSILON * 4.0 * terms,
+            "{order}: {own} {expected}"
+        );
+    }
+    let short = ThroughVelocity { order: 2.0 }
+        .solve(Motion::from([0.3, 1.0]))
+        .expect("it is explicit");
+    assert_eq!(short.height.velocity(), 2.0 * 0.3_f64.cos());
+    assert_eq!(short.twice.velocity(), 4.0 * 0.3_f64.cos());
+}

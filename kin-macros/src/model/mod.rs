@@ -3,6 +3,7 @@
 
 mod dimension;
 mod lower;
+mod order;
 mod range;
 mod scope;
 
@@ -31,6 +32,8 @@ pub(crate) struct Model {
     pub(crate) unknowns: Vec<Unknown>,
     pub(crate) equations: Vec<Equation>,
     pub(crate) outputs: Vec<Output>,
+    /// The highest time derivative that is solved for.
+    pub(crate) order: usize,
     pub(crate) graph: Graph,
 }
 
@@ -120,6 +123,7 @@ pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Mo
     let parameters = parameters(declaration, &mut graph, &mut scope, report);
     let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, report);
     let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, report);
+    let order = order::order(declaration, report);
 
     if declaration.complete {
         missing_statements(declaration, report);
@@ -140,6 +144,7 @@ pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Mo
         unknowns,
         equations: equations.into_iter().collect::<Option<_>>()?,
         outputs,
+        order,
         graph,
     })
 }
@@ -238,7 +243,7 @@ fn quantities(
             Statement::Output(statement) => {
                 scope.declare(&statement.name, Role::Output, Meaning::Result, report);
             }
-            Statement::Equation(_) => {}
+            Statement::Equation(_) | Statement::Order(_) => {}
         }
     }
     (inputs, unknowns)
@@ -278,7 +283,7 @@ fn formulas(
                 };
                 outputs.extend(output(statement, &typed, graph, report));
             }
-            Statement::Inputs(_) | Statement::Unknowns(_) => {}
+            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Order(_) => {}
         }
     }
     (equations, outputs)
@@ -486,7 +491,7 @@ fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
                 collect_names(&statement.right, &abbreviations, &mut names);
                 equations.push(names);
             }
-            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Output(_) => {}
+            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Output(_) | Statement::Order(_) => {}
         }
     }
     equations

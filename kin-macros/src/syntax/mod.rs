@@ -7,6 +7,7 @@ mod dimension;
 mod expression;
 mod head;
 mod name;
+mod order;
 mod print;
 mod split;
 mod statement;
@@ -58,6 +59,7 @@ pub(crate) enum Statement {
     Let(LetStatement),
     Equation(EquationStatement),
     Output(OutputStatement),
+    Order(OrderStatement),
 }
 
 /// `theta2: Angle`
@@ -123,6 +125,12 @@ pub(crate) struct OutputStatement {
     pub(crate) name: Ident,
     pub(crate) dimension: Dimension,
     pub(crate) value: Expression,
+}
+
+/// `order = 6`
+pub(crate) struct OrderStatement {
+    pub(crate) order: usize,
+    pub(crate) extent: Extent,
 }
 
 /// A formula with its place.
@@ -267,6 +275,7 @@ mod tests {
             Statement::Output(output) => {
                 format!("output {}: {} = {}", output.name, output.dimension.word(), output.value)
             }
+            Statement::Order(statement) => format!("order = {}", statement.order),
         }
     }
 
@@ -318,6 +327,7 @@ mod tests {
             let half=a/2;
             a*cis(t)+-polar(2.5f64*e,g)==(vec2(half,0)*t.cis()).x-e.powi(-2);
             output p: Point = h.sin()*y.atan2(x)*1e-3;
+            order=6;
         };
         assert_eq!(
             read(body).unwrap_or_default(),
@@ -328,8 +338,55 @@ mod tests {
                 "let half = a / 2",
                 "a * cis(t) + -polar(2.5f64 * e, g) == (vec2(half, 0) * t.cis()).x - e.powi(-2)",
                 "output p: Point = h.sin() * y.atan2(x) * 1e-3",
+                "order = 6",
             ]
         );
+    }
+
+    #[test]
+    fn order_is_a_name_where_it_is_no_statement() {
+        let body = quote! {
+            input order: Angle;
+            order == x;
+            order * x == y;
+            order.sin() == order;
+            let half = order / 2;
+        };
+        assert_eq!(
+            read(body).unwrap_or_default(),
+            [
+                "1 inputs",
+                "order == x",
+                "order * x == y",
+                "order.sin() == order",
+                "let half = order / 2"
+            ]
+        );
+    }
+
+    #[test]
+    fn an_order_is_a_small_whole_number() {
+        assert_eq!(
+            read(quote!(order = 1; order = 1_2;)).unwrap_or_default(),
+            ["order = 1", "order = 12"]
+        );
+        for (body, told) in [
+            (quote!(order = 0;), "`order = 1`"),
+            (quote!(order = -1;), "never negative"),
+            (quote!(order = 13;), "no further than 12"),
+            (quote!(order = 99999999999999999999;), "no further than 12"),
+            (quote!(order = 6.0;), "a whole number from 1 to 12"),
+            (quote!(order = 6usize;), "write `order = 6`"),
+            (quote!(order = x;), "a whole number from 1 to 12"),
+            (quote!(order = 3 + 3;), "a whole number from 1 to 12"),
+            (quote!(order = ;), "the order is missing"),
+            (quote!(order 6;), "write `order = 6`"),
+            (quote!(order: 6;), "write `order = 6`"),
+        ] {
+            let messages = mistakes(body.clone());
+            assert_eq!(messages.len(), 1, "{body}: {messages:#?}");
+            assert!(messages[0].contains(told), "{body}: {messages:#?}");
+        }
     }
 
     #[test]
@@ -378,6 +435,10 @@ mod tests {
             ["a `;` is missing after this: every statement ends with `;`"]
         );
         assert_eq!(mistakes(quote!(a == b c == d;)).len(), 1);
+        assert_eq!(
+            mistakes(quote!(a == b order = 6; order == a * order;)),
+            ["a `;` is missing: write `;` before this `order`"]
+        );
     }
 
     #[test]

@@ -31,7 +31,8 @@ pub(crate) fn statements(body: TokenStream, report: &mut Report) -> Vec<Chunk> {
             continue;
         }
         let own = trailing_attributes(&current);
-        if own > 0 && begins_statement(&tokens[index..]) {
+        let begins = begins_statement(&tokens[index..]) || gives_order(&tokens[index..]) && ends_formula(&current);
+        if own > 0 && begins {
             report.error_at(
                 token.span(),
                 format!("a `;` is missing: write `;` before this `{token}`"),
@@ -155,6 +156,17 @@ fn begins_statement(tokens: &[TokenTree]) -> bool {
         }
         _ => false,
     }
+}
+
+/// `order =`, but not `order ==`.
+fn gives_order(tokens: &[TokenTree]) -> bool {
+    matches!(tokens, [TokenTree::Ident(word), TokenTree::Punct(equals), ..]
+        if word == "order" && equals.as_char() == '=' && equals.spacing() == Spacing::Alone)
+}
+
+/// Whether a formula may be complete here: not after an operator.
+fn ends_formula(tokens: &[TokenTree]) -> bool {
+    !matches!(tokens.last(), Some(TokenTree::Punct(_)))
 }
 
 fn is_punct(token: &TokenTree, character: char) -> bool {

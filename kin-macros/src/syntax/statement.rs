@@ -1,4 +1,4 @@
-//! One statement: `input`, `unknown`, `let`, `output`, or an equation.
+//! One statement: `input`, `unknown`, `let`, `output`, `order`, or an equation.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -10,7 +10,7 @@ use crate::syntax::expression::{self, Place};
 use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{
     Comparison, Dimension, EquationStatement, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
-    Statement, UnknownItem, head,
+    Statement, UnknownItem, head, order,
 };
 
 /// Reads a statement without its `;`. Nothing at all is no mistake.
@@ -47,6 +47,10 @@ fn statement(input: ParseStream<'_>) -> Result<Option<Statement>> {
             Ident::parse_any(input)?;
             output(input, attributes, start).map(Statement::Output)
         }
+        Some("order") => {
+            Ident::parse_any(input)?;
+            order::parse(input, start).map(Statement::Order)
+        }
         _ => equation(input).map(Statement::Equation),
     }
     .map(Some)
@@ -74,6 +78,9 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     let word = first.to_string();
     let declares = ahead.peek(Ident::peek_any);
     if STATEMENT_WORDS.contains(&word.as_str()) && (word == "let" || !ahead.peek(Token![==])) {
+        return Ok(Some(word));
+    }
+    if word == "order" && order::follows(&ahead) {
         return Ok(Some(word));
     }
     if word == "struct" {

@@ -1,0 +1,69 @@
+//! `order = 6`: through which time derivative a mechanism is solved.
+
+use proc_macro2::{Span, TokenStream};
+use syn::parse::{ParseStream, Result};
+use syn::{Lit, LitInt, Token};
+
+use crate::report::Extent;
+use crate::syntax::{OrderStatement, head};
+
+/// The highest order: as far as a motion has names for its derivatives.
+const HIGHEST: usize = 12;
+
+/// Whether what follows the word `order` makes it a statement. It is an ordinary name otherwise.
+pub(super) fn follows(input: ParseStream<'_>) -> bool {
+    let assigns = input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>]);
+    assigns || input.peek(Lit) || input.peek(Token![:]) && input.peek2(Lit)
+}
+
+/// `= 6` after `order`.
+pub(super) fn parse(input: ParseStream<'_>, word: Span) -> Result<OrderStatement> {
+    if !input.peek(Token![=]) {
+        return Err(input.error("the order is given by `=`: write `order = 6`"));
+    }
+    let equals = input.parse::<Token![=]>()?;
+    let Some(extent) = head::rest(input) else {
+        return Err(syn::Error::new(
+            equals.span,
+            "the order is missing after this: write `order = 6` for derivatives to the sixth",
+        ));
+    };
+    let value: TokenStream = input.parse()?;
+    match order(&value) {
+        Ok(order) => Ok(OrderStatement {
+            order,
+            extent: Extent::at(word).to(extent),
+        }),
+        Err(message) => Err(syn::Error::new_spanned(extent, message)),
+    }
+}
+
+/// The number, or what is wrong with it.
+fn order(value: &TokenStream) -> std::result::Result<usize, String> {
+    let Ok(literal) = syn::parse2::<LitInt>(value.clone()) else {
+        return Err(format!(
+            "the order is a whole number from 1 to {HIGHEST}, written out: write `order = 6`, or `==` if this is an equation"
+        ));
+    };
+    if literal.base10_digits().starts_with('-') {
+        return Err(format!(
+            "the order counts time derivatives, so it is never negative: write a number from 1 to {HIGHEST}"
+        ));
+    }
+    if !literal.suffix().is_empty() {
+        return Err(format!(
+            "the order takes no type: write `order = {}`",
+            literal.base10_digits()
+        ));
+    }
+    match literal.base10_parse::<usize>() {
+        Ok(0) => Err(
+            "an order of 0 leaves no derivative to solve for: write `order = 1` for the velocity alone, the position is always there"
+                .to_owned(),
+        ),
+        Ok(order) if order <= HIGHEST => Ok(order),
+        _ => Err(format!(
+            "the order goes no further than {HIGHEST}: write a number from 1 to {HIGHEST}"
+        )),
+    }
+}
