@@ -45,6 +45,7 @@
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | mechanisms ready to use | [`library`] |
 //! | the closed forms, with their costs | [`solve`] |
+//! | verification of a mechanism of your own | `verify` (feature `num-dual`) |
 //! | number types | [`Scalar`], and [`series`] for truncated Taylor series |
 //!
 //! # Units
@@ -54,7 +55,7 @@
 //! # Features
 //!
 //! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm` supplies the
-//! floating-point functions. `num-dual` makes that crate's dual numbers a [`Scalar`], `nalgebra` converts to and
+//! floating-point functions. `num-dual` makes that crate's dual numbers a [`Scalar`] and brings `verify`, `nalgebra` converts to and
 //! from its points and vectors.
 #![no_std]
 #![cfg_attr(
@@ -83,6 +84,8 @@ mod plane;
 mod scalar;
 pub mod series;
 pub mod solve;
+#[cfg(feature = "num-dual")]
+pub mod verify;
 
 pub use assembly::Assembly;
 pub use error::{Failure, SolveError};
@@ -201,6 +204,29 @@ macro_rules! mechanism {
     };
 }
 
+/// The body of the test that a declaration asks for.
+#[cfg(feature = "num-dual")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __assert_verified {
+    ($mechanism:ty) => {
+        $crate::verify::mechanism::<$mechanism>().assert()
+    };
+}
+
+/// What stands in its place without the numbers that it needs.
+#[cfg(not(feature = "num-dual"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __assert_verified {
+    ($mechanism:ty) => {
+        compile_error!(
+            "the test of a mechanism needs the feature `num-dual` of kin-core: in Cargo.toml, under [dev-dependencies], write \
+             kin-core = { version = \"0.1\", features = [\"num-dual\"] }"
+        )
+    };
+}
+
 /// What a program that solves mechanisms needs: `use kin_core::prelude::*;`.
 pub mod prelude {
     // Of this name only the macro is public, the module is not.
@@ -211,6 +237,7 @@ pub mod prelude {
 /// What generated code refers to; not for direct use, and free to change.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::__assert_verified as assert_verified;
     pub use crate::{
         Assembly, Block, Description, Dimension, Failure, Guess, InputValues, Mechanism, Motion, Near, Operations,
         Plane, Pose, Quantity, Row, Scalar, SolveError, series, solve,

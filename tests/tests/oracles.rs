@@ -6,7 +6,7 @@ use kin_core::library::{
 };
 use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::ThroughSnap;
-use kin_tests::oracles::Worst;
+use kin_tests::oracles::{Reported, Worst};
 use kin_tests::random::Random;
 
 /// A grid of crank angles with random motions and dimensions.

@@ -4,7 +4,7 @@
 
 use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
-use kin_tests::oracles::Worst;
+use kin_tests::oracles::{Reported, Worst};
 use kin_tests::random::Random;
 
 /// A grid of inputs with random rates; dimensions vary.

@@ -1,0 +1,56 @@
+//! Numbers that carry derivatives in time.
+
+use num_dual::{HyperDual, HyperDual64};
+
+use crate::Scalar;
+use crate::series::Series;
+
+/// A number that holds a function of time by its value and its derivatives at one moment.
+pub(super) trait Carrier: Scalar {
+    /// The function of the given derivatives, value first; those that are missing are zero.
+    fn carrying(derivatives: &[f64]) -> Self;
+
+    /// A derivative, NaN beyond those that are held.
+    fn derivative(&self, order: usize) -> f64;
+
+    /// The first `count` derivatives, value first.
+    fn derivatives_through(&self, order: usize) -> std::vec::Vec<f64> {
+        (0..=order).map(|order| self.derivative(order)).collect()
+    }
+}
+
+/// Through the fourth order. Of two steps inside and two outside, every subset of k steps holds the k-th derivative
+/// (J. A. Fike and J. J. Alonso, "The development of hyper-dual numbers for exact second-derivative calculations", AIAA 2011-886).
+pub(super) type Nested = HyperDual<HyperDual64>;
+
+impl Carrier for Nested {
+    fn carrying(derivatives: &[f64]) -> Self {
+        let at = |order: usize| derivatives.get(order).copied().unwrap_or(0.0);
+        let inner = |order: usize| HyperDual64::new(at(order), at(order + 1), at(order + 1), at(order + 2));
+        Self::new(inner(0), inner(1), inner(1), inner(2))
+    }
+
+    fn derivative(&self, order: usize) -> f64 {
+        match order {
+            0 => self.re.re,
+            1 => self.re.eps1,
+            2 => self.re.eps1eps2,
+            3 => self.eps1.eps1eps2,
+            4 => self.eps1eps2.eps1eps2,
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// Through order `N` - 1.
+impl<const N: usize> Carrier for Series<N> {
+    fn carrying(derivatives: &[f64]) -> Self {
+        Self::from_derivatives(core::array::from_fn(|order| {
+            derivatives.get(order).copied().unwrap_or(0.0)
+        }))
+    }
+
+    fn derivative(&self, order: usize) -> f64 {
+        self.derivatives().get(order).copied().unwrap_or(f64::NAN)
+    }
+}

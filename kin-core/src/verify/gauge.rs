@@ -1,0 +1,179 @@
+//! What errors are measured against.
+
+use std::vec::Vec;
+
+use super::condition::condition;
+use super::gradients::{gradients, jacobian_rates, rounding_errors, values};
+use super::{Inputs, Unknowns};
+use crate::{Dimension, Mechanism, Quantity};
+
+/// The units of error at a pose.
+///
+/// Let κ be the condition of the Jacobian, its columns scaled by the sizes of the unknowns and its rows by the terms of
+/// the equations. Let w be the largest |x⁽ᵏ⁾|^(1/k) over all quantities x (lengths relative to the mechanism's size) and
+/// orders k, and no less than the rate at which the scaled Jacobian changes, which is beyond that of the quantities where a
+/// function of them is steep. Every term of an n-th derivative is of the size wⁿ at most, and is computed to a few ε. Solving
+/// J q = r multiplies the error of r by κ, and the position, in error by ε κ itself, enters J. So an n-th derivative is known to
+///
+/// ```text
+/// ε κ² wⁿ
+/// ```
+///
+/// times a number that depends on the count of terms, [`allowed`]. An equation whose large terms cancel on the way to its value is allowed
+/// no less than its own rounding.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gauge {
+    /// The condition κ of the scaled Jacobian.
+    pub condition: f64,
+    /// The largest rate w, as a frequency.
+    pub frequency: f64,
+    /// The largest rate of an input.
+    pub driving: f64,
+    /// The largest length.
+    pub length: f64,
+    /// The natural size of each unknown.
+    pub sizes: Vec<f64>,
+    /// The size of each equation's terms.
+    pub rows: Vec<f64>,
+}
+
+impl Gauge {
+    /// The gauge at a pose.
+    #[must_use]
+    pub fn new<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Unknowns<M>) -> Self {
+        let description = M::DESCRIPTION;
+        let parameters = mechanism.parameters();
+        let length = description
+            .parameters
+            .iter()
+            .zip(parameters.as_ref())
+            .chain(description.inputs.iter().zip(&values(inputs.as_ref())))
+            .chain(description.unknowns.iter().zip(&values(unknowns.as_ref())))
+            .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+            .fold(0.0_f64, |largest, (_, value)| largest.max(value.abs()));
+        let fastest = |quantities: &[Quantity], motions: &[M::Motion<f64>]| {
+            quantities
+                .iter()
+                .zip(motions)
+                .map(|(quantity, motion)| frequency(motion.as_ref(), natural(length, quantity, motion.as_ref())))
+                .fold(0.0_f64, f64::max)
+        };
+        let sizes: Vec<f64> = description
+            .unknowns
+            .iter()
+            .zip(unknowns.as_ref())
+            .map(|(quantity, motion)| natural(length, quantity, motion.as_ref()))
+            .collect();
+        let driving = fastest(description.inputs, inputs.as_ref());
+        let mut frequency = driving.max(fastest(description.unknowns, unknowns.as_ref()));
+        let (mut jacobian, others) = gradients(mechanism, inputs, unknowns);
+        let rates = jacobian_rates(mechanism, inputs, unknowns);
+        let rounding = rounding_errors(mechanism, inputs, unknowns);
+        let mut rows = Vec::new();
+        for (((row, others), rates), rounding) in jacobian.iter_mut().zip(others).zip(rates).zip(rounding) {
+            for (entry, size) in row.iter_mut().zip(&sizes) {
+                *entry *= size;
+            }
+            let size = row
+                .iter()
+                .chain(&others)
+                .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+            for entry in row.iter_mut() {
+                *entry /= size;
+            }
+            for (rate, own) in rates.into_iter().zip(&sizes) {
+                frequency = frequency.max(rate.abs() * own / size);
+            }
+            rows.push(size.max(rounding / allowed(0)));
+        }
+        Self {
+            condition: condition(jacobian),
+            frequency,
+            driving,
+            length,
+            sizes,
+            rows,
+        }
+    }
+
+    /// The unit of error of an unknown's n-th derivative, against differentiation of the position. That goes
+    /// through intermediate results which change κ times as fast as the inputs.
+    #[must_use]
+    pub fn unknown(&self, index: usize, order: usize) -> f64 {
+        self.unit(order, self.solving()) * self.sizes[index]
+    }
+
+    /// The unit of what is left of an equation's n-th derivative.
+    #[must_use]
+    pub fn equation(&self, index: usize, order: usize) -> f64 {
+        self.unit(order, self.frequency) * self.rows[index]
+    }
+
+    /// The unit of error of an output's n-th derivative, given its motion. An output that changes faster than the
+    /// inputs do is steeper than they by so much, and so is its error.
+    #[must_use]
+    pub fn output(&self, quantity: &Quantity, motion: &[f64], order: usize) -> f64 {
+        let own_size = motion.first().copied().unwrap_or(0.0).abs();
+        let size = natural(self.length, quantity, motion).max(own_size);
+        let own = frequency(motion, size);
+        let steepness = if own > self.driving && self.driving > 0.0 {
+            own / self.driving
+        } else {
+            1.0
+        };
+        self.unit(order, self.solving().max(own)) * size * steepness
+    }
+
+    fn solving(&self) -> f64 {
+        self.frequency.max(self.condition * self.driving)
+    }
+
+    fn unit(&self, order: usize, frequency: f64) -> f64 {
+        // one factor per order: there are few
+        (0..order).fold(f64::EPSILON * self.condition * self.condition, |unit, _| {
+            unit * frequency
+        })
+    }
+}
+
+/// The size that a quantity has by nature: a length that of the mechanism, an angle or a number at least one.
+fn natural(length: f64, quantity: &Quantity, motion: &[f64]) -> f64 {
+    if quantity.dimension == Dimension::Length {
+        length
+    } else {
+        motion.first().copied().unwrap_or(0.0).abs().max(1.0)
+    }
+}
+
+/// The largest |x⁽ᵏ⁾ / size|^(1/k).
+fn frequency(motion: &[f64], size: f64) -> f64 {
+    motion
+        .iter()
+        .zip(0_u32..)
+        .skip(1)
+        .fold(0.0_f64, |largest, (rate, order)| {
+            largest.max((rate.abs() / size).powf(1.0 / f64::from(order)))
+        })
+}
+
+/// How many units of error are allowed in an n-th derivative: generously, the number of its terms. Bell's and Leibniz's sums
+/// multiply it by four to five an order.
+///
+/// ```
+/// use kin_core::verify::allowed;
+///
+/// assert_eq!([0, 1, 2, 3, 4].map(allowed), [16.0, 32.0, 128.0, 512.0, 2048.0]);
+/// ```
+#[must_use]
+pub const fn allowed(order: usize) -> f64 {
+    if order == 0 {
+        return 16.0;
+    }
+    let mut units = 32.0;
+    let mut above = 1;
+    while above < order {
+        units *= 4.0;
+        above += 1;
+    }
+    units
+}

@@ -1,0 +1,119 @@
+//! The partial derivatives of a mechanism's equations, by dual numbers, and their rounding errors.
+
+use std::vec::Vec;
+
+use num_dual::{Dual, Dual64};
+
+use super::rounding::Rounded;
+use super::{Inputs, Unknowns};
+use crate::{Mechanism, Row, Scalar};
+
+/// The value of each motion.
+pub(super) fn values<R: Row<f64>>(motions: &[R]) -> Vec<f64> {
+    motions.iter().map(|motion| derivative(motion, 0)).collect()
+}
+
+fn derivative<R: Row<f64>>(motion: &R, order: usize) -> f64 {
+    motion.as_ref().get(order).copied().unwrap_or(0.0)
+}
+
+/// The equations' partial derivatives: by the unknowns, and by parameters and inputs times these themselves,
+/// which is how much a relative error in one of them shifts an equation. One row for each equation.
+pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    inputs: &Inputs<M>,
+    unknowns: &Unknowns<M>,
+) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+    type D = Dual64;
+    let (unknowns, inputs) = (values(unknowns.as_ref()), values(inputs.as_ref()));
+    let parameters = mechanism.parameters().as_ref().to_vec();
+    // the column of one quantity, counted through unknowns, parameters and inputs
+    let column = |seeded: usize| -> Vec<f64> {
+        let number = |index: usize, value: f64| D::new(value, if index == seeded { 1.0 } else { 0.0 });
+        let mut next = unknowns.len();
+        let lifted = mechanism.convert(|value| {
+            next += 1;
+            number(next - 1, value)
+        });
+        let first_input = unknowns.len() + parameters.len();
+        let lifted_inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| {
+            number(first_input + index, inputs[index])
+        });
+        let lifted_unknowns =
+            <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| number(index, unknowns[index]));
+        lifted
+            .residuals(lifted_inputs, lifted_unknowns)
+            .as_ref()
+            .iter()
+            .map(|left| left.eps)
+            .collect()
+    };
+    let by_unknowns: Vec<Vec<f64>> = (0..unknowns.len()).map(column).collect();
+    let by_others: Vec<Vec<f64>> = parameters
+        .iter()
+        .chain(&inputs)
+        .enumerate()
+        .map(|(index, value)| {
+            column(unknowns.len() + index)
+                .into_iter()
+                .map(|partial| partial * value.abs())
+                .collect()
+        })
+        .collect();
+    let rows = |columns: &[Vec<f64>]| -> Vec<Vec<f64>> {
+        (0..unknowns.len())
+            .map(|row| columns.iter().map(|column| column[row]).collect())
+            .collect()
+    };
+    (rows(&by_unknowns), rows(&by_others))
+}
+
+/// The time derivative of each of the equations' partial derivatives by the unknowns, row by row.
+pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    inputs: &Inputs<M>,
+    unknowns: &Unknowns<M>,
+) -> Vec<Vec<f64>> {
+    // outside along time, inside along one unknown
+    type D = Dual<Dual64>;
+    let lifted = mechanism.convert(<D as Scalar>::constant);
+    let number = |motion: &M::Motion<f64>, seed: f64| {
+        D::new(
+            Dual64::new(derivative(motion, 0), seed),
+            Dual64::new(derivative(motion, 1), 0.0),
+        )
+    };
+    let columns: Vec<Vec<D>> = (0..unknowns.as_ref().len())
+        .map(|seeded| {
+            let inputs =
+                <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs.as_ref()[index], 0.0));
+            let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| {
+                number(&unknowns.as_ref()[index], if index == seeded { 1.0 } else { 0.0 })
+            });
+            lifted.residuals(inputs, unknowns).as_ref().to_vec()
+        })
+        .collect();
+    (0..columns.len())
+        .map(|row| columns.iter().map(|column| column[row].eps.eps).collect())
+        .collect()
+}
+
+/// A bound on the rounding error of each equation, in units of ε.
+pub(super) fn rounding_errors<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    inputs: &Inputs<M>,
+    unknowns: &Unknowns<M>,
+) -> Vec<f64> {
+    type R = Rounded;
+    let exactly = |motion: &M::Motion<f64>| R::exactly(derivative(motion, 0));
+    let inputs = <<M::With<R> as Mechanism>::Inputs<R> as Row<R>>::from_fn(|index| exactly(&inputs.as_ref()[index]));
+    let unknowns =
+        <<M::With<R> as Mechanism>::Unknowns<R> as Row<R>>::from_fn(|index| exactly(&unknowns.as_ref()[index]));
+    mechanism
+        .convert(R::exactly)
+        .residuals(inputs, unknowns)
+        .as_ref()
+        .iter()
+        .map(|left| left.error())
+        .collect()
+}

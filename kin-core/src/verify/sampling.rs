@@ -1,0 +1,161 @@
+//! Random mechanisms and motions.
+
+use core::f64::consts::PI;
+use std::vec::Vec;
+
+use super::{Inputs, Random, Report, Worst};
+use crate::{Dimension, Mechanism, Quantity, Row};
+
+/// How many poses are looked at, and which.
+///
+/// ```
+/// use kin_core::library::FourBar;
+/// use kin_core::verify::Sampling;
+///
+/// let sampling = Sampling { poses: 50, seed: 7, ..Sampling::default() };
+/// sampling.mechanism::<FourBar>().assert();
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// How many poses are wanted, of a quarter as many draws at least. With fewer than a quarter of them a verification does not
+    /// pass.
+    pub poses: usize,
+    /// How many times dimensions and inputs are drawn at most.
+    pub draws: usize,
+    /// Each seed gives its own sequence of draws, the same in every run.
+    pub seed: u64,
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self {
+            poses: 200,
+            draws: 50_000,
+            seed: 1,
+        }
+    }
+}
+
+impl Sampling {
+    /// Verifies a mechanism over random dimensions and motions, in every assembly.
+    ///
+    /// Lengths are log-uniform over the decade about 1, plain numbers as well and of either sign, the coordinates of points and inputs
+    /// that are lengths, too; angles are uniform. The inputs' derivatives are of mixed size and sign. Where the
+    /// assemblies depend on the dimensions, the mechanism is solved near random values of the unknowns.
+    pub fn mechanism<M: Mechanism<Scalar = f64>>(self) -> Report {
+        self.run(|random| {
+            let mechanism = M::from_parameters(M::Parameters::from_fn(|index| {
+                let quantity = &M::DESCRIPTION.parameters[index];
+                // the part of a point has a dot in its name
+                if quantity.dimension == Dimension::Length && !quantity.name.contains('.') {
+                    random.size()
+                } else {
+                    any(random, quantity, 1.0)
+                }
+            }));
+            let inputs = M::Inputs::from_fn(|index| {
+                let value = any(random, &M::DESCRIPTION.inputs[index], 1.0);
+                motion::<M>(random, value, 1.0)
+            });
+            (mechanism, inputs)
+        })
+    }
+
+    /// Verifies a mechanism about given dimensions, which are changed by up to a tenth, over given ranges of its inputs, from low to
+    /// high. It need not close everywhere.
+    pub fn of<M: Mechanism<Scalar = f64>>(self, mechanism: &M, ranges: M::Inputs<(f64, f64)>) -> Report {
+        let given = mechanism.parameters();
+        self.run(|random| {
+            let mechanism = M::from_parameters(M::Parameters::from_fn(|index| {
+                given.as_ref()[index] * random.between(0.9, 1.1)
+            }));
+            let inputs = M::Inputs::from_fn(|index| {
+                let (low, high) = ranges.as_ref()[index];
+                let value = random.between(low, high);
+                let size = if M::DESCRIPTION.inputs[index].dimension == Dimension::Length {
+                    largest_length(&mechanism).max(value.abs())
+                } else {
+                    1.0
+                };
+                motion::<M>(random, value, size)
+            });
+            (mechanism, inputs)
+        })
+    }
+
+    fn run<M: Mechanism<Scalar = f64>>(self, mut draw: impl FnMut(&mut Random) -> (M, Inputs<M>)) -> Report {
+        let mut random = Random::new(self.seed);
+        let mut worst = Worst::default();
+        let (mut tried, mut closed) = (0, 0);
+        let needed = self.poses / 4;
+        while tried < self.draws && (worst.poses < self.poses || closed < needed) {
+            tried += 1;
+            let (mechanism, inputs) = draw(&mut random);
+            let mut closes = false;
+            for assembly in assemblies(&mechanism, &inputs, &mut random) {
+                closes |= worst.check(&mechanism, inputs, assembly);
+            }
+            closed += usize::from(closes);
+        }
+        Report {
+            name: M::DESCRIPTION.name,
+            worst,
+            tried,
+            closed,
+            needed,
+            seed: self.seed,
+        }
+    }
+}
+
+/// All assemblies there are, or one to which a random guess leads, where that depends on the dimensions.
+fn assemblies<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, random: &mut Random) -> Vec<M::Assembly> {
+    if M::ASSEMBLY_COUNT > 0 {
+        return M::assemblies().collect();
+    }
+    let values = M::Inputs::from_fn(|index| {
+        let motion: &M::Motion<f64> = &inputs.as_ref()[index];
+        motion.as_ref()[0]
+    });
+    let length = largest_length(mechanism);
+    let guess = M::Unknowns::from_fn(|index| any(random, &M::DESCRIPTION.unknowns[index], length));
+    mechanism
+        .solve_position_near(values, guess)
+        .map(|unknowns| mechanism.assembly_near(values, unknowns))
+        .into_iter()
+        .collect()
+}
+
+/// A value for a quantity of any kind.
+fn any(random: &mut Random, quantity: &Quantity, length: f64) -> f64 {
+    match quantity.dimension {
+        Dimension::Length => length * random.signed_size(),
+        Dimension::Angle => random.between(-PI, PI),
+        Dimension::Scalar => random.signed_size(),
+    }
+}
+
+/// A motion about a value, whose derivatives are of the size that belongs to some rate.
+fn motion<M: Mechanism<Scalar = f64>>(random: &mut Random, value: f64, size: f64) -> M::Motion<f64> {
+    let rate = random.size();
+    let mut power = size;
+    M::Motion::from_fn(|order| {
+        if order == 0 {
+            return value;
+        }
+        power *= rate;
+        power * random.between(-1.0, 1.0)
+    })
+}
+
+/// The largest of a mechanism's lengths, 1 if it has none.
+fn largest_length<M: Mechanism<Scalar = f64>>(mechanism: &M) -> f64 {
+    let parameters = mechanism.parameters();
+    let largest = M::DESCRIPTION
+        .parameters
+        .iter()
+        .zip(parameters.as_ref())
+        .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+        .fold(0.0_f64, |largest, (_, value)| largest.max(value.abs()));
+    if largest > 0.0 { largest } else { 1.0 }
+}

@@ -1,0 +1,294 @@
+//! The oracles themselves are put to the test: by a mechanism written by hand, of a high order, without named assemblies, that can be
+//! made wrong at will.
+
+use std::string::ToString;
+use std::{assert, assert_eq, println};
+
+use super::{Sampling, mechanism, of};
+use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
+use crate::{
+    Assembly, Block, Description, Dimension, Failure, InputValues, Mechanism, Motion, Near, Operations, Pose, Quantity,
+    Scalar, SolveError,
+};
+
+/// One more than the order of the [`Hyperbola`].
+const LENGTH: usize = 7;
+/// What is right at every order.
+const NOTHING: usize = usize::MAX;
+
+/// y² = x² + a² for y, with the output x y, through the sixth order, by Newton's method. The unknown's derivative of order
+/// `UNKNOWN` and the output's of order `OUTPUT` are wrong in the seventh digit.
+#[derive(Clone, Copy, Debug)]
+struct Hyperbola<T, const UNKNOWN: usize, const OUTPUT: usize> {
+    a: T,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct HyperbolaPose<T> {
+    y: Motion<T, LENGTH>,
+    product: Motion<T, LENGTH>,
+}
+
+impl<T: Scalar> Pose for HyperbolaPose<T> {
+    type Scalar = T;
+    type Motion = Motion<T, LENGTH>;
+    type Unknowns<V: Copy> = [V; 1];
+    type Outputs<V: Copy> = [V; 1];
+
+    fn unknown_motions(&self) -> [Motion<T, LENGTH>; 1] {
+        [self.y]
+    }
+
+    fn output_motions(&self) -> [Motion<T, LENGTH>; 1] {
+        [self.product]
+    }
+}
+
+const fn quantity(name: &'static str) -> Quantity {
+    Quantity {
+        name,
+        dimension: Dimension::Length,
+        description: "",
+    }
+}
+
+/// The n-th derivative of a product less the terms with an n-th derivative of a factor, by Leibniz's rule.
+fn inner<T: Scalar>(f: &[T], g: &[T], n: usize) -> T {
+    let mut sum = T::constant(0.0);
+    let mut binomial = 1.0;
+    for k in 1..n {
+        binomial *= f64::from(u32::try_from(n - k + 1).unwrap()) / f64::from(u32::try_from(k).unwrap());
+        sum = sum + T::constant(binomial) * f[k] * g[n - k];
+    }
+    sum
+}
+
+fn spoilt<T: Scalar>(value: T, order: usize, wrong: usize) -> T {
+    if order == wrong {
+        value * T::constant(1.0 + 1e-7)
+    } else {
+        value
+    }
+}
+
+impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Hyperbola<T, UNKNOWN, OUTPUT> {
+    fn motion(&self, x: Motion<T, LENGTH>, near: T) -> Result<HyperbolaPose<T>, SolveError> {
+        let two = T::constant(2.0);
+        let [position] = self.solve_position_near([x.value()], [near])?;
+        let x = x.derivatives();
+        let mut y = [position; LENGTH];
+        let mut product = [x[0] * position; LENGTH];
+        for n in 1..LENGTH {
+            let right = two * x[0] * x[n] + inner(&x, &x, n);
+            y[n] = spoilt((right - inner(&y, &y, n)) / (two * y[0]), n, UNKNOWN);
+            product[n] = spoilt(x[0] * y[n] + x[n] * y[0] + inner(&x, &y, n), n, OUTPUT);
+        }
+        Ok(HyperbolaPose {
+            y: Motion::new(y),
+            product: Motion::new(product),
+        })
+    }
+}
+
+impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbola<T, UNKNOWN, OUTPUT> {
+    type Scalar = T;
+    type With<S: Scalar> = Hyperbola<S, UNKNOWN, OUTPUT>;
+    type Assembly = Near<1>;
+    type Motion<V: Copy> = Motion<V, LENGTH>;
+    type Pose = HyperbolaPose<T>;
+    type Parameters<V: Copy> = [V; 1];
+    type Inputs<V: Copy> = [V; 1];
+    type Unknowns<V: Copy> = [V; 1];
+    type Residuals<V: Copy> = [V; 1];
+
+    const DESCRIPTION: Description = Description {
+        name: "Hyperbola",
+        parameters: &[quantity("a")],
+        inputs: &[quantity("x")],
+        unknowns: &[quantity("y")],
+        outputs: &[quantity("product")],
+        equations: &["y.powi(2) == x.powi(2) + a.powi(2)"],
+        blocks: &[Block {
+            unknowns: "y",
+            solution: "Newton's method",
+            members: &[0],
+            equations: &[0],
+        }],
+        order: LENGTH - 1,
+        operations: &[Operations::NONE; LENGTH],
+    };
+    const ASSEMBLY_COUNT: usize = 0;
+
+    fn assembly(_: usize) -> Option<Near<1>> {
+        None
+    }
+
+    fn assembly_near(&self, _: [T; 1], near: [T; 1]) -> Near<1> {
+        Near(near.map(Scalar::real))
+    }
+
+    fn from_parameters([a]: [T; 1]) -> Self {
+        Self { a }
+    }
+
+    fn parameters(&self) -> [T; 1] {
+        [self.a]
+    }
+
+    fn convert<S: Scalar>(&self, mut convert: impl FnMut(T) -> S) -> Self::With<S> {
+        Hyperbola { a: convert(self.a) }
+    }
+
+    fn solve_motion(&self, [x]: [Motion<T, LENGTH>; 1], Near([near]): Near<1>) -> Result<Self::Pose, SolveError> {
+        self.motion(x, T::constant(near))
+    }
+
+    fn solve_motion_near(&self, [x]: [Motion<T, LENGTH>; 1], [near]: [T; 1]) -> Result<Self::Pose, SolveError> {
+        self.motion(x, near)
+    }
+
+    fn solve_position(&self, x: [T; 1], Near([near]): Near<1>) -> Result<[T; 1], SolveError> {
+        self.solve_position_near(x, [T::constant(near)])
+    }
+
+    /// Each further step doubles the number of digits and of derivatives. Guesses beyond ten, which are arbitrary, are refused.
+    fn solve_position_near(&self, [x]: [T; 1], [near]: [T; 1]) -> Result<[T; 1], SolveError> {
+        if near.real().abs() > 10.0 {
+            return Err(Failure::OutOfReach { margin: -1.0 }.at("y", InputValues::new(&["x"], &[x.real()])));
+        }
+        let square = x * x + self.a * self.a;
+        let mut y = near;
+        for _ in 0..16 {
+            y = (y + square / y) / T::constant(2.0);
+        }
+        Ok([y])
+    }
+
+    fn residuals(&self, [x]: [T; 1], [y]: [T; 1]) -> [T; 1] {
+        [y * y - x * x - self.a * self.a]
+    }
+}
+
+#[test]
+fn a_right_mechanism_passes() {
+    let report = mechanism::<Hyperbola<f64, NOTHING, NOTHING>>();
+    println!("{report}");
+    report.assert();
+    assert_eq!(report.worst.closure.len(), LENGTH);
+    assert_eq!(report.worst.outputs.len(), LENGTH);
+    assert_eq!(report.worst.poses, 200);
+}
+
+/// An unknown that is wrong in the seventh digit of one derivative is found by both oracles, at that order first.
+#[test]
+fn a_wrong_derivative_is_found_by_both_oracles() {
+    fn check<const WRONG: usize>() {
+        let report = mechanism::<Hyperbola<f64, WRONG, NOTHING>>();
+        println!("{report}");
+        assert!(!report.passed());
+        for errors in [&report.worst.differentiation, &report.worst.closure] {
+            for order in 0..WRONG {
+                assert!(errors[order] <= super::allowed(order), "order {order}: {errors:?}");
+            }
+            assert!(errors[WRONG] > super::allowed(WRONG), "order {WRONG}: {errors:?}");
+        }
+        assert!(report.to_string().contains("FAILED"));
+        assert!(report.to_string().contains("worst of all: "));
+    }
+    check::<1>();
+    check::<2>();
+    check::<3>();
+    check::<4>();
+    check::<5>();
+    check::<6>();
+}
+
+#[test]
+fn a_wrong_output_is_found() {
+    fn check<const WRONG: usize>() {
+        let report = mechanism::<Hyperbola<f64, NOTHING, WRONG>>();
+        assert!(!report.passed());
+        let errors = &report.worst.outputs;
+        assert!(errors[WRONG] > super::allowed(WRONG), "order {WRONG}: {errors:?}");
+        let finding = report.worst.finding.expect("there are poses");
+        assert_eq!((finding.quantity.as_str(), finding.order), ("product", WRONG));
+        assert!(
+            finding.place.contains("x = [") && finding.place.contains("a = "),
+            "{finding}"
+        );
+    }
+    check::<1>();
+    check::<4>();
+    check::<6>();
+}
+
+/// What does not close is not verified, and says so.
+#[test]
+fn too_few_poses_do_not_pass() {
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 1.0,
+        r3: 2.0,
+        r4: 3.0,
+    };
+    let report = of(&linkage, [(-3.0, 3.0)]);
+    assert_eq!((report.worst.poses, report.closed), (0, 0));
+    assert_eq!(report.tried, Sampling::default().draws);
+    assert!(!report.passed());
+    let text = report.to_string();
+    assert!(
+        text.starts_with("FourBar: NOT VERIFIED, too few poses, 0 poses; closed at 0 of 50000 draws, seed 1"),
+        "{text}"
+    );
+    assert!(
+        !Sampling {
+            poses: 0,
+            ..Sampling::default()
+        }
+        .mechanism::<FourBar>()
+        .passed()
+    );
+}
+
+#[test]
+#[should_panic(expected = "NOT VERIFIED")]
+fn assert_panics_with_the_table() {
+    let slider = SliderCrank { r: f64::NAN, l: 1.0 };
+    of(&slider, [(0.0, 1.0)]).assert();
+}
+
+#[test]
+fn every_seed_is_reproducible() {
+    let sampling = Sampling {
+        poses: 40,
+        seed: 12,
+        ..Sampling::default()
+    };
+    let first = sampling.mechanism::<InvertedSliderCrank>();
+    assert_eq!(first, sampling.mechanism::<InvertedSliderCrank>());
+    let other = Sampling { seed: 13, ..sampling }.mechanism::<InvertedSliderCrank>();
+    assert!(first.worst != other.worst);
+}
+
+/// A mechanism that closes in one of its assemblies only is looked at there.
+#[test]
+fn poses_are_counted_one_by_one() {
+    let linkage: FourBar = FourBar {
+        r1: 4.0,
+        r2: 1.0,
+        r3: 3.0,
+        r4: 2.5,
+    };
+    let mut worst = super::Worst::default();
+    assert!(worst.check(&linkage, [Motion::constant(0.3)], Assembly::Open));
+    assert!(!worst.check(&linkage, [Motion::constant(f64::NAN)], Assembly::Open));
+    assert_eq!(worst.poses, 1);
+    assert!(worst.is_allowed());
+    assert!(worst.outputs.is_empty());
+}
+
+/// What `with test;` expands to.
+#[test]
+fn the_body_of_a_declared_test() {
+    crate::__private::assert_verified!(FourBar<f64>);
+}

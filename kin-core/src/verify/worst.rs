@@ -1,0 +1,248 @@
+//! The worst errors seen.
+
+use core::fmt;
+use std::format;
+use std::string::String;
+use std::vec::Vec;
+
+use super::{Gauge, Inputs, allowed, by_differentiation, closure};
+use crate::{Mechanism, Pose, Quantity};
+
+/// What a motion is held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Oracle {
+    /// Differentiation of the position solution, for the unknowns.
+    Differentiation,
+    /// The motions put back into the equations.
+    Closure,
+    /// Differentiation of the position solution, for the outputs.
+    Outputs,
+}
+
+impl Oracle {
+    const ALL: [Self; 3] = [Self::Differentiation, Self::Closure, Self::Outputs];
+}
+
+impl fmt::Display for Oracle {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.pad(match self {
+            Self::Differentiation => "differentiation",
+            Self::Closure => "closure",
+            Self::Outputs => "outputs",
+        })
+    }
+}
+
+/// The error that was the largest compared with what is [`allowed`] at its order, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// The oracle that found it.
+    pub oracle: Oracle,
+    /// The unknown, equation or output.
+    pub quantity: String,
+    /// The derivative.
+    pub order: usize,
+    /// How many units of the [`Gauge`] it is.
+    pub error: f64,
+    /// Parameters, inputs with their derivatives, and the assembly.
+    pub place: String,
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "{}, order {}, by {}: {:.3e} units at {}",
+            self.quantity, self.order, self.oracle, self.error, self.place
+        )
+    }
+}
+
+/// The worst errors seen at any number of poses, order by order in the units of [`Gauge`]. Displayed as a table.
+///
+/// ```
+/// use kin_core::library::FourBar;
+/// use kin_core::prelude::*;
+/// use kin_core::verify::Worst;
+///
+/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+/// let mut worst = Worst::default();
+/// for step in -18..=18 {
+///     let crank = Motion::from([0.1 * f64::from(step), -10.0, 2.0, -0.5, 0.3]);
+///     worst.check(&linkage, [crank], Assembly::Open);
+/// }
+/// assert_eq!(worst.poses, 37);
+/// assert!(worst.is_allowed(), "{worst}");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// The unknowns against differentiation of the position solution.
+    pub differentiation: Vec<f64>,
+    /// What was left of the equations.
+    pub closure: Vec<f64>,
+    /// The outputs against differentiation of the position solution; empty if there are none.
+    pub outputs: Vec<f64>,
+    /// How many poses were looked at.
+    pub poses: usize,
+    /// The error that is the largest compared with what is allowed.
+    pub finding: Option<Finding>,
+}
+
+impl Worst {
+    /// Solves at one motion and holds the result against both oracles. Returns whether the mechanism closes there: a motion at
+    /// which it does not is passed over. A position that can be found, but not differentiated, is an infinite error.
+    pub fn check<M: Mechanism<Scalar = f64>>(
+        &mut self,
+        mechanism: &M,
+        inputs: Inputs<M>,
+        assembly: M::Assembly,
+    ) -> bool {
+        let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
+            return false;
+        };
+        self.poses += 1;
+        let place = || place(mechanism, &inputs, assembly);
+        let description = M::DESCRIPTION;
+        let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
+        let gauge = Gauge::new(mechanism, &inputs, &unknowns);
+        for (index, left) in closure(mechanism, &inputs, &unknowns).into_iter().enumerate() {
+            for (order, left) in left.into_iter().enumerate() {
+                let error = units(left.abs(), gauge.equation(index, order));
+                let name = || format!("scalar equation {}", index + 1);
+                self.note(Oracle::Closure, order, error, name, place);
+            }
+        }
+        let expected = match by_differentiation(mechanism, &inputs, assembly) {
+            Ok(expected) => expected,
+            Err(error) => {
+                let name = || format!("{error} (on numbers that carry derivatives)");
+                self.note(Oracle::Differentiation, 0, f64::INFINITY, name, place);
+                return true;
+            }
+        };
+        let motions = unknowns.as_ref().iter().zip(description.unknowns);
+        for (index, ((motion, quantity), expected)) in motions.zip(&expected.unknowns).enumerate() {
+            for (order, (own, other)) in motion.as_ref().iter().zip(expected).enumerate() {
+                let error = units((own - other).abs(), gauge.unknown(index, order));
+                self.note(Oracle::Differentiation, order, error, || quantity.name.into(), place);
+            }
+        }
+        let motions = outputs.as_ref().iter().zip(description.outputs);
+        for ((motion, quantity), expected) in motions.zip(&expected.outputs) {
+            for (order, (own, other)) in motion.as_ref().iter().zip(expected).enumerate() {
+                let error = units((own - other).abs(), gauge.output(quantity, motion.as_ref(), order));
+                self.note(Oracle::Outputs, order, error, || quantity.name.into(), place);
+            }
+        }
+        true
+    }
+
+    /// Whether every error is within what is [`allowed`]. So it is if nothing was looked at.
+    #[must_use]
+    pub fn is_allowed(&self) -> bool {
+        Oracle::ALL.iter().all(|&oracle| {
+            self.errors(oracle)
+                .iter()
+                .enumerate()
+                .all(|(order, &error)| error <= allowed(order))
+        })
+    }
+
+    /// The worst errors that an oracle found, order by order.
+    #[must_use]
+    pub fn errors(&self, oracle: Oracle) -> &[f64] {
+        match oracle {
+            Oracle::Differentiation => &self.differentiation,
+            Oracle::Closure => &self.closure,
+            Oracle::Outputs => &self.outputs,
+        }
+    }
+
+    fn note(
+        &mut self,
+        oracle: Oracle,
+        order: usize,
+        error: f64,
+        quantity: impl Fn() -> String,
+        place: impl Fn() -> String,
+    ) {
+        let errors = match oracle {
+            Oracle::Differentiation => &mut self.differentiation,
+            Oracle::Closure => &mut self.closure,
+            Oracle::Outputs => &mut self.outputs,
+        };
+        if errors.len() <= order {
+            errors.resize(order + 1, 0.0);
+        }
+        errors[order] = larger(errors[order], error);
+        let is_worst = self.finding.as_ref().is_none_or(|worst| {
+            let known = worst.error / allowed(worst.order);
+            !known.is_nan() && !(error / allowed(order) <= known)
+        });
+        if is_worst {
+            self.finding = Some(Finding {
+                oracle,
+                quantity: quantity(),
+                order,
+                error,
+                place: place(),
+            });
+        }
+    }
+}
+
+impl fmt::Display for Worst {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let orders = self.differentiation.len().max(self.closure.len());
+        write!(formatter, "{:15}", "order")?;
+        for order in 0..orders {
+            write!(formatter, " {order:>9}")?;
+        }
+        for oracle in Oracle::ALL {
+            let errors = self.errors(oracle);
+            if errors.is_empty() {
+                continue;
+            }
+            write!(formatter, "\n{oracle:15}")?;
+            for &error in errors {
+                if error < 1e5 {
+                    write!(formatter, " {error:9.3}")?;
+                } else {
+                    write!(formatter, " {error:9.1e}")?;
+                }
+            }
+        }
+        write!(formatter, "\n{:15}", "allowed")?;
+        for order in 0..orders {
+            write!(formatter, " {:9}", allowed(order))?;
+        }
+        Ok(())
+    }
+}
+
+/// Where a motion was solved for, every number to the last digit.
+fn place<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, assembly: M::Assembly) -> String {
+    let description = M::DESCRIPTION;
+    let named = |quantity: &Quantity, value: String| format!("{} = {value}", quantity.name);
+    let parameters = mechanism.parameters();
+    let mut parts: Vec<String> = description
+        .parameters
+        .iter()
+        .zip(parameters.as_ref())
+        .map(|(quantity, value)| named(quantity, format!("{value:?}")))
+        .collect();
+    let inputs = description.inputs.iter().zip(inputs.as_ref());
+    parts.extend(inputs.map(|(quantity, motion)| named(quantity, format!("{:?}", motion.as_ref()))));
+    parts.push(format!("assembly {assembly:?}"));
+    parts.join(", ")
+}
+
+/// An error in units. None at all is zero units even of nothing, which the unit of a rate is at standstill.
+fn units(error: f64, unit: f64) -> f64 {
+    if error == 0.0 { 0.0 } else { error / unit }
+}
+
+/// The larger of two numbers, and NaN if one of them is.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
