@@ -109,6 +109,8 @@ pub use scalar::Scalar;
 ///             | "output" NAME ":" dimension "=" expression ";"
 ///             | "order" "=" INTEGER ";"
 ///             | expression "==" expression ";"
+///             | "with" request ("," request)* ";"
+/// request     = "transmission_angles" | "sensitivities" | "test"
 /// scalar      = "Length" | "Angle" | "Scalar"
 /// dimension   = scalar | "Point" | "Vector"
 /// range       = "where" NAME ("<" | "<=" | ">" | ">=") constant

@@ -16,6 +16,8 @@
 //!             | "output" NAME ":" dimension "=" expression ";"
 //!             | "order" "=" INTEGER ";"
 //!             | expression "==" expression ";"
+//!             | "with" request ("," request)* ";"
+//! request     = "transmission_angles" | "sensitivities" | "test"
 //! quantity    = NAME ":" ("Length" | "Angle" | "Scalar")
 //! unknown     = quantity range?
 //! range       = "where" NAME ("<" | "<=" | ">" | ">=") constant

@@ -20,7 +20,7 @@ use quote::{format_ident, quote};
 
 use crate::assemble::{Limits, Mode};
 use crate::expr::{Graph, Symbol};
-use crate::model::{Dimension, Model, Value};
+use crate::model::{Dimension, Model, Request, Value};
 use crate::plan::Plan;
 use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
@@ -58,6 +58,7 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         poses::tokens(inside),
         rates::tokens(inside),
         mechanism::tokens(inside),
+        requested(inside),
     ];
     let runtime = outside.runtime;
     // a scope of its own, so that a short name for the runtime meets no other
@@ -68,6 +69,18 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             #(#implementations)*
         };
     }
+}
+
+/// What `with` asks for.
+fn requested(mechanism: &Mechanism<'_>) -> TokenStream {
+    let requests = &mechanism.model.requests;
+    requests
+        .iter()
+        .map(|requested| match requested.request {
+            // each has a file of its own to come
+            Request::TransmissionAngles | Request::Sensitivities | Request::Test => TokenStream::new(),
+        })
+        .collect()
 }
 
 /// What the runtime is called within the expansion: anything but what the mechanism is called.

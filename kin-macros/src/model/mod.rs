@@ -5,6 +5,7 @@ mod dimension;
 mod lower;
 mod order;
 mod range;
+mod request;
 mod scope;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,7 +21,8 @@ use dimension::{Exponent, Measure, common};
 use lower::{Lowering, Typed};
 use scope::{Meaning, Role, Scope};
 
-pub(crate) use crate::syntax::Dimension;
+pub(crate) use crate::syntax::{Dimension, Request};
+pub(crate) use request::Requested;
 
 /// A mechanism as it was declared, free of mistakes in itself. Whether it can be solved is the next pass's question.
 pub(crate) struct Model {
@@ -34,6 +36,8 @@ pub(crate) struct Model {
     pub(crate) outputs: Vec<Output>,
     /// The highest time derivative that is solved for.
     pub(crate) order: usize,
+    /// What is to be generated besides the solvers.
+    pub(crate) requests: Vec<Requested>,
     pub(crate) graph: Graph,
 }
 
@@ -124,6 +128,7 @@ pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Mo
     let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, report);
     let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, report);
     let order = order::order(declaration, report);
+    let requests = request::requests(declaration, report);
 
     if declaration.complete {
         missing_statements(declaration, report);
@@ -145,6 +150,7 @@ pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Mo
         equations: equations.into_iter().collect::<Option<_>>()?,
         outputs,
         order,
+        requests,
         graph,
     })
 }
@@ -243,7 +249,7 @@ fn quantities(
             Statement::Output(statement) => {
                 scope.declare(&statement.name, Role::Output, Meaning::Result, report);
             }
-            Statement::Equation(_) | Statement::Order(_) => {}
+            Statement::Equation(_) | Statement::Order(_) | Statement::Requests(_) => {}
         }
     }
     (inputs, unknowns)
@@ -283,7 +289,7 @@ fn formulas(
                 };
                 outputs.extend(output(statement, &typed, graph, report));
             }
-            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Order(_) => {}
+            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Order(_) | Statement::Requests(_) => {}
         }
     }
     (equations, outputs)
@@ -491,7 +497,7 @@ fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
                 collect_names(&statement.right, &abbreviations, &mut names);
                 equations.push(names);
             }
-            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Output(_) | Statement::Order(_) => {}
+            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Output(_) | Statement::Order(_) | Statement::Requests(_) => {}
         }
     }
     equations
@@ -700,6 +706,38 @@ mod tests {
             assert_eq!(messages.len(), 1, "{bad}: {messages:#?}");
             assert!(messages[0].contains(told), "{bad}: {messages:#?}");
         }
+    }
+
+    #[test]
+    fn requests_are_known_and_made_once() {
+        let requested = |requests: TokenStream| {
+            mistakes(quote! {
+                input t: Angle;
+                unknown e: Length, with: Length;
+                e == a * t;
+                with == e;
+                output all: Point = k * (p + v + b);
+                #requests
+            })
+        };
+        assert!(requested(quote!(with test, transmission_angles; with sensitivities;)).is_empty());
+        assert_eq!(
+            requested(quote!(with transmission_angle, tests, gears;)),
+            [
+                "`transmission_angle` is nothing that can be generated: write `transmission_angles`, `sensitivities` or \
+                 `test`; did you mean `transmission_angles`?",
+                "`tests` is nothing that can be generated: write `transmission_angles`, `sensitivities` or `test`; did \
+                 you mean `test`?",
+                "`gears` is nothing that can be generated: write `transmission_angles`, `sensitivities` or `test`",
+            ]
+        );
+        assert_eq!(
+            requested(quote!(with test; with test;)),
+            [
+                "`test` is requested twice: remove this one",
+                "the first `test` is requested here"
+            ]
+        );
     }
 
     #[test]

@@ -9,6 +9,7 @@ mod head;
 mod name;
 mod order;
 mod print;
+mod request;
 mod split;
 mod statement;
 
@@ -23,6 +24,7 @@ use crate::report::{Extent, Report};
 pub(crate) use dimension::Dimension;
 pub(crate) use expression::{FUNCTION_NAMES, form};
 pub(crate) use name::keyword as is_keyword;
+pub(crate) use request::Request;
 
 /// What stands between the braces of `mechanism! { … }`.
 pub(crate) struct Declaration {
@@ -60,6 +62,8 @@ pub(crate) enum Statement {
     Equation(EquationStatement),
     Output(OutputStatement),
     Order(OrderStatement),
+    /// `with transmission_angles`: the names as they were written.
+    Requests(Vec<Ident>),
 }
 
 /// `theta2: Angle`
@@ -276,6 +280,10 @@ mod tests {
                 format!("output {}: {} = {}", output.name, output.dimension.word(), output.value)
             }
             Statement::Order(statement) => format!("order = {}", statement.order),
+            Statement::Requests(names) => {
+                let names: Vec<String> = names.iter().map(Ident::to_string).collect();
+                format!("with {}", names.join(", "))
+            }
         }
     }
 
@@ -386,6 +394,28 @@ mod tests {
             let messages = mistakes(body.clone());
             assert_eq!(messages.len(), 1, "{body}: {messages:#?}");
             assert!(messages[0].contains(told), "{body}: {messages:#?}");
+        }
+    }
+
+    #[test]
+    fn requests_begin_with_a_word_that_is_not_reserved() {
+        let read = |body: TokenStream| read(body).unwrap_or_default();
+        assert_eq!(read(quote!(with test, sensitivities,;)), ["with test, sensitivities"]);
+        assert_eq!(
+            read(quote!(let with = a; with == 2 * with; with.sin() + a == with;)),
+            ["let with = a", "with == 2 * with", "with.sin() + a == with"]
+        );
+        for (wrong, told) in [
+            (quote!(with;), "nothing is requested after this"),
+            (quote!(with, test;), "expected a name"),
+            (quote!(with test sensitivities;), "unexpected in a request"),
+            (quote!(with test, 2;), "expected a name"),
+            (quote!(wiht test;), "did you mean `with`?"),
+            (quote!(a == a with test;), "write `;` before this `with`"),
+        ] {
+            let messages = mistakes(wrong.clone());
+            assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
+            assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
         }
     }
 

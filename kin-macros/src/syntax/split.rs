@@ -6,6 +6,7 @@ use proc_macro2::{Delimiter, Group, Spacing, TokenStream, TokenTree};
 
 use crate::report::Report;
 use crate::syntax::name::STATEMENT_WORDS;
+use crate::syntax::request;
 
 /// The tokens of one statement without its `;`.
 pub(crate) struct Chunk {
@@ -146,13 +147,17 @@ fn trailing_attributes(tokens: &[TokenTree]) -> usize {
     end
 }
 
-/// `let`, or one of the other words with a name and a colon behind it.
+/// `let`, one of the other words with a name and a colon behind it, or `with` and names alone.
 fn begins_statement(tokens: &[TokenTree]) -> bool {
     match tokens {
         [TokenTree::Ident(word), TokenTree::Ident(_), rest @ ..] => {
             let word = word.to_string();
             word == "let"
                 || STATEMENT_WORDS.contains(&word.as_str()) && rest.first().is_some_and(|token| is_punct(token, ':'))
+                || word == request::WORD
+                    && rest
+                        .first()
+                        .is_none_or(|token| is_punct(token, ',') || is_punct(token, ';'))
         }
         _ => false,
     }

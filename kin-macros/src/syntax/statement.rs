@@ -1,4 +1,4 @@
-//! One statement: `input`, `unknown`, `let`, `output`, `order`, or an equation.
+//! One statement: `input`, `unknown`, `let`, `output`, `order`, `with`, or an equation.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -10,7 +10,7 @@ use crate::syntax::expression::{self, Place};
 use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{
     Comparison, Dimension, EquationStatement, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
-    Statement, UnknownItem, head, order,
+    Statement, UnknownItem, head, order, request,
 };
 
 /// Reads a statement without its `;`. Nothing at all is no mistake.
@@ -51,6 +51,10 @@ fn statement(input: ParseStream<'_>) -> Result<Option<Statement>> {
             Ident::parse_any(input)?;
             order::parse(input, start).map(Statement::Order)
         }
+        Some(request::WORD) => {
+            Ident::parse_any(input)?;
+            request::parse(input, start).map(Statement::Requests)
+        }
         _ => equation(input).map(Statement::Equation),
     }
     .map(Some)
@@ -83,6 +87,9 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     if word == "order" && order::follows(&ahead) {
         return Ok(Some(word));
     }
+    if word == request::WORD && request::follows(&ahead) {
+        return Ok(Some(word));
+    }
     if word == "struct" {
         return Err(syn::Error::new(
             first.span(),
@@ -92,7 +99,14 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     if !declares || name::keyword(&word) && word != "const" && word != "static" {
         return Ok(None);
     }
-    Ident::parse_any(&ahead)?;
+    let second = Ident::parse_any(&ahead)?;
+    let alone = ahead.is_empty() || ahead.peek(Token![,]);
+    if alone && request::is_meant(&word, &second.to_string()) {
+        return Err(syn::Error::new(
+            first.span(),
+            format!("`{word}` begins no statement; did you mean `{}`?", request::WORD),
+        ));
+    }
     if !ahead.peek(Token![:]) || ahead.peek(Token![::]) {
         return Ok(None);
     }

@@ -1,0 +1,48 @@
+//! What is to be generated besides the solvers.
+
+use proc_macro2::Ident;
+
+use crate::report::{Report, suggestion};
+use crate::syntax::{Declaration, Request, Statement};
+
+/// A request, with its place.
+pub(crate) struct Requested {
+    pub(crate) request: Request,
+    pub(crate) name: Ident,
+}
+
+/// All requests in the order in which they are made, each of them once.
+pub(super) fn requests(declaration: &Declaration, report: &mut Report) -> Vec<Requested> {
+    let mut requests: Vec<Requested> = Vec::new();
+    let names = declaration.statements.iter().flat_map(|statement| match statement {
+        Statement::Requests(names) => names.as_slice(),
+        _ => &[],
+    });
+    for name in names {
+        let word = name.to_string();
+        let Some(request) = Request::ALL.into_iter().find(|request| request.name() == word) else {
+            report.error(
+                name,
+                format!(
+                    "`{word}` is nothing that can be generated: write `transmission_angles`, `sensitivities` or `test`{}",
+                    suggestion(&word, Request::ALL.map(Request::name))
+                ),
+            );
+            continue;
+        };
+        if let Some(first) = requests.iter().find(|earlier| earlier.request == request) {
+            let mut error = syn::Error::new(name.span(), format!("`{word}` is requested twice: remove this one"));
+            error.combine(syn::Error::new(
+                first.name.span(),
+                format!("the first `{word}` is requested here"),
+            ));
+            report.push(error);
+            continue;
+        }
+        requests.push(Requested {
+            request,
+            name: name.clone(),
+        });
+    }
+    requests
+}

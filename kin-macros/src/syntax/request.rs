@@ -1,0 +1,75 @@
+//! `with transmission_angles, sensitivities`: generated items that are wanted besides the solvers.
+
+use proc_macro2::{Ident, Span};
+use syn::Token;
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Result};
+
+use crate::report::nearest;
+
+/// The word that begins such a statement. It is no reserved word: a quantity may be called so as well.
+pub(super) const WORD: &str = "with";
+
+const FORM: &str = "write the names of what is to be generated, as in `with transmission_angles;`";
+
+/// What can be requested by `with`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Request {
+    /// The transmission angle of every dyad.
+    TransmissionAngles,
+    /// Derivatives with respect to the parameters.
+    Sensitivities,
+    /// A test that verifies the mechanism.
+    Test,
+}
+
+impl Request {
+    pub(crate) const ALL: [Self; 3] = [Self::TransmissionAngles, Self::Sensitivities, Self::Test];
+
+    /// As it is written.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::TransmissionAngles => "transmission_angles",
+            Self::Sensitivities => "sensitivities",
+            Self::Test => "test",
+        }
+    }
+}
+
+/// Whether the word just read begins a request: only a name may follow it, which no formula allows, or nothing at all.
+pub(super) fn follows(ahead: ParseStream<'_>) -> bool {
+    ahead.is_empty() || ahead.peek(Token![,]) || ahead.peek(Ident::peek_any)
+}
+
+/// Whether two words that stand alone are most likely a misspelt request.
+pub(super) fn is_meant(word: &str, name: &str) -> bool {
+    nearest(word, [WORD]).is_some() && nearest(name, Request::ALL.map(Request::name)).is_some()
+}
+
+/// The names after `with`, whatever they are.
+pub(super) fn parse(input: ParseStream<'_>, start: Span) -> Result<Vec<Ident>> {
+    let mut names = Vec::new();
+    loop {
+        if input.is_empty() {
+            return if names.is_empty() {
+                Err(syn::Error::new(
+                    start,
+                    format!("nothing is requested after this: {FORM}"),
+                ))
+            } else {
+                Ok(names)
+            };
+        }
+        if !input.peek(Ident::peek_any) {
+            return Err(input.error(format!("expected a name here: {FORM}")));
+        }
+        names.push(Ident::parse_any(input)?);
+        if input.is_empty() {
+            return Ok(names);
+        }
+        if !input.peek(Token![,]) {
+            return Err(input.error("unexpected in a request: write `,` before a further name, `;` at the end"));
+        }
+        input.parse::<Token![,]>()?;
+    }
+}
