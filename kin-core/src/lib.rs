@@ -40,6 +40,10 @@
 //! | the language of declarations | [`mechanism!`] |
 //! | a value with its time derivatives | [`Motion`] |
 //! | a point or vector of the plane | [`Plane`] |
+//! | how the path of a point bends | [`Motion`], the methods of points |
+//! | the instant centre of a link | [`LinkMotion`] |
+//! | a picture of the mechanism | [`Skeleton`] |
+//! | how well a dyad passes on force | [`TransmissionAngle`] |
 //! | which of two solutions | [`Assembly`] |
 //! | why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
@@ -83,9 +87,12 @@ mod motion;
 mod near;
 mod path;
 mod plane;
+mod pose_of;
 mod scalar;
 pub mod series;
+mod skeleton;
 pub mod solve;
+mod transmission;
 #[cfg(feature = "num-dual")]
 pub mod verify;
 
@@ -97,7 +104,10 @@ pub use mechanism::{Block, Description, Dimension, Mechanism, Operations, Pose, 
 pub use motion::Motion;
 pub use near::{Guess, Near};
 pub use plane::Plane;
+pub use pose_of::PoseOf;
 pub use scalar::Scalar;
+pub use skeleton::{Chain, Polyline, Skeleton};
+pub use transmission::TransmissionAngle;
 
 /// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap,
 /// or to any other order.
@@ -244,8 +254,8 @@ pub mod prelude {
 pub mod __private {
     pub use crate::__assert_verified as assert_verified;
     pub use crate::{
-        Assembly, Block, Description, Dimension, Failure, Guess, InputValues, Mechanism, Motion, Near, Operations,
-        Plane, Pose, Quantity, Row, Scalar, SolveError, series, solve,
+        Assembly, Block, Chain, Description, Dimension, Failure, Guess, InputValues, Mechanism, Motion, Near,
+        Operations, Plane, Pose, PoseOf, Quantity, Row, Scalar, Skeleton, SolveError, TransmissionAngle, series, solve,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

@@ -8,7 +8,7 @@ use quote::quote;
 use crate::assemble::{Limits, Names};
 use crate::expr::{Node, Symbol};
 use crate::model::{Model, Residual};
-use crate::refuse::{Origin, refuse, refuse_ranges};
+use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests};
 use crate::report::Report;
 use crate::{emit, fallback, model, plan, structure, syntax};
 
@@ -33,6 +33,7 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
         }
     };
     refuse_ranges(&model, &blocks, &mut report);
+    refuse_requests(&model, &blocks, &mut report);
     if !report.is_empty() {
         return fallback::tokens(Some(&declaration), report, &runtime);
     }

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use quote::ToTokens;
 
-use crate::model::Model;
+use crate::assemble::has_transmission;
+use crate::model::{Model, Request};
 use crate::report::Report;
 use crate::structure::{Block, Fault, Solution};
 
@@ -108,6 +109,20 @@ pub(crate) fn refuse_ranges(model: &Model, blocks: &[Block], report: &mut Report
                     ),
                 );
             }
+        }
+    }
+}
+
+/// Reports what is requested of a mechanism that has nothing of the kind.
+pub(crate) fn refuse_requests(model: &Model, blocks: &[Block], report: &mut Report) {
+    for requested in &model.requests {
+        let has_dyads = || blocks.iter().flat_map(|block| &block.parts).any(has_transmission);
+        if requested.request == Request::TransmissionAngles && !has_dyads() {
+            report.error(
+                &requested.name,
+                "no block of the mechanism is a dyad of two links, or of a link and a slider, so there is no transmission \
+                 angle: write the closure as a loop of vectors, or remove this",
+            );
         }
     }
 }

@@ -9,8 +9,10 @@ mod loops;
 mod newton;
 mod program;
 mod solver;
+mod transmission;
 mod units;
 
 pub(crate) use blocks::{Regularity, assemble};
 pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
 pub(crate) use solver::{Argument, Cost, Returns, Shape, Solver};
+pub(crate) use transmission::{has_transmission, transmission};

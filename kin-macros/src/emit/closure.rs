@@ -14,7 +14,7 @@ use crate::syntax::{Axis, Callee, Declaration, EquationStatement, Expression, Ex
 
 /// How tightly a translated formula holds together, to set parentheses where they are needed and nowhere else.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+pub(super) enum Binding {
     Sum,
     Product,
     Sign,
@@ -23,14 +23,14 @@ enum Binding {
 
 /// A formula in Rust.
 #[derive(Clone)]
-struct Translated {
-    plane: bool,
-    binding: Binding,
-    tokens: TokenStream,
+pub(super) struct Translated {
+    pub(super) plane: bool,
+    pub(super) binding: Binding,
+    pub(super) tokens: TokenStream,
 }
 
 impl Translated {
-    fn scalar(tokens: TokenStream) -> Self {
+    pub(super) fn scalar(tokens: TokenStream) -> Self {
         Self {
             plane: false,
             binding: Binding::Atom,
@@ -47,7 +47,7 @@ impl Translated {
     }
 
     /// In parentheses if it holds together less tightly than its place requires.
-    fn within(&self, place: Binding) -> TokenStream {
+    pub(super) fn within(&self, place: Binding) -> TokenStream {
         let tokens = &self.tokens;
         if self.binding < place {
             quote_spanned!(Span::mixed_site()=> (#tokens))
@@ -67,7 +67,8 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
             _ => None,
         })
         .collect();
-    let used = used_names(declaration, &equations);
+    let formulas = equations.iter().flat_map(|equation| [&equation.left, &equation.right]);
+    let used = used_names(declaration, formulas);
     let mut names = names(model);
 
     let site = Span::mixed_site();
@@ -79,31 +80,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
             body.extend(quote_spanned!(site=> let _ = #name;));
         }
     }
-    for (index, unknown) in model.unknowns.iter().enumerate() {
-        if used.contains(&unknown.name.to_string()) {
-            let index = Literal::usize_unsuffixed(index);
-            let local = local("unknown", &unknown.name);
-            body.extend(quote_spanned!(site=> let #local = #unknowns[#index];));
-        }
-    }
-    for statement in &declaration.statements {
-        if let Statement::Let(statement) = statement
-            && used.contains(&statement.name.to_string())
-        {
-            let value = Translation { names: &names, runtime }.expression(&statement.value);
-            let local = local("let", &statement.name);
-            let tokens = &value.tokens;
-            body.extend(quote_spanned!(site=> let #local = #tokens;));
-            names.insert(
-                statement.name.to_string(),
-                Translated {
-                    plane: value.plane,
-                    binding: Binding::Atom,
-                    tokens: quote!(#local),
-                },
-            );
-        }
-    }
+    body.extend(bindings(declaration, model, runtime, &used, &mut names));
     let translation = Translation { names: &names, runtime };
     let mut residuals: Vec<TokenStream> = Vec::new();
     let mut lines: Vec<String> = Vec::new();
@@ -156,13 +133,53 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     }
 }
 
+/// Binds the unknowns and the abbreviations that are used to local names, and adds the abbreviations to the names. The values of
+/// the unknowns are called `unknowns`.
+pub(super) fn bindings(
+    declaration: &Declaration,
+    model: &Model,
+    runtime: &TokenStream,
+    used: &BTreeSet<String>,
+    names: &mut BTreeMap<String, Translated>,
+) -> TokenStream {
+    let site = Span::mixed_site();
+    let unknowns = Ident::new("unknowns", site);
+    let mut body = TokenStream::new();
+    for (index, unknown) in model.unknowns.iter().enumerate() {
+        if used.contains(&unknown.name.to_string()) {
+            let index = Literal::usize_unsuffixed(index);
+            let local = local("unknown", &unknown.name);
+            body.extend(quote_spanned!(site=> let #local = #unknowns[#index];));
+        }
+    }
+    for statement in &declaration.statements {
+        if let Statement::Let(statement) = statement
+            && used.contains(&statement.name.to_string())
+        {
+            let value = Translation { names, runtime }.expression(&statement.value);
+            let local = local("let", &statement.name);
+            let tokens = &value.tokens;
+            body.extend(quote_spanned!(site=> let #local = #tokens;));
+            names.insert(
+                statement.name.to_string(),
+                Translated {
+                    plane: value.plane,
+                    binding: Binding::Atom,
+                    tokens: quote!(#local),
+                },
+            );
+        }
+    }
+    body
+}
+
 /// Local names bear a prefix: a constant of the user's that is called like a parameter must not become a pattern.
-fn local(prefix: &str, name: &Ident) -> Ident {
+pub(super) fn local(prefix: &str, name: &Ident) -> Ident {
     format_ident!("{prefix}_{name}", span = Span::mixed_site())
 }
 
 /// What the declared names are called in the method. Abbreviations are added as they are bound.
-fn names(model: &Model) -> BTreeMap<String, Translated> {
+pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
     let site = Span::mixed_site();
     let mut names = BTreeMap::new();
     for parameter in &model.parameters {
@@ -185,14 +202,14 @@ fn names(model: &Model) -> BTreeMap<String, Translated> {
     names
 }
 
-/// The names that the equations use, directly or by way of abbreviations.
-fn used_names(declaration: &Declaration, equations: &[&EquationStatement]) -> BTreeSet<String> {
+/// The names that formulas use, directly or by way of abbreviations.
+pub(super) fn used_names<'a>(
+    declaration: &'a Declaration,
+    formulas: impl Iterator<Item = &'a Expression>,
+) -> BTreeSet<String> {
     let mut used = BTreeSet::new();
-    for equation in equations {
-        equation.left.visit_names(&mut |name| {
-            used.insert(name.to_string());
-        });
-        equation.right.visit_names(&mut |name| {
+    for formula in formulas {
+        formula.visit_names(&mut |name| {
             used.insert(name.to_string());
         });
     }
@@ -209,13 +226,13 @@ fn used_names(declaration: &Declaration, equations: &[&EquationStatement]) -> BT
     used
 }
 
-struct Translation<'a> {
-    names: &'a BTreeMap<String, Translated>,
-    runtime: &'a TokenStream,
+pub(super) struct Translation<'a> {
+    pub(super) names: &'a BTreeMap<String, Translated>,
+    pub(super) runtime: &'a TokenStream,
 }
 
 impl Translation<'_> {
-    fn expression(&self, expression: &Expression) -> Translated {
+    pub(super) fn expression(&self, expression: &Expression) -> Translated {
         let runtime = self.runtime;
         let site = Span::mixed_site();
         match &expression.kind {
@@ -261,14 +278,14 @@ impl Translation<'_> {
         }
     }
 
-    fn constant(&self, value: f64) -> TokenStream {
+    pub(super) fn constant(&self, value: f64) -> TokenStream {
         let runtime = self.runtime;
         let value = Literal::f64_unsuffixed(value);
         quote_spanned!(Span::mixed_site()=> <T as #runtime::Scalar>::constant(#value))
     }
 
     /// As a vector; a scalar lies along x.
-    fn on_plane(&self, of: &Translated) -> Translated {
+    pub(super) fn on_plane(&self, of: &Translated) -> Translated {
         if of.plane {
             return of.clone();
         }
@@ -276,7 +293,7 @@ impl Translation<'_> {
         Translated::plane(quote_spanned!(Span::mixed_site()=> #runtime::Plane::new(#x, #zero)))
     }
 
-    fn sum(&self, operator: Operator, left: &Translated, right: &Translated) -> Translated {
+    pub(super) fn sum(&self, operator: Operator, left: &Translated, right: &Translated) -> Translated {
         let plane = left.plane || right.plane;
         let (left, right) = if plane {
             (self.on_plane(left), self.on_plane(right))

@@ -37,7 +37,8 @@ impl Mechanism<'_> {
         parts.join(", then ")
     }
 
-    fn solution_of_part(&self, part: &Part) -> String {
+    /// How a part is solved.
+    pub(super) fn solution_of_part(&self, part: &Part) -> String {
         match &part.solution {
             Solution::Closed(form) => form.description(self.graph),
             Solution::Newton { .. } => "Newton's method".to_owned(),

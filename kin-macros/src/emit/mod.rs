@@ -10,10 +10,12 @@ mod mechanism;
 mod poses;
 mod position;
 mod rates;
+mod skeleton;
 mod solve;
 mod statements;
-#[expect(dead_code, reason = "the statement that asks for it is not read yet")]
 mod test;
+mod transmission;
+mod values;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -58,8 +60,20 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         poses::tokens(inside),
         rates::tokens(inside),
         mechanism::tokens(inside),
-        requested(inside),
+        values::tokens(inside),
+        skeleton::tokens(inside),
+        if inside.is_requested(Request::TransmissionAngles) {
+            transmission::tokens(inside)
+        } else {
+            TokenStream::new()
+        },
     ];
+    // test functions inside of other items do not run
+    let test = if outside.is_requested(Request::Test) {
+        test::tokens(outside)
+    } else {
+        TokenStream::new()
+    };
     let runtime = outside.runtime;
     // a scope of its own, so that a short name for the runtime meets no other
     quote! {
@@ -68,19 +82,8 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             use #runtime as #alias;
             #(#implementations)*
         };
+        #test
     }
-}
-
-/// What `with` asks for.
-fn requested(mechanism: &Mechanism<'_>) -> TokenStream {
-    let requests = &mechanism.model.requests;
-    requests
-        .iter()
-        .map(|requested| match requested.request {
-            // each has a file of its own to come
-            Request::TransmissionAngles | Request::Sensitivities | Request::Test => TokenStream::new(),
-        })
-        .collect()
 }
 
 /// What the runtime is called within the expansion: anything but what the mechanism is called.
@@ -102,6 +105,10 @@ fn attributes() -> TokenStream {
 }
 
 impl Mechanism<'_> {
+    fn is_requested(&self, request: Request) -> bool {
+        self.model.requests.iter().any(|requested| requested.request == request)
+    }
+
     /// The highest time derivative.
     fn order(&self) -> usize {
         self.plan.scheduled.stages.len() - 1

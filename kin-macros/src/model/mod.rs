@@ -497,7 +497,11 @@ fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
                 collect_names(&statement.right, &abbreviations, &mut names);
                 equations.push(names);
             }
-            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Output(_) | Statement::Order(_) | Statement::Requests(_) => {}
+            Statement::Inputs(_)
+            | Statement::Unknowns(_)
+            | Statement::Output(_)
+            | Statement::Order(_)
+            | Statement::Requests(_) => {}
         }
     }
     equations

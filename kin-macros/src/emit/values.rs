@@ -1,0 +1,40 @@
+//! What a pose of any order says of its position.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{Mechanism, attributes};
+
+/// `impl PoseOf`, for the pose of each order.
+pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (name, attributes) = (&model.name, attributes());
+    let inputs: Vec<_> = model.inputs.iter().map(|input| &input.name).collect();
+    let unknowns: Vec<_> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
+    let [input_count, unknown_count] = [inputs.len(), unknowns.len()].map(Literal::usize_unsuffixed);
+    (0..=mechanism.order())
+        .map(|order| {
+            let pose = mechanism.pose(order);
+            quote! {
+                #attributes
+                impl<T: #runtime::Scalar> #runtime::PoseOf<#name<T>> for #pose<T> {
+                    fn input_values(&self) -> [T; #input_count] {
+                        [#(self.#inputs.value()),*]
+                    }
+
+                    fn unknown_values(&self) -> [T; #unknown_count] {
+                        [#(self.#unknowns.value()),*]
+                    }
+                }
+            }
+        })
+        .collect()
+}
+
+/// The argument that takes a pose of any order, and its name.
+pub(super) fn argument(mechanism: &Mechanism<'_>) -> (proc_macro2::Ident, TokenStream) {
+    let runtime = mechanism.runtime;
+    let pose = super::local("pose");
+    let argument = quote!(#pose: &impl #runtime::PoseOf<Self>);
+    (pose, argument)
+}
