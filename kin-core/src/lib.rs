@@ -73,7 +73,9 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("kin-core needs the functions of either the feature `std` or the feature `libm`");
 
+mod assemblies;
 mod assembly;
+pub mod continuation;
 #[cfg(feature = "std")]
 pub mod count;
 mod error;
@@ -88,6 +90,7 @@ mod near;
 mod path;
 mod plane;
 mod pose_of;
+mod positions;
 mod scalar;
 pub mod series;
 mod skeleton;
@@ -96,6 +99,7 @@ mod transmission;
 #[cfg(feature = "num-dual")]
 pub mod verify;
 
+pub use assemblies::{Assemblies, Choices};
 pub use assembly::Assembly;
 pub use error::{Failure, SolveError};
 pub use inputs::InputValues;
@@ -105,6 +109,7 @@ pub use motion::Motion;
 pub use near::{Guess, Near};
 pub use plane::Plane;
 pub use pose_of::PoseOf;
+pub use positions::Positions;
 pub use scalar::Scalar;
 pub use skeleton::{Chain, Polyline, Skeleton};
 pub use transmission::TransmissionAngle;
@@ -253,9 +258,11 @@ pub mod prelude {
 #[doc(hidden)]
 pub mod __private {
     pub use crate::__assert_verified as assert_verified;
+    pub use crate::assemblies::every;
     pub use crate::{
-        Assembly, Block, Chain, Description, Dimension, Failure, Guess, InputValues, Mechanism, Motion, Near,
-        Operations, Plane, Pose, PoseOf, Quantity, Row, Scalar, Skeleton, SolveError, TransmissionAngle, series, solve,
+        Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Failure, Guess, InputValues, Mechanism,
+        Motion, Near, Operations, Plane, Pose, PoseOf, Quantity, Row, Scalar, Skeleton, SolveError, TransmissionAngle,
+        continuation, series, solve,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

@@ -21,7 +21,7 @@ pub struct Near<const N: usize>(
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not tell the assembly of coupled equations, which have no closed form",
     label = "give values of the unknowns near the position, as in `Near([..])` or `position_near(.., [..])`",
-    note = "`assemblies` finds all positions at given inputs, and `track` follows one of them from pose to pose"
+    note = "`assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
 )]
 pub trait Guess<T, const N: usize> {
     /// The values.

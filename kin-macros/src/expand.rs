@@ -57,6 +57,7 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
         ranges: &ranges,
         plan: &plan,
         runtime: &runtime,
+        goes_through_all: false,
     })
 }
 

@@ -43,6 +43,8 @@ pub(crate) struct Plan {
     pub(crate) scheduled: Scheduled,
     /// What tells the assembly of a guess: definitions in the order of the choices, each positive in the open assembly.
     pub(crate) orientations: ScheduledStage,
+    /// What goes through all positions where a block is left to Newton's method, if its equations are algebraic.
+    pub(crate) every: Option<ScheduledStage>,
 }
 
 /// Equations and outputs in one form, and the graph that has it.
@@ -74,7 +76,26 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
             best = Some(candidate);
         }
     }
-    best.expect("there is at least one form")
+    let mut best = best.expect("there is at least one form");
+    best.every = every(task);
+    best
+}
+
+/// The program that goes through all positions.
+fn every(task: &Task<'_>) -> Option<ScheduledStage> {
+    if !task.blocks.iter().any(Block::is_coupled) {
+        return None;
+    }
+    let (mut graph, mut names) = (task.graph.clone(), task.names.clone());
+    let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, task.ranges)?;
+    let mut stages = vec![stage];
+    Stage::prune(&mut stages, &graph);
+    let program = Program { stages, names };
+    let style = Style {
+        factor_out: false,
+        check_domains: true,
+    };
+    Some(schedule(&graph, &program, &[], style).stages.swap_remove(0))
 }
 
 /// The equations multiplied out, and as typed if that is something else.
@@ -245,6 +266,7 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
         names,
         scheduled,
         orientations,
+        every: None,
     }
 }
 

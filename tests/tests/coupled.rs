@@ -1,8 +1,9 @@
 //! Blocks that no closed form fits: found by Newton's method, differentiated as exactly as any other.
 
 use kin_core::prelude::*;
+use kin_tests::compare::turned_back;
 use kin_tests::mechanisms::coupled::{GearedPair, Kepler, RelativeDrive, SixCoupled, StephensonThree, Triad};
-use kin_tests::oracles::Worst;
+use kin_tests::oracles::{Reported, Worst};
 use kin_tests::random::Random;
 
 fn at(length: f64, angle: f64) -> Plane {
@@ -95,6 +96,91 @@ fn triad() {
         );
     }
     worst.report("Triad");
+}
+
+/// Every assembly is found: the one that the triad was built in, and as many as a dense scan finds.
+#[test]
+fn all_assemblies_of_a_triad() {
+    let mut random = Random::new(6);
+    let mut seen = [0; 7];
+    for _ in 0..100 {
+        let [theta, alpha, beta, gamma, phi] = [(); 5].map(|()| random.between(-3.0, 3.0));
+        let [crank, a, b, c, p, q] = [(); 6].map(|()| random.between(0.5, 2.0));
+        let delta = random.between(0.5, 2.0);
+        let joint = at(crank, theta) + at(a, alpha);
+        let mechanism = Triad {
+            crank,
+            a,
+            b,
+            c,
+            p,
+            q,
+            delta,
+            pivot_b: joint + at(p, phi) - at(b, beta),
+            pivot_c: joint + at(q, phi + delta) - at(c, gamma),
+        };
+        let all = mechanism.assemblies_at(theta).expect("the dimensions are finite");
+        assert!(all.is_complete(), "{mechanism:?}: {all:?}");
+        assert!(
+            all.iter().any(|Near(position)| {
+                position
+                    .iter()
+                    .zip([alpha, beta, gamma, phi])
+                    .all(|(own, built)| turned_back(own - built).abs() < 1e-6)
+            }),
+            "{mechanism:?}: {all:?}"
+        );
+        for &Near(position) in &all {
+            let left = mechanism.closure(theta, position);
+            assert!(left.iter().all(|left| left.abs() < 1e-12), "{left:?}");
+        }
+        assert_eq!(all.len(), scanned(&mechanism, theta), "{mechanism:?}: {all:?}");
+        seen[all.len()] += 1;
+    }
+    println!("assemblies of a triad: {seen:?}");
+    assert!(
+        seen[2] > 0 && seen[4] > 0 && seen[6] > 0 && seen[1] + seen[3] + seen[5] == 0,
+        "{seen:?}"
+    );
+}
+
+/// Another way to count: for each direction of the ternary link the first two legs close as a four-bar does, in two ways, and
+/// the third leg must have its length. Changes of sign over a fine scan are roots.
+fn scanned(mechanism: &Triad, theta: f64) -> usize {
+    let left = |phi: f64, side: f64| {
+        // a cis(alpha) - b cis(beta) = target
+        let target = mechanism.pivot_b - at(mechanism.crank, theta) - at(mechanism.p, phi);
+        let square = target.norm_squared();
+        let along = (square + mechanism.a.powi(2) - mechanism.b.powi(2)) / (2.0 * square);
+        let height = mechanism.a.powi(2) / square - along * along;
+        let leg = target.times(Plane::new(along, side * height.max(0.0).sqrt()));
+        let end = at(mechanism.crank, theta) + leg + at(mechanism.q, phi + mechanism.delta) - mechanism.pivot_c;
+        (height, end.norm_squared() - mechanism.c.powi(2))
+    };
+    let steps = 40_000;
+    let angle = |step: i32| f64::from(step) * std::f64::consts::TAU / f64::from(steps) + 0.1;
+    let mut roots = 0;
+    for side in [1.0, -1.0] {
+        for step in 0..steps {
+            let ((first_height, first), (second_height, second)) =
+                (left(angle(step), side), left(angle(step + 1), side));
+            if first_height >= 0.0 && second_height >= 0.0 && (first > 0.0) != (second > 0.0) {
+                roots += 1;
+            }
+            // where the two legs reach each other only just, the scan goes over from one side to the other
+            if side > 0.0 && (first_height >= 0.0) != (second_height >= 0.0) {
+                let inside = if first_height >= 0.0 {
+                    angle(step)
+                } else {
+                    angle(step + 1)
+                };
+                if (left(inside, 1.0).1 > 0.0) != (left(inside, -1.0).1 > 0.0) {
+                    roots += 1;
+                }
+            }
+        }
+    }
+    roots
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use super::choice;
-use super::program::{Choice, Limits, Names, Stage, Step};
+use super::program::{Choice, Limits, Mode, Names, Stage, Step};
 use super::solver::{Argument, Solver};
 use super::units::Units;
 use crate::expr::{Graph, Node, Symbol};
@@ -34,13 +34,35 @@ pub(crate) struct Regularity {
     pub(crate) system: Option<(Symbol, Vec<Vec<Node>>)>,
 }
 
-/// Turns blocks into steps.
+/// Turns blocks into steps that find a position.
 pub(crate) fn assemble(
     graph: &mut Graph,
     names: &mut Names,
     blocks: &[Block],
     ranges: &BTreeMap<usize, Limits>,
     jacobians: &[Regularity],
+) -> Assembled {
+    steps(graph, names, blocks, ranges, Some(jacobians))
+}
+
+/// Turns blocks into steps that go through all positions; `None` if a block's equations are not algebraic.
+pub(crate) fn assemble_every(
+    graph: &mut Graph,
+    names: &mut Names,
+    blocks: &[Block],
+    ranges: &BTreeMap<usize, Limits>,
+) -> Option<Stage> {
+    let is_algebraic = blocks.iter().all(|block| !block.is_coupled() || block.all.is_some());
+    is_algebraic.then(|| steps(graph, names, blocks, ranges, None).stage)
+}
+
+/// The steps for one position, or for all if there is no use for the Jacobians.
+fn steps(
+    graph: &mut Graph,
+    names: &mut Names,
+    blocks: &[Block],
+    ranges: &BTreeMap<usize, Limits>,
+    jacobians: Option<&[Regularity]>,
 ) -> Assembled {
     let mut builder = Builder {
         graph,
@@ -50,7 +72,16 @@ pub(crate) fn assemble(
     };
     let mut choices = Vec::new();
     let mut assemblies = 0;
-    for (block, jacobian) in blocks.iter().zip(jacobians) {
+    for (index, block) in blocks.iter().enumerate() {
+        let jacobian = jacobians.map(|jacobians| &jacobians[index]);
+        if let (None, Some(all)) = (jacobian, &block.all) {
+            builder.every(index, choices.len(), all);
+            choices.extend(block.parts.iter().map(|_| Choice {
+                mode: Mode::Only,
+                orientation: None,
+            }));
+            continue;
+        }
         for (place, part) in block.parts.iter().enumerate() {
             let number = choices.len();
             let orientation = choice::orientation(builder.graph, part);
@@ -62,7 +93,10 @@ pub(crate) fn assemble(
                 Solution::Newton { residuals } => builder.newton(number, &part.unknowns, residuals),
             }
             builder.bounds(part, ranges);
-            if place + 1 == block.parts.len() && block.check_jacobian {
+            if let Some(jacobian) = jacobian
+                && place + 1 == block.parts.len()
+                && block.check_jacobian
+            {
                 builder.regular(jacobian);
             }
             builder.steps.push(Step::Close { part: number });
@@ -160,7 +194,7 @@ impl Builder<'_> {
         });
     }
 
-    fn form(&mut self, form: &ClosedForm) {
+    pub(super) fn form(&mut self, form: &ClosedForm) {
         match form {
             ClosedForm::Linear {
                 unknown,

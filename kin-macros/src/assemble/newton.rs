@@ -1,10 +1,11 @@
-//! What no closed form finds: the residuals of a part, made ready for Newton's method.
+//! What no closed form finds: the residuals of a part, made ready for Newton's method, or for all solutions.
 
 use std::collections::BTreeMap;
 
 use super::blocks::Builder;
-use super::program::Step;
+use super::program::{Mode, Step};
 use crate::expr::{Graph, Node, Symbol, Term};
+use crate::structure::{System, Variable};
 
 impl Builder<'_> {
     /// The step that finds a part's unknowns from the guess that the caller gave.
@@ -51,6 +52,40 @@ impl Builder<'_> {
             jacobian,
             outside,
         });
+    }
+
+    /// The steps that go through all solutions of a block; `part` is its first.
+    pub(super) fn every(&mut self, block: usize, part: usize, all: &System) {
+        self.steps.push(Step::Open { part, mode: Mode::Only });
+        let coefficients = all
+            .coefficients
+            .iter()
+            .map(|&coefficient| self.known(coefficient))
+            .collect();
+        let mut results = Vec::new();
+        let mut angles = Vec::new();
+        for &variable in &all.variables {
+            match variable {
+                Variable::Turning(unknown) => {
+                    let ([x, y], unit) = self.fresh_plane(&self.unknown_name(unknown));
+                    results.extend([x, y]);
+                    angles.push((unknown, unit));
+                }
+                Variable::Plain(unknown) => results.push(Symbol::Unknown(unknown)),
+            }
+        }
+        self.steps.push(Step::Every {
+            block,
+            coefficients,
+            results,
+        });
+        for (unknown, unit) in angles {
+            self.turn(unknown, unit);
+        }
+        for relation in &all.relations {
+            self.form(relation);
+        }
+        self.steps.push(Step::Close { part });
     }
 
     /// An expression with everything that is free of the unknowns replaced by names for it.

@@ -65,6 +65,12 @@ pub(crate) enum Step {
         jacobian: Vec<Vec<Node>>,
         outside: Vec<Node>,
     },
+    /// One after the other of all solutions of a block's equations, as values of its variables.
+    Every {
+        block: usize,
+        coefficients: Vec<Node>,
+        results: Vec<Symbol>,
+    },
     /// The factors of a matrix by which later stages solve.
     Factor { symbol: Symbol, matrix: Vec<Vec<Node>> },
     /// matrix · results = right, by its factors.
@@ -88,6 +94,7 @@ impl Step {
             Self::Angle { x, y, length, .. } => vec![*y, *x, *length],
             Self::Regular { node } => vec![*node],
             Self::Newton { outside, .. } => outside.clone(),
+            Self::Every { coefficients, .. } => coefficients.clone(),
             Self::Factor { matrix, .. } => matrix.concat(),
             Self::Substitute { factors, right, .. } => [*factors].into_iter().chain(right.iter().copied()).collect(),
             Self::Bound { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),

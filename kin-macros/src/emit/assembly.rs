@@ -35,7 +35,35 @@ pub(super) fn fields(mechanism: &Mechanism<'_>) -> Vec<Ident> {
 pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let list = list(mechanism);
     let finder = finder(mechanism);
-    quote!(#list #finder)
+    let all = all(mechanism);
+    quote!(#list #finder #all)
+}
+
+/// `solve_all`: the motion in every assembly.
+fn all(mechanism: &Mechanism<'_>) -> TokenStream {
+    let count = mechanism.choices().len();
+    if count == 0 || count > LISTED || mechanism.is_coupled() {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let (name, pose, attributes) = (&mechanism.model.name, mechanism.pose(mechanism.order()), attributes());
+    let inputs = mechanism.input_names();
+    let length = Literal::usize_unsuffixed(mechanism.order() + 1);
+    let size = Literal::usize_unsuffixed(1 << count);
+    let index = mechanism.own("index");
+    let by_number = by_number(mechanism, &quote!(#index));
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            /// `solve` in every assembly, in the order of `ASSEMBLIES`.
+            #[must_use]
+            pub fn solve_all(&self, #(#inputs: #runtime::Motion<T, #length>),*)
+                -> [::core::result::Result<#pose<T>, #runtime::SolveError>; #size]
+            {
+                ::core::array::from_fn(|#index| self.solve(#(#inputs,)* #by_number))
+            }
+        }
+    }
 }
 
 /// The structure of several choices.

@@ -5,6 +5,7 @@ pub(crate) mod closure;
 pub(crate) mod declaration;
 mod description;
 mod documentation;
+mod every;
 mod formula;
 mod mechanism;
 mod poses;
@@ -37,6 +38,8 @@ pub(crate) struct Mechanism<'a> {
     pub(crate) plan: &'a Plan,
     /// The path to what generated code calls.
     pub(crate) runtime: &'a TokenStream,
+    /// Whether statements are written that go through all positions, and not to one of them.
+    pub(crate) goes_through_all: bool,
 }
 
 /// Everything that a declaration expands to.
@@ -57,6 +60,7 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         description::tokens(inside),
         solve::tokens(inside),
         position::tokens(inside),
+        every::tokens(inside),
         poses::tokens(inside),
         rates::tokens(inside),
         mechanism::tokens(inside),

@@ -149,7 +149,7 @@ impl Mechanism<'_> {
     }
 
     /// `.map_err(…)?` with the block and the inputs.
-    fn failed(&self, part: usize) -> TokenStream {
+    pub(super) fn failed(&self, part: usize) -> TokenStream {
         self.failed_at(&self.part_name(part))
     }
 
@@ -249,6 +249,11 @@ impl Mechanism<'_> {
                 residuals,
                 jacobian,
             ),
+            Statement::Every {
+                block,
+                coefficients,
+                results,
+            } => self.every_solution(*block, part.expect("blocks have parts"), coefficients, results),
             Statement::Factor { name, matrix } => {
                 let name = local(name);
                 let rows = matrix.iter().map(|row| {
@@ -391,6 +396,10 @@ impl Mechanism<'_> {
         match self.plan.choices[part].mode {
             Mode::Fixed { is_open: true } => quote!(#runtime::Assembly::Open),
             Mode::Fixed { is_open: false } => quote!(#runtime::Assembly::Crossed),
+            Mode::Assembly(_) if self.goes_through_all => {
+                let choices = self.own("choices");
+                quote!(#choices.assembly())
+            }
             Mode::Assembly(index) if self.choices().len() > 1 => {
                 let field = &super::assembly::fields(self)[index];
                 quote!(#assembly.#field)
@@ -411,7 +420,7 @@ impl Mechanism<'_> {
             let failed = self.failed(part.expect("bounds stand in parts of blocks"));
             return quote!(let #name = #runtime::solve::#check(#label, #name, #low, #high) #failed;);
         }
-        if turns {
+        if turns && !self.goes_through_all {
             let (near, index) = (self.own("near"), Literal::usize_unsuffixed(unknown));
             let near = if self.is_coupled() {
                 quote!(::core::option::Option::Some(#near))

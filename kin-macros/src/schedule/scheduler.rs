@@ -321,6 +321,24 @@ impl Scheduler<'_> {
                 self.charge(iteration.cost);
                 self.statements.push(iteration.statement);
             }
+            Step::Every {
+                block,
+                coefficients,
+                results,
+            } => {
+                let coefficients: Vec<Expression> = coefficients
+                    .iter()
+                    .map(|&node| {
+                        let value = self.value(rows, node);
+                        self.argument(value)
+                    })
+                    .collect();
+                self.statements.push(Statement::Every {
+                    block: *block,
+                    coefficients,
+                    results: results.iter().map(|&symbol| self.names.of(symbol).to_owned()).collect(),
+                });
+            }
             Step::Factor { symbol, matrix } => {
                 let matrix: Vec<Vec<Expression>> = matrix
                     .iter()

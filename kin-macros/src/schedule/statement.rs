@@ -63,6 +63,12 @@ pub(crate) enum Statement {
         residuals: Vec<Expression>,
         jacobian: Vec<Vec<Expression>>,
     },
+    /// One after the other of all solutions of a block.
+    Every {
+        block: usize,
+        coefficients: Vec<Expression>,
+        results: Vec<String>,
+    },
     /// The factors of a matrix.
     Factor {
         name: String,
@@ -170,6 +176,7 @@ impl Statement {
                     .for_each(|part| part.collect_names(&mut names));
                 names.retain(|name| !inner.contains(name));
             }
+            Self::Every { coefficients, .. } => coefficients.iter().for_each(|part| part.collect_names(&mut names)),
             Self::Factor { matrix, .. } => matrix.iter().flatten().for_each(|part| part.collect_names(&mut names)),
             Self::Substitute { factors, right, .. } => {
                 names.push(factors.clone());
@@ -189,7 +196,7 @@ impl Statement {
             Self::SinCos { sine, cosine, .. } => sine.iter().chain(cosine).cloned().collect(),
             Self::Solve { results, .. } => results.iter().flatten().cloned().collect(),
             Self::Factor { name, .. } => vec![name.clone()],
-            Self::Substitute { results, .. } => results.clone(),
+            Self::Substitute { results, .. } | Self::Every { results, .. } => results.clone(),
             Self::Newton { .. }
             | Self::Bound { .. }
             | Self::Regular { .. }

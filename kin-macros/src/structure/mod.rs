@@ -7,12 +7,14 @@
 mod closed_form;
 mod matching;
 mod order;
+mod polynomials;
 mod recognise;
 mod tear;
 
 use std::collections::BTreeSet;
 
 pub(crate) use closed_form::{Arm, ClosedForm, Complex};
+pub(crate) use polynomials::{System, Variable};
 
 use crate::expr::{Expansion, Graph, Node, Probe, Symbol};
 
@@ -24,6 +26,8 @@ pub(crate) struct Block {
     pub(crate) unknowns: Vec<usize>,
     /// How they are solved, one part after another; most blocks are of one part.
     pub(crate) parts: Vec<Part>,
+    /// All solutions of a block of which a part is left to Newton's method, if its equations are algebraic.
+    pub(crate) all: Option<System>,
     /// Whether the parts alone do not guarantee that the Jacobian is regular where they succeed.
     pub(crate) check_jacobian: bool,
 }
@@ -145,12 +149,18 @@ fn solve_block(
         ] => cleared || form.has_inverse(),
         _ => true,
     };
-    Ok(Block {
+    let mut block = Block {
         equations,
         unknowns,
         parts,
+        all: None,
         check_jacobian,
-    })
+    };
+    if block.is_coupled() {
+        let whole = tear::whole(graph, &nodes, &block.unknowns);
+        block.all = polynomials::system(graph, whole);
+    }
+    Ok(block)
 }
 
 /// Whether the block's Jacobian is singular everywhere: then the equations do not determine the unknowns.

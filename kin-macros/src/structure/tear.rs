@@ -68,6 +68,31 @@ fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<P
     parts
 }
 
+/// A block without its linear relations: the equations whose solutions, all together, are those of the block.
+pub(super) struct Whole {
+    pub(super) equations: Vec<Node>,
+    pub(super) unknowns: Vec<usize>,
+    /// What was taken out, in the order in which it is found from the rest.
+    pub(super) relations: Vec<ClosedForm>,
+}
+
+/// A block with as many unknowns taken out as linear relations give.
+pub(super) fn whole(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Whole {
+    let mut whole = Whole {
+        equations: equations.to_vec(),
+        unknowns: unknowns.to_vec(),
+        relations: Vec::new(),
+    };
+    while whole.unknowns.len() > 1
+        && let Some(Torn { rest, unknown, form }) = relation(graph, &whole.equations, &whole.unknowns)
+    {
+        whole.equations = rest;
+        whole.unknowns.retain(|&other| other != unknown);
+        whole.relations.insert(0, form);
+    }
+    whole
+}
+
 /// An unknown taken out: the equations that remain, and how it is found when they are solved.
 struct Torn {
     rest: Vec<Node>,

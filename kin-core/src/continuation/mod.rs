@@ -1,0 +1,189 @@
+//! All solutions of a system of polynomial equations, by continuation from all solutions of another system.
+//!
+//! A coupled block of a loop closure is such a system: each unknown angle gives two variables, its cosine and sine, with the
+//! equation c² + s² = 1, each unknown length one, and the loops are equations of first or second degree in them. Newton's method finds one
+//! solution near a guess; this finds them all.
+//!
+//! # How it goes
+//!
+//! 1. Variables and equations are scaled, and the equations of first degree are used to eliminate variables.
+//! 2. The other equations are replaced by products of linear factors with random complex coefficients, chosen so that the equations
+//!    have the same structure. The solutions of this *start system* are found by setting one factor of each equation to zero.
+//! 3. The start system is deformed into the system to be solved, and each solution is followed on its path through the
+//!    complex numbers, with a predictor (Runge-Kutta, fourth order), a corrector (Newton) and steps as long as the error of prediction
+//!    allows. In homogeneous coordinates a path to infinity is no longer than others.
+//! 4. Where a path ends at a singular solution, it is followed around its end, and the end is the mean of what is met on
+//!    the way (Cauchy's integral).
+//! 5. Ends are sorted: regular or singular, finite or at infinity, real or complex. Real ones are corrected in real numbers.
+//!    A path that has got lost, or that ends where another one ends although only one can, is followed once more with more
+//!    care, and if that does not help all paths are followed from another start system.
+//!
+//! Plane loops with n angles, each of which occurs in n / 2 general loops, have n! / (n/2)!² solutions, real and complex, and the start
+//! system has as many: 2 for a four-bar linkage, 6 for the class III triad, 20 for three loops. Steps 2 and 3 then have no path to
+//! infinity.
+//!
+//! # What is guaranteed
+//!
+//! In exact arithmetic, with probability one, every isolated solution in complex numbers is the end of a path, and with it
+//! every isolated real one. (For generic coefficients no two paths meet before their ends, and each isolated solution of multiplicity m is the end of
+//! m paths; the coefficients for which this does not hold are a set of measure zero.) They are fixed pseudorandom numbers, so that
+//! results are reproducible.
+//!
+//! - A. J. Sommese & C. W. Wampler, *The Numerical Solution of Systems of Polynomials Arising in Engineering and Science*, World
+//!   Scientific 2005: chapter 7 for paths between systems of one family, chapter 8 for linear products, chapter 10 for endgames.
+//! - A. P. Morgan, A. J. Sommese & C. W. Wampler, *A product-decomposition bound for Bezout numbers*, SIAM Journal on Numerical
+//!   Analysis 32 (1995) 1308-1325: why the products of step 2 may be taken.
+//! - A. P. Morgan, *Solving Polynomial Systems Using Continuation for Engineering and Scientific Problems*, Prentice-Hall 1987.
+//!
+//! Paths are followed in double precision and not in exact arithmetic. A step that is too long may jump to another path, and this
+//! is no proof that none did. It is guarded against by the error of prediction (10⁻⁴ at most in coordinates of size one), by the contraction of
+//! Newton's method, and by the rule that no two paths end at the same regular solution: a jump between paths that both end at regular
+//! solutions cannot pass unnoticed unless they are exchanged, which does no harm.
+//!
+//! So, of an [`Outcome`]:
+//!
+//! - `lost == 0` ([`is_complete`](Outcome::is_complete)): all isolated solutions are found, `regular` of them regular and all different,
+//!   with the probability and the reservation above.
+//! - `lost > 0`: at most so many more solutions exist.
+//! - `singular > 0`: paths end at multiple solutions, at a limit position or dead point, or where the solutions are not isolated
+//!   because the mechanism can move although its inputs do not. Each real point at which such paths end is passed on, with the number of paths as
+//!   multiplicity. Of solutions that are not isolated only some points are found.
+//!
+//! ```
+//! use kin_core::Positions;
+//! use kin_core::continuation::{PolynomialSystem, Solution, Term, real_solutions};
+//!
+//! // x² + y² = a² and (x - d)² + y² = b²
+//! const SYSTEM: PolynomialSystem<2> = PolynomialSystem::new(&[
+//!     Term { equation: 0, coefficient: 0, powers: &[(0, 2)] },
+//!     Term { equation: 0, coefficient: 0, powers: &[(1, 2)] },
+//!     Term { equation: 0, coefficient: 1, powers: &[] },
+//!     Term { equation: 1, coefficient: 0, powers: &[(0, 2)] },
+//!     Term { equation: 1, coefficient: 2, powers: &[(0, 1)] },
+//!     Term { equation: 1, coefficient: 0, powers: &[(1, 2)] },
+//!     Term { equation: 1, coefficient: 3, powers: &[] },
+//! ]);
+//! const PATHS: usize = SYSTEM.paths();
+//!
+//! let (a, b, d) = (3.0, 4.0, 5.0);
+//! let coefficients = [1.0, -a * a, -2.0 * d, d * d - b * b];
+//! let mut points = Positions::<Solution<2>, PATHS>::new();
+//! let outcome = real_solutions::<2, PATHS>(&SYSTEM, &coefficients, |point| {
+//!     points.push(point);
+//! })?;
+//! assert!(outcome.is_complete());
+//! assert_eq!(outcome.real, 2);
+//! for point in &points {
+//!     let [x, y] = point.values;
+//!     assert!((x - 1.8).abs() < 1e-14 && (y.abs() - 2.4).abs() < 1e-14);
+//! }
+//! # Ok::<(), kin_core::continuation::Unsuitable>(())
+//! ```
+
+mod complex;
+mod ending;
+mod factors;
+mod homotopy;
+mod outcome;
+mod paths;
+mod random;
+mod reduction;
+mod scaling;
+mod system;
+mod track;
+
+#[cfg(test)]
+mod tests;
+
+pub use outcome::{Outcome, Solution, Unsuitable};
+pub use system::{PolynomialSystem, Term};
+
+use crate::Positions;
+use ending::Kind;
+use homotopy::Homotopy;
+use paths::{Path, follow_all};
+
+/// Start systems that are tried before paths are reported as lost.
+const ATTEMPTS: u64 = 3;
+
+/// Passes each real solution of a system to `found`, and says what is known of all solutions.
+///
+/// `PATHS` is the number of paths there is room for; [`PolynomialSystem::paths`] is always enough. The coefficients are
+/// those to which the terms of the system refer. Units of the variables may differ by many orders of magnitude.
+///
+/// About 0.1 ms for each path of two coupled plane loops with four angles, 0.2 ms for each path of three with six.
+///
+/// # Errors
+/// [`Unsuitable`], if the table, the coefficients, or the equations of the first degree leave no way to begin. That there is no real
+/// solution, or that paths were lost, is not an error: the [`Outcome`] says so.
+pub fn real_solutions<const M: usize, const PATHS: usize>(
+    system: &PolynomialSystem<M>,
+    coefficients: &[f64],
+    mut found: impl FnMut(Solution<M>),
+) -> Result<Outcome, Unsuitable> {
+    let paths = all_paths::<M, PATHS>(system, coefficients)?;
+    let mut outcome = Outcome {
+        paths: paths.len(),
+        ..Outcome::default()
+    };
+    for (place, Path { end, .. }) in paths.iter().enumerate() {
+        match end.kind {
+            Kind::Lost => outcome.lost += 1,
+            Kind::AtInfinity | Kind::RegularAtInfinity => outcome.at_infinity += 1,
+            Kind::Regular => outcome.regular += 1,
+            Kind::Singular => outcome.singular += 1,
+        }
+        let Some(values) = end.values else {
+            continue;
+        };
+        let multiplicity = if end.kind == Kind::Singular {
+            let same = |other: &&Path<M>| other.end.kind == Kind::Singular && other.end.meets(end);
+            if paths[..place].iter().any(|other| same(&other)) {
+                continue;
+            }
+            paths.iter().filter(same).count()
+        } else {
+            outcome.real += 1;
+            1
+        };
+        found(Solution {
+            values,
+            multiplicity,
+            condition: end.condition,
+        });
+    }
+    Ok(outcome)
+}
+
+fn all_paths<const M: usize, const PATHS: usize>(
+    system: &PolynomialSystem<M>,
+    coefficients: &[f64],
+) -> Result<Positions<Path<M>, PATHS>, Unsuitable> {
+    if !system.fits(coefficients.len()) {
+        return Err(Unsuitable::Table);
+    }
+    if let Some(coefficient) = coefficients.iter().position(|value| !value.is_finite()) {
+        return Err(Unsuitable::NotFinite { coefficient });
+    }
+    let degrees = system.degrees(coefficients);
+    if let Some(equation) = degrees.iter().position(|&degree| degree == 0) {
+        return Err(Unsuitable::NoVariable { equation });
+    }
+    let scales = scaling::scales(system, coefficients);
+    let coordinates = reduction::reduce(system, coefficients, &degrees, &scales)
+        .map_err(|equation| Unsuitable::Dependent { equation })?;
+    let mut attempt = 0;
+    loop {
+        let homotopy = Homotopy::new(system, coefficients, &degrees, &scales, coordinates.clone(), attempt);
+        let paths: Positions<Path<M>, PATHS> = follow_all(&homotopy);
+        if paths.missed() > 0 {
+            return Err(Unsuitable::TooManyPaths {
+                paths: paths.len() + paths.missed(),
+            });
+        }
+        attempt += 1;
+        if attempt == ATTEMPTS || paths.iter().all(|path| path.end.kind != Kind::Lost) {
+            return Ok(paths);
+        }
+    }
+}

@@ -1,0 +1,296 @@
+//! Systems of polynomial equations, given as tables.
+
+/// One term of one equation: a coefficient times powers of variables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// Which equation it is a term of, counted from zero.
+    pub equation: u16,
+    /// The place of its coefficient among the coefficients.
+    pub coefficient: u16,
+    /// Each variable of the term, counted from zero, with its power. A variable occurs once, its power is not zero.
+    pub powers: &'static [(u16, u8)],
+}
+
+impl Term {
+    /// The sum of the powers.
+    pub(super) const fn degree(&self) -> u32 {
+        let (mut degree, mut place) = (0, 0);
+        while place < self.powers.len() {
+            degree += self.powers[place].1 as u32;
+            place += 1;
+        }
+        degree
+    }
+}
+
+/// As many polynomial equations as variables, `M`: the sum of the terms of each equation is zero.
+///
+/// The table holds what is known at compile time. The coefficients, which depend on dimensions and inputs,
+/// are given when the system is to be solved.
+///
+/// ```
+/// use kin_core::continuation::{PolynomialSystem, Term};
+///
+/// // a x² + b y + c = 0 and d x y + e = 0
+/// const SYSTEM: PolynomialSystem<2> = PolynomialSystem::new(&[
+///     Term { equation: 0, coefficient: 0, powers: &[(0, 2)] },
+///     Term { equation: 0, coefficient: 1, powers: &[(1, 1)] },
+///     Term { equation: 0, coefficient: 2, powers: &[] },
+///     Term { equation: 1, coefficient: 3, powers: &[(0, 1), (1, 1)] },
+///     Term { equation: 1, coefficient: 4, powers: &[] },
+/// ]);
+/// assert_eq!(SYSTEM.paths(), 4);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct PolynomialSystem<const M: usize> {
+    terms: &'static [Term],
+}
+
+impl<const M: usize> PolynomialSystem<M> {
+    /// The system with these terms, those of one equation after those of the other.
+    #[must_use]
+    pub const fn new(terms: &'static [Term]) -> Self {
+        Self { terms }
+    }
+
+    /// The terms.
+    #[must_use]
+    pub const fn terms(&self) -> &'static [Term] {
+        self.terms
+    }
+
+    /// The number of paths that lead to the solutions, the product of the degrees of the equations.
+    ///
+    /// By Bézout's theorem the system has at most as many isolated solutions.
+    #[must_use]
+    pub const fn paths(&self) -> usize {
+        let (mut paths, mut equation) = (1_usize, 0);
+        while equation < M {
+            let (mut degree, mut place) = (0, 0);
+            while place < self.terms.len() {
+                let term = &self.terms[place];
+                if term.equation as usize == equation && term.degree() > degree {
+                    degree = term.degree();
+                }
+                place += 1;
+            }
+            paths = paths.saturating_mul(degree as usize);
+            equation += 1;
+        }
+        paths
+    }
+
+    /// The degree of each equation, not counting terms with the coefficient zero.
+    pub(super) fn degrees(&self, coefficients: &[f64]) -> [u8; M] {
+        let mut degrees = [0; M];
+        for term in self.terms {
+            if coefficients[usize::from(term.coefficient)] != 0.0 {
+                let degree = term.powers.iter().fold(0, |sum, &(_, power)| sum + power);
+                let most = &mut degrees[usize::from(term.equation)];
+                *most = degree.max(*most);
+            }
+        }
+        degrees
+    }
+
+    /// The first term of an equation and the one after its last.
+    pub(super) fn range(&self, equation: usize) -> [usize; 2] {
+        let first = self.terms.partition_point(|term| usize::from(term.equation) < equation);
+        let end = self
+            .terms
+            .partition_point(|term| usize::from(term.equation) <= equation);
+        [first, end]
+    }
+
+    /// The terms of an equation that are not zero, with their coefficients.
+    fn present<'a>(
+        &'a self,
+        [first, end]: [usize; 2],
+        coefficients: &'a [f64],
+    ) -> impl Iterator<Item = (f64, &'static [(u16, u8)])> + 'a {
+        self.terms[first..end].iter().filter_map(|term| {
+            let coefficient = coefficients[usize::from(term.coefficient)];
+            (coefficient != 0.0).then_some((coefficient, term.powers))
+        })
+    }
+
+    /// The variables that occur in an equation, in ascending order, and their number.
+    pub(super) fn support(&self, range: [usize; 2], coefficients: &[f64]) -> ([usize; M], usize) {
+        let mut occurs = [false; M];
+        for (_, powers) in self.present(range, coefficients) {
+            for &(variable, _) in powers {
+                occurs[usize::from(variable)] = true;
+            }
+        }
+        let (mut support, mut occurring) = ([0; M], 0);
+        for (variable, _) in occurs.iter().enumerate().filter(|(_, occurs)| **occurs) {
+            support[occurring] = variable;
+            occurring += 1;
+        }
+        (support, occurring)
+    }
+
+    /// Whether an equation is one of two variables, of second degree, and in that degree the sum of their squares times
+    /// a number.
+    pub(super) fn is_circle(&self, range: [usize; 2], coefficients: &[f64]) -> bool {
+        let mut squares = (0, None);
+        for (coefficient, powers) in self.present(range, coefficients) {
+            match *powers {
+                [(_, 2)] if squares.1.is_none_or(|known| known == coefficient) => {
+                    squares = (squares.0 + 1, Some(coefficient));
+                }
+                [] | [(_, 1)] => {}
+                _ => return false,
+            }
+        }
+        squares.0 == 2 && self.support(range, coefficients).1 == 2
+    }
+
+    /// Which variables, by their places among those that occur, occur in the first and in the second of the linear forms
+    /// of which an equation is a sum of products.
+    ///
+    /// The variables are coloured so that those of each product differ. Variables that occur in no product have both
+    /// colours; if there is no such colouring, all have.
+    pub(super) fn members(
+        &self,
+        range: [usize; 2],
+        coefficients: &[f64],
+        support: &[usize],
+        degree: u8,
+    ) -> [[bool; 2]; M] {
+        let mut members = [[true; 2]; M];
+        let both = members;
+        if degree != 2 {
+            return both;
+        }
+        let place = |variable: u16| support.iter().position(|&known| known == usize::from(variable));
+        let products = || {
+            self.present(range, coefficients)
+                .filter_map(|(_, powers)| match *powers {
+                    [(first, 1), (second, 1)] => Some([place(first)?, place(second)?]),
+                    _ => None,
+                })
+        };
+        let squares = self
+            .present(range, coefficients)
+            .any(|(_, powers)| matches!(powers, [(_, 2)]));
+        if squares {
+            return both;
+        }
+        for seed in 0..support.len() {
+            if members[seed] != [true; 2] || !products().any(|pair| pair.contains(&seed)) {
+                continue;
+            }
+            members[seed] = [true, false];
+            // Each sweep colours at least one more variable of the connected ones.
+            for _ in 0..support.len() {
+                for [first, second] in products() {
+                    for (known, other) in [(first, second), (second, first)] {
+                        if members[known] == [true; 2] {
+                            continue;
+                        }
+                        let [in_first, in_second] = members[known];
+                        let opposite = [in_second, in_first];
+                        if members[other] == [true; 2] {
+                            members[other] = opposite;
+                        } else if members[other] != opposite {
+                            return both;
+                        }
+                    }
+                }
+            }
+        }
+        members
+    }
+
+    /// Whether the equations are in order, all places of the table exist, and no term is of higher degree than can be counted.
+    pub(super) fn fits(&self, coefficients: usize) -> bool {
+        self.terms.is_sorted_by_key(|term| term.equation)
+            && self.terms.iter().all(|term| {
+                usize::from(term.equation) < M
+                    && usize::from(term.coefficient) < coefficients
+                    && u8::try_from(term.degree()).is_ok()
+                    && term
+                        .powers
+                        .iter()
+                        .all(|&(variable, power)| usize::from(variable) < M && power > 0)
+            })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PolynomialSystem, Term};
+
+    fn term(equation: u16, powers: &'static [(u16, u8)]) -> Term {
+        Term {
+            equation,
+            coefficient: equation,
+            powers,
+        }
+    }
+
+    #[test]
+    fn circles_are_known() {
+        for (powers, circle) in [
+            ([[(0, 2)].as_slice(), &[(3, 2)], &[(3, 1)], &[]], true),
+            ([&[(0, 2)], &[(3, 2)], &[(2, 1)], &[]], false),
+            ([&[(0, 2)], &[(0, 1), (3, 1)], &[(3, 2)], &[]], false),
+            ([&[(0, 2)], &[(3, 1)], &[(0, 1)], &[]], false),
+        ] {
+            let terms = std::vec::Vec::from(powers.map(|powers| term(0, std::boxed::Box::leak(powers.into()))));
+            let system = PolynomialSystem::<4>::new(terms.leak());
+            assert_eq!(system.is_circle(system.range(0), &[1.0]), circle, "{powers:?}");
+        }
+    }
+
+    #[test]
+    fn products_are_divided() {
+        // r c + q s + t, and a triangle
+        const SYSTEM: PolynomialSystem<6> = PolynomialSystem::new(&[
+            Term {
+                equation: 0,
+                coefficient: 0,
+                powers: &[(0, 1), (1, 1)],
+            },
+            Term {
+                equation: 0,
+                coefficient: 0,
+                powers: &[(0, 1), (4, 1)],
+            },
+            Term {
+                equation: 0,
+                coefficient: 0,
+                powers: &[(2, 1), (3, 1)],
+            },
+            Term {
+                equation: 0,
+                coefficient: 0,
+                powers: &[(5, 1)],
+            },
+            Term {
+                equation: 1,
+                coefficient: 0,
+                powers: &[(0, 1), (1, 1)],
+            },
+            Term {
+                equation: 1,
+                coefficient: 0,
+                powers: &[(1, 1), (2, 1)],
+            },
+            Term {
+                equation: 1,
+                coefficient: 0,
+                powers: &[(0, 1), (2, 1)],
+            },
+        ]);
+        let members = |equation| {
+            let range = SYSTEM.range(equation);
+            let (support, occurring) = SYSTEM.support(range, &[1.0]);
+            SYSTEM.members(range, &[1.0], &support[..occurring], 2)
+        };
+        let (first, second) = ([true, false], [false, true]);
+        assert_eq!(members(0), [first, second, first, second, second, [true; 2]]);
+        assert_eq!(members(1), [[true; 2]; 6]);
+    }
+}

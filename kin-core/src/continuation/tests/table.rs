@@ -1,0 +1,47 @@
+//! Tables of systems that are only known when the test runs.
+
+use std::boxed::Box;
+use std::vec::Vec;
+
+use super::super::{PolynomialSystem, Term};
+
+/// Terms, each with a coefficient of its own.
+#[derive(Default)]
+pub(super) struct Table {
+    terms: Vec<Term>,
+    pub(super) coefficients: Vec<f64>,
+}
+
+impl Table {
+    pub(super) fn add(&mut self, equation: usize, coefficient: f64, powers: &[(u16, u8)]) {
+        self.terms.push(Term {
+            equation: u16::try_from(equation).unwrap(),
+            coefficient: u16::try_from(self.coefficients.len()).unwrap(),
+            powers: Box::leak(powers.into()),
+        });
+        self.coefficients.push(coefficient);
+    }
+
+    /// c² + s² = 1, of the variables 2k and 2k + 1 of the angle k.
+    pub(super) fn add_angle(&mut self, equation: usize, angle: u16) {
+        self.add(equation, 1.0, &[(2 * angle, 2)]);
+        self.add(equation, 1.0, &[(2 * angle + 1, 2)]);
+        self.add(equation, -1.0, &[]);
+    }
+
+    /// A vector (x, y), turned by the angle k, in two equations.
+    pub(super) fn add_vector(&mut self, equation: usize, angle: u16, [x, y]: [f64; 2]) {
+        self.add(equation, x, &[(2 * angle, 1)]);
+        self.add(equation + 1, x, &[(2 * angle + 1, 1)]);
+        if y != 0.0 {
+            self.add(equation, -y, &[(2 * angle + 1, 1)]);
+            self.add(equation + 1, y, &[(2 * angle, 1)]);
+        }
+    }
+
+    pub(super) fn system<const M: usize>(&self) -> PolynomialSystem<M> {
+        let mut terms = self.terms.clone();
+        terms.sort_by_key(|term| term.equation);
+        PolynomialSystem::new(Box::leak(terms.into_boxed_slice()))
+    }
+}

@@ -1,0 +1,227 @@
+//! Tracking one solution while the system is deformed.
+
+use num_traits::Float;
+
+use super::complex::Complex;
+use super::homotopy::{Homotopy, Linearised};
+
+/// How closely a path is followed, relative to the size of the coordinates, which is one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Care {
+    /// The distance between prediction and path that is aimed at; twice as much is let pass.
+    pub(super) prediction: f64,
+    /// By how much the second step of Newton's method must be shorter than the first.
+    ///
+    /// By the theorem of Newton and Kantorovich that ratio, with quadratic convergence, compares the distance from
+    /// the path to the radius within which there is no other one.
+    pub(super) contraction: f64,
+}
+
+/// At first, and where it is suspected that a path has been lost.
+pub(super) const CARE: [Care; 3] = [
+    Care {
+        prediction: 1e-4,
+        contraction: 1e-2,
+    },
+    Care {
+        prediction: 1e-6,
+        contraction: 1e-3,
+    },
+    Care {
+        prediction: 1e-8,
+        contraction: 1e-3,
+    },
+];
+
+/// To this the points of a path are correct.
+const ACCURACY: f64 = 1e-10;
+/// So much rounding is put up with near singular points.
+const NOISE: f64 = 1e-9;
+/// A path that needs more steps than this is given up.
+const MOST_STEPS: usize = 5_000;
+
+/// A point that moves along a path.
+#[derive(Clone, Debug)]
+pub(super) struct Traveller<'a, const M: usize> {
+    pub(super) homotopy: Homotopy<'a, M>,
+    pub(super) point: [Complex; M],
+    pub(super) t: Complex,
+    /// The length of the next step.
+    step: f64,
+    /// dy/dt at the point.
+    tangent: [Complex; M],
+    steps: usize,
+}
+
+/// What came of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Progress {
+    /// The target is reached.
+    Arrived,
+    /// Steps became too short, or too many.
+    Stuck,
+}
+
+impl<'a, const M: usize> Traveller<'a, M> {
+    /// At a known solution, t = 1. None if there is no such solution.
+    pub(super) fn depart(mut homotopy: Homotopy<'a, M>, choice: usize, at: &mut Linearised<M>) -> Option<Self> {
+        let point = homotopy.start(choice, at)?;
+        let mut traveller = Self {
+            homotopy,
+            point,
+            t: Complex::ONE,
+            step: 0.1,
+            tangent: [Complex::ZERO; M],
+            steps: 0,
+        };
+        traveller.homotopy.pin_largest(&mut traveller.point);
+        traveller.homotopy.newton(&mut traveller.point, Complex::ONE, at)?;
+        traveller.face(at).then_some(traveller)
+    }
+
+    /// Moves towards a target on a straight line. Stops short of it where steps become shorter than the given one.
+    pub(super) fn advance(
+        &mut self,
+        target: Complex,
+        shortest: f64,
+        pin: bool,
+        care: Care,
+        at: &mut Linearised<M>,
+    ) -> Progress {
+        loop {
+            let way = target - self.t;
+            let distance = way.norm();
+            if distance == 0.0 {
+                return Progress::Arrived;
+            }
+            let last = self.step >= distance;
+            let (next, step) = if last {
+                (target, way)
+            } else {
+                let step = way.scale(self.step / distance);
+                (self.t + step, step)
+            };
+            if self.steps >= MOST_STEPS || step.norm() < shortest.min(distance) {
+                return Progress::Stuck;
+            }
+            self.steps += 1;
+            let corrected = self.predict(step, at).map(|mut point| {
+                let error = self.correct(&mut point, next, care, at);
+                (point, error)
+            });
+            match corrected {
+                Some((point, Ok(error))) => {
+                    self.point = point;
+                    self.t = next;
+                    // The Jacobian of the last correction is that of a point so near that it will do.
+                    self.homotopy.tangent(at, &mut self.tangent);
+                    // The error of the prediction grows with the fifth power of the step.
+                    let factor = Float::powf(0.5 * care.prediction / error.max(1e-3 * care.prediction), 0.2);
+                    let proposed = step.norm() * factor.min(2.0);
+                    // A step that was cut short says nothing against longer ones.
+                    self.step = if last { proposed.max(self.step) } else { proposed };
+                    if pin && !self.pin(at) {
+                        return Progress::Stuck;
+                    }
+                }
+                Some((_, Err(error))) if error.is_finite() => {
+                    let factor = Float::powf(0.5 * care.prediction / error, 0.2);
+                    self.step = step.norm() * factor.clamp(0.1, 0.5);
+                }
+                _ => self.step = 0.25 * step.norm(),
+            }
+        }
+    }
+
+    /// Pins the largest coordinate.
+    pub(super) fn pin(&mut self, at: &mut Linearised<M>) -> bool {
+        !self.homotopy.pin_largest(&mut self.point) || self.face(at)
+    }
+
+    /// Finds the tangent at the point.
+    fn face(&mut self, at: &mut Linearised<M>) -> bool {
+        self.homotopy.evaluate(&self.point, self.t, at);
+        let regular = at.factors.factorise(self.homotopy.free());
+        if regular {
+            self.homotopy.tangent(at, &mut self.tangent);
+        }
+        regular
+    }
+
+    /// The point after a step, by Runge and Kutta's method of fourth order.
+    fn predict(&self, step: Complex, at: &mut Linearised<M>) -> Option<[Complex; M]> {
+        let free = self.homotopy.free();
+        let mut slope = self.tangent;
+        let mut sum = self.tangent;
+        for (fraction, weight) in [(0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
+            let part = step.scale(fraction);
+            let mut point = self.point;
+            for (value, slope) in point[..free].iter_mut().zip(&slope) {
+                *value += *slope * part;
+            }
+            self.homotopy.evaluate(&point, self.t + part, at);
+            if !at.factors.factorise(free) {
+                return None;
+            }
+            self.homotopy.tangent(at, &mut slope);
+            for (sum, slope) in sum[..free].iter_mut().zip(&slope) {
+                *sum += slope.scale(weight);
+            }
+        }
+        let sixth = step.scale(1.0 / 6.0);
+        let mut point = self.point;
+        for (value, sum) in point[..free].iter_mut().zip(&sum) {
+            *value += *sum * sixth;
+        }
+        Some(point)
+    }
+
+    /// Newton's method; returns the error of the prediction, as an error if it is too large.
+    fn correct(&self, point: &mut [Complex; M], t: Complex, care: Care, at: &mut Linearised<M>) -> Result<f64, f64> {
+        let Some(first) = self.homotopy.newton(point, t, at) else {
+            return Err(f64::INFINITY);
+        };
+        if first.is_nan() || first > 2.0 * care.prediction {
+            return Err(first);
+        }
+        let mut before = first;
+        for _ in 0..3 {
+            if before <= ACCURACY {
+                return Ok(first);
+            }
+            let Some(next) = self.homotopy.newton(point, t, at) else {
+                return Err(f64::INFINITY);
+            };
+            if next.is_nan() || next > (before * care.contraction).max(NOISE) {
+                return Err(f64::INFINITY);
+            }
+            before = next;
+        }
+        if before <= NOISE { Ok(first) } else { Err(f64::INFINITY) }
+    }
+}
+
+impl<const M: usize> Homotopy<'_, M> {
+    /// One step of Newton's method at a fixed t, and its length; None if the Jacobian is singular.
+    pub(super) fn newton(&self, point: &mut [Complex; M], t: Complex, at: &mut Linearised<M>) -> Option<f64> {
+        let free = self.free();
+        self.evaluate(point, t, at);
+        if !at.factors.factorise(free) {
+            return None;
+        }
+        at.factors.solve(free, &mut at.value);
+        for (value, step) in point[..free].iter_mut().zip(&at.value) {
+            *value = *value - *step;
+        }
+        Some(self.size(&at.value))
+    }
+
+    /// dy/dt, by the factors of the Jacobian.
+    fn tangent(&self, at: &Linearised<M>, tangent: &mut [Complex; M]) {
+        *tangent = at.rate;
+        at.factors.solve(self.free(), tangent);
+        for rate in &mut tangent[..self.free()] {
+            *rate = -*rate;
+        }
+    }
+}

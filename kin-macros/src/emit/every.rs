@@ -1,0 +1,150 @@
+//! All assemblies of a mechanism with coupled blocks, by continuation.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::{Mechanism, attributes, formula, local};
+use crate::assemble::Mode;
+use crate::expr::Symbol;
+use crate::schedule::Expression;
+use crate::structure::System;
+
+/// The method `assemblies_at`; nothing if there is no such way to find them, or far too many.
+pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    /// A mechanism with more assemblies than this is assembled from a guess.
+    const LARGEST: usize = 4096;
+
+    let Some(stage) = &mechanism.plan.every else {
+        return TokenStream::new();
+    };
+    let all = &Mechanism {
+        goes_through_all: true,
+        ..*mechanism
+    };
+    let choices = mechanism
+        .plan
+        .choices
+        .iter()
+        .filter(|choice| matches!(choice.mode, Mode::Assembly(_)))
+        .count();
+    let paths = mechanism
+        .blocks
+        .iter()
+        .fold(1_usize << choices.min(20), |product, block| {
+            product.saturating_mul(block.all.as_ref().map_or(1, |system| system.paths))
+        });
+    if paths > LARGEST {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let (name, attributes) = (&mechanism.model.name, attributes());
+    let inputs = mechanism.input_names();
+    let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
+    let capacity = Literal::usize_unsuffixed(paths);
+    let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
+    let readings = mechanism.readings(stage, &given);
+    let body = all.position_statements(stage);
+    let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
+    let [way, position, near] = ["choices", "position", "near"].map(|name| mechanism.own(name));
+    let lines = mechanism
+        .blocks
+        .iter()
+        .filter_map(|block| Some((block, block.all.as_ref()?)))
+        .map(|(block, system)| {
+            format!(
+                " - `{}`: at most {} solutions, real and complex",
+                mechanism.names(&block.unknowns),
+                system.paths
+            )
+        });
+    let order = format!(
+        " They are told by the values of the unknowns, `[{}]`, and each is to be handed to `position` or `solve`.",
+        mechanism.unknown_order()
+    );
+    quote! {
+        #attributes
+        impl #name<::core::primitive::f64> {
+            /// All assemblies at given inputs: every regular position.
+            ///
+            #[doc = #order]
+            /// All solutions of the coupled equations are followed from those of a system whose solutions are known; see
+            /// the module `continuation` of the library for what that guarantees.
+            ///
+            #(#[doc = #lines])*
+            ///
+            /// # Errors
+            /// If a parameter or an input is not finite.
+            pub fn assemblies_at(&self, #(#inputs: ::core::primitive::f64),*)
+                -> ::core::result::Result<#runtime::Assemblies<#count, #capacity>, #runtime::SolveError>
+            {
+                #runtime::every(
+                    |#way| self.__one_of_all(#(#inputs,)* #way),
+                    |#near| match self.position_near(#(#inputs,)* #near) {
+                        ::core::result::Result::Ok(#position) => {
+                            ::core::result::Result::Ok(#position.unknowns())
+                        }
+                        ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
+                    },
+                )
+            }
+
+            fn __one_of_all(
+                &self,
+                #(#inputs: ::core::primitive::f64,)*
+                #way: &mut #runtime::Choices,
+            ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError> {
+                type T = ::core::primitive::f64;
+                #readings
+                #body
+                ::core::result::Result::Ok([#(#unknowns),*])
+            }
+        }
+    }
+}
+
+impl Mechanism<'_> {
+    /// The next solution of a block's equations.
+    pub(super) fn every_solution(
+        &self,
+        block: usize,
+        part: usize,
+        coefficients: &[Expression],
+        results: &[String],
+    ) -> TokenStream {
+        let Some(all) = &self.blocks[block].all else {
+            return TokenStream::new();
+        };
+        let runtime = self.runtime;
+        let way = self.own("choices");
+        let system = local(&format!("SYSTEM_{}", block + 1));
+        let (size, paths) = (
+            Literal::usize_unsuffixed(results.len()),
+            Literal::usize_unsuffixed(all.paths),
+        );
+        let terms = terms(runtime, all);
+        let results = results.iter().map(|name| local(name));
+        let coefficients = coefficients.iter().map(formula::tokens);
+        let failed = self.failed(part);
+        quote! {
+            const #system: #runtime::continuation::PolynomialSystem<#size> =
+                #runtime::continuation::PolynomialSystem::new(&[#(#terms),*]);
+            let [#(#results),*] = #way.solution::<#size, #paths>(&#system, &[#(#coefficients),*]) #failed;
+        }
+    }
+}
+
+fn terms<'a>(runtime: &'a TokenStream, system: &'a System) -> impl Iterator<Item = TokenStream> + 'a {
+    system.terms.iter().map(move |term| {
+        let (equation, coefficient) = (
+            Literal::usize_unsuffixed(term.equation),
+            Literal::usize_unsuffixed(term.coefficient),
+        );
+        let powers = term.powers.iter().map(|&(variable, power)| {
+            let (variable, power) = (Literal::usize_unsuffixed(variable), Literal::u32_unsuffixed(power));
+            quote!((#variable, #power))
+        });
+        quote! {
+            #runtime::continuation::Term { equation: #equation, coefficient: #coefficient, powers: &[#(#powers),*] }
+        }
+    })
+}

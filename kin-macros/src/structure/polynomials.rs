@@ -1,0 +1,237 @@
+//! A coupled block as a system of polynomials, all of whose solutions can be found.
+//!
+//! Each unknown angle becomes two variables, its cosine c and sine s, with the equation c² + s² = 1; each unknown length
+//! stays what it is. A block in which an unknown stands both inside and outside of a sine is not algebraic.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::ClosedForm;
+use super::tear::Whole;
+use crate::expr::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
+
+/// More paths than this are not followed.
+const LARGEST: usize = 1024;
+
+/// Polynomial equations for the unknowns of a block.
+pub(crate) struct System {
+    /// What the variables stand for.
+    pub(crate) variables: Vec<Variable>,
+    /// The terms, those of one equation after those of the other.
+    pub(crate) terms: Vec<Term>,
+    /// Their coefficients, free of the block's unknowns.
+    pub(crate) coefficients: Vec<Node>,
+    /// The unknowns that linear relations give, from the others.
+    pub(crate) relations: Vec<ClosedForm>,
+    /// The product of the equations' degrees.
+    pub(crate) paths: usize,
+}
+
+/// What a variable, or two of them, stand for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Variable {
+    /// Cosine and sine of an unknown angle, two variables.
+    Turning(usize),
+    /// An unknown itself.
+    Plain(usize),
+}
+
+/// A term of an equation: a coefficient, by its place, and powers of variables, by their places.
+pub(crate) struct Term {
+    pub(crate) equation: usize,
+    pub(crate) coefficient: usize,
+    pub(crate) powers: Vec<(usize, u32)>,
+}
+
+/// Powers of variables, by place.
+type Powers = BTreeMap<usize, u32>;
+
+/// The system of a block, if it is algebraic and not too large.
+pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<System> {
+    let unknowns = whole.unknowns.clone();
+    let is_member = |symbol: Symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
+    let polynomials: Vec<Polynomial> = whole
+        .equations
+        .iter()
+        .map(|&equation| Expansion::new(graph, &is_member).equation(equation))
+        .collect();
+    let (mut turning, mut plain) = (BTreeSet::new(), BTreeSet::new());
+    for monomial in polynomials.iter().flat_map(|polynomial| polynomial.0.keys()) {
+        for (&atom, &power) in &monomial.powers {
+            let Some(Symbol::Unknown(unknown)) = graph.as_symbol(atom) else {
+                return None;
+            };
+            if power < 0 {
+                return None;
+            }
+            plain.insert(unknown);
+        }
+        if let Harmonic::Cosine(angle) | Harmonic::Sine(angle) = &monomial.harmonic {
+            turning.extend(angle.0.iter().filter_map(|&(symbol, _)| match symbol {
+                Symbol::Unknown(unknown) => Some(unknown),
+                _ => None,
+            }));
+        }
+    }
+    if !turning.is_disjoint(&plain) {
+        return None;
+    }
+    let mut places = BTreeMap::new();
+    let mut variables = Vec::new();
+    let mut count = 0;
+    for &unknown in &unknowns {
+        places.insert(unknown, count);
+        if turning.contains(&unknown) {
+            variables.push(Variable::Turning(unknown));
+            count += 2;
+        } else {
+            variables.push(Variable::Plain(unknown));
+            count += 1;
+        }
+    }
+    let mut system = System {
+        variables,
+        terms: Vec::new(),
+        coefficients: Vec::new(),
+        relations: whole.relations,
+        paths: 1,
+    };
+    let mut equations = 0;
+    for polynomial in &polynomials {
+        system.equation(graph, equations, polynomial, &places);
+        equations += 1;
+    }
+    let one = graph.one();
+    let minus_one = graph.number(-1.0);
+    for unknown in turning {
+        let place = places[&unknown];
+        for square in [place, place + 1] {
+            system.term(equations, one, Powers::from([(square, 2)]));
+        }
+        system.term(equations, minus_one, Powers::new());
+        equations += 1;
+    }
+    for equation in 0..equations {
+        let degree = system
+            .terms
+            .iter()
+            .filter(|term| term.equation == equation)
+            .map(|term| term.powers.iter().map(|&(_, power)| power as usize).sum())
+            .max()
+            .unwrap_or(0);
+        system.paths = system.paths.saturating_mul(degree);
+    }
+    (1..=LARGEST).contains(&system.paths).then_some(system)
+}
+
+impl System {
+    /// Adds the terms of an equation.
+    fn equation(
+        &mut self,
+        graph: &mut Graph,
+        equation: usize,
+        polynomial: &Polynomial,
+        places: &BTreeMap<usize, usize>,
+    ) {
+        // like terms of different harmonics, such as those of a double angle, are collected
+        let mut collected: BTreeMap<Powers, Node> = BTreeMap::new();
+        for (monomial, &coefficient) in &polynomial.0 {
+            for (powers, factor) in expanded(graph, monomial, places) {
+                let scaled = graph.scale(factor, coefficient);
+                let before = collected.get(&powers).copied().unwrap_or_else(|| graph.zero());
+                collected.insert(powers, graph.add(before, scaled));
+            }
+        }
+        for (powers, coefficient) in collected {
+            if !graph.is_zero(coefficient) {
+                self.term(equation, coefficient, powers);
+            }
+        }
+    }
+
+    fn term(&mut self, equation: usize, coefficient: Node, powers: Powers) {
+        let place = self
+            .coefficients
+            .iter()
+            .position(|&known| known == coefficient)
+            .unwrap_or_else(|| {
+                self.coefficients.push(coefficient);
+                self.coefficients.len() - 1
+            });
+        self.terms.push(Term {
+            equation,
+            coefficient: place,
+            powers: powers.into_iter().collect(),
+        });
+    }
+}
+
+/// A monomial in the variables.
+fn expanded(graph: &Graph, monomial: &Monomial, places: &BTreeMap<usize, usize>) -> Vec<(Powers, f64)> {
+    let mut plain = Powers::new();
+    for (&atom, &power) in &monomial.powers {
+        if let Some(Symbol::Unknown(unknown)) = graph.as_symbol(atom) {
+            plain.insert(places[&unknown], power.unsigned_abs());
+        }
+    }
+    let parts = match &monomial.harmonic {
+        Harmonic::One => return vec![(plain, 1.0)],
+        Harmonic::Cosine(angle) => turned(angle, places).0,
+        Harmonic::Sine(angle) => turned(angle, places).1,
+    };
+    parts
+        .into_iter()
+        .map(|(mut powers, factor)| {
+            for (&place, &power) in &plain {
+                *powers.entry(place).or_insert(0) += power;
+            }
+            (powers, factor)
+        })
+        .collect()
+}
+
+/// A polynomial with numbers for coefficients.
+type Numeric = BTreeMap<Powers, f64>;
+
+/// cos and sin of an integer combination of angles as polynomials in their cosines and sines: the parts of
+/// Π (c + i s)ⁿ, with the conjugate for negative n.
+fn turned(angle: &Angle, places: &BTreeMap<usize, usize>) -> (Numeric, Numeric) {
+    let mut cosine = Numeric::from([(Powers::new(), 1.0)]);
+    let mut sine = Numeric::new();
+    for &(symbol, multiple) in &angle.0 {
+        let Symbol::Unknown(unknown) = symbol else {
+            continue;
+        };
+        let place = places[&unknown];
+        let sign = f64::from(multiple.signum());
+        for _ in 0..multiple.abs() {
+            // (cosine + i sine) (c ± i s)
+            let next = (
+                sum(&times(&cosine, place, 1.0), &times(&sine, place + 1, -sign)),
+                sum(&times(&sine, place, 1.0), &times(&cosine, place + 1, sign)),
+            );
+            (cosine, sine) = next;
+        }
+    }
+    (cosine, sine)
+}
+
+/// A polynomial times a variable and a number.
+fn times(polynomial: &Numeric, place: usize, factor: f64) -> Numeric {
+    polynomial
+        .iter()
+        .map(|(powers, value)| {
+            let mut powers = powers.clone();
+            *powers.entry(place).or_insert(0) += 1;
+            (powers, factor * value)
+        })
+        .collect()
+}
+
+fn sum(left: &Numeric, right: &Numeric) -> Numeric {
+    let mut sum = left.clone();
+    for (powers, value) in right {
+        *sum.entry(powers.clone()).or_insert(0.0) += value;
+    }
+    sum.retain(|_, value| *value != 0.0);
+    sum
+}
