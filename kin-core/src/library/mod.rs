@@ -3,18 +3,44 @@
 //! Every file is also an example of the declaration language: what stands in `mechanism!` is all that was written by
 //! hand.
 
+mod andrews_squeezer;
 mod approximate_slider_crank;
+mod chebyshev_linkage;
+mod five_bar;
 mod four_bar;
 mod freudenstein_four_bar;
 mod geometric_four_bar;
+mod hoeken_linkage;
 mod inverted_slider_crank;
+mod jansen_leg;
+mod klann_leg;
+mod pantograph;
+mod peaucellier_linkage;
+mod roberts_linkage;
+mod scotch_yoke;
 mod slider_crank;
 mod slider_crank_series;
+mod stephenson_six_bars;
+mod watt_six_bars;
+mod whitworth_quick_return;
 
+pub use andrews_squeezer::*;
 pub use approximate_slider_crank::*;
+pub use chebyshev_linkage::*;
+pub use five_bar::*;
 pub use four_bar::*;
 pub use freudenstein_four_bar::*;
 pub use geometric_four_bar::*;
+pub use hoeken_linkage::*;
 pub use inverted_slider_crank::*;
+pub use jansen_leg::*;
+pub use klann_leg::*;
+pub use pantograph::*;
+pub use peaucellier_linkage::*;
+pub use roberts_linkage::*;
+pub use scotch_yoke::*;
 pub use slider_crank::*;
 pub use slider_crank_series::SliderCrankSeries;
+pub use stephenson_six_bars::*;
+pub use watt_six_bars::*;
+pub use whitworth_quick_return::*;

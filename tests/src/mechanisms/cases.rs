@@ -1,5 +1,6 @@
 //! Every test mechanism with dimensions and inputs for which it closes.
 
+use kin_core::library;
 use kin_core::prelude::*;
 
 use super::{
@@ -213,5 +214,40 @@ groups! {
         FourBarOutputs [90.0, 30.0, 60.0, 45.0, 25.0, 15.0] at [-1.9, 1.9];
         OutputOutsideDomain [1.5] at [1.8, 5.0];
         ClosureOutsideDomain [1.5] at [0.3, 5.0];
+    }
+
+    /// The library's mechanisms, with published dimensions where there are any.
+    library of library {
+        FourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        GeometricFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FreudensteinFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        SliderCrank [1.0, 3.0] at [-3.1, 3.1];
+        OffsetSliderCrank [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        InvertedSliderCrank [2.0, 0.8] at [-3.1, 3.1];
+        SliderCrankFirstApproximation [1.0, 3.5] at [-3.1, 3.1];
+        SliderCrankHigherApproximation [1.0, 3.5] at [-3.1, 3.1];
+        WhitworthQuickReturn [0.05, 0.12, 0.15, 0.5] at [-3.1, 3.1];
+        ScotchYoke [2.0, 1.4] at [-3.1, 3.1];
+        ChebyshevLinkage [4.0, 5.0, 2.0] at [0.7, 1.7];
+        HoekenLinkage [2.0, 1.0, 2.5] at [-3.1, 3.1];
+        RobertsLinkage [1.0, 1.2] at [0.6, 1.4];
+        PeaucellierLinkage [2.0, 2.0, 6.0, 4.0] at [-1.8, 1.8];
+        Pantograph [2.0, 1.5, 2.5] at [0.5, 2.2] [-1.5, 1.5];
+        FiveBar [2.0, 1.5, 2.0, 2.0, 1.5] at [0.2, 2.9] [0.3, 3.0];
+        GearedFiveBar [2.0, 0.5, 2.5, 2.5, 0.5, -2.0, 0.7] at [-3.1, 3.1];
+        WattI [4.0, 1.0, 3.0, 2.5, 1.5, 0.8, 2.0, 1.5, 2.5, 2.0] at [-3.1, 3.1];
+        WattII [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
+        StephensonI [4.0, 1.0, 3.0, 2.5, 0.5, 1.0, 1.5, 1.0, 2.5, 2.0] at [-3.1, 3.1];
+        StephensonIIByElbow [4.0, 2.0, 1.5, 1.2, 3.0, 0.3, 1.0, 0.5, 1.6, 3.0] at [-3.1, 3.1];
+        StephensonIII [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 3.0, 5.0, 3.0, 2.5] at [-3.1, 3.1];
+        KlannLeg [
+            0.268, 0.59, 0.5221, 0.2241, -0.59, -0.176, 0.3206, -0.233, 0.616, 0.5177, 0.8966, 0.8966, 2.618
+        ] at [-3.1, 3.1];
+        JansenLeg [
+            38.0, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49.0, 50.0, 61.9, 7.8, 15.0
+        ] at [-3.1, 3.1];
+        AndrewsSqueezer [
+            0.007, 0.028, 0.035, 0.02, 0.04, 0.02, 0.04, -0.06934, -0.00227, -0.03635, 0.03273
+        ] at [-1.0, 1.0];
     }
 }
