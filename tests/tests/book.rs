@@ -3,11 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use kin_core::library::{
-    FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank,
-    SliderCrankFirstApproximation, SliderCrankHigherApproximation,
-};
+use kin_core::library::FourBar;
 use kin_core::{Mechanism, Operations};
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -140,25 +138,26 @@ fn row<M: Mechanism>() -> String {
     )
 }
 
-/// The library's table of operations is what the mechanisms say of themselves.
+/// The library's tables are what the mechanisms say of themselves.
 #[test]
 fn tables_of_operations_are_up_to_date() {
-    let library = read("docs/library.md");
-    for row in [
-        row::<FourBar>(),
-        row::<GeometricFourBar>(),
-        row::<FreudensteinFourBar>(),
-        row::<SliderCrank>(),
-        row::<OffsetSliderCrank>(),
-        row::<InvertedSliderCrank>(),
-        row::<SliderCrankFirstApproximation>(),
-        row::<SliderCrankHigherApproximation>(),
-    ] {
-        assert!(
-            library.lines().any(|line| line == row),
-            "docs/library.md should say\n{row}"
-        );
+    struct Rows(String);
+    impl Visitor for Rows {
+        fn visit<M: ThroughSnap>(&mut self, _: Case) {
+            let row = row::<M>();
+            assert!(
+                self.0.lines().any(|line| line == row),
+                "docs/library.md should say\n{row}"
+            );
+            let unknowns: Vec<&str> = M::DESCRIPTION.unknowns.iter().map(|unknown| unknown.name).collect();
+            let start = format!("| `{}` | {} | ", M::DESCRIPTION.name, unknowns.join(", "));
+            assert!(
+                self.0.lines().any(|line| line.starts_with(&start)),
+                "docs/library.md should have a line\n{start}"
+            );
+        }
     }
+    cases::library(&mut Rows(read("docs/library.md")));
     let orders: Vec<String> = FourBar::OPERATIONS
         .iter()
         .map(|order| order.arithmetic().to_string())

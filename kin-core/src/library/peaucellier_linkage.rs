@@ -16,6 +16,8 @@ crate::mechanism! {
     ///
     /// Each of the three dyads has two assemblies. The rhombus is open if the two arms are assembled differently, and
     /// the tracer is the corner away from C: [`STRAIGHT`](PeaucellierLinkage::STRAIGHT).
+    /// It is so for the whole motion if arm² - side² > 4 `ground`²; else the pin C can meet the tracer, where the rhombus
+    /// collapses.
     ///
     /// ```
     /// use kin_core::library::PeaucellierLinkage;

@@ -1,0 +1,543 @@
+//! What is published of the library's mechanisms, and what their geometry says exactly.
+//!
+//! Both oracles are run over the whole library in `oracles_of_every_form`.
+
+use core::f64::consts::PI;
+
+use kin_core::library::*;
+use kin_core::prelude::*;
+use kin_tests::compare::{assert_agree, turned_back};
+use kin_tests::mechanisms::cases::ThroughSnap;
+use kin_tests::oracles::{ALLOWED, Gauge};
+use kin_tests::random::Random;
+
+type Path = Motion<Plane, 5>;
+
+/// Crank motions with random rates, evenly spread.
+fn cranks(low: f64, high: f64, seed: u64) -> Vec<Motion> {
+    let mut random = Random::new(seed);
+    (0..60)
+        .map(|step| low + (high - low) * (f64::from(step) + 0.5) / 60.0)
+        .map(|angle| Motion::new(random.motion(angle)))
+        .collect()
+}
+
+/// The error that the links of lengths `links`, at angles with the places `angles` among the unknowns, leave in a point.
+fn point_unit<M: ThroughSnap>(
+    mechanism: &M,
+    inputs: M::Inputs<Motion>,
+    unknowns: &M::Unknowns<Motion>,
+    links: &[(f64, usize)],
+    order: usize,
+) -> f64 {
+    let gauge = Gauge::new(mechanism, &inputs, unknowns);
+    let links: f64 = links
+        .iter()
+        .map(|(length, angle)| length * gauge.unknown(*angle, order))
+        .sum();
+    ALLOWED[order] * links
+}
+
+/// The points that a crank's angles in degrees give.
+fn points(degrees: impl Iterator<Item = f64>, point: impl Fn(f64) -> Plane) -> Vec<Plane> {
+    degrees.map(|angle| point(angle.to_radians())).collect()
+}
+
+/// The largest extent of points along x and along y.
+fn extent(points: &[Plane]) -> Plane {
+    let spread = |coordinate: fn(&Plane) -> f64| {
+        let low = points.iter().map(coordinate).fold(f64::INFINITY, f64::min);
+        points.iter().map(coordinate).fold(f64::NEG_INFINITY, f64::max) - low
+    };
+    Plane::new(spread(|point| point.x), spread(|point| point.y))
+}
+
+/// Asserts that a figure is the published one, to the digits that are printed.
+#[track_caller]
+fn assert_printed(own: f64, printed: f64, last_digit: f64) {
+    assert!(
+        (own - printed).abs() <= 0.5 * last_digit,
+        "{own} is not printed as {printed}"
+    );
+}
+
+/// Hairer and Wanner's initial position, to its printed digits.
+#[test]
+fn andrews_position() {
+    let squeezer = AndrewsSqueezer::PUBLISHED;
+    let position = squeezer
+        .position(0.0, AndrewsSqueezer::PUBLISHED_ASSEMBLY)
+        .expect("it is published");
+    let motion = squeezer
+        .solve(Motion::constant(0.0), AndrewsSqueezer::PUBLISHED_ASSEMBLY)
+        .expect("it closes");
+    let gauge = Gauge::new(&squeezer, &[Motion::constant(0.0)], &motion.unknown_motions());
+    let published = [
+        -0.061_713_890_014_276_45,
+        0.455_279_819_163_070_4,
+        0.222_668_390_165_885_9,
+        0.487_364_979_543_842_55,
+        -0.222_668_390_165_885_9,
+        1.230_547_444_549_821_2,
+    ];
+    let own = [
+        position.beta,
+        position.gamma,
+        position.phi,
+        position.delta,
+        position.omega,
+        position.epsilon,
+    ]
+    .map(|angle| angle.value());
+    for (index, (own, published)) in own.into_iter().zip(published).enumerate() {
+        let difference = (own - published).abs();
+        assert!(difference <= ALLOWED[0] * gauge.unknown(index, 0), "{own} {published}");
+        // and in plain digits
+        assert!(difference < 5e-16, "{own} {published}");
+    }
+}
+
+/// At rest only what the crank's rod moves is accelerated: Hairer and Wanner's initial accelerations.
+#[test]
+fn andrews_start() {
+    let start = Motion::from((0.0, 0.0, -10_666.832_939_965_585, 0.0, 0.0));
+    let squeezer = AndrewsSqueezer::PUBLISHED;
+    let pose = squeezer
+        .solve(start, AndrewsSqueezer::PUBLISHED_ASSEMBLY)
+        .expect("it closes");
+    let gauge = Gauge::new(&squeezer, &[start], &pose.unknown_motions());
+    let published = [14_222.443_919_954_114, 0.0, 0.0, 0.0, 0.0, 0.0];
+    for (index, (own, published)) in pose.unknown_motions().into_iter().zip(published).enumerate() {
+        assert_eq!(own.velocity(), 0.0);
+        assert!(
+            (own.acceleration() - published).abs() <= ALLOWED[2] * gauge.unknown(index, 2),
+            "{}, {published}",
+            own.acceleration()
+        );
+    }
+}
+
+/// The state after 0.03 s of F. Mazzia and C. Magherini's Test Set for Initial Value Problem Solvers, Bari 2008: given
+/// the motion of theta to the acceleration, those of the other angles follow.
+#[test]
+fn andrews_after_integration() {
+    let theta = Motion::from((
+        -15.756_371_059_842_98,
+        -1_424.379_294_994_111,
+        51_850.377_016_103_29,
+        0.0,
+        0.0,
+    ));
+    // beta, gamma, phi, delta, omega, epsilon: value, velocity, acceleration
+    let published: [[f64; 3]; 6] = [
+        [15.810_771_196_299_04, 1_139.920_302_151_208, -24_631.763_166_951_96],
+        [0.040_822_240_130_731_01, 11.032_912_219_371_34, 324_102.564_137_812_6],
+        [-0.534_730_116_322_694_8, 19.293_374_644_213_85, 566_749.364_517_621_3],
+        [0.524_409_965_880_530_4, 0.573_569_928_479_080_8, 16_743.629_294_793_61],
+        [0.534_730_116_322_694_8, -19.293_374_644_213_85, -566_749.364_517_622_2],
+        [1.048_080_741_042_263, 0.323_179_165_802_695_5, 9_826.520_791_458_422],
+    ];
+    let pose = AndrewsSqueezer::PUBLISHED
+        .solve(theta, AndrewsSqueezer::PUBLISHED_ASSEMBLY)
+        .expect("it closes");
+    // the constraints hold for the published positions; velocities and accelerations are as good as the integration,
+    // which did not impose the constraints on them
+    let largest = |order: usize| published.iter().map(|state| state[order].abs()).fold(0.0, f64::max);
+    let allowed = [0.0, 1e-10 * largest(1), 1e-6 * largest(2)];
+    for (own, published) in pose.unknown_motions().into_iter().zip(published) {
+        assert!(turned_back(own.value() - published[0]).abs() <= 8.0 * f64::EPSILON * published[0].abs());
+        for order in [1, 2] {
+            let difference = own.derivatives()[order] - published[order];
+            assert!(difference.abs() <= allowed[order], "order {order}: {difference}");
+        }
+    }
+}
+
+/// The traced point stays on the line x = (arm² - side²) / (2 ground) at every order, in both assemblies that do so.
+#[test]
+fn peaucellier_is_straight() {
+    let mut random = Random::new(41);
+    let mirrored = PeaucellierLinkageAssembly {
+        alpha_gamma: Assembly::Crossed,
+        beta_delta: Assembly::Open,
+        epsilon_zeta: Assembly::Crossed,
+    };
+    let mut count = 0;
+    for _ in 0..8 {
+        // arm² - side² > 4 ground²: the tracer never meets the crank's pin
+        let ground = random.between(1.8, 2.1);
+        let linkage = PeaucellierLinkage {
+            ground,
+            crank: ground,
+            arm: random.between(5.9, 6.1),
+            side: random.between(3.9, 4.1),
+        };
+        let line = (linkage.arm * linkage.arm - linkage.side * linkage.side) / (2.0 * ground);
+        for crank in cranks(-1.7, 1.7, 42) {
+            for assembly in [PeaucellierLinkage::STRAIGHT, mirrored] {
+                let pose = linkage.solve(crank, assembly).expect("it reaches");
+                let links = [(linkage.arm, 0), (linkage.side, 4)];
+                for (order, x) in pose.tracer.x().derivatives().into_iter().enumerate() {
+                    let unit = point_unit(&linkage, [crank], &pose.unknown_motions(), &links, order);
+                    let deviation = if order == 0 { x - line } else { x };
+                    assert!(deviation.abs() <= unit, "order {order}: {deviation} beside {unit}");
+                }
+                // it moves on the line, and is the inverse of the crank's pin
+                assert!(pose.tracer.y().velocity().abs() > 0.1 * crank.velocity().abs());
+                let pin = ground * (2.0 + 2.0 * crank.value().cos()).sqrt();
+                let tracer = pose.tracer.position().norm_squared().sqrt();
+                let power = linkage.arm * linkage.arm - linkage.side * linkage.side;
+                assert!((pin * tracer - power).abs() < 1e-11 * power);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 500, "{count}");
+}
+
+/// The pen's motion is the tracer's, enlarged, at every order.
+#[test]
+fn pantograph_is_similar() {
+    let mirrored = PantographAssembly {
+        alpha_gamma: Assembly::Crossed,
+        beta_delta: Assembly::Crossed,
+    };
+    let mut random = Random::new(43);
+    for factor in [1.5, 2.5, 7.0] {
+        let pantograph = Pantograph {
+            upper: 2.0,
+            lower: 1.5,
+            factor,
+        };
+        for x in cranks(0.7, 2.3, 44) {
+            let y = Motion::new(random.motion(0.8));
+            for assembly in [Pantograph::SIMILAR, mirrored] {
+                let pose = pantograph.solve(x, y, assembly).expect("it reaches");
+                let links = [(factor * 2.0, 0), (factor * 1.5, 2)];
+                for (pen, tracer) in [(pose.pen.x(), x), (pose.pen.y(), y)] {
+                    for order in 0..5 {
+                        let unit = point_unit(&pantograph, [x, y], &pose.unknown_motions(), &links, order);
+                        let deviation = pen.derivatives()[order] - factor * tracer.derivatives()[order];
+                        assert!(deviation.abs() <= unit, "order {order}: {deviation} beside {unit}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn chebyshev(angle: f64) -> Plane {
+    ChebyshevLinkage::PUBLISHED
+        .position(angle, Assembly::Crossed)
+        .expect("it closes")
+        .tracer
+        .value()
+}
+
+fn hoeken(linkage: HoekenLinkage, angle: f64) -> Plane {
+    linkage
+        .position(angle, Assembly::Open)
+        .expect("the crank turns fully")
+        .tracer
+        .value()
+}
+
+/// Three exact points, and less than 0.01 beside the line between them: 0.244 % of the stroke.
+#[test]
+fn chebyshev_line() {
+    for (angle, x) in [(PI / 2.0, 0.0), (f64::atan2(4.0, 3.0), 2.0)] {
+        let tracer = chebyshev(angle);
+        assert!((tracer.x - x).abs() < 1e-14 && (tracer.y - 4.0).abs() < 1e-14);
+    }
+    // the right end is a limit position, at which a position is found to half of its digits
+    let end = chebyshev(f64::atan2(3.0, 4.0) + 1e-12);
+    assert!((end.x - 4.0).abs() < 1e-5 && (end.y - 4.0).abs() < 1e-5);
+
+    let stroke = points((37..=90).map(f64::from), chebyshev);
+    assert_printed(100.0 * extent(&stroke).y / 4.0, 0.244, 0.01);
+}
+
+/// Three exact points, the same departure, and one of Norton's rows of ratios.
+#[test]
+fn hoeken_line() {
+    let linkage = HoekenLinkage::PUBLISHED;
+    for (degrees, x) in [(90.0_f64, 4.0), (180.0, 2.0), (270.0, 0.0)] {
+        let tracer = hoeken(linkage, degrees.to_radians());
+        assert!((tracer.x - x).abs() < 2e-15 && (tracer.y - 4.0).abs() < 2e-15);
+    }
+    let stroke = points((900..=2700).map(|tenth| f64::from(tenth) / 10.0), |angle| {
+        hoeken(linkage, angle)
+    });
+    assert_printed(100.0 * extent(&stroke).y / 4.0, 0.244, 0.001);
+
+    let longer = HoekenLinkage {
+        ground: 2.5,
+        crank: 1.0,
+        coupler: 3.25,
+    };
+    let line = points([110.0, 250.0].into_iter(), |angle| hoeken(longer, angle));
+    assert_printed(extent(&line).x, 3.623, 0.001);
+}
+
+/// A point of Hoeken's curve lies on Chebyshev's: with the coupler's direction (c, s), both arms' lengths give a linear
+/// equation for c and s, and their solution is a direction.
+#[test]
+fn hoeken_and_chebyshev_draw_one_curve() {
+    for degrees in (0..360).step_by(7) {
+        let p = hoeken(HoekenLinkage::PUBLISHED, f64::from(degrees).to_radians());
+        // the two ends of the coupler: |p + (c, s)| = 5 and |p - (c, s) - (4, 0)| = 5, or the other way round
+        let q = Plane::new(p.x - 4.0, p.y);
+        let first = (24.0 - p.norm_squared()) / 2.0;
+        let second = (q.norm_squared() - 24.0) / 2.0;
+        let determinant = p.cross(q);
+        let c = (first * q.y - p.y * second) / determinant;
+        let s = (p.x * second - first * q.x) / determinant;
+        assert!((c * c + s * s - 1.0).abs() < 1e-12, "at {degrees}°: {}", c * c + s * s);
+    }
+}
+
+/// Three exact points, and the departures that its documentation gives.
+#[test]
+fn roberts_line() {
+    for (arm, percent) in [(1.2_f64, 0.68), (2.0, 0.11)] {
+        let linkage = RobertsLinkage { base: 1.0, arm };
+        let at = |angle: f64| {
+            linkage
+                .position(angle, Assembly::Open)
+                .expect("it closes")
+                .tracer
+                .value()
+        };
+        let right = (1.0 / arm).acos();
+        let left = right + 2.0 * (0.5 / arm).asin();
+        let middle = (0.5 / arm).acos();
+        for (angle, x) in [(left, 0.0), (middle, 1.0), (right, 2.0)] {
+            let tracer = at(angle);
+            assert!((tracer.x - x).abs() < 1e-14 && tracer.y.abs() < 1e-14, "{tracer:?}");
+        }
+        let departure = (0..=1000)
+            .map(|step| at(right + (left - right) * f64::from(step) / 1000.0).y.abs())
+            .fold(0.0, f64::max);
+        assert_printed(100.0 * departure / 2.0, percent, 0.01);
+    }
+}
+
+/// The patent's coordinates, stride and straightness, and the step height of Klann's table.
+#[test]
+fn klann_step() {
+    let leg = KlannLeg::PATENT;
+    let foot = |angle: f64| {
+        let foot = leg.position(angle, KlannLeg::WALKING).expect("it walks").foot.value();
+        // from the crank's axle to the patent's origin
+        Plane::new(foot.x + 1.599, foot.y + 0.75)
+    };
+    for (angle, x) in [(0.0, 1.0), (PI, 0.0)] {
+        assert_printed(foot(angle).x, x, 0.001);
+        assert_printed(foot(angle).y, 0.0, 0.001);
+    }
+    let straight = extent(&points((0..=180).map(f64::from), foot));
+    assert_printed(100.0 * straight.y, 5.5, 0.1);
+    let path = extent(&points((0..360).map(f64::from), foot));
+    assert_printed(100.0 * path.y / path.x, 52.3, 0.1);
+}
+
+/// The leg turns fully, its triangles keep their sides, and the path has the figures of the documentation.
+#[test]
+fn jansen_step() {
+    let leg = JansenLeg::HOLY_NUMBERS;
+    let mut path = Vec::new();
+    for step in 0..3600 {
+        let angle = f64::from(step).to_radians() / 10.0;
+        let position = leg.position(angle, JansenLeg::WALKING).expect("it walks");
+        let link = |length: f64, angle: f64| Plane::new(length * angle.cos(), length * angle.sin());
+        let pivot = Plane::new(-leg.a, -leg.l);
+        let upper = pivot + link(leg.b, position.angle_b.value());
+        let knee = pivot + link(leg.c, position.angle_c.value());
+        let corner = knee + link(leg.g, position.angle_g.value());
+        let outer = corner - link(leg.f, position.angle_f.value());
+        let pin = link(leg.m, angle);
+        let foot = position.foot.value();
+        for (from, to, length) in [
+            (pin, upper, leg.j),
+            (pin, knee, leg.k),
+            (pivot, outer, leg.d),
+            (upper, outer, leg.e),
+            (knee, foot, leg.i),
+            (corner, foot, leg.h),
+        ] {
+            let distance = (to - from).norm_squared().sqrt();
+            assert!((distance - length).abs() < 1e-12, "{distance} {length}");
+        }
+        // the foot is the lowest point
+        assert!(foot.y < knee.y.min(corner.y).min(outer.y));
+        path.push(foot);
+    }
+    assert_printed(extent(&path).x, 67.9, 0.1);
+    assert_printed(extent(&path).y, 22.5, 0.1);
+    let low = path.iter().map(|foot| foot.y).fold(f64::INFINITY, f64::min);
+    path.retain(|foot| foot.y < low + 1.0);
+    assert_printed(extent(&path).x, 57.4, 0.1);
+    assert_printed(f64::from(u32::try_from(path.len()).expect("a few")) / 10.0, 155.0, 1.0);
+}
+
+/// The strokes take 180° and the angle of the pivots to either side, and the ram reverses between them.
+#[test]
+fn whitworth_time_ratio() {
+    for ground in [0.02, 0.05, 0.08] {
+        let press = WhitworthQuickReturn {
+            ground,
+            crank: 0.1,
+            arm: 0.15,
+            rod: 0.5,
+        };
+        let delta = (ground / press.crank).asin();
+        let speed = |angle: f64| {
+            press
+                .solve(Motion::at_constant_speed(angle, 1.0), Assembly::Open)
+                .expect("it turns")
+                .ram
+                .velocity()
+        };
+        for reversal in [-delta, PI + delta] {
+            assert!(speed(reversal).abs() < 1e-15);
+        }
+        for step in 1..100 {
+            let part = f64::from(step) / 100.0;
+            assert!(speed(-delta + part * (PI + 2.0 * delta)) < 0.0);
+            assert!(speed(PI + delta + part * (PI - 2.0 * delta)) > 0.0);
+        }
+    }
+}
+
+/// The yoke's motion by the rule of sines, for any motion of the crank.
+#[test]
+fn scotch_yoke_is_harmonic() {
+    for gamma in [PI / 2.0, 1.0, 2.2] {
+        let yoke = ScotchYoke { crank: 2.0, gamma };
+        for crank in cranks(-PI, PI, 45) {
+            let own = yoke.solve(crank).expect("it turns");
+            let gauge = Gauge::new(&yoke, &[crank], &own.unknown_motions());
+            let (sine, cosine) = crank.sin_cos();
+            let expected = cosine.scale(2.0) - sine.scale(2.0 / gamma.tan());
+            assert_agree("x", own.x, expected, false, &[(&gauge, 0)]);
+        }
+    }
+}
+
+/// Cartwright's line, and rods that do not turn with equal cranks at equal speed.
+#[test]
+fn geared_five_bars() {
+    let mut linkage = GearedFiveBar {
+        r1: 2.0,
+        r2: 0.5,
+        r3: 2.5,
+        r4: 2.5,
+        r5: 0.5,
+        ratio: -1.0,
+        phase: PI,
+    };
+    for crank in cranks(-PI, PI, 46) {
+        for assembly in Assembly::BOTH {
+            let pose = linkage.solve(crank, assembly).expect("it turns");
+            for (order, x) in pose.tool.x().derivatives().into_iter().enumerate() {
+                let unit = point_unit(&linkage, [crank], &pose.unknown_motions(), &[(2.5, 0), (0.5, 0)], order);
+                let deviation = if order == 0 { x - 1.0 } else { x };
+                assert!(deviation.abs() <= unit, "order {order}: {deviation} beside {unit}");
+            }
+        }
+    }
+    linkage.ratio = 1.0;
+    linkage.phase = 0.0;
+    for crank in cranks(-PI, PI, 47) {
+        let pose = linkage.solve(crank, Assembly::Open).expect("it turns");
+        let gauge = Gauge::new(&linkage, &[crank], &pose.unknown_motions());
+        for order in 1..5 {
+            for (index, rod) in [pose.theta3, pose.theta4].into_iter().enumerate() {
+                assert!(rod.derivatives()[order].abs() <= ALLOWED[order] * gauge.unknown(index, order));
+            }
+        }
+    }
+}
+
+/// In mirror image the hand of a five-bar linkage moves in mirror image, for any motion of its cranks.
+#[test]
+fn five_bar_mirrors() {
+    let robot = FiveBar {
+        ground: 2.0,
+        left: 1.5,
+        left_rod: 2.0,
+        right_rod: 1.8,
+        right: 1.3,
+    };
+    let mirrored = FiveBar {
+        ground: 2.0,
+        left: 1.3,
+        left_rod: 1.8,
+        right_rod: 2.0,
+        right: 1.5,
+    };
+    let half = Motion::constant(PI);
+    for (alpha, beta) in cranks(1.2, 2.4, 48).into_iter().zip(cranks(0.7, 1.9, 49)) {
+        let own = robot.solve(alpha, beta, Assembly::Open).expect("it reaches");
+        let other = mirrored
+            .solve(half - beta, half - alpha, Assembly::Open)
+            .expect("so does its mirror image");
+        let links = [(2.0, 0), (1.8, 1)];
+        for order in 0..5 {
+            let unit = point_unit(&robot, [alpha, beta], &own.unknown_motions(), &links, order);
+            let (hand, image): (Path, Path) = (own.hand, other.hand);
+            let across = hand.derivatives()[order].x + image.derivatives()[order].x;
+            let along = hand.derivatives()[order].y - image.derivatives()[order].y;
+            let across = if order == 0 { across - robot.ground } else { across };
+            assert!(across.abs() <= 2.0 * unit && along.abs() <= 2.0 * unit, "order {order}");
+        }
+    }
+}
+
+/// Every mechanism whose crank turns fully keeps its assembly for the whole turn, with the input at every degree.
+#[test]
+fn full_turns() {
+    fn turn<M: ThroughSnap>(mechanism: M, assembly: M::Assembly) {
+        let mut last: Option<Vec<f64>> = None;
+        for degrees in 0..=360 {
+            let crank = f64::from(degrees).to_radians();
+            let inputs = M::Inputs::from_fn(|_| Motion::at_constant_speed(crank, 1.0));
+            let pose = mechanism.solve_motion(inputs, assembly).expect("it turns");
+            let unknowns: Vec<f64> = pose.unknown_motions().as_ref().iter().map(Motion::value).collect();
+            assert_eq!(
+                mechanism.assembly_near(M::Inputs::from_fn(|_| crank), M::Unknowns::from_fn(|i| unknowns[i])),
+                assembly,
+                "{} at {degrees}°",
+                M::DESCRIPTION.name
+            );
+            // no jump: a degree changes no angle and no length by more than its own rate allows
+            if let Some(last) = last {
+                for ((own, before), motion) in unknowns.iter().zip(last).zip(pose.unknown_motions().as_ref()) {
+                    let step = 1_f64.to_radians();
+                    let allowed = step * (motion.velocity().abs() + step * motion.acceleration().abs() + 0.1);
+                    let change = turned_back(own - before);
+                    assert!(change.abs() <= allowed, "{} at {degrees}°", M::DESCRIPTION.name);
+                }
+            }
+            last = Some(unknowns);
+        }
+    }
+    turn(HoekenLinkage::PUBLISHED, Assembly::Open);
+    turn(KlannLeg::PATENT, KlannLeg::WALKING);
+    turn(JansenLeg::HOLY_NUMBERS, JansenLeg::WALKING);
+    turn(AndrewsSqueezer::PUBLISHED, AndrewsSqueezer::PUBLISHED_ASSEMBLY);
+    turn(ScotchYoke { crank: 1.0, gamma: 1.0 }, ());
+    for assembly in WattII::ASSEMBLIES {
+        let linkage = WattII {
+            r1: 4.0,
+            r2: 1.0,
+            r3: 3.0,
+            r4: 2.5,
+            arm: Plane::new(1.5, 0.8),
+            pivot: Plane::new(7.0, 0.5),
+            r5: 3.0,
+            r6: 2.5,
+        };
+        turn(linkage, assembly);
+    }
+}
