@@ -1,6 +1,6 @@
 //! What is published of the library's mechanisms, and what their geometry says exactly.
 //!
-//! Both oracles are run over the whole library in `oracles_of_every_form`.
+//! Both oracles are run over the whole library in `oracles_of_every_form` and in `verify`.
 
 use core::f64::consts::PI;
 
@@ -540,4 +540,199 @@ fn full_turns() {
         };
         turn(linkage, assembly);
     }
+}
+
+/// How often a linkage, driven at another link by the motion that the crank gives to that link, gives the crank's motion
+/// back, in well-conditioned poses.
+#[derive(Default)]
+struct DrivenBack(usize);
+
+impl DrivenBack {
+    /// `own` is the gauge of the pose that the drive is from: the drive is known to its condition squared, and what the
+    /// drive is wrong by, the driven linkage makes larger in its own units.
+    fn check<M: ThroughSnap>(&mut self, own: &Gauge, driven: &M, drive: Motion, expected: &[Motion]) {
+        let inputs = M::Inputs::from_fn(|_| drive);
+        let exact = M::Unknowns::from_fn(|index| expected[index]);
+        let gauge = Gauge::new(driven, &inputs, &exact);
+        if gauge.condition > 100.0 {
+            return;
+        }
+        let name = M::DESCRIPTION.name;
+        let near = M::Unknowns::from_fn(|index| expected[index].value() + 1e-3);
+        let found = match driven.solve_motion_near(inputs, near) {
+            Ok(pose) => pose.unknown_motions(),
+            Err(error) => panic!("{name}: {error}"),
+        };
+        for (index, (found, expected)) in found.as_ref().iter().zip(expected).enumerate() {
+            for order in 0..5 {
+                let difference = found.derivatives()[order] - expected.derivatives()[order];
+                let difference = if order == 0 {
+                    turned_back(difference)
+                } else {
+                    difference
+                };
+                let unit = gauge.unknown(index, order) * (1.0 + own.condition * own.condition);
+                let unknown = M::DESCRIPTION.unknowns[index].name;
+                assert!(
+                    difference.abs() <= ALLOWED[order] * unit,
+                    "{unknown} of {name}, order {order}: {difference} beside {unit}"
+                );
+            }
+        }
+        self.0 += 1;
+    }
+}
+
+/// Watt's and Stephenson's linkages, driven at the crank, then at a link for which nothing closes by itself.
+#[test]
+fn six_bars_are_driven_back() {
+    let dimensions = [4.0, 1.0, 3.0, 2.5];
+    let mut counts = [(); 4].map(|()| DrivenBack::default());
+    let [watt1, watt2, stephenson1, stephenson3] = &mut counts;
+    for crank in cranks(-PI, PI, 50) {
+        let first = [&dimensions[..], &[1.5, 0.8, 2.0, 1.5, 2.5, 2.0]].concat();
+        let by_crank = WattI::from_parameters(core::array::from_fn(|index| first[index]));
+        let driven = WattIByDyad::from_parameters(by_crank.parameters());
+        for pose in WattI::ASSEMBLIES
+            .into_iter()
+            .filter_map(|a| by_crank.solve(crank, a).ok())
+        {
+            let own = Gauge::new(&by_crank, &[crank], &pose.unknown_motions());
+            watt1.check(
+                &own,
+                &driven,
+                pose.theta5,
+                &[crank, pose.theta3, pose.theta4, pose.theta6],
+            );
+        }
+
+        let second = [&dimensions[..], &[2.0, 1.0, 7.0, 0.5, 3.0, 2.5]].concat();
+        let by_crank = WattII::from_parameters(core::array::from_fn(|index| second[index]));
+        let driven = WattIIByCouplers::from_parameters(by_crank.parameters());
+        for pose in WattII::ASSEMBLIES
+            .into_iter()
+            .filter_map(|a| by_crank.solve(crank, a).ok())
+        {
+            let own = Gauge::new(&by_crank, &[crank], &pose.unknown_motions());
+            let drive = pose.theta5 - pose.theta3;
+            watt2.check(&own, &driven, drive, &[crank, pose.theta3, pose.theta4, pose.theta6]);
+        }
+
+        let first = [&dimensions[..], &[0.5, 1.0, 1.5, 1.0, 2.5, 2.0]].concat();
+        let by_crank = StephensonI::from_parameters(core::array::from_fn(|index| first[index]));
+        let driven = StephensonIByDyad::from_parameters(by_crank.parameters());
+        for pose in StephensonI::ASSEMBLIES
+            .into_iter()
+            .filter_map(|a| by_crank.solve(crank, a).ok())
+        {
+            let own = Gauge::new(&by_crank, &[crank], &pose.unknown_motions());
+            stephenson1.check(
+                &own,
+                &driven,
+                pose.theta5,
+                &[crank, pose.theta3, pose.theta4, pose.theta6],
+            );
+        }
+
+        let third = [&dimensions[..], &[1.5, 1.0, 3.0, 5.0, 3.0, 2.5]].concat();
+        let by_crank = StephensonIII::from_parameters(core::array::from_fn(|index| third[index]));
+        let driven = StephensonIIIByDyad::from_parameters(by_crank.parameters());
+        for pose in StephensonIII::ASSEMBLIES
+            .into_iter()
+            .filter_map(|a| by_crank.solve(crank, a).ok())
+        {
+            let own = Gauge::new(&by_crank, &[crank], &pose.unknown_motions());
+            stephenson3.check(
+                &own,
+                &driven,
+                pose.theta6,
+                &[crank, pose.theta3, pose.theta4, pose.theta5],
+            );
+        }
+    }
+    for (count, name) in counts
+        .iter()
+        .zip(["Watt I", "Watt II", "Stephenson I", "Stephenson III"])
+    {
+        println!("{name}: {} poses", count.0);
+        assert!(count.0 > 100, "{name}: {}", count.0);
+    }
+}
+
+/// Stephenson's linkage of the second kind, driven at the elbow in relative angles, then at the crank in absolute ones.
+#[test]
+fn stephenson_second_kind_is_driven_back() {
+    let by_elbow = StephensonIIByElbow::from_parameters([4.0, 2.0, 1.5, 1.2, 3.0, 0.3, 1.0, 0.5, 1.6, 3.0]);
+    let driven = StephensonII::from_parameters(by_elbow.parameters());
+    let mut count = DrivenBack::default();
+    for elbow in cranks(-PI, PI, 51) {
+        for assembly in StephensonIIByElbow::ASSEMBLIES {
+            let Ok(pose) = by_elbow.solve(elbow, assembly) else {
+                continue;
+            };
+            let own = Gauge::new(&by_elbow, &[elbow], &pose.unknown_motions());
+            let [link3, link4, link5] = [elbow, pose.alpha, pose.beta].map(|relative| pose.theta2 + relative);
+            count.check(&own, &driven, pose.theta2, &[link3, link4, link5, pose.theta6]);
+        }
+    }
+    assert!(count.0 > 50, "{}", count.0);
+}
+
+/// With equal legs an equilateral platform turns about the centre, l² = R² + ρ² - 2 R ρ cos phi; at l² = R² + ρ² both
+/// sides agree at every order with the cosine's own expansion.
+#[test]
+fn triad_turns_about_its_centre() {
+    let (outer, inner) = (2.0, 1.0);
+    let root = 3.0_f64.sqrt();
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(outer * root, 0.0),
+        base_c: Plane::new(outer * root / 2.0, outer * 1.5),
+        platform_b: Plane::new(inner * root, 0.0),
+        platform_c: Plane::new(inner * root / 2.0, inner * 1.5),
+    };
+    let mut random = Random::new(52);
+    for _ in 0..60 {
+        let angle = random.between(0.4, 2.6);
+        let phi = Motion::new(random.motion(angle));
+        // the motion of the legs that belongs to it, as a series in time
+        let square: Motion =
+            Motion::constant(outer * outer + inner * inner) - phi.sin_cos().1.scale(2.0 * outer * inner);
+        let leg = root_of(square);
+        let corner = Plane::new(-inner * root / 2.0, -inner / 2.0);
+        let ends = [Plane::new(0.0, 0.0), triad.platform_b, triad.platform_c];
+        let bases = [Plane::new(0.0, 0.0), triad.base_b, triad.base_c];
+        let centre = Plane::new(outer * root / 2.0, outer / 2.0);
+        let turned = Plane::new(phi.value().cos(), phi.value().sin());
+        let angles: Vec<f64> = ends
+            .iter()
+            .zip(bases)
+            .map(|(end, base)| centre + (corner + *end).times(turned) - base)
+            .map(|along| along.y.atan2(along.x) + 1e-3)
+            .collect();
+        let near = Near([angles[0], angles[1], angles[2], phi.value() - 1e-3]);
+        let pose = triad.solve(leg, leg, leg, near).expect("it is near");
+        let gauge = Gauge::new(&triad, &[leg, leg, leg], &pose.unknown_motions());
+        assert_agree("phi", pose.phi, phi, true, &[(&gauge, 3), (&gauge, 3)]);
+        for (coordinate, value) in [(pose.centre.x(), centre.x), (pose.centre.y(), centre.y)] {
+            for (order, own) in coordinate.derivatives().into_iter().enumerate() {
+                let deviation = if order == 0 { own - value } else { own };
+                let unit = leg.value() * gauge.unknown(0, order) + inner * gauge.unknown(3, order);
+                assert!(
+                    deviation.abs() <= ALLOWED[order] * unit,
+                    "order {order}: {deviation} beside {unit}"
+                );
+            }
+        }
+    }
+}
+
+/// The square root of a motion: r r = s, differentiated by Leibniz's rule.
+fn root_of(square: Motion) -> Motion {
+    let [s, s1, s2, s3, s4] = square.derivatives();
+    let r = s.sqrt();
+    let r1 = s1 / (2.0 * r);
+    let r2 = (s2 - 2.0 * r1 * r1) / (2.0 * r);
+    let r3 = (s3 - 6.0 * r1 * r2) / (2.0 * r);
+    let r4 = (s4 - 8.0 * r1 * r3 - 6.0 * r2 * r2) / (2.0 * r);
+    Motion::from((r, r1, r2, r3, r4))
 }

@@ -63,3 +63,10 @@ macro_rules! groups {
 }
 
 groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges with_outputs }
+
+/// The library, about the dimensions that are published.
+#[test]
+fn the_library_as_published() {
+    cases::library(&mut AboutDimensions);
+    cases::coupled_library(&mut AboutDimensions);
+}

@@ -6,6 +6,7 @@
 mod andrews_squeezer;
 mod approximate_slider_crank;
 mod chebyshev_linkage;
+mod class_three_triad;
 mod five_bar;
 mod four_bar;
 mod freudenstein_four_bar;
@@ -27,6 +28,7 @@ mod whitworth_quick_return;
 pub use andrews_squeezer::*;
 pub use approximate_slider_crank::*;
 pub use chebyshev_linkage::*;
+pub use class_three_triad::*;
 pub use five_bar::*;
 pub use four_bar::*;
 pub use freudenstein_four_bar::*;

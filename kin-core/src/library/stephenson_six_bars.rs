@@ -199,3 +199,182 @@ crate::mechanism! {
     /// The joint of the coupler with link 5.
     output coupler_point: Point = r2 * cis(theta2) + p * cis(theta3);
 }
+
+crate::mechanism! {
+    /// Stephenson's six-bar linkage of the first kind, driven at link 5 of its dyad.
+    ///
+    /// The same linkage as [`StephensonI`], with the angle of link 5 given and the crank's sought. Neither loop can be
+    /// closed by itself, so the position is found by Newton's method from values near it.
+    ///
+    /// ```
+    /// use kin_core::library::{StephensonI, StephensonIByDyad};
+    /// use kin_core::prelude::*;
+    ///
+    /// let (p, q) = (Plane::new(0.5, 1.0), Plane::new(1.5, 1.0));
+    /// let by_crank = StephensonI { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 };
+    /// let by_dyad = StephensonIByDyad { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 };
+    ///
+    /// let crank = Motion::from((1.0_f64, 2.0, 0.5, -0.2, 0.1));
+    /// let pose = by_crank.solve(crank, StephensonI::ASSEMBLIES[0])?;
+    /// let near = [pose.theta2, pose.theta3, pose.theta4, pose.theta6].map(|angle| angle.position() + 0.02);
+    /// let back = by_dyad.solve(pose.theta5, Near(near))?;
+    /// assert!((back.theta2.position() - 1.0).abs() < 1e-13);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub struct StephensonIByDyad {
+        /// Ground link, from the crank's pivot to the rocker's.
+        pub r1: Length,
+        /// The crank's side from its pivot to the coupler.
+        pub r2: Length,
+        /// Coupler.
+        pub r3: Length,
+        /// The rocker's side from its pivot to the coupler.
+        pub r4: Length,
+        /// The crank's joint with link 5, in the crank's frame: from its pivot, x along `r2`.
+        pub p: Vector,
+        /// The rocker's joint with link 6, in the rocker's frame: from its pivot, x along `r4`.
+        pub q: Vector,
+        /// Link 5, from the crank.
+        pub r5: Length,
+        /// Link 6, from the rocker.
+        pub r6: Length,
+    }
+    input
+        /// The angle of link 5.
+        theta5: Angle;
+    unknown
+        /// The crank's angle.
+        theta2: Angle,
+        /// The coupler's angle.
+        theta3: Angle,
+        /// The rocker's angle.
+        theta4: Angle,
+        /// The angle of link 6.
+        theta6: Angle;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    p * cis(theta2) + r5 * cis(theta5) == r1 + q * cis(theta4) + r6 * cis(theta6);
+
+    /// The joint of links 5 and 6.
+    output tool: Point = p * cis(theta2) + r5 * cis(theta5);
+}
+
+crate::mechanism! {
+    /// Stephenson's six-bar linkage of the second kind, driven at the crank.
+    ///
+    /// The same linkage as [`StephensonIIByElbow`], with all angles from the ground link. What the crank 2 leaves is a
+    /// class III triad, so the position is found by Newton's method from values near it.
+    ///
+    /// ```
+    /// use kin_core::library::{StephensonII, StephensonIIByElbow};
+    /// use kin_core::prelude::*;
+    ///
+    /// let (p, q) = (Plane::new(3.0, 0.3), Plane::new(1.0, 0.5));
+    /// let by_elbow = StephensonIIByElbow { r1: 4.0, r2: 2.0, r3: 1.5, r4: 1.2, p, q, r5: 1.6, r6: 3.0 };
+    /// let by_crank = StephensonII { r1: 4.0, r2: 2.0, r3: 1.5, r4: 1.2, p, q, r5: 1.6, r6: 3.0 };
+    ///
+    /// let elbow = Motion::from((1.2_f64, 2.0, 0.5, -0.2, 0.1));
+    /// let pose = by_elbow.solve(elbow, StephensonIIByElbow::ASSEMBLIES[0])?;
+    /// let [link3, link4, link5] = [elbow, pose.alpha, pose.beta].map(|relative| pose.theta2 + relative);
+    /// let near = [link3, link4, link5, pose.theta6].map(|angle| angle.position() + 0.02);
+    /// let back = by_crank.solve(pose.theta2, Near(near))?;
+    /// assert!((back.theta3.position() - pose.theta2.position() - 1.2).abs() < 1e-13);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub struct StephensonII {
+        /// Ground link, from the crank's pivot to the pivot of link 6.
+        pub r1: Length,
+        /// The crank's side from its pivot to link 3.
+        pub r2: Length,
+        /// Link 3.
+        pub r3: Length,
+        /// Link 4 from link 3 to link 5.
+        pub r4: Length,
+        /// The crank's joint with link 5, in the crank's frame: from its pivot, x along `r2`.
+        pub p: Vector,
+        /// The joint of link 4 with link 6, in the frame of link 4: from its joint with link 3, x along `r4`.
+        pub q: Vector,
+        /// Link 5.
+        pub r5: Length,
+        /// Link 6.
+        pub r6: Length,
+    }
+    input
+        /// The crank's angle.
+        theta2: Angle;
+    unknown
+        /// The angle of link 3.
+        theta3: Angle,
+        /// The angle of link 4.
+        theta4: Angle,
+        /// The angle of link 5.
+        theta5: Angle,
+        /// The angle of link 6.
+        theta6: Angle;
+
+    let joint3 = r2 * cis(theta2) + r3 * cis(theta3);
+    joint3 + r4 * cis(theta4) == p * cis(theta2) + r5 * cis(theta5);
+    joint3 + q * cis(theta4) == r1 + r6 * cis(theta6);
+
+    /// The joint of links 4 and 6.
+    output tool: Point = r1 + r6 * cis(theta6);
+}
+
+crate::mechanism! {
+    /// Stephenson's six-bar linkage of the third kind, driven at link 6, the far end of its dyad.
+    ///
+    /// The same linkage as [`StephensonIII`], with the angle of link 6 given and the crank's sought. What link 6
+    /// leaves is a class III triad, so the position is found by Newton's method from values near it.
+    ///
+    /// ```
+    /// use kin_core::library::{StephensonIII, StephensonIIIByDyad};
+    /// use kin_core::prelude::*;
+    ///
+    /// let (p, pivot) = (Plane::new(1.5, 1.0), Plane::new(5.0, 3.0));
+    /// let by_crank = StephensonIII { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, r5: 3.0, pivot, r6: 2.5 };
+    /// let by_dyad = StephensonIIIByDyad { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, r5: 3.0, pivot, r6: 2.5 };
+    ///
+    /// let crank = Motion::from((2.5_f64, 2.0, 0.5, -0.2, 0.1));
+    /// let pose = by_crank.solve(crank, StephensonIII::ASSEMBLIES[0])?;
+    /// let near = [pose.theta2, pose.theta3, pose.theta4, pose.theta5].map(|angle| angle.position() + 0.02);
+    /// let back = by_dyad.solve(pose.theta6, Near(near))?;
+    /// assert!((back.theta2.position() - 2.5).abs() < 1e-13);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub struct StephensonIIIByDyad {
+        /// The ground link's side from the crank's pivot to the rocker's.
+        pub r1: Length,
+        /// Crank.
+        pub r2: Length,
+        /// The coupler's side from the crank to the rocker.
+        pub r3: Length,
+        /// Rocker.
+        pub r4: Length,
+        /// The coupler's joint with link 5, in the coupler's frame: from its joint with the crank, x along `r3`.
+        pub p: Vector,
+        /// Link 5, from the coupler.
+        pub r5: Length,
+        /// The pivot of link 6.
+        pub pivot: Point,
+        /// Link 6.
+        pub r6: Length,
+    }
+    input
+        /// The angle of link 6.
+        theta6: Angle;
+    unknown
+        /// The crank's angle.
+        theta2: Angle,
+        /// The coupler's angle.
+        theta3: Angle,
+        /// The rocker's angle.
+        theta4: Angle,
+        /// The angle of link 5.
+        theta5: Angle;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    r2 * cis(theta2) + p * cis(theta3) + r5 * cis(theta5) == pivot + r6 * cis(theta6);
+
+    /// The joint of the coupler with link 5.
+    output coupler_point: Point = r2 * cis(theta2) + p * cis(theta3);
+}

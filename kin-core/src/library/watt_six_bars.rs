@@ -135,3 +135,122 @@ crate::mechanism! {
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
     r1 + arm * cis(theta4) + r5 * cis(theta5) == pivot + r6 * cis(theta6);
 }
+
+crate::mechanism! {
+    /// Watt's six-bar linkage of the first kind, driven at link 5 of its dyad.
+    ///
+    /// The same linkage as [`WattI`], with the angle of link 5 given and the crank's sought. Neither loop can be closed
+    /// by itself, so the position is found by Newton's method from values near it.
+    ///
+    /// ```
+    /// use kin_core::library::{WattI, WattIByDyad};
+    /// use kin_core::prelude::*;
+    ///
+    /// let (p, q) = (Plane::new(1.5, 0.8), Plane::new(2.0, 1.5));
+    /// let by_crank = WattI { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 };
+    /// let by_dyad = WattIByDyad { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 };
+    ///
+    /// let crank = Motion::from((1.0_f64, 2.0, 0.5, -0.2, 0.1));
+    /// let pose = by_crank.solve(crank, WattI::ASSEMBLIES[0])?;
+    /// let near = [pose.theta2, pose.theta3, pose.theta4, pose.theta6].map(|angle| angle.position() + 0.02);
+    /// // the motion of link 5 that the crank's gives is driven in return
+    /// let back = by_dyad.solve(pose.theta5, Near(near))?;
+    /// assert!((back.theta2.position() - 1.0).abs() < 1e-13);
+    /// assert!((back.theta2.snap() - 0.1).abs() < 1e-8);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub struct WattIByDyad {
+        /// Ground link, from the crank's pivot to the rocker's.
+        pub r1: Length,
+        /// The crank's side from its pivot to the coupler.
+        pub r2: Length,
+        /// The coupler's side from the crank to the rocker.
+        pub r3: Length,
+        /// Rocker.
+        pub r4: Length,
+        /// The crank's joint with link 5, in the crank's frame: from its pivot, x along `r2`.
+        pub p: Vector,
+        /// The coupler's joint with link 6, in the coupler's frame: from its joint with the crank, x along `r3`.
+        pub q: Vector,
+        /// Link 5, from the crank.
+        pub r5: Length,
+        /// Link 6, from the coupler.
+        pub r6: Length,
+    }
+    input
+        /// The angle of link 5.
+        theta5: Angle;
+    unknown
+        /// The crank's angle.
+        theta2: Angle,
+        /// The coupler's angle.
+        theta3: Angle,
+        /// The rocker's angle.
+        theta4: Angle,
+        /// The angle of link 6.
+        theta6: Angle;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    p * cis(theta2) + r5 * cis(theta5) == r2 * cis(theta2) + q * cis(theta3) + r6 * cis(theta6);
+
+    /// The joint of links 5 and 6.
+    output tool: Point = p * cis(theta2) + r5 * cis(theta5);
+}
+
+crate::mechanism! {
+    /// Watt's six-bar linkage of the second kind, driven between its two couplers.
+    ///
+    /// The same linkage as [`WattII`], with the angle from link 3 to link 5 given. A drive at any joint, or of any one
+    /// link, leaves one four-bar linkage to be closed by itself; only a drive that spans both couples them.
+    ///
+    /// ```
+    /// use kin_core::library::{WattII, WattIIByCouplers};
+    /// use kin_core::prelude::*;
+    ///
+    /// let (arm, pivot) = (Plane::new(2.0, 1.0), Plane::new(7.0, 0.5));
+    /// let by_crank = WattII { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, arm, pivot, r5: 3.0, r6: 2.5 };
+    /// let by_couplers = WattIIByCouplers { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, arm, pivot, r5: 3.0, r6: 2.5 };
+    ///
+    /// let crank = Motion::from((1.0_f64, 2.0, 0.5, -0.2, 0.1));
+    /// let pose = by_crank.solve(crank, WattII::ASSEMBLIES[0])?;
+    /// let drive = pose.theta5 - pose.theta3;
+    /// let near = [pose.theta2, pose.theta3, pose.theta4, pose.theta6].map(|angle| angle.position() + 0.02);
+    /// let back = by_couplers.solve(drive, Near(near))?;
+    /// assert!((back.theta2.position() - 1.0).abs() < 1e-13);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub struct WattIIByCouplers {
+        /// The ground link's side from the crank's pivot to the rocker's.
+        pub r1: Length,
+        /// Crank.
+        pub r2: Length,
+        /// Link 3, from the crank to the rocker.
+        pub r3: Length,
+        /// The rocker's side from its pivot to link 3.
+        pub r4: Length,
+        /// The rocker's joint with link 5, in the rocker's frame: from its pivot, x along `r4`.
+        pub arm: Vector,
+        /// The pivot of link 6.
+        pub pivot: Point,
+        /// Link 5, from the rocker to link 6.
+        pub r5: Length,
+        /// Link 6.
+        pub r6: Length,
+    }
+    input
+        /// The angle from link 3 to link 5.
+        drive: Angle;
+    unknown
+        /// The crank's angle.
+        theta2: Angle,
+        /// The angle of link 3.
+        theta3: Angle,
+        /// The rocker's angle.
+        theta4: Angle,
+        /// The angle of link 6.
+        theta6: Angle;
+
+    let theta5 = theta3 + drive;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    r1 + arm * cis(theta4) + r5 * cis(theta5) == pivot + r6 * cis(theta6);
+}

@@ -71,12 +71,20 @@ macro_rules! groups {
                 });)+
             }
         )+
-
-        /// All of them.
-        pub fn all(visitor: &mut impl Visitor) {
-            $($group(visitor);)+
-        }
     };
+}
+
+/// All whose assemblies have names.
+pub fn all(visitor: &mut impl Visitor) {
+    four_bars(visitor);
+    slider_cranks(visitor);
+    inverted_slider_cranks(visitor);
+    loops(visitor);
+    chains(visitor);
+    scalars(visitor);
+    ranges(visitor);
+    with_outputs(visitor);
+    library(visitor);
 }
 
 groups! {
@@ -249,5 +257,15 @@ groups! {
         AndrewsSqueezer [
             0.007, 0.028, 0.035, 0.02, 0.04, 0.02, 0.04, -0.06934, -0.00227, -0.03635, 0.03273
         ] at [-1.0, 1.0];
+    }
+
+    /// The library's mechanisms with coupled blocks, the assemblies of which have no names.
+    coupled_library of library {
+        WattIByDyad [4.0, 1.0, 3.0, 2.5, 1.5, 0.8, 2.0, 1.5, 2.5, 2.0] at [-3.1, 3.1];
+        WattIIByCouplers [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
+        StephensonIByDyad [4.0, 1.0, 3.0, 2.5, 0.5, 1.0, 1.5, 1.0, 2.5, 2.0] at [-3.1, 3.1];
+        StephensonII [4.0, 2.0, 1.5, 1.2, 3.0, 0.3, 1.0, 0.5, 1.6, 3.0] at [-3.1, 3.1];
+        StephensonIIIByDyad [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 3.0, 5.0, 3.0, 2.5] at [-3.1, 3.1];
+        ClassThreeTriad [3.4, 0.2, 1.7, 3.1, 1.6, 0.1, 0.8, 1.4] at [1.8, 2.4] [1.8, 2.4] [1.8, 2.4];
     }
 }
