@@ -185,7 +185,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
             assert!(
                 ORDER < N,
                 "the motion does not go to the order of derivative that this needs"
-            )
+            );
         };
         self.angle.as_slice()[ORDER]
     }

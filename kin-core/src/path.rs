@@ -132,7 +132,7 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
             assert!(
                 ORDER < N,
                 "the motion does not go to the order of derivative that this needs"
-            )
+            );
         };
         self.as_slice()[ORDER]
     }
