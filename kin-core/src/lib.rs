@@ -39,11 +39,12 @@
 //! |---|---|
 //! | the language of declarations | [`mechanism!`] |
 //! | a value with its time derivatives | [`Motion`] |
-//! | a point or vector of the plane | [`Plane`] |
 //! | how the path of a point bends | [`Motion`], the methods of points |
 //! | the instant centre of a link | [`LinkMotion`] |
 //! | a picture of the mechanism | [`Skeleton`] |
 //! | how well a dyad passes on force | [`TransmissionAngle`] |
+//! | a point or vector of the plane, of space | [`Plane`], [`Space`] |
+//! | a rotation of space | [`Rotation`] |
 //! | which of two solutions | [`Assembly`] |
 //! | why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
@@ -91,10 +92,12 @@ mod path;
 mod plane;
 mod pose_of;
 mod positions;
+mod rotation;
 mod scalar;
 pub mod series;
 mod skeleton;
 pub mod solve;
+mod space;
 mod transmission;
 #[cfg(feature = "num-dual")]
 pub mod verify;
@@ -110,8 +113,10 @@ pub use near::{Guess, Near};
 pub use plane::Plane;
 pub use pose_of::PoseOf;
 pub use positions::Positions;
+pub use rotation::Rotation;
 pub use scalar::Scalar;
 pub use skeleton::{Chain, Polyline, Skeleton};
+pub use space::Space;
 pub use transmission::TransmissionAngle;
 
 /// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap,
@@ -251,7 +256,7 @@ macro_rules! __assert_verified {
 pub mod prelude {
     // Of this name only the macro is public, the module is not.
     pub use crate::mechanism;
-    pub use crate::{Assembly, Failure, Mechanism, Motion, Near, Plane, Pose, Row, Scalar, SolveError};
+    pub use crate::{Assembly, Failure, Mechanism, Motion, Near, Plane, Pose, Row, Scalar, SolveError, Space};
 }
 
 /// What generated code refers to; not for direct use, and free to change.
@@ -261,8 +266,8 @@ pub mod __private {
     pub use crate::assemblies::every;
     pub use crate::{
         Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Failure, Guess, InputValues, Mechanism,
-        Motion, Near, Operations, Plane, Pose, PoseOf, Quantity, Row, Scalar, Skeleton, SolveError, TransmissionAngle,
-        continuation, series, solve,
+        Motion, Near, Operations, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Skeleton, SolveError, Space,
+        TransmissionAngle, continuation, series, solve,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

@@ -3,7 +3,7 @@
 use core::array;
 use core::ops::{Add, Mul, Neg, Sub};
 
-use crate::{Plane, Row, Scalar};
+use crate::{Plane, Row, Scalar, Space};
 
 /// A value and its first `N - 1` derivatives with respect to time.
 ///
@@ -399,6 +399,49 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     }
 }
 
+impl<T: Copy, const N: usize> Motion<Space<T>, N> {
+    /// The motion of a point of space of which all coordinates are known.
+    #[inline]
+    #[must_use]
+    pub fn from_three_coordinates(x: Motion<T, N>, y: Motion<T, N>, z: Motion<T, N>) -> Self {
+        Self::new(array::from_fn(|order| {
+            Space::new(x.derivatives[order], y.derivatives[order], z.derivatives[order])
+        }))
+    }
+
+    /// The first coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn x(self) -> Motion<T, N> {
+        self.map(|vector| vector.x)
+    }
+
+    /// The second coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn y(self) -> Motion<T, N> {
+        self.map(|vector| vector.y)
+    }
+
+    /// The third coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn z(self) -> Motion<T, N> {
+        self.map(|vector| vector.z)
+    }
+}
+
+impl<T: Scalar, const N: usize> Motion<Space<T>, N> {
+    /// Whether all coordinates and all their derivatives are finite, that is neither NaN nor infinite.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.derivatives
+            .iter()
+            .all(|vector| vector.x.is_finite() && vector.y.is_finite() && vector.z.is_finite())
+    }
+}
+
 impl<T: Copy + Add<Output = T>, const N: usize> Add for Motion<T, N> {
     type Output = Self;
 
@@ -445,7 +488,7 @@ impl<T: Scalar, const N: usize> Mul for Motion<T, N> {
 #[cfg(test)]
 mod tests {
     use super::Motion;
-    use crate::Plane;
+    use crate::{Plane, Space};
 
     #[test]
     fn tuples_and_arrays_of_every_length() {
@@ -525,5 +568,15 @@ mod tests {
         assert_eq!((point + point - point).x(), x);
         assert_eq!((-point).y(), -y);
         assert_eq!(x.scale(2.0), x + x);
+    }
+
+    #[test]
+    fn points_of_space_have_three_coordinates() {
+        let [x, y, z] = [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]].map(Motion::from);
+        let point = Motion::from_three_coordinates(x, y, z);
+        assert_eq!(point.velocity(), Space::new(2.0, 4.0, 6.0));
+        assert_eq!((point.x(), point.y(), point.z()), (x, y, z));
+        assert!(point.is_finite());
+        assert!(!Motion::from_three_coordinates(x, y, z.scale(f64::INFINITY)).is_finite());
     }
 }

@@ -65,6 +65,13 @@ impl<T: Scalar> Plane<T> {
         self.dot(self)
     }
 
+    /// The length. Its square must lie in the range of the number type.
+    #[inline]
+    #[must_use]
+    pub fn norm(self) -> T {
+        self.norm_squared().sqrt()
+    }
+
     /// The product of complex numbers: lengths multiply, angles add.
     #[inline]
     #[must_use]
@@ -127,6 +134,7 @@ mod tests {
         assert_eq!(A - B, Plane::new(-1.0, -6.0));
         assert_eq!(-A, Plane::new(-2.0, 1.0));
         assert_eq!(A.scale(3.0), Plane::new(6.0, -3.0));
+        assert_eq!(Plane::new(3.0, -4.0).norm(), 5.0);
     }
 
     #[test]
