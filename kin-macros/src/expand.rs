@@ -7,7 +7,7 @@ use quote::quote;
 
 use crate::assemble::{Limits, Names};
 use crate::expr::{Node, Symbol};
-use crate::model::{Model, Residual};
+use crate::model::{Model, Shape};
 use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests};
 use crate::report::Report;
 use crate::{emit, fallback, model, plan, structure, syntax};
@@ -80,25 +80,13 @@ fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
 fn scalar_equations(model: &Model) -> (Vec<Node>, Vec<Origin>) {
     let (mut residuals, mut origins) = (Vec::new(), Vec::new());
     for (equation, declared) in model.equations.iter().enumerate() {
-        match declared.residual {
-            Residual::Scalar(node) => {
-                residuals.push(node);
-                origins.push(Origin {
-                    equation,
-                    part: "equation",
-                });
-            }
-            Residual::Plane(x, y) => {
-                residuals.extend([x, y]);
-                origins.push(Origin {
-                    equation,
-                    part: "equation's x part",
-                });
-                origins.push(Origin {
-                    equation,
-                    part: "equation's y part",
-                });
-            }
+        let axes = declared.residual.shape().axes();
+        for (part, node) in declared.residual.nodes().into_iter().enumerate() {
+            residuals.push(node);
+            origins.push(Origin {
+                equation,
+                part: axes.get(part).map_or("equation", |axis| axis.part_of_equation()),
+            });
         }
     }
     (residuals, origins)
@@ -154,19 +142,15 @@ fn names(model: &Model) -> Names {
         names.reserve(&output.name.to_string());
     }
     for own in &model.parameters {
-        let name = own.name.to_string();
-        if own.dimension.is_plane() {
-            parameter(&mut names, &format!("{name}_x"));
-            parameter(&mut names, &format!("{name}_y"));
-        } else {
-            parameter(&mut names, &name);
+        for part in own.dimension.shape().part_names(&own.name.to_string(), "_") {
+            parameter(&mut names, &part);
         }
     }
     for output in &model.outputs {
         let name = output.name.to_string();
-        let parts = match output.value {
-            model::Value::Scalar(_) => vec![format!("{name}_value")],
-            model::Value::Plane(..) => vec![format!("{name}_x"), format!("{name}_y")],
+        let parts = match output.value.shape() {
+            Shape::Scalar => vec![format!("{name}_value")],
+            shape => shape.part_names(&name, "_"),
         };
         for part in parts {
             names.name(Symbol::OutputRate(output_part, 0), &part);

@@ -51,7 +51,7 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
                         whole(model, origin),
                         format_args!(
                             "too many equations: {} for {} ({}); this {} is one too many beside {}: remove it, or declare \
-                             what it determines as unknown ({}; a plane equation counts as two)",
+                             what it determines as unknown ({}; a plane equation counts as two, one of space as three)",
                             count(equations.len(), "scalar equation"),
                             count(unknowns.len(), "unknown"),
                             names(unknowns),

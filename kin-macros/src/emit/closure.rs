@@ -8,9 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
+use super::declaration::vector_type;
 use crate::function::Function;
-use crate::model::{Dimension, Model};
-use crate::syntax::{Axis, Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operator, Statement};
+use crate::model::{Model, Shape};
+use crate::syntax::{Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operator, Statement};
 
 /// How tightly a translated formula holds together, to set parentheses where they are needed and nowhere else.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,26 +25,26 @@ pub(super) enum Binding {
 /// A formula in Rust.
 #[derive(Clone)]
 pub(super) struct Translated {
-    pub(super) plane: bool,
+    pub(super) shape: Shape,
     pub(super) binding: Binding,
     pub(super) tokens: TokenStream,
 }
 
 impl Translated {
-    pub(super) fn scalar(tokens: TokenStream) -> Self {
+    pub(super) fn new(shape: Shape, tokens: TokenStream) -> Self {
         Self {
-            plane: false,
+            shape,
             binding: Binding::Atom,
             tokens,
         }
     }
 
+    pub(super) fn scalar(tokens: TokenStream) -> Self {
+        Self::new(Shape::Scalar, tokens)
+    }
+
     fn plane(tokens: TokenStream) -> Self {
-        Self {
-            plane: true,
-            binding: Binding::Atom,
-            tokens,
-        }
+        Self::new(Shape::Plane, tokens)
     }
 
     /// In parentheses if it holds together less tightly than its place requires.
@@ -90,16 +91,26 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
         let residual = translation.sum(Operator::Subtract, &left, &right);
         let index = residuals.len();
         let tokens = residual.tokens;
-        if residual.plane {
-            let local = format_ident!("equation_{number}", span = site);
-            body.extend(quote_spanned!(site=> let #local = #tokens;));
-            residuals.push(quote_spanned!(site=> #local.x));
-            residuals.push(quote_spanned!(site=> #local.y));
-            lines.push(format!("- `[{index}]` and `[{}]`: x and y of `{equation}`", index + 1));
-        } else {
+        let axes = residual.shape.axes();
+        if axes.is_empty() {
             residuals.push(tokens);
             lines.push(format!("- `[{index}]`: `{equation}`"));
+            continue;
         }
+        let local = format_ident!("equation_{number}", span = site);
+        body.extend(quote_spanned!(site=> let #local = #tokens;));
+        for axis in axes {
+            let part = Ident::new(&axis.to_string(), site);
+            residuals.push(quote_spanned!(site=> #local.#part));
+        }
+        lines.push(match residual.shape {
+            Shape::Space => format!(
+                "- `[{index}]`, `[{}]` and `[{}]`: x, y and z of `{equation}`",
+                index + 1,
+                index + 2
+            ),
+            _ => format!("- `[{index}]` and `[{}]`: x and y of `{equation}`", index + 1),
+        });
     }
 
     let inputs = model.inputs.iter().map(|input| &input.name);
@@ -160,14 +171,7 @@ pub(super) fn bindings(
             let local = local("let", &statement.name);
             let tokens = &value.tokens;
             body.extend(quote_spanned!(site=> let #local = #tokens;));
-            names.insert(
-                statement.name.to_string(),
-                Translated {
-                    plane: value.plane,
-                    binding: Binding::Atom,
-                    tokens: quote!(#local),
-                },
-            );
+            names.insert(statement.name.to_string(), Translated::new(value.shape, quote!(#local)));
         }
     }
     body
@@ -185,11 +189,7 @@ pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
     for parameter in &model.parameters {
         let name = &parameter.name;
         let tokens = quote_spanned!(site=> self.#name);
-        let translated = match parameter.dimension {
-            Dimension::Point | Dimension::Vector => Translated::plane(tokens),
-            Dimension::Length | Dimension::Angle | Dimension::Scalar => Translated::scalar(tokens),
-        };
-        names.insert(name.to_string(), translated);
+        names.insert(name.to_string(), Translated::new(parameter.dimension.shape(), tokens));
     }
     for input in &model.inputs {
         let name = &input.name;
@@ -251,7 +251,7 @@ impl Translation<'_> {
                 let of = self.expression(of);
                 let operand = of.within(Binding::Atom);
                 Translated {
-                    plane: of.plane,
+                    shape: of.shape,
                     binding: Binding::Sign,
                     tokens: quote_spanned!(site=> -#operand),
                 }
@@ -270,10 +270,8 @@ impl Translation<'_> {
             ExpressionKind::Power { base, exponent, .. } => self.power(&self.expression(base), *exponent),
             ExpressionKind::Part { of, axis } => {
                 let of = self.expression(of).within(Binding::Atom);
-                Translated::scalar(match axis {
-                    Axis::X => quote_spanned!(site=> #of.x),
-                    Axis::Y => quote_spanned!(site=> #of.y),
-                })
+                let part = Ident::new(&axis.to_string(), site);
+                Translated::scalar(quote_spanned!(site=> #of.#part))
             }
         }
     }
@@ -285,25 +283,28 @@ impl Translation<'_> {
     }
 
     /// As a vector; a scalar lies along x.
-    pub(super) fn on_plane(&self, of: &Translated) -> Translated {
-        if of.plane {
+    pub(super) fn lifted(&self, of: &Translated, shape: Shape) -> Translated {
+        if of.shape != Shape::Scalar {
             return of.clone();
         }
+        let Some(vector) = vector_type(shape) else {
+            return of.clone();
+        };
         let (runtime, x, zero) = (self.runtime, &of.tokens, self.constant(0.0));
-        Translated::plane(quote_spanned!(Span::mixed_site()=> #runtime::Plane::new(#x, #zero)))
+        let zeros = shape.axes().iter().skip(1).map(|_| &zero);
+        Translated::new(
+            shape,
+            quote_spanned!(Span::mixed_site()=> #runtime::#vector::new(#x #(, #zeros)*)),
+        )
     }
 
     pub(super) fn sum(&self, operator: Operator, left: &Translated, right: &Translated) -> Translated {
-        let plane = left.plane || right.plane;
-        let (left, right) = if plane {
-            (self.on_plane(left), self.on_plane(right))
-        } else {
-            (left.clone(), right.clone())
-        };
+        let (left, right) = (self.lifted(left, right.shape), self.lifted(right, left.shape));
+        let shape = left.shape;
         let (left, right) = (left.within(Binding::Sum), right.within(Binding::Product));
         let site = Span::mixed_site();
         Translated {
-            plane,
+            shape,
             binding: Binding::Sum,
             tokens: if operator == Operator::Subtract {
                 quote_spanned!(site=> #left - #right)
@@ -317,31 +318,43 @@ impl Translation<'_> {
         let runtime = self.runtime;
         let site = Span::mixed_site();
         let (a, b) = (&left.tokens, &right.tokens);
-        match (left.plane, right.plane) {
-            (false, false) => {
+        let scaled = |shape: Shape, vector: &TokenStream, factor: &TokenStream| {
+            let kind = vector_type(shape);
+            Translated::new(shape, quote_spanned!(site=> #runtime::#kind::scale(#vector, #factor)))
+        };
+        match (left.shape, right.shape) {
+            (Shape::Scalar, Shape::Scalar) => {
                 let (a, b) = (left.within(Binding::Product), right.within(Binding::Sign));
                 Translated {
-                    plane: false,
+                    shape: Shape::Scalar,
                     binding: Binding::Product,
                     tokens: quote_spanned!(site=> #a * #b),
                 }
             }
-            (true, false) => Translated::plane(quote_spanned!(site=> #runtime::Plane::scale(#a, #b))),
-            (false, true) => Translated::plane(quote_spanned!(site=> #runtime::Plane::scale(#b, #a))),
-            (true, true) => Translated::plane(quote_spanned!(site=> #runtime::Plane::times(#a, #b))),
+            (shape, Shape::Scalar) => scaled(shape, a, b),
+            (Shape::Scalar, shape) => scaled(shape, b, a),
+            (Shape::Rotation, Shape::Rotation) => Translated::new(
+                Shape::Rotation,
+                quote_spanned!(site=> #runtime::Rotation::times(#a, #b)),
+            ),
+            (Shape::Rotation, shape) => Translated::new(shape, quote_spanned!(site=> #runtime::Rotation::turn(#a, #b))),
+            (_, _) => Translated::plane(quote_spanned!(site=> #runtime::Plane::times(#a, #b))),
         }
     }
 
     fn quotient(&self, left: &Translated, right: &Translated) -> Translated {
         let site = Span::mixed_site();
         let divisor = right.within(Binding::Sign);
-        if left.plane {
-            let (runtime, plane, one) = (self.runtime, &left.tokens, self.constant(1.0));
-            return Translated::plane(quote_spanned!(site=> #runtime::Plane::scale(#plane, #one / #divisor)));
+        if let Some(vector) = vector_type(left.shape) {
+            let (runtime, dividend, one) = (self.runtime, &left.tokens, self.constant(1.0));
+            return Translated::new(
+                left.shape,
+                quote_spanned!(site=> #runtime::#vector::scale(#dividend, #one / #divisor)),
+            );
         }
         let dividend = left.within(Binding::Product);
         Translated {
-            plane: false,
+            shape: Shape::Scalar,
             binding: Binding::Product,
             tokens: quote_spanned!(site=> #dividend / #divisor),
         }
@@ -350,10 +363,23 @@ impl Translation<'_> {
     fn call(&self, callee: Callee, arguments: &[Expression]) -> Translated {
         let runtime = self.runtime;
         let site = Span::mixed_site();
-        let arguments: Vec<TokenStream> = arguments
-            .iter()
-            .map(|argument| self.expression(argument).tokens)
-            .collect();
+        let translated: Vec<Translated> = arguments.iter().map(|argument| self.expression(argument)).collect();
+        let shape = translated.first().map_or(Shape::Scalar, |first| first.shape);
+        let arguments: Vec<TokenStream> = translated.into_iter().map(|argument| argument.tokens).collect();
+        let rotation = |function: &str| {
+            let function = Ident::new(function, site);
+            Translated::new(
+                Shape::Rotation,
+                quote_spanned!(site=> #runtime::Rotation::#function(#(#arguments),*)),
+            )
+        };
+        let method = |result: Shape, function: &str| {
+            let (vector, function) = (vector_type(shape), Ident::new(function, site));
+            Translated::new(
+                result,
+                quote_spanned!(site=> #runtime::#vector::#function(#(#arguments),*)),
+            )
+        };
         let turned = |angle: &TokenStream| {
             quote_spanned! {site=> {
                 let (sine, cosine) = #runtime::Scalar::sin_cos(#angle);
@@ -380,6 +406,18 @@ impl Translation<'_> {
                 let method = Ident::new(function.name(), site);
                 Translated::scalar(quote_spanned!(site=> #runtime::Scalar::#method(#(#arguments),*)))
             }
+            (Callee::RotX, _) => rotation("about_x"),
+            (Callee::RotY, _) => rotation("about_y"),
+            (Callee::RotZ, _) => rotation("about_z"),
+            (Callee::Rot, _) => rotation("about"),
+            (Callee::Dot, _) => method(Shape::Scalar, "dot"),
+            (Callee::Cross, _) if shape == Shape::Space => method(Shape::Space, "cross"),
+            (Callee::Cross, _) => method(Shape::Scalar, "cross"),
+            (Callee::Norm, _) => method(Shape::Scalar, "norm"),
+            (Callee::Vec3, arguments) => Translated::new(
+                Shape::Space,
+                quote_spanned!(site=> #runtime::Space::new(#(#arguments),*)),
+            ),
             (_, arguments) => Translated::plane(quote_spanned!(site=> #runtime::Plane::new(#(#arguments),*))),
         }
     }
@@ -503,6 +541,25 @@ mod tests {
              let (sine , cosine) = rt :: Scalar :: sin_cos (t) ; rt :: Plane :: new (cosine , sine) }) \
              - rt :: Plane :: new (self . a , constant (0.0)) \
              - (let_wheel + rt :: Plane :: new (unknown_l , constant (0.0))) ; [equation_0 . x , equation_0 . y] }"
+        );
+    }
+
+    #[test]
+    fn vectors_of_space_have_three_parts() {
+        assert_eq!(
+            body(quote! {
+                input t: Angle; unknown e: Length; unknown l: Length; unknown m: Length;
+                let axis = vec3(a, b, e) / 2;
+                rot(axis, t) * (rot_x(t) * rot_y(t) * axis) == -vec3(l, m, norm(p)) + cross(axis, axis) / e;
+            }),
+            "-> [T ; 3] { let unknown_e = unknowns [0] ; let unknown_l = unknowns [1] ; let unknown_m = unknowns [2] ; \
+             let let_axis = rt :: Space :: scale (rt :: Space :: new (self . a , self . b , unknown_e) , \
+             constant (1.0) / constant (2.0)) ; \
+             let equation_0 = rt :: Rotation :: turn (rt :: Rotation :: about (let_axis , t) , \
+             rt :: Rotation :: turn (rt :: Rotation :: times (rt :: Rotation :: about_x (t) , rt :: Rotation :: about_y (t)) , let_axis)) \
+             - (- rt :: Space :: new (unknown_l , unknown_m , rt :: Plane :: norm (self . p)) \
+             + rt :: Space :: scale (rt :: Space :: cross (let_axis , let_axis) , constant (1.0) / unknown_e)) ; \
+             [equation_0 . x , equation_0 . y , equation_0 . z] }"
         );
     }
 

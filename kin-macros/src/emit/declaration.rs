@@ -5,10 +5,20 @@ use quote::{quote, quote_spanned};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Path, Token, Visibility};
 
-use crate::model::{Dimension, Model};
+use crate::model::{Dimension, Model, Shape};
 
 /// A field: attributes, visibility, name and what it holds.
 pub(crate) type Field<'a> = (&'a [Attribute], &'a Visibility, &'a Ident, Option<Dimension>);
+
+/// The type that holds a vector, `None` for what is none.
+pub(crate) fn vector_type(shape: Shape) -> Option<Ident> {
+    let name = match shape {
+        Shape::Plane => "Plane",
+        Shape::Space => "Space",
+        Shape::Scalar | Shape::Rotation => return None,
+    };
+    Some(Ident::new(name, Span::mixed_site()))
+}
 
 /// The struct of a model.
 pub(crate) fn tokens(model: &Model, runtime: &TokenStream) -> TokenStream {
@@ -34,10 +44,9 @@ pub(crate) fn structure<'a>(
     let numeric = Ident::new("T", Span::mixed_site());
     let mut fields: Vec<TokenStream> = fields
         .map(|(attributes, visibility, name, dimension)| {
-            let held = if dimension.is_some_and(Dimension::is_plane) {
-                quote!(#runtime::Plane<#numeric>)
-            } else {
-                quote!(#numeric)
+            let held = match dimension.map(Dimension::shape).and_then(vector_type) {
+                Some(vector) => quote!(#runtime::#vector<#numeric>),
+                None => quote!(#numeric),
             };
             quote!(#(#attributes)* #visibility #name: #held)
         })

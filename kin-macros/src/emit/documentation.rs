@@ -146,8 +146,8 @@ pub(super) const fn unit(dimension: Dimension) -> &'static str {
         Dimension::Length => "length, in the mechanism's unit",
         Dimension::Angle => "angle, in radians",
         Dimension::Scalar => "number",
-        Dimension::Point => "point, in the mechanism's unit of length",
-        Dimension::Vector => "vector, in the mechanism's unit of length",
+        Dimension::Point | Dimension::Point3 => "point, in the mechanism's unit of length",
+        Dimension::Vector | Dimension::Vector3 => "vector, in the mechanism's unit of length",
     }
 }
 

@@ -4,8 +4,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Attribute, Expr, Lit, Meta};
 
+use super::declaration::vector_type;
 use super::{Mechanism, assembly, attributes, description, local};
-use crate::model::{Dimension, Residual, Value};
+use crate::model::Dimension;
 
 /// `impl Mechanism` and `impl Pose`.
 pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
@@ -23,13 +24,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         model
             .equations
             .iter()
-            .map(|equation| {
-                if matches!(equation.residual, Residual::Scalar(_)) {
-                    1
-                } else {
-                    2
-                }
-            })
+            .map(|equation| equation.residual.nodes().len())
             .sum(),
     );
     let (parameter_count, input_count, unknown_count) = (
@@ -45,11 +40,14 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let mut converted = Vec::new();
     for parameter in &model.parameters {
         let field = &parameter.name;
-        if parameter.dimension.is_plane() {
-            let (x, y) = (size(next), size(next + 1));
-            next += 2;
-            from_array.push(quote!(#field: #runtime::Plane::new(#parameters[#x], #parameters[#y])));
-            converted.push(quote!(#field: #runtime::Plane::new(#convert(self.#field.x), #convert(self.#field.y))));
+        let shape = parameter.dimension.shape();
+        if let Some(vector) = vector_type(shape) {
+            let axes = shape.axes();
+            let places = (next..next + axes.len()).map(size);
+            next += axes.len();
+            from_array.push(quote!(#field: #runtime::#vector::new(#(#parameters[#places]),*)));
+            let axes = axes.iter().map(|axis| local(&axis.to_string()));
+            converted.push(quote!(#field: #runtime::#vector::new(#(#convert(self.#field.#axes)),*)));
         } else {
             let place = size(next);
             next += 1;
@@ -95,10 +93,12 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let unknown_fields = model.unknowns.iter().map(|unknown| &unknown.name);
     let output_fields = model.outputs.iter().map(|output| {
         let field = &output.name;
-        match output.value {
-            Value::Scalar(_) => quote!(self.#field),
-            Value::Plane(..) => quote!(self.#field.x(), self.#field.y()),
+        let axes = output.value.shape().axes();
+        if axes.is_empty() {
+            return quote!(self.#field);
         }
+        let axes = axes.iter().map(|axis| local(&axis.to_string()));
+        quote!(#(self.#field.#axes()),*)
     });
     let ignore = if value.is_empty() {
         quote!(let () = #wanted;)
@@ -233,10 +233,7 @@ fn description(mechanism: &Mechanism<'_>) -> TokenStream {
     });
     let outputs = model.outputs.iter().flat_map(|output| {
         let name = output.name.to_string();
-        let labels = match output.value {
-            Value::Scalar(_) => vec![name],
-            Value::Plane(..) => vec![format!("{name}.x"), format!("{name}.y")],
-        };
+        let labels = output.value.shape().part_names(&name, ".");
         labels
             .into_iter()
             .map(|label| quantity(runtime, &label, output.dimension, &output.documentation))
@@ -279,7 +276,9 @@ fn description(mechanism: &Mechanism<'_>) -> TokenStream {
 
 fn quantity(runtime: &TokenStream, name: &str, dimension: Dimension, attributes: &[Attribute]) -> TokenStream {
     let dimension = match dimension {
-        Dimension::Length | Dimension::Point | Dimension::Vector => local("Length").into_token_stream(),
+        Dimension::Length | Dimension::Point | Dimension::Vector | Dimension::Point3 | Dimension::Vector3 => {
+            local("Length").into_token_stream()
+        }
         Dimension::Angle => local("Angle").into_token_stream(),
         Dimension::Scalar => local("Scalar").into_token_stream(),
     };

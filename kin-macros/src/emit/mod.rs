@@ -23,7 +23,7 @@ use quote::{format_ident, quote};
 
 use crate::assemble::{Limits, Mode};
 use crate::expr::{Graph, Symbol};
-use crate::model::{Dimension, Model, Request, Value};
+use crate::model::{Dimension, Model, Request, Shape};
 use crate::plan::Plan;
 use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
@@ -199,12 +199,12 @@ impl Mechanism<'_> {
             .collect()
     }
 
-    /// `T` or `Plane<T>`.
-    fn output_type(&self, value: Value) -> TokenStream {
+    /// `T`, `Plane<T>` or `Space<T>`.
+    fn output_type(&self, shape: Shape) -> TokenStream {
         let runtime = self.runtime;
-        match value {
-            Value::Scalar(_) => quote!(T),
-            Value::Plane(..) => quote!(#runtime::Plane<T>),
+        match declaration::vector_type(shape) {
+            None => quote!(T),
+            Some(vector) => quote!(#runtime::#vector<T>),
         }
     }
 
@@ -213,11 +213,18 @@ impl Mechanism<'_> {
         let mut scalars = Vec::new();
         for (index, parameter) in self.model.parameters.iter().enumerate() {
             let name = &parameter.name;
-            if parameter.dimension.is_plane() {
-                scalars.push((format!("{name}.x"), quote!(self.#name.x), Dimension::Length, index));
-                scalars.push((format!("{name}.y"), quote!(self.#name.y), Dimension::Length, index));
-            } else {
+            let shape = parameter.dimension.shape();
+            if shape == Shape::Scalar {
                 scalars.push((name.to_string(), quote!(self.#name), parameter.dimension, index));
+            }
+            for axis in shape.axes() {
+                let part = local(&axis.to_string());
+                scalars.push((
+                    format!("{name}.{axis}"),
+                    quote!(self.#name.#part),
+                    Dimension::Length,
+                    index,
+                ));
             }
         }
         scalars

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::declaration::vector_type;
 use super::{Mechanism, attributes, local};
 use crate::expr::Symbol;
 use crate::model::Value;
@@ -127,7 +128,7 @@ fn result(mechanism: &Mechanism<'_>) -> TokenStream {
         .zip(mechanism.output_parts())
         .map(|(output, parts)| {
             let name = &output.name;
-            let value = output_value(mechanism, output.value, &parts, 0);
+            let value = output_value(mechanism, &output.value, &parts, 0);
             quote!(#name: #runtime::Motion::new([#value]))
         });
     let stage = &mechanism.plan.scheduled.stages[0];
@@ -146,14 +147,14 @@ fn result(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// An output's derivative of an order from its parts.
-pub(super) fn output_value(mechanism: &Mechanism<'_>, value: Value, parts: &[usize], order: usize) -> TokenStream {
+pub(super) fn output_value(mechanism: &Mechanism<'_>, value: &Value, parts: &[usize], order: usize) -> TokenStream {
     let runtime = mechanism.runtime;
     let names: Vec<_> = parts
         .iter()
         .map(|&part| mechanism.name_of(Symbol::OutputRate(part, order)))
         .collect();
-    match value {
-        Value::Scalar(_) => quote!(#(#names)*),
-        Value::Plane(..) => quote!(#runtime::Plane::new(#(#names),*)),
+    match vector_type(value.shape()) {
+        None => quote!(#(#names)*),
+        Some(vector) => quote!(#runtime::#vector::new(#(#names),*)),
     }
 }

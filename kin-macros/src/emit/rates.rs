@@ -49,7 +49,7 @@ fn solver(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
         .zip(mechanism.output_parts())
         .map(|(output, parts)| {
             let name = &output.name;
-            let value = output_value(mechanism, output.value, &parts, order);
+            let value = output_value(mechanism, &output.value, &parts, order);
             quote!(#name: self.#name.and(#value))
         });
     let carried = stage.carries.iter().map(|carried| {

@@ -10,12 +10,13 @@ use quote::{format_ident, quote, quote_spanned};
 
 use super::closure::{self, Binding, Translated, Translation};
 use super::{Mechanism, attributes, local, values};
-use crate::model::{Dimension, Residual};
+use crate::model::{Dimension, Shape};
 use crate::syntax::{Declaration, Expression, ExpressionKind, Operator, OutputStatement, Statement};
 
 /// One side of a vector equation.
 struct Chain<'a> {
     equation: usize,
+    shape: Shape,
     side: &'a Expression,
     links: Vec<Link<'a>>,
 }
@@ -34,7 +35,9 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         .statements
         .iter()
         .filter_map(|statement| match statement {
-            Statement::Output(output) if output.dimension == Dimension::Point => Some(output),
+            Statement::Output(output) if matches!(output.dimension, Dimension::Point | Dimension::Point3) => {
+                Some(output)
+            }
             _ => None,
         })
         .collect();
@@ -42,6 +45,19 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         return TokenStream::new();
     }
 
+    // a plane chain beside one of space lies in the plane of x and y
+    let shape = if chains.iter().any(|chain| chain.shape == Shape::Space)
+        || points.iter().any(|output| output.dimension == Dimension::Point3)
+    {
+        Shape::Space
+    } else {
+        Shape::Plane
+    };
+    let kind = if shape == Shape::Space {
+        local("Space")
+    } else {
+        local("Plane")
+    };
     let terms = chains.iter().flat_map(|chain| &chain.links).map(|link| link.term);
     let used = closure::used_names(declaration, terms.chain(points.iter().map(|output| &output.value)));
     let mut names = closure::names(model);
@@ -63,14 +79,15 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         let mut last: Option<Ident> = None;
         let mut add = |joints: &mut Vec<Ident>, last: &mut Option<Ident>, value: &TokenStream| {
             let joint = format_ident!("joint_{}", joints.len(), span = Span::mixed_site());
-            body.extend(quote!(let #joint: #runtime::Plane<T> = #value;));
+            body.extend(quote!(let #joint: #runtime::#kind<T> = #value;));
             joints.push(joint.clone());
             *last = Some(joint);
         };
         let zero = translation.constant(0.0);
-        add(&mut joints, &mut last, &quote!(#runtime::Plane::new(#zero, #zero)));
+        let zeros = shape.axes().iter().map(|_| &zero);
+        add(&mut joints, &mut last, &quote!(#runtime::#kind::new(#(#zeros),*)));
         for (place, link) in chain.links.iter().enumerate() {
-            let term = translation.on_plane(&translation.expression(link.term));
+            let term = on(&translation, &translation.expression(link.term), shape);
             let value = match (&last, place, link.negative) {
                 (Some(last), 1.., negative) => {
                     let operator = if negative { quote!(-) } else { quote!(+) };
@@ -88,7 +105,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     }
     let places = points
         .iter()
-        .map(|output| translation.on_plane(&translation.expression(&output.value)).tokens);
+        .map(|output| on(&translation, &translation.expression(&output.value), shape).tokens);
     let labels = points.iter().map(|output| output.name.to_string());
     let [joint_count, point_count] = [joints.len(), points.len()].map(Literal::usize_unsuffixed);
     let tables = chains.iter().map(|chain| {
@@ -110,13 +127,24 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             pub fn skeleton(
                 &self,
                 #argument,
-            ) -> #runtime::Skeleton<#runtime::Plane<T>, #joint_count, #point_count> {
+            ) -> #runtime::Skeleton<#runtime::#kind<T>, #joint_count, #point_count> {
                 #ignored
                 #body
                 #runtime::Skeleton::new(&[#(#tables),*], [#(#joints),*], &[#(#labels),*], [#(#places),*])
             }
         }
     }
+}
+
+/// A term as a vector of the shape of the whole picture.
+fn on(translation: &Translation<'_>, term: &Translated, shape: Shape) -> Translated {
+    if (term.shape, shape) != (Shape::Plane, Shape::Space) {
+        return translation.lifted(term, shape);
+    }
+    let (runtime, tokens, zero) = (translation.runtime, &term.tokens, translation.constant(0.0));
+    let plane = local("plane");
+    let lifted = quote!({ let #plane = #tokens; #runtime::Space::new(#plane.x, #plane.y, #zero) });
+    Translated::new(shape, lifted)
 }
 
 /// Local names for the inputs that are used.
@@ -162,7 +190,8 @@ fn chains<'a>(mechanism: &Mechanism<'a>) -> Vec<Chain<'a>> {
         });
     let mut chains = Vec::new();
     for (number, (equation, declared)) in equations.zip(&mechanism.model.equations).enumerate() {
-        if !matches!(declared.residual, Residual::Plane(..)) {
+        let shape = declared.residual.shape();
+        if !matches!(shape, Shape::Plane | Shape::Space) {
             continue;
         }
         for side in [&equation.left, &equation.right] {
@@ -171,6 +200,7 @@ fn chains<'a>(mechanism: &Mechanism<'a>) -> Vec<Chain<'a>> {
             if !links.is_empty() {
                 chains.push(Chain {
                     equation: number,
+                    shape,
                     side,
                     links,
                 });
@@ -197,7 +227,7 @@ fn sums<'a>(mechanism: &Mechanism<'a>) -> BTreeMap<String, &'a Expression> {
     for statement in &declaration.statements {
         if let Statement::Let(statement) = statement {
             let word = statement.name.to_string();
-            if names.get(&word).is_some_and(|value| value.plane) && is_sum(&statement.value, &sums) {
+            if names.get(&word).is_some_and(|value| value.shape != Shape::Scalar) && is_sum(&statement.value, &sums) {
                 sums.insert(word, &statement.value);
             }
         }

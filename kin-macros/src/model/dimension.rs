@@ -1,8 +1,10 @@
-//! What formulas measure: scalar or plane vector, and which power of a length.
+//! What formulas measure: scalar, vector or rotation, and which power of a length.
 //!
 //! Angles are plain numbers here, so that `r * theta` is a length.
 
 use std::fmt::{self, Display, Formatter};
+
+use crate::syntax::Shape;
 
 /// A power of a length, as a fraction in lowest terms with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,7 +80,7 @@ impl Display for Exponent {
 /// What a formula measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Measure {
-    pub(crate) plane: bool,
+    pub(crate) shape: Shape,
     /// `None` is zero, which fits everywhere.
     pub(crate) exponent: Option<Exponent>,
 }
@@ -86,23 +88,27 @@ pub(crate) struct Measure {
 impl Measure {
     /// Whether it is zero, and so fits both a scalar and a vector.
     pub(crate) fn is_zero(self) -> bool {
-        !self.plane && self.exponent.is_none()
+        self.shape == Shape::Scalar && self.exponent.is_none()
     }
 
     /// Whether a plain number is wanted and this is one.
     pub(crate) fn is_number(self) -> bool {
-        !self.plane && self.exponent.is_none_or(|exponent| exponent == Exponent::NUMBER)
+        self.shape == Shape::Scalar && self.exponent.is_none_or(|exponent| exponent == Exponent::NUMBER)
     }
 }
 
-/// The measure of a sum or difference, `None` if the powers of length differ. Zero takes the other's.
+/// The measure of a sum or difference, `None` if the powers of length differ. Zero takes the other's. The shapes fit.
 pub(crate) fn common(left: Measure, right: Measure) -> Option<Measure> {
     let fits = match (left.exponent, right.exponent) {
         (Some(left), Some(right)) => left == right,
         _ => true,
     };
     fits.then_some(Measure {
-        plane: left.plane || right.plane,
+        shape: if left.shape == Shape::Scalar {
+            right.shape
+        } else {
+            left.shape
+        },
         exponent: left.exponent.or(right.exponent),
     })
 }
@@ -115,19 +121,29 @@ pub(crate) fn product(left: Option<Exponent>, right: Option<Exponent>) -> Option
 /// In words, with an article.
 impl Display for Measure {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Some(exponent) = self.exponent else {
-            return f.write_str(if self.plane { "a zero vector" } else { "zero" });
+        let vector = match self.shape {
+            Shape::Scalar => return scalar(self.exponent, f),
+            Shape::Rotation => return f.write_str("a rotation"),
+            Shape::Plane => "plane vector",
+            Shape::Space => "space vector",
         };
-        match (self.plane, exponent) {
-            (false, Exponent::NUMBER) => f.write_str("an angle or plain number"),
-            (false, Exponent::LENGTH) => f.write_str("a length"),
-            (false, exponent) if exponent == Exponent::whole(2) => f.write_str("an area (length^2)"),
-            (false, exponent) if exponent == Exponent::whole(3) => f.write_str("a volume (length^3)"),
-            (false, exponent) => write!(f, "a {exponent}"),
-            (true, Exponent::NUMBER) => f.write_str("a plane vector of plain numbers"),
-            (true, Exponent::LENGTH) => f.write_str("a plane vector of lengths"),
-            (true, exponent) => write!(f, "a plane vector of {exponent}"),
+        match self.exponent {
+            None => write!(f, "a zero {vector}"),
+            Some(Exponent::NUMBER) => write!(f, "a {vector} of plain numbers"),
+            Some(Exponent::LENGTH) => write!(f, "a {vector} of lengths"),
+            Some(exponent) => write!(f, "a {vector} of {exponent}"),
         }
+    }
+}
+
+fn scalar(exponent: Option<Exponent>, f: &mut Formatter<'_>) -> fmt::Result {
+    match exponent {
+        None => f.write_str("zero"),
+        Some(Exponent::NUMBER) => f.write_str("an angle or plain number"),
+        Some(Exponent::LENGTH) => f.write_str("a length"),
+        Some(exponent) if exponent == Exponent::whole(2) => f.write_str("an area (length^2)"),
+        Some(exponent) if exponent == Exponent::whole(3) => f.write_str("a volume (length^3)"),
+        Some(exponent) => write!(f, "a {exponent}"),
     }
 }
 
@@ -157,14 +173,20 @@ mod tests {
 
     #[test]
     fn measures_have_words() {
-        let words = |plane, exponent| Measure { plane, exponent }.to_string();
-        assert_eq!(words(false, Some(Exponent::LENGTH)), "a length");
-        assert_eq!(words(false, Some(Exponent::NUMBER)), "an angle or plain number");
-        assert_eq!(words(false, Some(Exponent::whole(2))), "an area (length^2)");
-        assert_eq!(words(false, Some(Exponent::whole(-1))), "a length^-1");
-        assert_eq!(words(false, Some(Exponent::LENGTH.half())), "a length^(1/2)");
-        assert_eq!(words(true, Some(Exponent::LENGTH)), "a plane vector of lengths");
-        assert_eq!(words(true, Some(Exponent::whole(2))), "a plane vector of length^2");
-        assert_eq!(words(false, None), "zero");
+        let words = |shape, exponent| Measure { shape, exponent }.to_string();
+        assert_eq!(words(Shape::Scalar, Some(Exponent::LENGTH)), "a length");
+        assert_eq!(words(Shape::Scalar, Some(Exponent::NUMBER)), "an angle or plain number");
+        assert_eq!(words(Shape::Scalar, Some(Exponent::whole(2))), "an area (length^2)");
+        assert_eq!(words(Shape::Scalar, Some(Exponent::whole(-1))), "a length^-1");
+        assert_eq!(words(Shape::Scalar, Some(Exponent::LENGTH.half())), "a length^(1/2)");
+        assert_eq!(words(Shape::Plane, Some(Exponent::LENGTH)), "a plane vector of lengths");
+        assert_eq!(
+            words(Shape::Plane, Some(Exponent::whole(2))),
+            "a plane vector of length^2"
+        );
+        assert_eq!(words(Shape::Scalar, None), "zero");
+        assert_eq!(words(Shape::Plane, None), "a zero plane vector");
+        assert_eq!(words(Shape::Space, Some(Exponent::LENGTH)), "a space vector of lengths");
+        assert_eq!(words(Shape::Rotation, Some(Exponent::NUMBER)), "a rotation");
     }
 }

@@ -1,4 +1,4 @@
-//! Formulas to graph nodes: names looked up, dimensions checked, plane vectors taken apart.
+//! Formulas to graph nodes: names looked up, dimensions checked, vectors taken apart.
 
 use proc_macro2::Span;
 
@@ -8,10 +8,10 @@ use crate::model::Value;
 use crate::model::dimension::{Exponent, Measure, common, product};
 use crate::model::scope::Scope;
 use crate::report::{Extent, Report};
-use crate::syntax::{Axis, Callee, EquationStatement, Expression, ExpressionKind, Operator};
+use crate::syntax::{Axis, Callee, EquationStatement, Expression, ExpressionKind, Operator, Shape};
 
 /// A formula's value and what it measures.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Typed {
     pub(super) value: Value,
     pub(super) exponent: Option<Exponent>,
@@ -20,21 +20,21 @@ pub(super) struct Typed {
 impl Typed {
     pub(super) fn scalar(node: Node, exponent: Exponent) -> Self {
         Self {
-            value: Value::Scalar(node),
+            value: Value::scalar(node),
             exponent: Some(exponent),
         }
     }
 
-    pub(super) fn plane(x: Node, y: Node, exponent: Exponent) -> Self {
+    fn number(value: Value) -> Self {
         Self {
-            value: Value::Plane(x, y),
-            exponent: Some(exponent),
+            value,
+            exponent: Some(Exponent::NUMBER),
         }
     }
 
     pub(super) fn measure(&self) -> Measure {
         Measure {
-            plane: matches!(self.value, Value::Plane(..)),
+            shape: self.value.shape(),
             exponent: self.exponent,
         }
     }
@@ -54,18 +54,29 @@ impl Lowering<'_, '_> {
         let right = self.expression(&equation.right);
         let (left, right) = (left?, right?);
         let (left_measure, right_measure) = (left.measure(), right.measure());
-        let mixed = left_measure.plane != right_measure.plane && !left_measure.is_zero() && !right_measure.is_zero();
-        if mixed {
-            let sides = if left_measure.plane {
-                "the left side is a plane vector, the right side a scalar"
-            } else {
-                "the left side is a scalar, the right side a plane vector"
+        if left_measure.shape != right_measure.shape || left_measure.shape == Shape::Rotation {
+            let remedy = match clash(left_measure, right_measure) {
+                Some(remedy) => Some(remedy),
+                None if left_measure.is_zero() || right_measure.is_zero() => None,
+                None => Some("write `vec2(s, 0)` to place a scalar s along x, or compare `.x` and `.y` one by one"),
             };
-            self.report.error(
-                equation.operator,
-                format!("{sides}: write `vec2(s, 0)` to place a scalar s along x, or compare `.x` and `.y` one by one"),
-            );
-            return None;
+            if let Some(remedy) = remedy {
+                let kind = |measure: Measure| match measure.shape {
+                    Shape::Scalar => "a scalar",
+                    Shape::Plane => "a plane vector",
+                    Shape::Space => "a space vector",
+                    Shape::Rotation => "a rotation",
+                };
+                self.report.error(
+                    equation.operator,
+                    format!(
+                        "the left side is {}, the right side {}: {remedy}",
+                        kind(left_measure),
+                        kind(right_measure)
+                    ),
+                );
+                return None;
+            }
         }
         if common(left_measure, right_measure).is_none() {
             self.report.error(
@@ -76,13 +87,13 @@ impl Lowering<'_, '_> {
             );
             return None;
         }
-        Some(self.combine(Operator::Subtract, left.value, right.value))
+        Some(self.combine(Operator::Subtract, &left.value, &right.value))
     }
 
     pub(super) fn expression(&mut self, expression: &Expression) -> Option<Typed> {
         let typed = match &expression.kind {
             ExpressionKind::Number { value, .. } => Typed {
-                value: Value::Scalar(self.graph.number(*value)),
+                value: Value::scalar(self.graph.number(*value)),
                 exponent: (*value != 0.0).then_some(Exponent::NUMBER),
             },
             ExpressionKind::Pi => Typed::scalar(self.graph.pi(), Exponent::NUMBER),
@@ -90,11 +101,15 @@ impl Lowering<'_, '_> {
             ExpressionKind::Parenthesis(inner) => self.expression(inner)?,
             ExpressionKind::Negate(of) => {
                 let of = self.expression(of)?;
+                if of.value.shape() == Shape::Rotation {
+                    self.report.error_at(
+                        expression.extent.first,
+                        "a rotation has no negative: turn by the opposite angle, or write the `-` before the vector",
+                    );
+                    return None;
+                }
                 Typed {
-                    value: match of.value {
-                        Value::Scalar(node) => Value::Scalar(self.graph.negate(node)),
-                        Value::Plane(x, y) => Value::Plane(self.graph.negate(x), self.graph.negate(y)),
-                    },
+                    value: of.value.map(|node| self.graph.negate(node)),
                     exponent: of.exponent,
                 }
             }
@@ -108,9 +123,9 @@ impl Lowering<'_, '_> {
                 let right_typed = self.expression(right);
                 let (left, right_typed) = (left_typed?, right_typed?);
                 match operator {
-                    Operator::Add | Operator::Subtract => self.sum(*operator, *span, left, right_typed)?,
-                    Operator::Multiply => self.product(left, right_typed),
-                    Operator::Divide => self.quotient(left, right_typed, right.extent)?,
+                    Operator::Add | Operator::Subtract => self.sum(*operator, *span, &left, &right_typed)?,
+                    Operator::Multiply => self.product(*span, &left, &right_typed)?,
+                    Operator::Divide => self.quotient(*span, &left, &right_typed, right.extent)?,
                 }
             }
             ExpressionKind::Call { callee, arguments, .. } => {
@@ -129,7 +144,7 @@ impl Lowering<'_, '_> {
                     return None;
                 }
                 Typed {
-                    value: Value::Scalar(self.graph.power(node, *exponent)),
+                    value: Value::scalar(self.graph.power(node, *exponent)),
                     exponent: match typed.exponent {
                         Some(of_base) => Some(of_base.times(*exponent)),
                         None => (*exponent == 0).then_some(Exponent::NUMBER),
@@ -138,21 +153,25 @@ impl Lowering<'_, '_> {
             }
             ExpressionKind::Part { of, axis } => {
                 let typed = self.expression(of)?;
-                let Value::Plane(x, y) = typed.value else {
-                    self.report.error(
-                        expression.extent,
-                        format!(
-                            "only a plane vector has a part `{axis}`, but `{of}` is {}: write it alone",
-                            typed.measure()
+                let axes = typed.value.shape().axes();
+                let Some(part) = axes.iter().position(|own| own == axis) else {
+                    let measure = typed.measure();
+                    let complaint = match measure.shape {
+                        Shape::Scalar => {
+                            format!("only a vector has a part `{axis}`, but `{of}` is {measure}: write it alone")
+                        }
+                        Shape::Plane | Shape::Space => format!(
+                            "`{of}` is {measure} and has no part `{axis}`: write `vec3(v.x, v.y, 0)` to place a plane vector v in space"
                         ),
-                    );
+                        Shape::Rotation => format!(
+                            "only a vector has a part `{axis}`, but `{of}` is {measure}: write a vector that it turns, as in `({of} * v).{axis}`"
+                        ),
+                    };
+                    self.report.error(expression.extent, complaint);
                     return None;
                 };
                 Typed {
-                    value: Value::Scalar(match axis {
-                        Axis::X => x,
-                        Axis::Y => y,
-                    }),
+                    value: Value::scalar(typed.value.nodes()[part]),
                     exponent: typed.exponent,
                 }
             }
@@ -177,88 +196,142 @@ impl Lowering<'_, '_> {
         Some(typed)
     }
 
-    fn sum(&mut self, operator: Operator, span: Span, left: Typed, right: Typed) -> Option<Typed> {
-        let Some(measure) = common(left.measure(), right.measure()) else {
+    fn sum(&mut self, operator: Operator, span: Span, left: &Typed, right: &Typed) -> Option<Typed> {
+        let (left_measure, right_measure) = (left.measure(), right.measure());
+        let remedy = clash(left_measure, right_measure);
+        let measure = common(left_measure, right_measure).filter(|_| remedy.is_none());
+        let Some(measure) = measure else {
             let complaint = if operator == Operator::Add {
-                format!("cannot add {} and {}", left.measure(), right.measure())
+                format!("cannot add {left_measure} and {right_measure}")
             } else {
-                format!("cannot subtract {} from {}", right.measure(), left.measure())
+                format!("cannot subtract {right_measure} from {left_measure}")
             };
-            let remedy = match (left.exponent, right.exponent) {
+            let remedy = remedy.unwrap_or(match (left.exponent, right.exponent) {
                 (Some(Exponent::LENGTH), Some(Exponent::NUMBER)) | (Some(Exponent::NUMBER), Some(Exponent::LENGTH)) => {
                     "multiply the number by a length, or divide the length by one"
                 }
                 _ => "bring both to the same dimension",
-            };
+            });
             self.report.error_at(span, format!("{complaint}: {remedy}"));
             return None;
         };
         Some(Typed {
-            value: self.combine(operator, left.value, right.value),
+            value: self.combine(operator, &left.value, &right.value),
             exponent: measure.exponent,
         })
     }
 
     /// Sum or difference; a scalar beside a vector lies along x.
-    fn combine(&mut self, operator: Operator, left: Value, right: Value) -> Value {
-        let zero = self.graph.number(0.0);
-        let mut join = |a, b| {
+    fn combine(&mut self, operator: Operator, left: &Value, right: &Value) -> Value {
+        let left = left.lifted(self.graph, right.shape());
+        let right = right.lifted(self.graph, left.shape());
+        left.zip(&right, |a, b| {
             if operator == Operator::Subtract {
                 self.graph.subtract(a, b)
             } else {
                 self.graph.add(a, b)
             }
-        };
-        if let (Value::Scalar(a), Value::Scalar(b)) = (left, right) {
-            return Value::Scalar(join(a, b));
-        }
-        let (a, b) = (left.on_plane(zero), right.on_plane(zero));
-        Value::Plane(join(a.0, b.0), join(a.1, b.1))
+        })
     }
 
-    /// A product; of two vectors, that of complex numbers.
-    fn product(&mut self, left: Typed, right: Typed) -> Typed {
+    /// A product: of two plane vectors, that of complex numbers; of a rotation, what it turns, turned.
+    fn product(&mut self, span: Span, left: &Typed, right: &Typed) -> Option<Typed> {
         let graph = &mut *self.graph;
-        let value = match (left.value, right.value) {
-            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(graph.multiply(a, b)),
-            (Value::Scalar(s), Value::Plane(x, y)) | (Value::Plane(x, y), Value::Scalar(s)) => {
-                Value::Plane(graph.multiply(s, x), graph.multiply(s, y))
+        let (a, b) = (left.value.nodes(), right.value.nodes());
+        let value = match (left.value.shape(), right.value.shape()) {
+            (Shape::Scalar, Shape::Scalar | Shape::Plane | Shape::Space) => {
+                right.value.map(|part| graph.multiply(a[0], part))
             }
-            (Value::Plane(a, b), Value::Plane(c, d)) => {
-                let (ac, bd) = (graph.multiply(a, c), graph.multiply(b, d));
-                let (ad, bc) = (graph.multiply(a, d), graph.multiply(b, c));
-                Value::Plane(graph.subtract(ac, bd), graph.add(ad, bc))
+            (Shape::Plane | Shape::Space, Shape::Scalar) => left.value.map(|part| graph.multiply(b[0], part)),
+            (Shape::Plane, Shape::Plane) => {
+                let (ac, bd) = (graph.multiply(a[0], b[0]), graph.multiply(a[1], b[1]));
+                let (ad, bc) = (graph.multiply(a[0], b[1]), graph.multiply(a[1], b[0]));
+                Value::plane(graph.subtract(ac, bd), graph.add(ad, bc))
+            }
+            (Shape::Rotation, Shape::Space) => {
+                let rows = left.value.rows();
+                Value::space([0, 1, 2].map(|row| inner(graph, rows[row], &b)))
+            }
+            (Shape::Rotation, Shape::Rotation) => {
+                let (rows, factor) = (left.value.rows(), right.value.rows());
+                Value::rotation([0, 1, 2].map(|row| {
+                    [0, 1, 2].map(|column| {
+                        let column = [factor[0][column], factor[1][column], factor[2][column]];
+                        inner(graph, rows[row], &column)
+                    })
+                }))
+            }
+            (left_shape, right_shape) => {
+                let remedy = match (left_shape, right_shape) {
+                    (Shape::Space, Shape::Space) => {
+                        "there are two products of space vectors, `dot(a, b)` and `cross(a, b)`"
+                    }
+                    (Shape::Rotation, Shape::Plane) | (Shape::Plane, Shape::Rotation) => {
+                        "write `vec3(v.x, v.y, 0)` for the vector, or `v * cis(angle)` to turn it in the plane"
+                    }
+                    (Shape::Space, Shape::Rotation) => {
+                        "a rotation stands before what it turns, write `rotation * vector`"
+                    }
+                    (Shape::Plane | Shape::Space, _) => {
+                        "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the product"
+                    }
+                    _ => "a rotation only turns, write `rotation * vector` and multiply the vector",
+                };
+                self.report.error_at(
+                    span,
+                    format!("cannot multiply {} and {}: {remedy}", left.measure(), right.measure()),
+                );
+                return None;
             }
         };
-        Typed {
+        Some(Typed {
             value,
             exponent: product(left.exponent, right.exponent),
-        }
+        })
     }
 
-    fn quotient(&mut self, left: Typed, right: Typed, divisor: Extent) -> Option<Typed> {
-        let Value::Scalar(by) = right.value else {
+    fn quotient(&mut self, span: Span, left: &Typed, right: &Typed, divisor: Extent) -> Option<Typed> {
+        let Some(by) = right.value.as_scalar() else {
             self.report.error(
                 divisor,
-                "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn back by an angle",
+                match right.value.shape() {
+                    Shape::Space => "nothing can be divided by a space vector: divide by its length, `norm(v)`",
+                    Shape::Rotation => {
+                        "nothing can be divided by a rotation: turn back by that of the opposite angle, as in `rot_z(-angle) * v`"
+                    }
+                    Shape::Scalar | Shape::Plane => {
+                        "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn back by an angle"
+                    }
+                },
             );
             return None;
         };
+        if left.value.shape() == Shape::Rotation {
+            self.report.error_at(
+                span,
+                "a rotation cannot be divided: it only turns, write `rotation * vector` and divide the vector",
+            );
+            return None;
+        }
         if self.graph.constant_value(by) == Some(0.0) {
             self.report
                 .error(divisor, "this divisor is zero: divide by something else");
             return None;
         }
         Some(Typed {
-            value: match left.value {
-                Value::Scalar(node) => Value::Scalar(self.graph.divide(node, by)),
-                Value::Plane(x, y) => Value::Plane(self.graph.divide(x, by), self.graph.divide(y, by)),
-            },
+            value: left.value.map(|part| self.graph.divide(part, by)),
             exponent: product(left.exponent, right.exponent.map(Exponent::negated)),
         })
     }
 
     fn call(&mut self, callee: Callee, arguments: &[Expression], typed: &[Typed]) -> Option<Typed> {
+        match callee {
+            Callee::Rot | Callee::Dot | Callee::Cross | Callee::Norm => self.call_of_vectors(callee, arguments, typed),
+            _ => self.call_of_scalars(callee, arguments, typed),
+        }
+    }
+
+    fn call_of_scalars(&mut self, callee: Callee, arguments: &[Expression], typed: &[Typed]) -> Option<Typed> {
         let name = callee.name();
         let nodes: Vec<Option<Node>> = arguments
             .iter()
@@ -269,10 +342,7 @@ impl Lowering<'_, '_> {
         match (callee, nodes.as_slice()) {
             (Callee::Cis, &[angle]) => {
                 self.expect_number(name, &arguments[0], &typed[0])?;
-                Some(Typed {
-                    value: self.turned(None, angle),
-                    exponent: Some(Exponent::NUMBER),
-                })
+                Some(Typed::number(self.turned(None, angle)))
             }
             (Callee::Polar, &[length, angle]) => {
                 self.expect_number(name, &arguments[1], &typed[1])?;
@@ -282,12 +352,142 @@ impl Lowering<'_, '_> {
                 })
             }
             (Callee::Vec2, &[x, y]) => Some(Typed {
-                value: Value::Plane(x, y),
+                value: Value::plane(x, y),
                 exponent: self.same_dimension(name, arguments, typed)?.exponent,
             }),
+            (Callee::Vec3, &[x, y, z]) => Some(Typed {
+                value: Value::space([x, y, z]),
+                exponent: self.same_dimension(name, arguments, typed)?.exponent,
+            }),
+            (Callee::RotX, &[angle]) => self.rotation_about(Axis::X, name, &arguments[0], &typed[0], angle),
+            (Callee::RotY, &[angle]) => self.rotation_about(Axis::Y, name, &arguments[0], &typed[0], angle),
+            (Callee::RotZ, &[angle]) => self.rotation_about(Axis::Z, name, &arguments[0], &typed[0], angle),
             (Callee::Elementary(function), nodes) => self.elementary(function, arguments, typed, nodes),
-            (Callee::Cis | Callee::Polar | Callee::Vec2, _) => None,
+            _ => None,
         }
+    }
+
+    fn call_of_vectors(&mut self, callee: Callee, arguments: &[Expression], typed: &[Typed]) -> Option<Typed> {
+        let name = callee.name();
+        match (callee, typed) {
+            (Callee::Rot, [axis, angle]) => {
+                let node = self.scalar_argument(name, &arguments[1], angle);
+                self.vector_argument(name, &arguments[0], axis)?;
+                self.expect_number(name, &arguments[1], angle)?;
+                self.rotation(&arguments[0], axis, node?)
+            }
+            (Callee::Norm, [vector]) => {
+                self.vector_argument(name, &arguments[0], vector)?;
+                Some(Typed {
+                    value: Value::scalar(self.norm(&vector.value)),
+                    exponent: vector.exponent,
+                })
+            }
+            (_, [left, right]) => {
+                let first = self.vector_argument(name, &arguments[0], left);
+                self.vector_argument(name, &arguments[1], right)?;
+                first?;
+                if let Some(remedy) = clash(left.measure(), right.measure()) {
+                    self.report.error(
+                        arguments[0].extent.to(arguments[1].extent),
+                        format!(
+                            "`{name}` takes two plane vectors or two space vectors, but these are {} and {}: {remedy}",
+                            left.measure(),
+                            right.measure()
+                        ),
+                    );
+                    return None;
+                }
+                let (a, b) = (left.value.nodes(), right.value.nodes());
+                let graph = &mut *self.graph;
+                let mut minor = |i: usize, j: usize| {
+                    let (first, second) = (graph.multiply(a[i], b[j]), graph.multiply(a[j], b[i]));
+                    graph.subtract(first, second)
+                };
+                let value = match (callee, a.len()) {
+                    (Callee::Cross, 2) => Value::scalar(minor(0, 1)),
+                    (Callee::Cross, _) => Value::space([minor(1, 2), minor(2, 0), minor(0, 1)]),
+                    _ => Value::scalar(inner(graph, &a, &b)),
+                };
+                Some(Typed {
+                    value,
+                    exponent: product(left.exponent, right.exponent),
+                })
+            }
+            _ => None,
+        }
+    }
+
+    fn norm(&mut self, vector: &Value) -> Node {
+        let parts = vector.nodes();
+        let square = inner(self.graph, &parts, &parts);
+        self.graph.call(Function::Sqrt, &[square])
+    }
+
+    fn rotation_about(
+        &mut self,
+        axis: Axis,
+        name: &str,
+        argument: &Expression,
+        typed: &Typed,
+        angle: Node,
+    ) -> Option<Typed> {
+        self.expect_number(name, argument, typed)?;
+        let (zero, one) = (self.graph.zero(), self.graph.one());
+        let parts = [Axis::X, Axis::Y, Axis::Z].map(|own| if own == axis { one } else { zero });
+        Some(Typed::number(self.rodrigues(parts, angle)))
+    }
+
+    /// About an axis of any length but zero.
+    fn rotation(&mut self, argument: &Expression, axis: &Typed, angle: Node) -> Option<Typed> {
+        if axis.value.shape() == Shape::Plane {
+            self.report.error(
+                argument.extent,
+                "the axis of a rotation is a space vector, but this is a plane vector: write `vec3(v.x, v.y, 0)` for an axis in                  the plane, `rot_z(angle)` to turn the plane itself",
+            );
+            return None;
+        }
+        let length = self.norm(&axis.value);
+        if self.graph.constant_value(length) == Some(0.0) {
+            self.report.error(
+                argument.extent,
+                "this axis is zero and has no direction: write a vector of any other length",
+            );
+            return None;
+        }
+        let [x, y, z] = axis.value.nodes()[..] else {
+            return None;
+        };
+        let unit = [x, y, z].map(|part| self.graph.divide(part, length));
+        Some(Typed::number(self.rodrigues(unit, angle)))
+    }
+
+    /// The rotation about a unit vector u: u uᵀ + cos θ (1 - u uᵀ) + sin θ u×.
+    fn rodrigues(&mut self, unit: [Node; 3], angle: Node) -> Value {
+        let graph = &mut *self.graph;
+        let cosine = graph.call(Function::Cos, &[angle]);
+        let sine = graph.call(Function::Sin, &[angle]);
+        let rows = [0, 1, 2].map(|row: usize| {
+            [0, 1, 2].map(|column: usize| {
+                let along = graph.multiply(unit[row], unit[column]);
+                let identity = graph.number(if row == column { 1.0 } else { 0.0 });
+                let across = graph.subtract(identity, along);
+                let across = graph.multiply(cosine, across);
+                // the entry of u× is the third part of u, negative where the column follows the row
+                let turned = if row == column {
+                    graph.zero()
+                } else {
+                    let third = graph.multiply(sine, unit[3 - row - column]);
+                    if (row + 1) % 3 == column {
+                        graph.negate(third)
+                    } else {
+                        third
+                    }
+                };
+                graph.sum(&[along, across, turned])
+            })
+        });
+        Value::rotation(rows)
     }
 
     /// `length * (cos, sin)`
@@ -295,8 +495,8 @@ impl Lowering<'_, '_> {
         let cosine = self.graph.call(Function::Cos, &[angle]);
         let sine = self.graph.call(Function::Sin, &[angle]);
         match length {
-            None => Value::Plane(cosine, sine),
-            Some(length) => Value::Plane(self.graph.multiply(length, cosine), self.graph.multiply(length, sine)),
+            None => Value::plane(cosine, sine),
+            Some(length) => Value::plane(self.graph.multiply(length, cosine), self.graph.multiply(length, sine)),
         }
     }
 
@@ -331,26 +531,39 @@ impl Lowering<'_, '_> {
             return None;
         }
         Some(Typed {
-            value: Value::Scalar(self.graph.call(function, nodes)),
+            value: Value::scalar(self.graph.call(function, nodes)),
             exponent,
         })
     }
 
-    /// Functions work on scalars; only the operators know vectors.
+    /// Most functions work on scalars.
     fn scalar_argument(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<Node> {
-        match typed.value {
-            Value::Scalar(node) => Some(node),
-            Value::Plane(..) => {
-                self.report.error(
-                    argument.extent,
-                    format!(
-                        "`{name}` takes scalars, but this is {}: write its part `.x` or `.y`",
-                        typed.measure()
-                    ),
-                );
-                None
-            }
-        }
+        let measure = typed.measure();
+        let remedy = match measure.shape {
+            Shape::Scalar => return typed.value.as_scalar(),
+            Shape::Plane => "write its part `.x` or `.y`",
+            Shape::Space => "write its part `.x`, `.y` or `.z`",
+            Shape::Rotation => "write the angle itself",
+        };
+        self.report.error(
+            argument.extent,
+            format!("`{name}` takes scalars, but this is {measure}: {remedy}"),
+        );
+        None
+    }
+
+    fn vector_argument(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<()> {
+        let measure = typed.measure();
+        let remedy = match measure.shape {
+            Shape::Plane | Shape::Space => return Some(()),
+            Shape::Scalar => "write `vec3(x, y, z)`, or `vec2(x, y)` in the plane",
+            Shape::Rotation => "write a vector that it turns, `rotation * v`",
+        };
+        self.report.error(
+            argument.extent,
+            format!("`{name}` takes a vector here, but this is {measure}: {remedy}"),
+        );
+        None
     }
 
     fn expect_number(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<()> {
@@ -361,12 +574,14 @@ impl Lowering<'_, '_> {
         let wanted = match name {
             "asin" | "acos" | "atan" => "a ratio",
             "exp" | "ln" => "a plain number",
-            "cis" => "an angle",
+            "cis" | "rot_x" | "rot_y" | "rot_z" => "an angle",
+            "rot" => "an angle as its second argument",
             "polar" => "an angle as its second argument",
             _ => "an angle or a ratio",
         };
         let remedy = match (name, measure.exponent) {
             ("polar", _) => "write `polar(length, angle)`",
+            ("rot", _) => "write `rot(axis, angle)`",
             ("atan", Some(Exponent::LENGTH)) => "divide it by a length, or write `atan2(y, x)`",
             (_, Some(Exponent::LENGTH)) => "divide it by a length",
             _ => "divide it by something of the same dimension",
@@ -379,18 +594,45 @@ impl Lowering<'_, '_> {
     }
 
     fn same_dimension(&mut self, name: &str, arguments: &[Expression], typed: &[Typed]) -> Option<Measure> {
-        let shared = common(typed[0].measure(), typed[1].measure());
+        let measures: Vec<Measure> = typed.iter().map(Typed::measure).collect();
+        let shared = measures[1..]
+            .iter()
+            .try_fold(measures[0], |shared, &measure| common(shared, measure));
         if shared.is_none() {
+            let quantity = if measures.len() == 2 { "both" } else { "all" };
+            let (last, first) = measures.split_last()?;
+            let first: Vec<String> = first.iter().map(Measure::to_string).collect();
             self.report.error(
-                arguments[0].extent.to(arguments[1].extent),
+                arguments[0].extent.to(arguments[arguments.len() - 1].extent),
                 format!(
-                    "both arguments of `{name}` must have the same dimension, but they are {} and {}",
-                    typed[0].measure(),
-                    typed[1].measure()
+                    "{quantity} arguments of `{name}` must have the same dimension, but they are {} and {last}",
+                    first.join(", "),
                 ),
             );
         }
         shared
+    }
+}
+
+/// The sum of the products of the parts.
+fn inner(graph: &mut Graph, a: &[Node], b: &[Node]) -> Node {
+    let products: Vec<Node> = a.iter().zip(b).map(|(&a, &b)| graph.multiply(a, b)).collect();
+    graph.sum(&products)
+}
+
+/// What to write instead where two values of these shapes are added or compared, `None` if they may be. Among plane vectors a
+/// scalar lies along x, as a real number does among complex ones; in space no direction is before the others.
+fn clash(left: Measure, right: Measure) -> Option<&'static str> {
+    match (left.shape, right.shape) {
+        (Shape::Rotation, _) | (_, Shape::Rotation) => Some(
+            "a rotation only turns, write `rotation * vector` on both sides, or `a * b` for one rotation after another",
+        ),
+        (Shape::Plane, Shape::Space) | (Shape::Space, Shape::Plane) => {
+            Some("write `vec3(v.x, v.y, 0)` to place a plane vector v in space")
+        }
+        (Shape::Scalar, Shape::Space) if !left.is_zero() => Some("write `vec3(s, 0, 0)` to place a scalar s along x"),
+        (Shape::Space, Shape::Scalar) if !right.is_zero() => Some("write `vec3(s, 0, 0)` to place a scalar s along x"),
+        _ => None,
     }
 }
 

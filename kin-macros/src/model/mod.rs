@@ -1,5 +1,5 @@
-//! Syntax tree to model: names are what they stand for, dimensions fit, and plane vectors are pairs of scalars, each with its
-//! place in the source.
+//! Syntax tree to model: names are what they stand for, dimensions fit, and vectors are scalars along their axes, each with
+//! its place in the source.
 
 mod dimension;
 mod lower;
@@ -7,6 +7,7 @@ mod order;
 mod range;
 mod request;
 mod scope;
+mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,8 +22,9 @@ use dimension::{Exponent, Measure, common};
 use lower::{Lowering, Typed};
 use scope::{Meaning, Role, Scope};
 
-pub(crate) use crate::syntax::{Dimension, Request};
+pub(crate) use crate::syntax::{Dimension, Request, Shape};
 pub(crate) use request::Requested;
+pub(crate) use value::Value;
 
 /// A mechanism as it was declared, free of mistakes in itself. Whether it can be solved is the next pass's question.
 pub(crate) struct Model {
@@ -73,17 +75,11 @@ pub(crate) struct Range {
 }
 
 pub(crate) struct Equation {
-    pub(crate) residual: Residual,
+    /// The left side less the right.
+    pub(crate) residual: Value,
     /// The whole equation, for errors that span it.
     pub(crate) tokens: TokenStream,
     pub(crate) text: String,
-}
-
-/// The left side of an equation less the right.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Residual {
-    Scalar(Node),
-    Plane(Node, Node),
 }
 
 /// A quantity that is computed from the others and carried to the same order.
@@ -93,31 +89,6 @@ pub(crate) struct Output {
     pub(crate) dimension: Dimension,
     pub(crate) value: Value,
     pub(crate) text: String,
-}
-
-/// A formula's value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Value {
-    Scalar(Node),
-    Plane(Node, Node),
-}
-
-impl Value {
-    /// One, or x and y.
-    pub(crate) fn nodes(self) -> Vec<Node> {
-        match self {
-            Self::Scalar(node) => vec![node],
-            Self::Plane(x, y) => vec![x, y],
-        }
-    }
-
-    /// A scalar beside a vector lies along x.
-    fn on_plane(self, zero: Node) -> (Node, Node) {
-        match self {
-            Self::Scalar(node) => (node, zero),
-            Self::Plane(x, y) => (x, y),
-        }
-    }
 }
 
 /// Builds the model. All mistakes go to the report, and after one the model is `None`.
@@ -158,14 +129,14 @@ pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Mo
 impl Dimension {
     fn exponent(self) -> Exponent {
         match self {
-            Self::Length | Self::Point | Self::Vector => Exponent::LENGTH,
+            Self::Length | Self::Point | Self::Vector | Self::Point3 | Self::Vector3 => Exponent::LENGTH,
             Self::Angle | Self::Scalar => Exponent::NUMBER,
         }
     }
 
     fn measure(self) -> Measure {
         Measure {
-            plane: self.is_plane(),
+            shape: self.shape(),
             exponent: Some(self.exponent()),
         }
     }
@@ -188,11 +159,14 @@ fn parameters(
             graph.symbol(Symbol::Parameter(count - 1))
         };
         let exponent = dimension.exponent();
-        let typed = if dimension.is_plane() {
-            let (x, y) = (next(), next());
-            Typed::plane(x, y, exponent)
-        } else {
-            Typed::scalar(next(), exponent)
+        let value = match dimension.shape() {
+            Shape::Plane => Value::plane(next(), next()),
+            Shape::Space => Value::space([next(), next(), next()]),
+            Shape::Scalar | Shape::Rotation => Value::scalar(next()),
+        };
+        let typed = Typed {
+            value,
+            exponent: Some(exponent),
         };
         scope.declare(&field.name, Role::Parameter, Meaning::Value(typed), report);
         parameters.push(Parameter {
@@ -274,11 +248,8 @@ fn formulas(
                 scope.define(&statement.name, meaning);
             }
             Statement::Equation(statement) => {
-                equations.push(lowering.residual(statement).map(|value| Equation {
-                    residual: match value {
-                        Value::Scalar(node) => Residual::Scalar(node),
-                        Value::Plane(x, y) => Residual::Plane(x, y),
-                    },
+                equations.push(lowering.residual(statement).map(|residual| Equation {
+                    residual,
                     tokens: statement.tokens.clone(),
                     text: statement.to_string(),
                 }));
@@ -303,14 +274,16 @@ fn output(
 ) -> Option<Output> {
     let declared = statement.dimension.measure();
     let actual = typed.measure();
-    let fits = (declared.plane == actual.plane || actual.is_zero()) && common(declared, actual).is_some();
+    let fits = (declared.shape == actual.shape || actual.is_zero()) && common(declared, actual).is_some();
     if !fits {
-        let remedy = match (actual.plane, actual.exponent) {
-            (false, Some(Exponent::LENGTH)) => "declare it `Length`".to_owned(),
-            (false, Some(Exponent::NUMBER)) => "declare it `Angle` or `Scalar`".to_owned(),
-            (true, Some(Exponent::LENGTH)) => "declare it `Point` or `Vector`".to_owned(),
-            (true, Some(Exponent::NUMBER)) => "multiply it by a length".to_owned(),
-            _ => "divide or multiply it by lengths until it is one".to_owned(),
+        let remedy = match (actual.shape, actual.exponent) {
+            (Shape::Rotation, _) => "write the vector that it turns, `rotation * vec3(x, y, z)`",
+            (Shape::Scalar, Some(Exponent::LENGTH)) => "declare it `Length`",
+            (Shape::Scalar, Some(Exponent::NUMBER)) => "declare it `Angle` or `Scalar`",
+            (Shape::Plane, Some(Exponent::LENGTH)) => "declare it `Point` or `Vector`",
+            (Shape::Space, Some(Exponent::LENGTH)) => "declare it `Point3` or `Vector3`",
+            (Shape::Plane | Shape::Space, Some(Exponent::NUMBER)) => "multiply it by a length",
+            _ => "divide or multiply it by lengths until it is one",
         };
         report.error(
             statement.value.extent,
@@ -322,18 +295,11 @@ fn output(
         );
         return None;
     }
-    let value = if declared.plane {
-        let zero = graph.number(0.0);
-        let (x, y) = typed.value.on_plane(zero);
-        Value::Plane(x, y)
-    } else {
-        typed.value
-    };
     Some(Output {
         name: statement.name.clone(),
         documentation: statement.documentation.clone(),
         dimension: statement.dimension,
-        value,
+        value: typed.value.lifted(graph, declared.shape),
         text: statement.value.to_string(),
     })
 }
@@ -402,13 +368,20 @@ fn unknowns_in_equations(
     let before = report.is_empty();
     let mut found: BTreeSet<usize> = BTreeSet::new();
     for equation in equations.iter().flatten() {
-        let parts: Vec<(Node, &str)> = match equation.residual {
-            Residual::Scalar(node) => vec![(node, "this equation")],
-            Residual::Plane(x, y) => vec![(x, "the x part of this equation"), (y, "the y part of this equation")],
-        };
+        let residual = &equation.residual;
+        let axes = residual.shape().axes();
+        let parts: Vec<(Node, String)> = residual
+            .nodes()
+            .into_iter()
+            .enumerate()
+            .map(|(part, node)| match axes.get(part) {
+                None => (node, "this equation".to_owned()),
+                Some(axis) => (node, format!("the {axis} part of this equation")),
+            })
+            .collect();
         let contained = |node| (0..unknowns.len()).filter(move |&index| graph.contains(node, Symbol::Unknown(index)));
-        found.extend(parts.iter().flat_map(|&(node, _)| contained(node)));
-        let idle: Vec<&(Node, &str)> = parts
+        found.extend(parts.iter().flat_map(|(node, _)| contained(*node)));
+        let idle: Vec<&(Node, String)> = parts
             .iter()
             .filter(|(node, _)| contained(*node).next().is_none())
             .collect();
@@ -416,12 +389,15 @@ fn unknowns_in_equations(
             continue;
         }
         let whole = idle.len() == parts.len();
-        for (node, subject) in idle.iter().take(if whole { 1 } else { 2 }) {
-            let subject = if whole { "this equation" } else { subject };
+        for (node, subject) in idle.iter().take(if whole { 1 } else { parts.len() }) {
+            let subject = if whole { "this equation" } else { subject.as_str() };
             let remedy = if whole {
                 "remove it"
             } else {
-                "write the other part alone, by `.x` or `.y`"
+                match axes {
+                    [_, _] => "write the other part alone, by `.x` or `.y`",
+                    _ => "write the other parts alone, by `.x`, `.y` and `.z`",
+                }
             };
             let complaint = match graph.constant_value(*node) {
                 Some(0.0) => format!("{subject} is always true and says nothing: {remedy}"),
@@ -608,7 +584,7 @@ mod tests {
             (quote!(a / p), "cis(-angle)"),
             (quote!(a / 0), "this divisor is zero"),
             (quote!(a / (1 - 1)), "this divisor is zero"),
-            (quote!(a.x), "only a plane vector has a part `x`"),
+            (quote!(a.x), "only a vector has a part `x`"),
             (quote!(sqrt(-2)), "outside of the domain of `sqrt`"),
             (quote!(asin(2)), "outside of the domain of `asin`"),
             (quote!(ln(0)), "outside of the domain of `ln`"),
@@ -623,6 +599,135 @@ mod tests {
             (quote!(pi), "did you mean `PI`"),
         ] {
             let messages = formula(wrong.clone());
+            assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
+            assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
+        }
+    }
+
+    /// The mistakes of one formula among vectors of space.
+    fn in_space(formula: TokenStream) -> Vec<String> {
+        mistakes(quote! {
+            input t: Angle;
+            unknown e: Length;
+            let q = vec3(a, b, p.x);
+            let r = rot_x(t) * rot(q, k);
+            (q + r * q).z + v.x == e * t;
+            let formula = #formula;
+            let used = formula;
+            output o: Point3 = q + 0 * used;
+        })
+        .into_iter()
+        .filter(|message| !message.contains("output `o`"))
+        .collect()
+    }
+
+    #[test]
+    fn what_fits_in_space_fits() {
+        for fitting in [
+            quote!(q + r * q),
+            quote!(q + 0),
+            quote!(0 - q),
+            quote!(-q / 2 + t * q),
+            quote!(r * r * q - rot_y(t) * rot_z(t) * q),
+            quote!(cross(q, q) / a + q),
+            quote!(q.cross(q) / norm(q) + q),
+            quote!(q * norm(q) / a + q),
+            quote!(vec3(sqrt(dot(q, q)), norm(q), norm(p))),
+            quote!(vec3(cross(p, v) / a, dot(p, v) / b, q.y)),
+            quote!(vec3(0, 0, a) + q),
+            quote!(rot(vec3(0, 0, 2), t) * q),
+            quote!(vec3(norm(q / a), 0, k) * a + q),
+        ] {
+            let messages = in_space(fitting.clone());
+            assert!(messages.is_empty(), "{fitting}: {messages:#?}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_in_space_is_told_once() {
+        for (wrong, told) in [
+            (
+                quote!(q + p),
+                "cannot add a space vector of lengths and a plane vector of lengths: write `vec3(v.x, v.y, 0)`",
+            ),
+            (quote!(p - q), "write `vec3(v.x, v.y, 0)`"),
+            (quote!(q + a), "write `vec3(s, 0, 0)`"),
+            (quote!(a - q), "write `vec3(s, 0, 0)`"),
+            (
+                quote!(q + q / a),
+                "a space vector of plain numbers: multiply the number by a length",
+            ),
+            (quote!(q * q), "`dot(a, b)` and `cross(a, b)`"),
+            (quote!(q * p), "`vec3(v.x, v.y, 0)` for the plane vector"),
+            (quote!(q * r), "write `rotation * vector`"),
+            (quote!(r * p), "`v * cis(angle)` to turn it in the plane"),
+            (quote!(r * a), "multiply the vector"),
+            (quote!(2 * r), "multiply the vector"),
+            (quote!(r / 2), "divide the vector"),
+            (quote!(q / r), "turn back by that of the opposite angle"),
+            (quote!(a / q), "divide by its length, `norm(v)`"),
+            (quote!(-r), "a rotation has no negative"),
+            (quote!(r + r), "a rotation only turns"),
+            (quote!(r - 0), "a rotation only turns"),
+            (quote!(r.x), "write a vector that it turns, as in `(r * v).x`"),
+            (quote!(p.z), "has no part `z`: write `vec3(v.x, v.y, 0)`"),
+            (quote!(a.z), "only a vector has a part `z`"),
+            (quote!(sin(r)), "write the angle itself"),
+            (quote!(sqrt(q)), "write its part `.x`, `.y` or `.z`"),
+            (quote!(norm(a)), "`norm` takes a vector here"),
+            (quote!(dot(q, a)), "`dot` takes a vector here"),
+            (quote!(cross(r, q)), "write a vector that it turns"),
+            (quote!(dot(q, p)), "two plane vectors or two space vectors"),
+            (
+                quote!(vec3(a, b, t)),
+                "all arguments of `vec3` must have the same dimension, but they are a length, a length and an angle",
+            ),
+            (quote!(vec3(a, b, q)), "`vec3` takes scalars"),
+            (quote!(rot_x(a)), "`rot_x` takes an angle"),
+            (quote!(rot(q, a)), "write `rot(axis, angle)`"),
+            (quote!(rot(t, t)), "`rot` takes a vector here"),
+            (quote!(rot(p, t)), "the axis of a rotation is a space vector"),
+            (quote!(rot(vec3(0, 0, 0), t)), "this axis is zero"),
+            (quote!(rot(q, q)), "`rot` takes scalars"),
+        ] {
+            let messages = in_space(wrong.clone());
+            assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
+            assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
+        }
+    }
+
+    #[test]
+    fn equations_in_space_have_three_parts() {
+        let equation = |equation: TokenStream| {
+            mistakes(quote! {
+                input t: Angle;
+                unknown e: Length;
+                output all: Point = k * t * (p + v + a + b);
+                e == a;
+                #equation;
+            })
+        };
+        assert!(equation(quote!(vec3(e, e, e) == 0)).is_empty());
+        for (wrong, told) in [
+            (
+                quote!(vec3(e, e, 0) == vec3(a, b, 0)),
+                "the z part of this equation is always true",
+            ),
+            (
+                quote!(vec3(e, e, e) == p),
+                "the left side is a space vector, the right side a plane vector",
+            ),
+            (
+                quote!(e == vec3(e, e, e)),
+                "the left side is a scalar, the right side a space vector: write `vec3(s, 0, 0)`",
+            ),
+            (
+                quote!(rot_x(t) == rot_y(t)),
+                "the left side is a rotation, the right side a rotation",
+            ),
+            (quote!(rot_x(t) == 0), "the left side is a rotation"),
+        ] {
+            let messages = equation(wrong.clone());
             assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");
             assert!(messages[0].contains(told), "{wrong}: {messages:#?}");
         }
@@ -758,7 +863,7 @@ mod tests {
         let Some(model) = model else {
             panic!("{:?}", report.into_messages());
         };
-        let Residual::Plane(_, y) = model.equations[0].residual else {
+        let [_, y] = model.equations[0].residual.nodes()[..] else {
             panic!("an equation of vectors has two parts");
         };
         // the point's y is the third scalar, and the lengths lie along x

@@ -3,9 +3,9 @@
 use proc_macro2::Ident;
 
 use crate::expr::Graph;
+use crate::model::Range;
 use crate::model::lower::Lowering;
 use crate::model::scope::Scope;
-use crate::model::{Range, Value};
 use crate::report::Report;
 use crate::syntax::{Comparison, Declaration, Expression, RangeClause, RangeKind};
 
@@ -67,10 +67,11 @@ fn constant(bound: &Expression, declaration: &Declaration, report: &mut Report) 
         scope: &mut Scope::new(declaration),
         report,
     };
-    let Value::Scalar(node) = lowering.expression(bound)?.value else {
+    let typed = lowering.expression(bound)?;
+    let Some(node) = typed.value.as_scalar() else {
         report.error(
             bound.extent,
-            "the end of a range is a number, but this is a plane vector",
+            format!("the end of a range is a number, but this is {}", typed.measure()),
         );
         return None;
     };

@@ -30,7 +30,6 @@ impl Role {
 }
 
 /// What a name stands for when it is used.
-#[derive(Clone, Copy)]
 pub(super) enum Meaning {
     Value(Typed),
     /// A `let` that has not been reached yet.
@@ -116,8 +115,8 @@ impl<'a> Scope<'a> {
         };
         let entry = &mut self.entries[place];
         entry.used = true;
-        match entry.meaning {
-            Meaning::Value(value) => return Some(value),
+        match &entry.meaning {
+            Meaning::Value(value) => return Some(value.clone()),
             Meaning::Broken => {}
             Meaning::Later => report.error(
                 name,

@@ -1,4 +1,4 @@
-//! The five words that say what a quantity is.
+//! The words that say what a quantity is, and the shapes that values have.
 
 use proc_macro2::{Ident, TokenTree};
 use syn::Token;
@@ -6,6 +6,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 
 use crate::report::suggestion;
+use crate::syntax::Axis;
 
 /// What a quantity was declared to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,10 +16,54 @@ pub(crate) enum Dimension {
     Scalar,
     Point,
     Vector,
+    Point3,
+    Vector3,
+}
+
+/// What a value is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    Scalar,
+    /// A vector of the plane.
+    Plane,
+    /// A vector of space.
+    Space,
+    /// A rotation of space: the nine entries of its matrix, row by row.
+    Rotation,
+}
+
+impl Shape {
+    /// The axes along which a vector has its parts; of scalars and rotations there are none.
+    pub(crate) fn axes(self) -> &'static [Axis] {
+        match self {
+            Self::Scalar | Self::Rotation => &[],
+            Self::Plane => &[Axis::X, Axis::Y],
+            Self::Space => &[Axis::X, Axis::Y, Axis::Z],
+        }
+    }
+
+    /// What the scalar parts of `name` are called: `p.x` and so on with a `.` between, and a scalar is its own part.
+    pub(crate) fn part_names(self, name: &str, between: &str) -> Vec<String> {
+        if self == Self::Scalar {
+            return vec![name.to_owned()];
+        }
+        self.axes()
+            .iter()
+            .map(|axis| format!("{name}{between}{axis}"))
+            .collect()
+    }
 }
 
 impl Dimension {
-    const ALL: [Self; 5] = [Self::Length, Self::Angle, Self::Scalar, Self::Point, Self::Vector];
+    const ALL: [Self; 7] = [
+        Self::Length,
+        Self::Angle,
+        Self::Scalar,
+        Self::Point,
+        Self::Vector,
+        Self::Point3,
+        Self::Vector3,
+    ];
 
     /// As it is written.
     pub(crate) fn word(self) -> &'static str {
@@ -28,12 +73,18 @@ impl Dimension {
             Self::Scalar => "Scalar",
             Self::Point => "Point",
             Self::Vector => "Vector",
+            Self::Point3 => "Point3",
+            Self::Vector3 => "Vector3",
         }
     }
 
-    /// Whether it has an x and a y.
-    pub(crate) fn is_plane(self) -> bool {
-        matches!(self, Self::Point | Self::Vector)
+    /// What a quantity of it is made of.
+    pub(crate) fn shape(self) -> Shape {
+        match self {
+            Self::Length | Self::Angle | Self::Scalar => Shape::Scalar,
+            Self::Point | Self::Vector => Shape::Plane,
+            Self::Point3 | Self::Vector3 => Shape::Space,
+        }
     }
 
     /// Reads a dimension, an error at the first token of anything else.
@@ -41,7 +92,9 @@ impl Dimension {
         let wrong = |at: &TokenTree, word: &str, near: &str| {
             syn::Error::new(
                 at.span(),
-                format!("{word} is not a dimension: write `Length`, `Angle`, `Scalar`, `Point` or `Vector`{near}"),
+                format!(
+                    "{word} is not a dimension: write `Length`, `Angle`, `Scalar`, `Point`, `Vector`, `Point3` or `Vector3`{near}"
+                ),
             )
         };
         if !input.peek(Ident::peek_any) {

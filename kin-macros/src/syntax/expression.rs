@@ -9,13 +9,13 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Lifetime, Lit, Token, parenthesized, token};
 
-use crate::function::Function;
 use crate::report::{Extent, suggestion};
 use crate::syntax::{Axis, Callee, Expression, ExpressionKind, Operator};
 
 /// Every name that can be called.
-pub(crate) const FUNCTION_NAMES: [&str; 14] = [
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "powi", "cis", "polar", "vec2",
+pub(crate) const FUNCTION_NAMES: [&str; 22] = [
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "powi", "cis", "polar", "vec2", "vec3",
+    "rot_x", "rot_y", "rot_z", "rot", "dot", "cross", "norm",
 ];
 
 /// The largest exponent of `powi`: far beyond any mechanism, and small enough to multiply out.
@@ -177,7 +177,7 @@ fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expressio
         let at = if input.is_empty() { dot } else { input.span() };
         return Err(syn::Error::new(
             at,
-            "expected a function after the `.`, or `x` or `y`, the parts of a plane vector",
+            "expected a function after the `.`, or `x`, `y` or `z`, the parts of a vector",
         ));
     }
     let member = Ident::parse_any(input)?;
@@ -196,6 +196,7 @@ fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expressio
     let axis = match word.as_str() {
         "x" => Axis::X,
         "y" => Axis::Y,
+        "z" => Axis::Z,
         "await" => {
             return Err(syn::Error::new(
                 member.span(),
@@ -211,7 +212,9 @@ fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expressio
         _ => {
             return Err(syn::Error::new(
                 member.span(),
-                format!("nothing here has a part `{word}`: a plane vector has `x` and `y`, and there are no others"),
+                format!(
+                    "nothing here has a part `{word}`: a plane vector has `x` and `y`, a space vector `z` as well, and there are no others"
+                ),
             ));
         }
     };
@@ -237,7 +240,7 @@ fn operand(input: ParseStream<'_>) -> Result<Expression> {
 /// What is wrong with a token that begins no operand.
 fn no_operand(input: ParseStream<'_>) -> &'static str {
     if input.peek(token::Bracket) {
-        "there are no arrays here: write `vec2(x, y)` for a plane vector"
+        "there are no arrays here: write `vec2(x, y)` for a plane vector, `vec3(x, y, z)` for a space vector"
     } else if input.peek(token::Brace) {
         "a formula has no blocks: write `( … )` to group, and `let` statements of their own for abbreviations"
     } else if input.peek(Token![&]) {
@@ -422,6 +425,14 @@ pub(crate) fn form(function: &str) -> &'static str {
         "powi" => "powi(x, 2)",
         "cis" => "cis(angle)",
         "polar" => "polar(length, angle)",
+        "vec3" => "vec3(x, y, z)",
+        "rot_x" => "rot_x(angle)",
+        "rot_y" => "rot_y(angle)",
+        "rot_z" => "rot_z(angle)",
+        "rot" => "rot(axis, angle)",
+        "dot" => "dot(a, b)",
+        "cross" => "cross(a, b)",
+        "norm" => "norm(v)",
         _ => "vec2(x, y)",
     }
 }
@@ -430,7 +441,9 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
     let word = name.to_string();
     let instead = match word.as_str() {
         "pow" | "powf" => "; write `powi(x, 2)` for a whole power, `sqrt(x)` for a square root".to_owned(),
-        "hypot" | "norm" | "length" => "; write `sqrt(powi(x, 2) + powi(y, 2))`".to_owned(),
+        "hypot" => "; write `norm(vec2(x, y))`".to_owned(),
+        "length" | "magnitude" => "; write `norm(v)`".to_owned(),
+        "normalize" => "; write `v / norm(v)`".to_owned(),
         "log" => "; write `ln(x)` for the natural logarithm".to_owned(),
         "to_radians" => "; write `x * PI / 180`".to_owned(),
         "to_degrees" => "; write `x * 180 / PI`".to_owned(),
@@ -479,19 +492,12 @@ fn call(name: &Ident, arguments: Vec<Expression>, method: bool, close: Span) -> 
     let word = name.to_string();
     let callee = match word.as_str() {
         "powi" => None,
-        "cis" => Some(Callee::Cis),
-        "polar" => Some(Callee::Polar),
-        "vec2" => Some(Callee::Vec2),
-        _ => match Function::from_name(&word) {
-            Some(function) => Some(Callee::Elementary(function)),
+        _ => match Callee::from_name(&word) {
+            Some(callee) => Some(callee),
             None => return Err(unknown_function(name, method)),
         },
     };
-    let arity = match callee {
-        Some(Callee::Elementary(function)) => function.arity(),
-        Some(Callee::Cis) => 1,
-        None | Some(Callee::Polar | Callee::Vec2) => 2,
-    };
+    let arity = callee.map_or(2, Callee::arity);
     let extent = match arguments.first() {
         Some(receiver) if method => receiver.extent.to(Extent::at(close)),
         _ => Extent::at(name.span()).to(Extent::at(close)),
@@ -623,7 +629,7 @@ fn stray(input: ParseStream<'_>, place: Place) -> syn::Error {
         "an arrow has no meaning in a formula: write only `+`, `-`, `*` and `/`"
     } else if input.peek(Token![,]) {
         if place == Place::Parenthesis {
-            "there are no tuples here: write `vec2(x, y)` for a plane vector"
+            "there are no tuples here: write `vec2(x, y)` for a plane vector, `vec3(x, y, z)` for a space vector"
         } else {
             "an expression ends before this `,`: write `;` before a further statement"
         }

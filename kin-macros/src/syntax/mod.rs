@@ -21,7 +21,7 @@ use syn::{Attribute, Visibility};
 use crate::function::Function;
 use crate::report::{Extent, Report};
 
-pub(crate) use dimension::Dimension;
+pub(crate) use dimension::{Dimension, Shape};
 pub(crate) use expression::{FUNCTION_NAMES, form};
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
@@ -173,7 +173,7 @@ pub(crate) enum ExpressionKind {
         exponent: i32,
         method: bool,
     },
-    /// `p.x` or `p.y`
+    /// `p.x`, `p.y` or `p.z`
     Part {
         of: Box<Expression>,
         axis: Axis,
@@ -193,6 +193,7 @@ pub(crate) enum Operator {
 pub(crate) enum Axis {
     X,
     Y,
+    Z,
 }
 
 /// What can be called besides `powi`.
@@ -202,6 +203,14 @@ pub(crate) enum Callee {
     Cis,
     Polar,
     Vec2,
+    Vec3,
+    RotX,
+    RotY,
+    RotZ,
+    Rot,
+    Dot,
+    Cross,
+    Norm,
 }
 
 /// Reads a declaration. Mistakes go to the report; what could be read is returned all the same, `None` only if there is not
@@ -424,7 +433,14 @@ mod tests {
         for function in Function::ALL {
             assert!(FUNCTION_NAMES.contains(&function.name()));
         }
-        assert_eq!(FUNCTION_NAMES.len(), Function::ALL.len() + 4);
+        for name in FUNCTION_NAMES {
+            // `powi` alone is no callee: its exponent is a part of its form
+            let callee = Callee::from_name(name);
+            assert_eq!(callee.map(Callee::name), (name != "powi").then_some(name));
+            let arguments = form(name).matches(',').count() + 1;
+            assert_eq!(callee.map_or(2, Callee::arity), arguments, "{name}");
+            assert!(form(name).starts_with(&format!("{name}(")));
+        }
     }
 
     #[test]

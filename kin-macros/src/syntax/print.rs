@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use crate::function::Function;
 use crate::syntax::{
     Axis, Callee, Comparison, EquationStatement, Expression, ExpressionKind, Operator, RangeClause, RangeKind,
 };
@@ -29,6 +30,39 @@ impl Comparison {
 }
 
 impl Callee {
+    /// Every one that is not an elementary function.
+    const OF_VECTORS: [Self; 11] = [
+        Self::Cis,
+        Self::Polar,
+        Self::Vec2,
+        Self::Vec3,
+        Self::RotX,
+        Self::RotY,
+        Self::RotZ,
+        Self::Rot,
+        Self::Dot,
+        Self::Cross,
+        Self::Norm,
+    ];
+
+    /// The function that is written `name`.
+    pub(crate) fn from_name(name: &str) -> Option<Self> {
+        Self::OF_VECTORS
+            .into_iter()
+            .find(|callee| callee.name() == name)
+            .or_else(|| Function::from_name(name).map(Self::Elementary))
+    }
+
+    /// How many arguments it takes.
+    pub(crate) fn arity(self) -> usize {
+        match self {
+            Self::Elementary(function) => function.arity(),
+            Self::Cis | Self::RotX | Self::RotY | Self::RotZ | Self::Norm => 1,
+            Self::Polar | Self::Vec2 | Self::Rot | Self::Dot | Self::Cross => 2,
+            Self::Vec3 => 3,
+        }
+    }
+
     /// As it is written.
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -36,6 +70,25 @@ impl Callee {
             Self::Cis => "cis",
             Self::Polar => "polar",
             Self::Vec2 => "vec2",
+            Self::Vec3 => "vec3",
+            Self::RotX => "rot_x",
+            Self::RotY => "rot_y",
+            Self::RotZ => "rot_z",
+            Self::Rot => "rot",
+            Self::Dot => "dot",
+            Self::Cross => "cross",
+            Self::Norm => "norm",
+        }
+    }
+}
+
+impl Axis {
+    /// What messages call an equation's part along this axis.
+    pub(crate) fn part_of_equation(self) -> &'static str {
+        match self {
+            Self::X => "equation's x part",
+            Self::Y => "equation's y part",
+            Self::Z => "equation's z part",
         }
     }
 }
@@ -45,6 +98,7 @@ impl Display for Axis {
         f.write_str(match self {
             Self::X => "x",
             Self::Y => "y",
+            Self::Z => "z",
         })
     }
 }

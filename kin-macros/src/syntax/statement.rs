@@ -163,11 +163,21 @@ fn quantity(input: ParseStream<'_>, documentation: Vec<Attribute>, what: &str, s
     head::dimension_of(input, &name, what)?;
     let at = input.span();
     let dimension = Dimension::parse(input)?;
-    if dimension.is_plane() {
+    let parts = dimension.shape().part_names(&name.to_string(), "_");
+    if let [first @ .., last] = parts.as_slice()
+        && !first.is_empty()
+    {
+        let (count, function) = if parts.len() == 2 {
+            ("two", "vec2")
+        } else {
+            ("three", "vec3")
+        };
         return Err(syn::Error::new(
             at,
             format!(
-                "an {what} is a single number: declare two lengths, `{name}_x` and `{name}_y`, and write `vec2({name}_x, {name}_y)`"
+                "an {what} is a single number: declare {count} lengths, `{}` and `{last}`, and write `{function}({})`",
+                first.join("`, `"),
+                parts.join(", "),
             ),
         ));
     }

@@ -1,0 +1,92 @@
+//! The value of a formula: scalars, one for each part of what it is.
+
+use crate::expr::{Graph, Node};
+use crate::syntax::Shape;
+
+/// A formula's value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Value {
+    shape: Shape,
+    parts: Vec<Node>,
+}
+
+impl Value {
+    pub(crate) fn scalar(node: Node) -> Self {
+        Self {
+            shape: Shape::Scalar,
+            parts: vec![node],
+        }
+    }
+
+    pub(crate) fn plane(x: Node, y: Node) -> Self {
+        Self {
+            shape: Shape::Plane,
+            parts: vec![x, y],
+        }
+    }
+
+    pub(crate) fn space(parts: [Node; 3]) -> Self {
+        Self {
+            shape: Shape::Space,
+            parts: parts.to_vec(),
+        }
+    }
+
+    /// From the rows of its matrix.
+    pub(crate) fn rotation(rows: [[Node; 3]; 3]) -> Self {
+        Self {
+            shape: Shape::Rotation,
+            parts: rows.concat(),
+        }
+    }
+
+    pub(crate) fn shape(&self) -> Shape {
+        self.shape
+    }
+
+    /// The scalar parts: one, or those along the axes, or the rows of a rotation's matrix.
+    pub(crate) fn nodes(&self) -> Vec<Node> {
+        self.parts.clone()
+    }
+
+    /// The node of a scalar.
+    pub(crate) fn as_scalar(&self) -> Option<Node> {
+        (self.shape == Shape::Scalar).then(|| self.parts[0])
+    }
+
+    /// The rows of a rotation's matrix.
+    pub(crate) fn rows(&self) -> Vec<&[Node]> {
+        self.parts.chunks(3).collect()
+    }
+
+    /// The same with a function applied to every part.
+    pub(crate) fn map(&self, function: impl FnMut(Node) -> Node) -> Self {
+        Self {
+            shape: self.shape,
+            parts: self.parts.iter().copied().map(function).collect(),
+        }
+    }
+
+    /// Two values of one shape, part by part.
+    pub(crate) fn zip(&self, other: &Self, mut function: impl FnMut(Node, Node) -> Node) -> Self {
+        Self {
+            shape: self.shape,
+            parts: self
+                .parts
+                .iter()
+                .zip(&other.parts)
+                .map(|(&own, &other)| function(own, other))
+                .collect(),
+        }
+    }
+
+    /// A scalar as a vector: it lies along x.
+    pub(crate) fn lifted(&self, graph: &mut Graph, shape: Shape) -> Self {
+        if self.shape != Shape::Scalar || shape == Shape::Scalar {
+            return self.clone();
+        }
+        let mut parts = self.parts.clone();
+        parts.resize_with(shape.axes().len(), || graph.zero());
+        Self { shape, parts }
+    }
+}
