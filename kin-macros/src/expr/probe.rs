@@ -52,10 +52,15 @@ fn scattered(seed: u64) -> f64 {
 }
 
 impl Graph {
-    /// Whether an expression is zero whatever its symbols are.
+    /// Whether an expression is zero whatever its symbols are; a product, if one of its factors is.
     pub(crate) fn vanishes(&self, node: Node) -> bool {
         if let Some(value) = self.as_number(node) {
             return value == 0.0;
+        }
+        if let Term::Product(factors) = self.term(node) {
+            return factors
+                .iter()
+                .any(|&(factor, exponent)| exponent > 0 && self.vanishes(factor));
         }
         let mut seen = false;
         for probe in Probe::all() {
@@ -92,5 +97,34 @@ impl Graph {
             .map(|probe| self.evaluate(node, &|symbol| probe.value(symbol)))
             .find(|value| value.is_finite())
             .is_some_and(|value| value < 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// cos² + sin² - 1, alone and multiplied by something.
+    #[test]
+    fn identities_vanish_within_products_too() {
+        let mut graph = Graph::new();
+        let (x, radius) = (graph.symbol(Symbol::Unknown(0)), graph.symbol(Symbol::Parameter(0)));
+        let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+        let (c2, s2) = (graph.power(cosine, 2), graph.power(sine, 2));
+        let nothing = graph.linear(-1.0, &[(c2, 1.0), (s2, 1.0)]);
+        let product = graph.multiply(radius, nothing);
+        let quotient = graph.divide(nothing, radius);
+        let something = graph.linear(-1.0, &[(c2, 1.0), (s2, 2.0)]);
+        let other = graph.multiply(radius, something);
+        for (node, vanishes) in [
+            (nothing, true),
+            (product, true),
+            (quotient, true),
+            (something, false),
+            (other, false),
+            (radius, false),
+        ] {
+            assert_eq!(graph.vanishes(node), vanishes);
+        }
     }
 }

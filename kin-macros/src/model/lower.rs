@@ -104,7 +104,7 @@ impl Lowering<'_, '_> {
                 if of.value.shape() == Shape::Rotation {
                     self.report.error_at(
                         expression.extent.first,
-                        "a rotation has no negative: turn by the opposite angle, or write the `-` before the vector",
+                        "a rotation has no negative: write `-(rotation * vector)`, or turn back by the opposite angle",
                     );
                     return None;
                 }
@@ -275,7 +275,7 @@ impl Lowering<'_, '_> {
                     (Shape::Plane | Shape::Space, _) => {
                         "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the product"
                     }
-                    _ => "a rotation only turns, write `rotation * vector` and multiply the vector",
+                    _ => "a rotation only turns, write `s * (rotation * vector)` for a scalar s",
                 };
                 self.report.error_at(
                     span,
@@ -309,7 +309,7 @@ impl Lowering<'_, '_> {
         if left.value.shape() == Shape::Rotation {
             self.report.error_at(
                 span,
-                "a rotation cannot be divided: it only turns, write `rotation * vector` and divide the vector",
+                "a rotation cannot be divided, it only turns: write `rotation * vector / s`",
             );
             return None;
         }
@@ -371,10 +371,10 @@ impl Lowering<'_, '_> {
         let name = callee.name();
         match (callee, typed) {
             (Callee::Rot, [axis, angle]) => {
-                let node = self.scalar_argument(name, &arguments[1], angle);
-                self.vector_argument(name, &arguments[0], axis)?;
+                let direction = self.vector_argument(name, &arguments[0], axis);
                 self.expect_number(name, &arguments[1], angle)?;
-                self.rotation(&arguments[0], axis, node?)
+                direction?;
+                self.rotation(&arguments[0], axis, angle.value.as_scalar()?)
             }
             (Callee::Norm, [vector]) => {
                 self.vector_argument(name, &arguments[0], vector)?;

@@ -661,9 +661,9 @@ mod tests {
             (quote!(q * p), "`vec3(v.x, v.y, 0)` for the plane vector"),
             (quote!(q * r), "write `rotation * vector`"),
             (quote!(r * p), "`v * cis(angle)` to turn it in the plane"),
-            (quote!(r * a), "multiply the vector"),
-            (quote!(2 * r), "multiply the vector"),
-            (quote!(r / 2), "divide the vector"),
+            (quote!(r * a), "write `s * (rotation * vector)`"),
+            (quote!(2 * r), "write `s * (rotation * vector)`"),
+            (quote!(r / 2), "write `rotation * vector / s`"),
             (quote!(q / r), "turn back by that of the opposite angle"),
             (quote!(a / q), "divide by its length, `norm(v)`"),
             (quote!(-r), "a rotation has no negative"),
@@ -688,7 +688,7 @@ mod tests {
             (quote!(rot(t, t)), "`rot` takes a vector here"),
             (quote!(rot(p, t)), "the axis of a rotation is a space vector"),
             (quote!(rot(vec3(0, 0, 0), t)), "this axis is zero"),
-            (quote!(rot(q, q)), "`rot` takes scalars"),
+            (quote!(rot(q, q)), "`rot` takes an angle as its second argument"),
         ] {
             let messages = in_space(wrong.clone());
             assert_eq!(messages.len(), 1, "{wrong}: {messages:#?}");

@@ -10,3 +10,4 @@ pub mod outputs;
 pub mod ranged;
 pub mod scalar_forms;
 pub mod slider_crank_typings;
+pub mod space;
