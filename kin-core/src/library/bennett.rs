@@ -1,0 +1,65 @@
+//! Bennett's linkage: four hinges in space that should not move, and do.
+
+crate::mechanism! {
+    /// Bennett's linkage: a closed loop of four hinges whose axes are neither parallel nor meet in a point.
+    ///
+    /// Opposite links are equal: the first and the third have the length `a` and the twist `alpha` (the angle from the axis
+    /// at their beginning to that at their end), the second and the fourth have the twist `beta` and the length
+    /// b = a sin(beta) / sin(alpha), without which the loop would be rigid (G. T. Bennett, "A new mechanism", Engineering 76,
+    /// 1903). The fourth link is the ground; it lies on the x axis and ends in the origin, where the first hinge has its
+    /// axis along z. Each angle is that from the link before a hinge to the link after it, about the hinge's axis. `alpha` and
+    /// `beta` must differ, and neither may be a multiple of 180 degrees.
+    ///
+    /// The loop closes in space, so there are six scalar equations for three unknown angles, and three of them follow from
+    /// the others. Declared here are: opposite hinges turn by opposite angles; and the second hinge by that angle which takes
+    /// the links 2 and 3, put together, to where the fourth hinge is, seen along the axis. The
+    /// rest holds of itself, and with it Bennett's relation
+    /// tan(theta1 / 2) tan(theta2 / 2) = sin((beta + alpha) / 2) / sin((beta - alpha) / 2).
+    ///
+    /// ```
+    /// use kin_core::library::Bennett;
+    /// use kin_core::prelude::*;
+    ///
+    /// let (alpha, beta) = (30_f64.to_radians(), 70_f64.to_radians());
+    /// let linkage = Bennett { a: 2.0, alpha, beta };
+    /// let pose = linkage.solve(Motion::at_constant_speed(1.2, 1.0))?;
+    /// let product = (pose.theta1.position() / 2.0).tan() * (pose.theta2.position() / 2.0).tan();
+    /// let ratio = ((beta + alpha) / 2.0).sin() / ((beta - alpha) / 2.0).sin();
+    /// assert!((product - ratio).abs() < 1e-14);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub struct Bennett {
+        /// Length of the first link and the third.
+        pub a: Length,
+        /// Their twist.
+        pub alpha: Angle,
+        /// Twist of the second link and of the ground.
+        pub beta: Angle,
+    }
+    input
+        /// The first hinge's angle, from the ground to the first link.
+        theta1: Angle;
+    unknown
+        /// The second hinge's angle.
+        theta2: Angle,
+        /// The third hinge's angle.
+        theta3: Angle,
+        /// The fourth hinge's angle.
+        theta4: Angle;
+
+    let b = a * sin(beta) / sin(alpha);
+    // from the second hinge to the fourth: over the links 2 and 3, and over link 1 and the ground
+    let over = vec3(b, 0, 0) + rot_x(beta) * rot_z(theta3) * vec3(a, 0, 0);
+    let back = rot_x(-alpha) * (vec3(-a, 0, 0) - rot_z(-theta1) * vec3(b, 0, 0));
+    let from = vec2(over.x, over.y);
+    let to = vec2(back.x, back.y);
+
+    theta3 == -theta1;
+    theta2 == atan2(cross(from, to), dot(from, to));
+    theta4 == -theta2;
+
+    /// The second hinge.
+    output second: Point3 = rot_z(theta1) * vec3(a, 0, 0);
+    /// The third hinge.
+    output third: Point3 = rot_z(theta1) * (vec3(a, 0, 0) + rot_x(alpha) * rot_z(theta2) * vec3(b, 0, 0));
+}

@@ -1,0 +1,60 @@
+//! The spatial four-bar linkage RSSR: two skew shafts, and a rod between two ball joints.
+
+crate::mechanism! {
+    /// Spatial four-bar linkage RSSR: crank and rocker turn about skew axes, and a rod with a ball joint at either end
+    /// joins them.
+    ///
+    /// The crank turns about the z axis, its ball at the distance `crank` from the origin, at angle 0 on the x axis. The
+    /// rocker's axis passes the point `pivot` in the direction of `axis`, of which the length does not count; `arm` leads from
+    /// the pivot to the rocker's ball at the rocker's angle 0, and need not be at right angles to the axis. The rod may spin
+    /// about its own length, which changes nothing.
+    ///
+    /// The square of the rod's length is a cos phi + b sin phi = c in the rocker's angle phi, so that there are two
+    /// positions, as F. Freudenstein's equation has in the plane (R. S. Hartenberg and J. Denavit, "Kinematic Synthesis of
+    /// Linkages", 1964, treat the linkage by matrices; here the vectors are as they stand).
+    ///
+    /// ```
+    /// use kin_core::library::Rssr;
+    /// use kin_core::prelude::*;
+    ///
+    /// // the rocker's axis is the line x = 3, z = 0; at angle 0 its arm points upwards
+    /// let linkage = Rssr {
+    ///     crank: 1.0,
+    ///     pivot: Space::new(3.0, 0.0, 0.0),
+    ///     axis: Space::new(0.0, 1.0, 0.0),
+    ///     arm: Space::new(0.0, 0.0, 2.0),
+    ///     rod: 13_f64.sqrt(),
+    /// };
+    /// // crank at 90 degrees: from (0, 1, 0) to (3, 0, 0) + 2 (sin phi, 0, cos phi), squared 14 + 12 sin phi
+    /// let pose = linkage.solve(Motion::at_constant_speed(90_f64.to_radians(), 1.0), Assembly::Open)?;
+    /// assert!((pose.phi.position().sin() + 1.0 / 12.0).abs() < 1e-15);
+    /// // the ball moves in the rocker's plane, y = 0
+    /// assert_eq!(pose.ball.y().derivatives(), [0.0; 5]);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    pub struct Rssr {
+        /// Crank.
+        pub crank: Length,
+        /// A point on the rocker's axis.
+        pub pivot: Point3,
+        /// The direction of the rocker's axis, of any length but zero.
+        pub axis: Vector3,
+        /// From the pivot to the rocker's ball at angle 0.
+        pub arm: Vector3,
+        /// Rod, from ball to ball.
+        pub rod: Length,
+    }
+    input
+        /// The crank's angle.
+        theta: Angle;
+    unknown
+        /// The rocker's angle.
+        phi: Angle;
+
+    let rocker = pivot + rot(axis, phi) * arm;
+    let coupler = rocker - rot_z(theta) * vec3(crank, 0, 0);
+    dot(coupler, coupler) == rod.powi(2);
+
+    /// The rocker's ball.
+    output ball: Point3 = rocker;
+}
