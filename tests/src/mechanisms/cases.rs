@@ -5,7 +5,7 @@ use kin_core::prelude::*;
 
 use super::{
     dyads, four_bar_typings, inverted_slider_crank_typings, multi_loop, outputs, ranged, scalar_forms,
-    slider_crank_typings,
+    slider_crank_typings, space,
 };
 use crate::random::Random;
 
@@ -215,6 +215,26 @@ groups! {
         RangedLever [2.0, 0.8] at [-3.1, 3.1];
         RangedCircular [1.2, 0.8] at [-0.1, 1.1];
         RangedLinear [1.5] at [0.1, 6.0];
+    }
+
+    /// Mechanisms of space, and products of vectors.
+    in_space of space {
+        Rssr [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
+        RssrByLength [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
+        RssrWithBall [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
+        RssrDrivenAtRocker [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-1.2, 1.2];
+        Rssp [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
+        RsspByLength [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
+        RsspWithBall [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
+        UniversalJoint [0.7] at [-3.1, 3.1];
+        UniversalJointByNormal [0.7] at [-3.1, 3.1];
+        SphericalFourBar [1.4, 0.5, 1.2, 0.9] at [-3.1, 3.1];
+        SphericalFourBarAboutAxis [1.4, 0.5, 1.2, 0.9] at [-3.1, 3.1];
+        StewartGoughLeg [1.0, 0.2, -0.3, 0.6, -0.5, 0.2] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
+        StewartGoughLegByLength [1.0, 0.2, -0.3, 0.6, -0.5, 0.2] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
+        Bennett [2.0, 0.6, 1.3] at [-3.1, 3.1];
+        BennettByTripleProduct [2.0, 0.6, 1.3] at [-3.1, 3.1];
+        PlaneProducts [1.0, 3.0] at [-3.1, 3.1];
     }
 
     /// With outputs, and with functions that are not defined everywhere.

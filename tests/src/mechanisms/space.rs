@@ -1,27 +1,11 @@
-//! Mechanisms of space, each from joints and links as they stand, without a transformation by hand.
+//! Mechanisms of space, from joints and links as they stand: those of the library, and the same in other typings.
 
 use kin_core::mechanism;
 
-mechanism! {
-    /// Two skew shafts, crank and rocker, and a rod between two ball joints.
-    pub struct Rssr {
-        crank: Length,
-        pivot: Point3,
-        axis: Vector3,
-        arm: Vector3,
-        rod: Length,
-    }
-    input t: Angle;
-    unknown x: Angle;
-
-    let rod_vector = pivot + rot(axis, x) * arm - rot_z(t) * vec3(crank, 0, 0);
-    dot(rod_vector, rod_vector) == rod.powi(2);
-
-    output ball: Point3 = pivot + rot(axis, x) * arm;
-}
+pub use kin_core::library::{Bennett, Rssp, Rssr, SphericalFourBar, StewartGoughLeg, UniversalJoint};
 
 mechanism! {
-    /// The same linkage by the length of the rod instead of its square.
+    /// The length of the rod instead of its square.
     pub struct RssrByLength {
         crank: Length,
         pivot: Point3,
@@ -29,15 +13,14 @@ mechanism! {
         arm: Vector3,
         rod: Length,
     }
-    input t: Angle;
-    unknown x: Angle;
+    input theta: Angle;
+    unknown phi: Angle;
 
-    norm(rot_z(t) * vec3(crank, 0, 0) - pivot - rot(axis, x) * arm) == rod;
+    norm(rot_z(theta) * vec3(crank, 0, 0) - pivot - rot(axis, phi) * arm) == rod;
 }
 
 mechanism! {
-    /// The same linkage, its equation multiplied by a length, with the ball on the rocker as unknown coordinates that follow
-    /// from the angle.
+    /// The equation multiplied by a length, and the ball on the rocker as unknown coordinates that follow from the angle.
     pub struct RssrWithBall {
         crank: Length,
         pivot: Point3,
@@ -45,92 +28,94 @@ mechanism! {
         arm: Vector3,
         rod: Length,
     }
-    input t: Angle;
-    unknown x: Angle, u: Length, v: Length, w: Length;
+    input theta: Angle;
+    unknown phi: Angle, x: Length, y: Length, z: Length;
 
-    let rod_vector = pivot + rot(axis, x) * arm - rot_z(t) * vec3(crank, 0, 0);
+    let rod_vector = pivot + rot(axis, phi) * arm - rot_z(theta) * vec3(crank, 0, 0);
     rod * rod_vector.dot(rod_vector) == rod.powi(3);
-    vec3(u, v, w) - pivot == rot(axis, x) * arm;
+    vec3(x, y, z) - pivot == rot(axis, phi) * arm;
 }
 
 mechanism! {
-    /// A crank that drives a slider on a skew line by a rod between two ball joints.
-    pub struct Rssp {
+    /// Driven at its rocker.
+    pub struct RssrDrivenAtRocker {
         crank: Length,
-        start: Point3,
-        rail: Vector3,
+        pivot: Point3,
+        axis: Vector3,
+        arm: Vector3,
         rod: Length,
     }
-    input t: Angle;
-    unknown s: Length;
+    input phi: Angle;
+    unknown theta: Angle;
 
-    let slider = start + s * rail / norm(rail);
-    let rod_vector = slider - rot_z(t) * vec3(crank, 0, 0);
-    dot(rod_vector, rod_vector) == rod * rod;
-
-    output block: Point3 = slider;
+    let rod_vector = rot(axis, phi) * arm + pivot - crank * (rot_z(theta) * vec3(1, 0, 0));
+    rod * rod == rod_vector.x * rod_vector.x + rod_vector.y * rod_vector.y + rod_vector.z * rod_vector.z;
 }
 
 mechanism! {
-    /// The same, by the length of the rod.
+    /// The length of the rod instead of its square.
     pub struct RsspByLength {
         crank: Length,
         start: Point3,
         rail: Vector3,
         rod: Length,
     }
-    input t: Angle;
+    input theta: Angle;
     unknown s: Length;
 
-    rod == norm(start + s * (rail / rail.norm()) - crank * (rot_z(t) * vec3(1, 0, 0)));
+    rod == norm(start + s * rail / rail.norm() - crank * (rot_z(theta) * vec3(1, 0, 0)));
 }
 
 mechanism! {
-    /// Cardan's joint: the arms of the cross stay at right angles.
-    pub struct Cardan {
+    /// With a range, and the ball as unknown coordinates that follow from the slider.
+    pub struct RsspWithBall {
+        crank: Length,
+        start: Point3,
+        rail: Vector3,
+        rod: Length,
+    }
+    input theta: Angle;
+    unknown x: Length, y: Length, z: Length, s: Length where s > 0;
+
+    let rod_vector = start + s * rail / norm(rail) - rot_z(theta) * vec3(crank, 0, 0);
+    0 == dot(rod_vector, rod_vector) - rod.powi(2);
+    vec3(x, y, z) == start + s * (rail / norm(rail));
+}
+
+mechanism! {
+    /// The vector along the driven arm as a product of vectors: it is normal to the driven shaft and the driving arm.
+    pub struct UniversalJointByNormal {
         beta: Angle,
     }
-    input t: Angle;
-    unknown x: Angle;
+    input driving: Angle;
+    unknown driven: Angle;
 
-    dot(rot_z(t) * vec3(0, 1, 0), rot_x(beta) * rot_z(x) * vec3(1, 0, 0)) == 0;
+    let shaft = rot_x(beta) * vec3(0, 0, 1);
+    let driving_arm = rot(vec3(0, 0, 3), driving) * vec3(0, 1, 0);
+    let zero_arm = vec3(1, 0, 0);
+    dot(cross(shaft, driving_arm), rot(shaft, driven + PI / 2) * zero_arm) == 0;
 }
 
 mechanism! {
-    /// Four arcs of great circles; the pins are unit vectors.
-    pub struct SphericalFourBar {
+    /// The rocker turns about the ground's end itself.
+    pub struct SphericalFourBarAboutAxis {
         ground: Angle,
         crank: Angle,
         coupler: Angle,
         rocker: Angle,
     }
-    input t: Angle;
-    unknown x: Angle;
+    input theta2: Angle;
+    unknown theta4: Angle;
 
-    let pole = vec3(0, 0, 1);
-    let first = rot_z(t) * rot_y(crank) * pole;
-    let second = rot_y(ground) * rot_z(x) * rot_y(rocker) * pole;
-    dot(first, second) == cos(coupler);
+    let end = vec3(sin(ground), 0, cos(ground));
+    let rocker_hinge = rot(end, theta4) * vec3(sin(ground + rocker), 0, cos(ground + rocker));
+    let crank_hinge = rot_z(theta2) * vec3(sin(crank), 0, cos(crank));
+    cos(coupler) == rocker_hinge.dot(crank_hinge);
 }
 
 mechanism! {
-    /// A leg of a Stewart-Gough platform, its length from the platform's pose.
-    pub struct Leg {
-        base: Point3,
-        joint: Vector3,
-    }
-    input x: Length, y: Length, z: Length, roll: Angle, pitch: Angle, yaw: Angle;
-    unknown leg: Length where leg > 0;
-
-    let end = vec3(x, y, z) + rot_z(yaw) * rot_y(pitch) * rot_x(roll) * joint;
-    dot(end - base, end - base) == leg.powi(2);
-
-    output top: Point3 = end;
-}
-
-mechanism! {
-    /// The same, by the length itself.
-    pub struct LegByLength {
+    /// The length itself, not its square.
+    pub struct StewartGoughLegByLength {
         base: Point3,
         joint: Vector3,
     }
@@ -141,9 +126,9 @@ mechanism! {
 }
 
 mechanism! {
-    /// Bennett's linkage: opposite joints turn by opposite angles, and the second joint by what leads the links 2 and 3 to
-    /// where the fourth joint is.
-    pub struct Bennett {
+    /// Links 2 and 3 lie in one plane with the second axis and the diagonal: an equation with a second solution, half a turn
+    /// away, in which the loop does not close.
+    pub struct BennettByTripleProduct {
         a: Length,
         alpha: Angle,
         beta: Angle,
@@ -152,23 +137,24 @@ mechanism! {
     unknown theta2: Angle, theta3: Angle, theta4: Angle;
 
     let b = a * sin(beta) / sin(alpha);
-    let links = vec3(b, 0, 0) + rot_x(beta) * rot_z(theta3) * vec3(a, 0, 0);
-    let straight = rot_x(-alpha) * -(vec3(a, 0, 0) + rot_z(-theta1) * vec3(b, 0, 0));
-    theta2 == atan2(cross(vec2(links.x, links.y), vec2(straight.x, straight.y)), dot(vec2(links.x, links.y), vec2(straight.x, straight.y)));
-    theta3 == -theta1;
-    theta4 == -theta2;
+    let hinge = rot_z(theta1) * rot_x(alpha);
+    let over = hinge * rot_z(theta2) * (vec3(b, 0, 0) + rot_x(beta) * rot_z(theta3) * vec3(a, 0, 0));
+    let back = -(rot_z(theta1) * vec3(a, 0, 0)) - vec3(b, 0, 0);
+    dot(cross(over, back), hinge * vec3(0, 0, 1)) == 0;
+    theta1 + theta3 == 0;
+    theta2 + theta4 == 0;
 }
 
 mechanism! {
-    /// A slider-crank in the plane of a space, and its turned rod by a product of plane vectors.
+    /// The products of plane vectors: a slider-crank, and the sum of both products of two of its sides.
     pub struct PlaneProducts {
         crank: Length,
         rod: Length,
     }
-    input t: Angle;
+    input theta: Angle;
     unknown x: Length where x > 0, area: Length;
 
-    let pin = crank * cis(t);
+    let pin = crank * cis(theta);
     norm(vec2(x, 0) - pin) == rod;
     area * rod == cross(pin, vec2(x, 0)) + pin.dot(vec2(x, 0));
 }
