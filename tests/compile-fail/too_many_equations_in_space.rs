@@ -1,0 +1,14 @@
+use kin_core::mechanism;
+
+mechanism! {
+    pub struct Linkage {
+        pub crank: Length,
+        pub pivot: Point3,
+        pub rod: Length,
+    }
+    input theta: Angle;
+    unknown phi: Angle, x: Length;
+    pivot + rot_x(phi) * vec3(0, 0, rod) == rot_y(theta) * vec3(crank, x, x);
+}
+
+fn main() {}
