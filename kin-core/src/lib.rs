@@ -1,4 +1,4 @@
-//! Loop closures in, motion out: position, velocity, acceleration, jerk and snap of plane mechanisms.
+//! Loop closures in, motion out: position, velocity, acceleration, jerk and snap of mechanisms in the plane and in space.
 //!
 //! [`mechanism!`] takes the loop closure of a mechanism as it is written on a blackboard. At compile time it finds out how
 //! the closure can be solved, differentiates it, and generates straight-line code: a closed-form position solver, and
@@ -135,15 +135,15 @@ pub use transmission::TransmissionAngle;
 ///             | "with" request ("," request)* ";"
 /// request     = "transmission_angles" | "sensitivities" | "test"
 /// scalar      = "Length" | "Angle" | "Scalar"
-/// dimension   = scalar | "Point" | "Vector"
+/// dimension   = scalar | "Point" | "Vector" | "Point3" | "Vector3"
 /// range       = "where" NAME ("<" | "<=" | ">" | ">=") constant
 ///             | "in" constant (".." | "..=") constant
 /// ```
 ///
 /// - The fields of the structure have a `dimension` each. The structure becomes generic over its number type, which is
 ///   `f64` unless said otherwise. Documentation, other attributes and visibility are passed on.
-/// - An equation joins two scalars, or two plane vectors and so counts as two. There are as many scalar equations as
-///   unknowns.
+/// - An equation joins two scalars, or two plane vectors and so counts as two, or two space vectors and so counts as
+///   three. There are as many scalar equations as unknowns.
 /// - A range tells apart two solutions. Unknowns that have none are told apart by an [`Assembly`].
 /// - The order is that of the highest time derivative, from 1 to 12, and 4, which is snap, if none is given. After snap come
 ///   crackle and pop, then `derivative_7` and so on.
@@ -151,10 +151,16 @@ pub use transmission::TransmissionAngle;
 ///   the unknowns.
 ///
 /// Expressions are Rust expressions of the declared names, numbers and `PI`, of `+`, `-`, `*`, `/`, of `sin`, `cos`,
-/// `tan`, `asin`, `acos`, `atan`, `atan2`, `sqrt`, `exp`, `ln` and `powi`, and of three functions that make vectors:
+/// `tan`, `asin`, `acos`, `atan`, `atan2`, `sqrt`, `exp`, `ln` and `powi`, and of three functions that make vectors of the plane:
 /// `cis(angle)`, the unit vector at an angle, `polar(length, angle)`, and `vec2(x, y)`. Functions may be written as methods,
-/// and the coordinates of a vector `v` are `v.x` and `v.y`. Vectors multiply as the complex numbers do, so that
+/// and the coordinates of a vector `v` are `v.x` and `v.y`. They multiply as the complex numbers do, so that
 /// `v * cis(angle)` is `v`, turned. A scalar that is added to a vector lies along the x axis.
+///
+/// Vectors of space are made by `vec3(x, y, z)` and have the coordinates `v.x`, `v.y` and `v.z`. They are turned by rotations:
+/// `rotation * vector`, where a rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an axis
+/// of any length but zero, or a product of rotations, of which the last turns first. For plane and space vectors alike there are
+/// `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix: `vec3(v.x, v.y, 0)` places a plane
+/// vector in space, and `vec3(s, 0, 0)` a scalar.
 ///
 /// Angles are in radians. Dimensions are checked: a length plus an angle, the sine of a length, or a scalar that
 /// is to equal a vector do not compile. The product of a length and an angle is a length.

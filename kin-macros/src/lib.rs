@@ -8,7 +8,7 @@
 //! declaration = struct statement*
 //! struct      = attribute* visibility "struct" NAME "{" (field ("," field)*)? "}"
 //! field       = attribute* visibility NAME ":" dimension
-//! dimension   = "Length" | "Angle" | "Scalar" | "Point" | "Vector"
+//! dimension   = "Length" | "Angle" | "Scalar" | "Point" | "Vector" | "Point3" | "Vector3"
 //!
 //! statement   = "input"   quantity ("," quantity)* ";"
 //!             | "unknown" unknown  ("," unknown)* ";"
@@ -26,10 +26,11 @@
 //! expression  = product (("+" | "-") product)*
 //! product     = unary (("*" | "/") unary)*
 //! unary       = "-" unary | postfix
-//! postfix     = operand ("." "x" | "." "y" | "." function "(" arguments ")")*
+//! postfix     = operand ("." "x" | "." "y" | "." "z" | "." function "(" arguments ")")*
 //! operand     = NUMBER | "PI" | NAME | function "(" arguments ")" | "(" expression ")"
 //! function    = "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "atan2" | "sqrt" | "exp" | "ln"
-//!             | "powi" | "cis" | "polar" | "vec2"
+//!             | "powi" | "cis" | "polar" | "vec2" | "vec3" | "rot_x" | "rot_y" | "rot_z" | "rot"
+//!             | "dot" | "cross" | "norm"
 //! ```
 //!
 //! Statements come in any order, but a `let` before its uses. Doc comments may stand before statements, and before each name of an
@@ -37,10 +38,13 @@
 //!
 //! # Dimensions
 //!
-//! A formula is a scalar or a plane vector, and has a power of length. `+`, `-` and `==` join what has the same power; a literal
-//! zero fits everywhere. `Angle` and `Scalar` are plain numbers, so the product of a radius and an angle is a length. A scalar
+//! A formula is a scalar, a plane vector, a space vector or a rotation, and has a power of length. `+`, `-` and `==` join what
+//! has the same power; a literal zero fits everywhere. `Angle` and `Scalar` are plain numbers, so the product of a radius and an angle is a length. A scalar
 //! added to a vector lies along x, as a real number does among complex ones; an equation of a vector and a scalar is a mistake.
-//! The product of two vectors is that of complex numbers: `v * cis(a)` is v, turned by a.
+//! The product of two plane vectors is that of complex numbers: `v * cis(a)` is v, turned by a.
+//!
+//! Plane and space do not mix, and no scalar is added to a space vector. A rotation is multiplied by the space vector that it turns, or
+//! by another rotation, and by nothing else.
 //!
 //! | function | arguments | result |
 //! |---|---|---|
@@ -48,9 +52,14 @@
 //! | `asin`, `acos`, `atan`, `exp`, `ln` | number | angle or number |
 //! | `atan2(y, x)` | two scalars of one dimension | angle |
 //! | `sqrt(x)`, `powi(x, n)` | scalar; n an integer literal from -64 to 64 | scalar, the power of length halved or multiplied |
-//! | `cis(angle)` | angle | unit vector |
-//! | `polar(length, angle)` | scalar, angle | vector |
-//! | `vec2(x, y)` | two scalars of one dimension | vector |
+//! | `cis(angle)` | angle | unit vector of the plane |
+//! | `polar(length, angle)` | scalar, angle | plane vector |
+//! | `vec2(x, y)` | two scalars of one dimension | plane vector |
+//! | `vec3(x, y, z)` | three scalars of one dimension | space vector |
+//! | `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)` | angle | rotation |
+//! | `rot(axis, angle)` | space vector, angle | rotation |
+//! | `dot(a, b)`, `cross(a, b)` | two plane or two space vectors | scalar; `cross` in space a vector |
+//! | `norm(v)` | vector | scalar of the same dimension |
 //!
 //! All of them may be written as methods of their first argument: `theta.cis()`, `y.atan2(x)`.
 

@@ -6,8 +6,9 @@ use core::fmt::Write;
 use kin_core::Operations;
 use kin_core::count::{self, Counted};
 use kin_core::library::{
-    FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank,
-    SliderCrankFirstApproximation, SliderCrankHigherApproximation,
+    Bennett, FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, Rssp, Rssr,
+    SliderCrank, SliderCrankFirstApproximation, SliderCrankHigherApproximation, SphericalFourBar, StewartGoughLeg,
+    UniversalJoint,
 };
 use kin_core::prelude::*;
 
@@ -129,5 +130,11 @@ fn library_costs() {
     line(<InvertedSliderCrank>::DESCRIPTION);
     line(<SliderCrankFirstApproximation>::DESCRIPTION);
     line(<SliderCrankHigherApproximation>::DESCRIPTION);
+    line(<Rssr>::DESCRIPTION);
+    line(<Rssp>::DESCRIPTION);
+    line(<UniversalJoint>::DESCRIPTION);
+    line(<SphericalFourBar>::DESCRIPTION);
+    line(<StewartGoughLeg>::DESCRIPTION);
+    line(<Bennett>::DESCRIPTION);
     insta::assert_snapshot!(table);
 }

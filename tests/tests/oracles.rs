@@ -1,8 +1,9 @@
 //! Every mechanism of the library, every order, every assembly, against both oracles.
 
 use kin_core::library::{
-    FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank,
-    SliderCrankFirstApproximation, SliderCrankHigherApproximation,
+    Bennett, FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, Rssp, Rssr,
+    SliderCrank, SliderCrankFirstApproximation, SliderCrankHigherApproximation, SphericalFourBar, StewartGoughLeg,
+    UniversalJoint,
 };
 use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::ThroughSnap;
@@ -53,4 +54,19 @@ fn slider_cranks() {
     prove::<InvertedSliderCrank>("inverted slider-crank", any_length);
     prove::<SliderCrankFirstApproximation>("slider-crank, first approximation", crank_and_rod);
     prove::<SliderCrankHigherApproximation>("slider-crank, (R/L)^5", crank_and_rod);
+}
+
+#[test]
+fn mechanisms_of_space() {
+    prove::<Rssr>("RSSR", any_length);
+    prove::<Rssp>("RSSP", any_length);
+    prove::<UniversalJoint>("universal joint", |random, _| random.between(-1.4, 1.4));
+    prove::<SphericalFourBar>("spherical four-bar", |random, _| random.between(0.3, 1.5));
+    prove::<StewartGoughLeg>("Stewart-Gough leg", any_length);
+    // length, then twists that differ
+    prove::<Bennett>("Bennett's linkage", |random, index| match index {
+        0 => random.between(0.5, 5.0),
+        1 => random.between(0.3, 1.2),
+        _ => random.between(1.3, 2.8),
+    });
 }

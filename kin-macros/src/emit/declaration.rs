@@ -44,9 +44,10 @@ pub(crate) fn structure<'a>(
     let numeric = Ident::new("T", Span::mixed_site());
     let mut fields: Vec<TokenStream> = fields
         .map(|(attributes, visibility, name, dimension)| {
-            let held = match dimension.map(Dimension::shape).and_then(vector_type) {
-                Some(vector) => quote!(#runtime::#vector<#numeric>),
-                None => quote!(#numeric),
+            let held = if let Some(vector) = dimension.map(Dimension::shape).and_then(vector_type) {
+                quote!(#runtime::#vector<#numeric>)
+            } else {
+                quote!(#numeric)
             };
             quote!(#(#attributes)* #visibility #name: #held)
         })

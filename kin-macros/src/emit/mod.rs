@@ -202,9 +202,10 @@ impl Mechanism<'_> {
     /// `T`, `Plane<T>` or `Space<T>`.
     fn output_type(&self, shape: Shape) -> TokenStream {
         let runtime = self.runtime;
-        match declaration::vector_type(shape) {
-            None => quote!(T),
-            Some(vector) => quote!(#runtime::#vector<T>),
+        if let Some(vector) = declaration::vector_type(shape) {
+            quote!(#runtime::#vector<T>)
+        } else {
+            quote!(T)
         }
     }
 

@@ -153,8 +153,9 @@ pub(super) fn output_value(mechanism: &Mechanism<'_>, value: &Value, parts: &[us
         .iter()
         .map(|&part| mechanism.name_of(Symbol::OutputRate(part, order)))
         .collect();
-    match vector_type(value.shape()) {
-        None => quote!(#(#names)*),
-        Some(vector) => quote!(#runtime::#vector::new(#(#names),*)),
+    if let Some(vector) = vector_type(value.shape()) {
+        quote!(#runtime::#vector::new(#(#names),*))
+    } else {
+        quote!(#(#names)*)
     }
 }
