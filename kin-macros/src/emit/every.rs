@@ -93,6 +93,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #(#inputs: ::core::primitive::f64,)*
                 #way: &mut #runtime::Choices,
             ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError> {
+                use #runtime::Scalar as _;
                 type T = ::core::primitive::f64;
                 #readings
                 #body
