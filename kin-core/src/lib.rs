@@ -147,6 +147,8 @@ pub use transmission::TransmissionAngle;
 /// - A range tells apart two solutions. Unknowns that have none are told apart by an [`Assembly`].
 /// - The order is that of the highest time derivative, from 1 to 12, and 4, which is snap, if none is given. After snap come
 ///   crackle and pop, then `derivative_7` and so on.
+/// - `with` asks for further generated items: `with transmission_angles;`, for instance, for the method that gives the
+///   [`TransmissionAngle`] of every dyad.
 /// - A `let` is an abbreviation, written before its uses. An output is a quantity that is carried to the same order as
 ///   the unknowns.
 ///

@@ -33,7 +33,7 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
         }
     };
     refuse_ranges(&model, &blocks, &mut report);
-    refuse_requests(&model, &blocks, &mut report);
+    refuse_requests(&model, &graph, &residuals, &blocks, &mut report);
     if !report.is_empty() {
         return fallback::tokens(Some(&declaration), report, &runtime);
     }

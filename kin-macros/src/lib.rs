@@ -33,7 +33,8 @@
 //!             | "dot" | "cross" | "norm"
 //! ```
 //!
-//! Statements come in any order, but a `let` before its uses. Doc comments may stand before statements, and before each name of an
+//! A request asks for further generated items; `with` remains usable as a name. Statements come in any order, but a `let` before
+//! its uses. Doc comments may stand before statements, and before each name of an
 //! `input` or `unknown`. A constant is an expression without names.
 //!
 //! # Dimensions

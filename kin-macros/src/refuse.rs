@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use quote::ToTokens;
 
-use crate::assemble::has_transmission;
+use crate::assemble::dyads;
+use crate::expr::{Graph, Node};
 use crate::model::{Model, Request};
 use crate::report::Report;
 use crate::structure::{Block, Fault, Solution};
@@ -114,13 +115,13 @@ pub(crate) fn refuse_ranges(model: &Model, blocks: &[Block], report: &mut Report
 }
 
 /// Reports what is requested of a mechanism that has nothing of the kind.
-pub(crate) fn refuse_requests(model: &Model, blocks: &[Block], report: &mut Report) {
+pub(crate) fn refuse_requests(model: &Model, graph: &Graph, residuals: &[Node], blocks: &[Block], report: &mut Report) {
     for requested in &model.requests {
-        let has_dyads = || blocks.iter().flat_map(|block| &block.parts).any(has_transmission);
+        let has_dyads = || !dyads(&mut graph.clone(), residuals, blocks).is_empty();
         if requested.request == Request::TransmissionAngles && !has_dyads() {
             report.error(
                 &requested.name,
-                "no block of the mechanism is a dyad of two links, or of a link and a slider, so there is no transmission \
+                "the mechanism is not solved by dyads of two links, or of a link and a slider, so there is no transmission \
                  angle: write the closure as a loop of vectors, or remove this",
             );
         }

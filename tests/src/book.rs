@@ -15,6 +15,7 @@ chapters! {
     introduction: "../../docs/introduction.md";
     theory: "../../docs/theory.md";
     grammar: "../../docs/grammar.md";
+    outputs: "../../docs/outputs.md";
     closed_forms: "../../docs/closed-forms.md";
     errors: "../../docs/errors.md";
     verification: "../../docs/verification.md";

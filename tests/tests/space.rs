@@ -9,6 +9,7 @@ use kin_core::library::{FourBar, OffsetSliderCrank};
 use kin_core::prelude::*;
 use kin_core::series::Series;
 use kin_tests::compare::{assert_agree, turned_back};
+use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{Case, Visitor, in_space};
 use kin_tests::mechanisms::space::*;
 use kin_tests::oracles::{ALLOWED, Gauge};
@@ -16,7 +17,7 @@ use kin_tests::random::Random;
 
 /// The blocks' closed forms, joined.
 fn forms<M: Mechanism>() -> String {
-    let forms: Vec<&str> = M::DESCRIPTION.blocks.iter().map(|block| block.closed_form).collect();
+    let forms: Vec<&str> = M::DESCRIPTION.blocks.iter().map(|block| block.solution).collect();
     forms.join("; ")
 }
 
@@ -71,8 +72,8 @@ fn alike<A, B>(
     others: B::Assembly,
     index: usize,
 ) where
-    A: Mechanism<Scalar = f64>,
-    B: Mechanism<Scalar = f64>,
+    A: ThroughSnap,
+    B: ThroughSnap,
 {
     let Ok(first) = own.solve_motion(inputs, assembly) else {
         panic!("{} does not close", A::DESCRIPTION.name);

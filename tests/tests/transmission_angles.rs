@@ -139,6 +139,45 @@ fn a_slider_is_a_link_without_end() {
     }
 }
 
+mechanism! {
+    /// A slider on the x axis, and one on a line parallel to the y axis, each solved in two blocks.
+    struct TwoSliders { crank: Length, rod: Length, height: Length, side: Length, beam: Length }
+    input theta: Angle;
+    unknown phi: Angle in -PI/2..=PI/2, x: Length, psi: Angle in 0..=PI, y: Length;
+    crank * cis(theta) + rod * cis(-phi) == vec2(x, height);
+    vec2(side, -y) == crank * cis(theta) + beam * cis(psi);
+    with transmission_angles;
+}
+
+#[test]
+fn sliders_on_the_axes_are_dyads_as_well() {
+    let press = TwoSliders {
+        crank: 0.3,
+        rod: 1.0,
+        height: -0.2,
+        side: 0.1,
+        beam: 0.8,
+    };
+    for step in 0..12 {
+        let theta = TAU * f64::from(step) / 12.0;
+        let pose = press.position(theta).unwrap();
+        let [first, second] = press.transmission_angles(&pose);
+        assert_eq!((first.block, second.block), ("phi, x", "psi, y"));
+        // from each slider to the pin, and from the normal to the left of its movement as x grows, as y grows
+        let expected = [
+            (PI - pose.phi.value() - FRAC_PI_2).cos().acos(),
+            (PI + pose.psi.value()).cos().acos(),
+        ];
+        for (found, expected) in [first, second].iter().zip(expected) {
+            let allowed = 16.0 * f64::EPSILON / expected.sin();
+            assert!(
+                (found.angle - expected).abs() <= allowed,
+                "{theta}: {found:?} {expected}"
+            );
+        }
+    }
+}
+
 #[test]
 fn derivatives_pass_through() {
     use kin_core::series::Series;

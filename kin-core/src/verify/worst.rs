@@ -177,7 +177,7 @@ impl Worst {
         errors[order] = larger(errors[order], error);
         let is_worst = self.finding.as_ref().is_none_or(|worst| {
             let known = worst.error / allowed(worst.order);
-            !known.is_nan() && !(error / allowed(order) <= known)
+            !known.is_nan() && (error.is_nan() || error / allowed(order) > known)
         });
         if is_worst {
             self.finding = Some(Finding {

@@ -15,4 +15,4 @@ mod units;
 pub(crate) use blocks::{Regularity, assemble, assemble_every};
 pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
 pub(crate) use solver::{Argument, Cost, Returns, Shape, Solver};
-pub(crate) use transmission::{has_transmission, transmission};
+pub(crate) use transmission::{Dyad, dyads};

@@ -6,8 +6,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{Mechanism, attributes, formula, local, values};
-use crate::assemble::{Program, Stage, Step, transmission};
-use crate::expr::Symbol;
+use crate::assemble::{Dyad, Program, Stage, Step, dyads};
+use crate::expr::{Node, Symbol};
 use crate::schedule::{ScheduledStage, Statement, Style, schedule};
 
 /// The method `transmission_angles`.
@@ -31,16 +31,16 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             ..Default::default()
         }),
     });
-    let angles = dyads.iter().map(|dyad| {
-        let [across, along] = dyad.components.each_ref().map(|name| local(name));
-        let block = mechanism.part_name(dyad.part);
-        quote!(#runtime::TransmissionAngle::of(#block, #across, #along))
+    let angles = dyads.iter().map(|(dyad, parts)| {
+        let [across, along] = parts.each_ref().map(|name| local(name));
+        let label = label(mechanism, dyad);
+        quote!(#runtime::TransmissionAngle::of(#label, #across, #along))
     });
-    let lines = dyads.iter().enumerate().map(|(place, dyad)| {
+    let lines = dyads.iter().enumerate().map(|(place, (dyad, _))| {
         format!(
             " - `[{place}]`: `{}`, {}",
-            mechanism.part_name(dyad.part),
-            mechanism.solution_of_part(mechanism.parts()[dyad.part])
+            label(mechanism, dyad),
+            dyad.kind.description()
         )
     });
     let count = Literal::usize_unsuffixed(dyads.len());
@@ -63,30 +63,29 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     }
 }
 
-/// A dyad, and what the sine and cosine of its angle are called.
-struct Dyad {
-    part: usize,
-    components: [String; 2],
-}
-
-/// All dyads, and the straight-line program of their angles.
-fn program(mechanism: &Mechanism<'_>) -> (Vec<Dyad>, ScheduledStage) {
+/// All dyads, the straight-line program of their angles, and what their sines and cosines are called in it.
+fn program(mechanism: &Mechanism<'_>) -> (Vec<(Dyad, [String; 2])>, ScheduledStage) {
     let mut graph = mechanism.graph.clone();
     let mut names = mechanism.plan.names.clone();
-    let (mut dyads, mut steps) = (Vec::new(), Vec::new());
-    for (part, solved) in mechanism.parts().into_iter().enumerate() {
-        let Some(angle) = transmission(&mut graph, solved) else {
-            continue;
-        };
-        let number = dyads.len() + 1;
-        let components = [("across", angle.across), ("along", angle.along)].map(|(wish, node)| {
-            let (symbol, _) = graph.new_step();
-            names.name(symbol, &format!("{wish}_{number}"));
-            steps.push(Step::Define { symbol, node });
-            names.of(symbol).to_owned()
-        });
-        dyads.push(Dyad { part, components });
-    }
+    let equations = &mechanism.model.equations;
+    let residuals: Vec<Node> = equations
+        .iter()
+        .flat_map(|equation| equation.residual.nodes())
+        .collect();
+    let mut steps = Vec::new();
+    let dyads = dyads(&mut graph, &residuals, mechanism.blocks)
+        .into_iter()
+        .zip(1..)
+        .map(|(dyad, number)| {
+            let parts = [("across", dyad.across), ("along", dyad.along)].map(|(wish, node)| {
+                let (symbol, _) = graph.new_step();
+                names.name(symbol, &format!("{wish}_{number}"));
+                steps.push(Step::Define { symbol, node });
+                names.of(symbol).to_owned()
+            });
+            (dyad, parts)
+        })
+        .collect();
     let program = Program {
         stages: vec![Stage { steps }],
         names,
@@ -97,6 +96,16 @@ fn program(mechanism: &Mechanism<'_>) -> (Vec<Dyad>, ScheduledStage) {
     };
     let stage = schedule(&graph, &program, &[], style).stages.swap_remove(0);
     (dyads, stage)
+}
+
+/// The unknowns of a dyad, separated by commas.
+fn label(mechanism: &Mechanism<'_>, dyad: &Dyad) -> String {
+    let names: Vec<String> = dyad
+        .unknowns
+        .iter()
+        .map(|&unknown| mechanism.model.unknowns[unknown].name.to_string())
+        .collect();
+    names.join(", ")
 }
 
 /// Those of the pose's values that are used, by their own names.
