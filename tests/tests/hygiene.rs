@@ -20,6 +20,7 @@ macro_rules! declare {
             r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
             output pin: Point = r2 * cis(theta2);
             output root: Length = sqrt(r2 * r3) + asin(r2 / r1) * r4;
+            with transmission_angles;
         }
     };
 }
@@ -168,6 +169,43 @@ mod names_of_the_generator {
         unknown right_1_velocity: Angle, this: Length;
         parameters * cis(inverse_determinant) + convert * cis(right_1_velocity) == vec2(this, unknowns);
     }
+}
+
+/// The same for what is requested, and the word that requests it.
+mod names_of_requests {
+    kin_core::mechanism! {
+        pub struct Requests { pub unknowns: Length, pub along_1: Length, pub transmission_angles: Length, pub joint_0: Length }
+        input pose: Angle, values: Length;
+        unknown across_1: Angle, with: Angle, test: Length;
+        along_1 * cis(pose) + transmission_angles * cis(across_1) == unknowns + joint_0 * cis(with);
+        with == test / values;
+        let inputs = along_1 * cis(pose);
+        output skeleton: Point = inputs + joint_0 * cis(with);
+        with transmission_angles;
+    }
+}
+
+#[test]
+fn requests_meet_no_name() {
+    use names_of_requests::Requests;
+    let mechanism: Requests = Requests {
+        unknowns: 90.0,
+        along_1: 30.0,
+        transmission_angles: 60.0,
+        joint_0: 45.0,
+    };
+    let pose = mechanism
+        .position(1.0, 2.0, kin_core::Assembly::Open)
+        .expect("it closes");
+    let [transmission] = mechanism.transmission_angles(&pose);
+    assert_eq!(transmission.block, "across_1, with");
+    let between = pose.with.value() - pose.across_1.value();
+    assert!((transmission.angle - between.abs()).abs() < 1e-14);
+    let skeleton = mechanism.skeleton(&pose);
+    let (name, point) = skeleton.points().next().expect("there is a point");
+    assert_eq!(name, "skeleton");
+    // as two programs compute it, of lengths that add up to 225
+    assert!((point - pose.skeleton.value()).norm_squared().sqrt() <= 4.0 * f64::EPSILON * 225.0);
 }
 
 #[test]

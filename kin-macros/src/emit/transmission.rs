@@ -110,7 +110,7 @@ fn label(mechanism: &Mechanism<'_>, dyad: &Dyad) -> String {
 
 /// Those of the pose's values that are used, by their own names.
 fn values(mechanism: &Mechanism<'_>, used: &BTreeSet<String>, symbols: &[Symbol], all: &TokenStream) -> TokenStream {
-    let row = local("values");
+    let row = mechanism.own("values");
     let values: Vec<TokenStream> = symbols
         .iter()
         .enumerate()

@@ -1,6 +1,6 @@
 //! What a pose of any order says of its position.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::{Mechanism, attributes};
@@ -32,9 +32,9 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The argument that takes a pose of any order, and its name.
-pub(super) fn argument(mechanism: &Mechanism<'_>) -> (proc_macro2::Ident, TokenStream) {
+pub(super) fn argument(mechanism: &Mechanism<'_>) -> (Ident, TokenStream) {
     let runtime = mechanism.runtime;
-    let pose = super::local("pose");
+    let pose = mechanism.own("pose");
     let argument = quote!(#pose: &impl #runtime::PoseOf<Self>);
     (pose, argument)
 }
