@@ -4,11 +4,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use kin_core::library::FourBar;
-use kin_core::library::{
-    Bennett, FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, Rssp, Rssr,
-    SliderCrank, SliderCrankFirstApproximation, SliderCrankHigherApproximation, SphericalFourBar, StewartGoughLeg,
-    UniversalJoint,
-};
 use kin_core::{Mechanism, Operations};
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 
@@ -161,27 +156,6 @@ fn tables_of_operations_are_up_to_date() {
                 "docs/library.md should have a line\n{start}"
             );
         }
-    let library = read("docs/library.md");
-    for row in [
-        row::<FourBar>(),
-        row::<GeometricFourBar>(),
-        row::<FreudensteinFourBar>(),
-        row::<SliderCrank>(),
-        row::<OffsetSliderCrank>(),
-        row::<InvertedSliderCrank>(),
-        row::<SliderCrankFirstApproximation>(),
-        row::<SliderCrankHigherApproximation>(),
-        row::<Rssr>(),
-        row::<Rssp>(),
-        row::<UniversalJoint>(),
-        row::<SphericalFourBar>(),
-        row::<StewartGoughLeg>(),
-        row::<Bennett>(),
-    ] {
-        assert!(
-            library.lines().any(|line| line == row),
-            "docs/library.md should say\n{row}"
-        );
     }
     cases::library(&mut Rows(read("docs/library.md")));
     let orders: Vec<String> = FourBar::OPERATIONS
