@@ -2,7 +2,7 @@
 
 use super::complex::Complex;
 use super::homotopy::{Homotopy, Linearised};
-use super::track::{Care, Progress, Traveller};
+use super::track::{Care, Pinned, Progress, Traveller};
 
 /// From here on a path is watched for a singular end.
 const NEAR: f64 = 0.1;
@@ -12,10 +12,14 @@ const NEARER: f64 = 1e-3;
 const NEAREST: f64 = 1e-13;
 /// So far from zero the equations may be at a singular end, rounding alone being some orders less.
 const SOLVED: f64 = 1e-12;
-/// So far they may be if no better end is found: the mean of two solutions that are too near each other to be told apart.
+/// So far they may be if no better end is found: the mean of two solutions that are too near each other to be told
+/// apart.
 const NEARLY_SOLVED: f64 = 1e-8;
-/// Singular ends, and any that are so near to one that rounding may have a part in the difference, are taken for one and the
-/// same within this distance. Rounding of the coefficients by ε moves a double solution by √ε times a condition number.
+/// Regular solutions are farther from each other than their errors by some multiple of this.
+const CLEARANCE: f64 = 64.0;
+/// Singular ends, and any that are so near to one that rounding may have a part in the difference, are taken for one
+/// and the same within this distance. Rounding of the coefficients by ε moves a double solution by √ε times a condition
+/// number.
 const TOGETHER: f64 = 1e-4;
 /// The part that is left by rounding of the imaginary part of a singular end, or of X₀ of one at infinity, is less.
 const NOTHING: f64 = 1e-6;
@@ -122,24 +126,25 @@ fn walk<const M: usize>(
 
 /// The end of a path that winds around a singular solution, or one at infinity.
 ///
-/// There Y is a power series of t^(1/c) with a natural number c, the winding number. After c loops around t = 0 the path
-/// closes, and the mean over the loops is its end (Cauchy's integral; A. P. Morgan, A. J. Sommese & C. W. Wampler, *Computing
-/// singular solutions to nonlinear analytic systems*, Numerische Mathematik 58, 1991).
-/// With N points in each loop of radius r the mean is off by a multiple of r^N, so that two radii show whether
-/// the series converges and how well.
+/// There Y is a power series of t^(1/c) with a natural number c, the winding number. After c loops around t = 0 the
+/// path closes, and the mean over the loops is its end (Cauchy's integral; A. P. Morgan, A. J. Sommese & C. W. Wampler,
+/// *Computing singular solutions to nonlinear analytic systems*, Numerische Mathematik 58, 1991). With N points in each
+/// loop of radius r the mean is off by a multiple of r^N, so that two radii show whether the series converges and how
+/// well.
 fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut Linearised<M>) -> End<M> {
     let mut radius = traveller.t.re;
     let mut before: Option<([Complex; M], u8)> = None;
-    let mut pinned = false;
     let mut candidate = None;
     while radius > NEAREST {
         if traveller.advance(Complex::real(radius), 1e-5 * radius, false, care, at) != Progress::Arrived {
             break;
         }
-        if !pinned && !traveller.pin(at) {
-            break;
+        // A coordinate that vanishes at the end must not be pinned: the others would have a pole there, and a mean.
+        match traveller.pin(at) {
+            Pinned::Same => {}
+            Pinned::Other => before = None,
+            Pinned::Singular => break,
         }
-        pinned = true;
         let mean = mean_of_loops(traveller, radius, care, at);
         if let (Some((mean, loops)), Some((earlier, earlier_loops))) = (mean, before)
             && loops == earlier_loops
@@ -203,8 +208,8 @@ fn mean_of_loops<const M: usize>(
 }
 
 impl<const M: usize> Homotopy<'_, M> {
-    /// How far the equations are from being satisfied at t = 0. Their coefficients are one at most, coordinates are of the
-    /// size of one.
+    /// How far the equations are from being satisfied at t = 0. Their coefficients are one at most, coordinates are of
+    /// the size of one.
     fn residual(&self, point: &[Complex; M], at: &mut Linearised<M>) -> f64 {
         self.evaluate(point, Complex::ZERO, at);
         let magnitudes = self.magnitudes(point);
@@ -273,6 +278,7 @@ fn settle<const M: usize>(
     // What roundings of the terms do to the solution: the rows of the inverse, weighted by the terms.
     let magnitudes = homotopy.magnitudes(&point);
     let mut sums = [0.0; M];
+    let mut longest = ([Complex::ZERO; M], 0.0);
     for row in 0..free {
         let mut column = [Complex::ZERO; M];
         column[row] = Complex::real(magnitudes[row]);
@@ -280,11 +286,29 @@ fn settle<const M: usize>(
         for (sum, entry) in sums[..free].iter_mut().zip(&column) {
             *sum += entry.norm();
         }
+        let length = homotopy.size(&column);
+        if length > longest.1 {
+            longest = (column, length);
+        }
     }
     let condition = sums[..free].iter().fold(1.0, |most: f64, &sum| most.max(sum));
     let error = 4.0 * f64::EPSILON * condition;
-    // The nearest other solution is at a distance of about 1 / condition. It must be out of the reach of rounding.
-    (condition * error <= 1.0 / 32.0 && step <= 4.0 * error).then_some(Settled {
+    if step > 4.0 * error || error > 1e-3 {
+        return None;
+    }
+    // Whether another solution is so near that rounding might lead there: Newton's method must come back from far
+    // beyond the error, in the direction in which the error is largest.
+    let (direction, length) = longest;
+    let aside = CLEARANCE * error;
+    let mut probe = point;
+    if length > 0.0 {
+        for (value, along) in probe[..free].iter_mut().zip(&direction) {
+            *value += along.scale(aside / length);
+        }
+        homotopy.newton(&mut probe, Complex::ZERO, at)?;
+    }
+    // From a distance h, with another solution at the distance s, it comes as near as h² / 2(s + h).
+    (distance(homotopy, &probe, &point) <= 0.125 * aside + 4.0 * error).then_some(Settled {
         point,
         condition,
         error,

@@ -15,8 +15,9 @@ use super::system::PolynomialSystem;
 /// products with other coefficients make up F as well:
 ///
 /// - of a(x² + y²) + b x + c y + d, the circle, the forms are x + i y - p and x - i y - q with random p, q;
-/// - of an equation of second degree without squares, of which the variables can be divided into two sets such that no product is
-///   of two from the same set, the forms are of the one set and 1, and of the other and 1, with random coefficients;
+/// - of an equation of second degree without squares, of which the variables can be divided into two sets such that no
+///   product is of two from the same set, the forms are of the one set and 1, and of the other and 1, with random
+///   coefficients;
 /// - of any other equation of degree d there are d forms of all its variables and 1, with random coefficients.
 #[derive(Clone, Debug)]
 pub(super) struct Homotopy<'a, const M: usize> {

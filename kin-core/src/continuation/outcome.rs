@@ -10,14 +10,15 @@ pub struct Solution<const M: usize> {
     pub values: [f64; M],
     /// The number of paths that end here: one at a regular solution, in general more at a singular one.
     pub multiplicity: usize,
-    /// By how much relative roundings in the equations are enlarged in the variables, both in units in which they are of size
-    /// one. Infinite for a singular solution, which is exact to about the square root of the rounding error only.
+    /// By how much relative roundings in the equations are enlarged in the variables, both in units in which they are
+    /// of size one. Infinite for a singular solution, which is exact to about the square root of the rounding error
+    /// only.
     pub condition: f64,
 }
 
 impl<const M: usize> Solution<M> {
-    /// Whether the Jacobian is regular at the solution, as far as double precision can tell: no other solution is nearer than about
-    /// 10⁻⁷, in units in which the variables are of size one.
+    /// Whether the Jacobian is regular at the solution, as far as double precision can tell: no other solution is so
+    /// near that rounding could lead from one to the other.
     #[must_use]
     pub const fn is_regular(&self) -> bool {
         self.condition.is_finite()
@@ -54,8 +55,8 @@ impl Outcome {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Unsuitable {
-    /// The table is out of order, refers to equations, variables or coefficients that do not exist, or a degree is larger
-    /// than 255.
+    /// The table is out of order, refers to equations, variables or coefficients that do not exist, or a degree is
+    /// larger than 255.
     Table,
     /// A coefficient is not finite.
     NotFinite {

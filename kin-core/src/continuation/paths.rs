@@ -14,8 +14,8 @@ pub(super) struct Path<const M: usize> {
 
 /// Follows all paths, and those that are lost or suspect once more with more care; says whether in the end none are.
 ///
-/// Of two paths that end at one and the same regular solution one has jumped to the other on its way: through a regular solution there
-/// is only one path.
+/// Of two paths that end at one and the same regular solution one has jumped to the other on its way: through a regular
+/// solution there is only one path.
 pub(super) fn follow_all<const M: usize, const PATHS: usize>(homotopy: &Homotopy<'_, M>) -> Positions<Path<M>, PATHS> {
     let mut at = Linearised::new();
     let mut paths = Positions::new();
@@ -47,8 +47,8 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(homotopy: &Homotopy
     paths
 }
 
-/// Of the solutions that lie so near each other that rounding decides whether they can be told apart, none is regular unless
-/// all are.
+/// Of the solutions that lie so near each other that rounding decides whether they can be told apart, none is regular
+/// unless all are.
 fn join_singular<const M: usize>(paths: &mut [Path<M>]) {
     for place in 0..paths.len() {
         let end = paths[place].end;

@@ -11,9 +11,9 @@ const DEPENDENT: f64 = 1e-12;
 
 /// Homogeneous coordinates X₀, X₁ ... of the variables x₁ = X₁/X₀ ..., as linear forms of fewer coordinates.
 ///
-/// The equations of degree one are homogeneous linear equations of X₀, X₁ ... of which the solutions are a linear space.
-/// The new coordinates belong to an orthonormal basis of this space. They are `free + 1` in number, and as a point is
-/// determined by their ratios, one of them is kept equal to one, the pinned one. Each may be pinned in turn.
+/// The equations of degree one are homogeneous linear equations of X₀, X₁ ... of which the solutions are a linear
+/// space. The new coordinates belong to an orthonormal basis of this space. They are `free + 1` in number, and as a
+/// point is determined by their ratios, one of them is kept equal to one, the pinned one. Each may be pinned in turn.
 #[derive(Clone, Debug)]
 pub(super) struct Coordinates<const M: usize> {
     /// The number of coordinates less the pinned one.
@@ -39,8 +39,8 @@ impl<const M: usize> Coordinates<M> {
         core::mem::swap(&mut self.infinity[place], &mut self.infinity_pinned);
     }
 
-    /// A linear form of some of X₁ ... and of X₀, by its coefficients, as one of the free coordinates and of the pinned one,
-    /// of which the coefficient is returned.
+    /// A linear form of some of X₁ ... and of X₀, by its coefficients, as one of the free coordinates and of the pinned
+    /// one, of which the coefficient is returned.
     #[inline]
     pub(super) fn restrict(
         &self,

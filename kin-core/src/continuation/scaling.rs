@@ -18,8 +18,8 @@ pub(super) struct Scales<const M: usize> {
 }
 
 /// The scales with the least sum of squares of the logarithms of all coefficients (A. P. Morgan, *Solving Polynomial
-/// Systems Using Continuation for Engineering and Scientific Problems*, 1987, chapter 5). Being powers of two they do not
-/// round.
+/// Systems Using Continuation for Engineering and Scientific Problems*, 1987, chapter 5). Being powers of two they do
+/// not round.
 pub(super) fn scales<const M: usize>(system: &PolynomialSystem<M>, coefficients: &[f64]) -> Scales<M> {
     let every = fit(system, coefficients, &[0.0; M], &[f64::NEG_INFINITY; M]);
     // Which terms are rounding is seen only now that lengths of all units can be compared.
@@ -59,8 +59,8 @@ fn largest_terms<const M: usize>(system: &PolynomialSystem<M>, coefficients: &[f
     most
 }
 
-/// The logarithms of the units of the variables. Terms that are negligible beside `most`, in the units `compared`, are left
-/// out.
+/// The logarithms of the units of the variables. Terms that are negligible beside `most`, in the units `compared`, are
+/// left out.
 fn fit<const M: usize>(
     system: &PolynomialSystem<M>,
     coefficients: &[f64],

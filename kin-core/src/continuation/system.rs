@@ -59,9 +59,9 @@ impl<const M: usize> PolynomialSystem<M> {
         self.terms
     }
 
-    /// The number of paths that lead to the solutions, the product of the degrees of the equations.
+    /// The largest number of paths that lead to the solutions, the product of the degrees of the equations.
     ///
-    /// By Bézout's theorem the system has at most as many isolated solutions.
+    /// By Bézout's theorem the system has at most as many isolated solutions; often there are fewer paths.
     #[must_use]
     pub const fn paths(&self) -> usize {
         let (mut paths, mut equation) = (1_usize, 0);
@@ -146,8 +146,8 @@ impl<const M: usize> PolynomialSystem<M> {
         squares.0 == 2 && self.support(range, coefficients).1 == 2
     }
 
-    /// Which variables, by their places among those that occur, occur in the first and in the second of the linear forms
-    /// of which an equation is a sum of products.
+    /// Which variables, by their places among those that occur, occur in the first and in the second of the linear
+    /// forms of which an equation is a sum of products.
     ///
     /// The variables are coloured so that those of each product differ. Variables that occur in no product have both
     /// colours; if there is no such colouring, all have.
@@ -203,7 +203,8 @@ impl<const M: usize> PolynomialSystem<M> {
         members
     }
 
-    /// Whether the equations are in order, all places of the table exist, and no term is of higher degree than can be counted.
+    /// Whether the equations are in order, all places of the table exist, and no term is of higher degree than can be
+    /// counted.
     pub(super) fn fits(&self, coefficients: usize) -> bool {
         self.terms.is_sorted_by_key(|term| term.equation)
             && self.terms.iter().all(|term| {

@@ -62,6 +62,17 @@ pub(super) enum Progress {
     Stuck,
 }
 
+/// Which coordinate is pinned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pinned {
+    /// The same as before.
+    Same,
+    /// Another one.
+    Other,
+    /// Another one, and there the Jacobian is singular.
+    Singular,
+}
+
 impl<'a, const M: usize> Traveller<'a, M> {
     /// At a known solution, t = 1. None if there is no such solution.
     pub(super) fn depart(mut homotopy: Homotopy<'a, M>, choice: usize, at: &mut Linearised<M>) -> Option<Self> {
@@ -120,7 +131,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
                     let proposed = step.norm() * factor.min(2.0);
                     // A step that was cut short says nothing against longer ones.
                     self.step = if last { proposed.max(self.step) } else { proposed };
-                    if pin && !self.pin(at) {
+                    if pin && self.pin(at) == Pinned::Singular {
                         return Progress::Stuck;
                     }
                 }
@@ -133,9 +144,15 @@ impl<'a, const M: usize> Traveller<'a, M> {
         }
     }
 
-    /// Pins the largest coordinate.
-    pub(super) fn pin(&mut self, at: &mut Linearised<M>) -> bool {
-        !self.homotopy.pin_largest(&mut self.point) || self.face(at)
+    /// Pins the largest coordinate, if it is much larger than the one that is pinned.
+    pub(super) fn pin(&mut self, at: &mut Linearised<M>) -> Pinned {
+        if !self.homotopy.pin_largest(&mut self.point) {
+            Pinned::Same
+        } else if self.face(at) {
+            Pinned::Other
+        } else {
+            Pinned::Singular
+        }
     }
 
     /// Finds the tangent at the point.

@@ -75,6 +75,8 @@ fn one_and_the_same_circle_is_no_isolated_solution() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn four_bars_as_in_closed_form(
         ground in 0.1_f64..3.0, crank in 0.1_f64..3.0, coupler in 0.1_f64..3.0, rocker in 0.1_f64..3.0, input in -3.0_f64..3.0,

@@ -54,6 +54,8 @@ fn add_product(table: &mut Table, equation: usize, lines: &[Line]) {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn three_lines_meet_two(
         three in proptest::array::uniform3(line()), two in proptest::array::uniform2(line()), exponent in -6_i32..=6

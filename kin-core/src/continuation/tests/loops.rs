@@ -8,8 +8,8 @@ use super::table::Table;
 
 /// Three general loops of six angles, which all turn a vector in each loop.
 ///
-/// With z = cis(θ) and its conjugate as variables, two groups of six of which three in each are free, the equations z w = 1
-/// have at most 6! / (3! 3!) = 20 solutions by Bézout's theorem for two groups.
+/// With z = cis(θ) and its conjugate as variables, two groups of six of which three in each are free, the equations z w
+/// = 1 have at most 6! / (3! 3!) = 20 solutions by Bézout's theorem for two groups.
 #[test]
 fn three_loops_have_twenty_solutions() {
     let mut random = Sequence::new(3);
@@ -119,4 +119,39 @@ fn what_cannot_be_solved_is_refused() {
         real_solutions::<2, 1>(&table.system(), &table.coefficients, |_| {}),
         Err(Unsuitable::Dependent { .. })
     ));
+}
+
+/// A slide on a turning link, coupled to another loop: most paths lead to infinity, in several ways.
+#[test]
+fn a_length_in_coupled_loops() {
+    let mut random = Sequence::new(11);
+    for _ in 0..40 {
+        let mut table = Table::default();
+        let mut vector = || [2.0 * random.fraction() - 1.0, 2.0 * random.fraction() - 1.0];
+        // The length is the variable after those of three angles.
+        table.add(0, 1.0, &[(6, 1), (0, 1)]);
+        table.add(1, 1.0, &[(6, 1), (1, 1)]);
+        table.add_vector(0, 1, vector());
+        for angle in 0..3 {
+            table.add_vector(2, angle, vector());
+        }
+        for equation in [0, 2] {
+            let [x, y] = vector();
+            table.add(equation, x, &[]);
+            table.add(equation + 1, y, &[]);
+        }
+        for angle in 0..3 {
+            table.add_angle(4 + usize::from(angle), angle);
+        }
+        let outcome = real_solutions::<7, 32>(&table.system(), &table.coefficients, |_| {}).unwrap();
+        let expected = Outcome {
+            paths: 16,
+            regular: 6,
+            real: outcome.real,
+            singular: 0,
+            at_infinity: 10,
+            lost: 0,
+        };
+        assert_eq!(outcome, expected);
+    }
 }
