@@ -145,7 +145,7 @@ fn the_order_of_the_unknowns_names_the_assemblies() {
     let blocks = <FourBarUnknownsSwapped>::DESCRIPTION.blocks;
     assert_eq!(blocks.len(), 1);
     assert_eq!(blocks[0].unknowns, "theta4, theta3");
-    assert_eq!(blocks[0].closed_form, <FourBar>::DESCRIPTION.blocks[0].closed_form);
+    assert_eq!(blocks[0].solution, <FourBar>::DESCRIPTION.blocks[0].solution);
 }
 
 /// Crank, rod, and height of the slide; the second has a crank longer than its rod.
@@ -194,7 +194,7 @@ fn slider_cranks() {
         <SliderCrankAlongVector>::DESCRIPTION.blocks,
     ] {
         assert_eq!(blocks.len(), 1);
-        assert_eq!(blocks[0].closed_form, "circle meets line (RRP dyad)");
+        assert_eq!(blocks[0].solution, "circle meets line (RRP dyad)");
     }
 }
 
@@ -311,7 +311,7 @@ fn slider_cranks_driven_elsewhere() {
         }
     }
     assert_eq!(
-        <SliderCrankDrivenAtSlider>::DESCRIPTION.blocks[0].closed_form,
+        <SliderCrankDrivenAtSlider>::DESCRIPTION.blocks[0].solution,
         "circle meets circle (RRR dyad)"
     );
 }
@@ -373,7 +373,7 @@ fn inverted_slider_cranks_with_offset() {
         assert_eq!(blocks, <InvertedOffset>::DESCRIPTION.blocks);
     }
     assert_eq!(
-        <InvertedOffset>::DESCRIPTION.blocks[0].closed_form,
+        <InvertedOffset>::DESCRIPTION.blocks[0].solution,
         "polar form with offset (RPR dyad)"
     );
 }
@@ -386,7 +386,7 @@ impl Visitor for ClosedForms {
         let blocks: Vec<String> = M::DESCRIPTION
             .blocks
             .iter()
-            .map(|block| format!("{}: {}", block.unknowns, block.closed_form))
+            .map(|block| format!("{}: {}", block.unknowns, block.solution))
             .collect();
         writeln!(self.0, "{:28} {}", M::DESCRIPTION.name, blocks.join("; ")).expect("writing to a string succeeds");
     }

@@ -537,7 +537,7 @@ fn bennett_closes_in_space() {
 #[test]
 fn bennett_by_his_relation() {
     for (alpha, beta) in [(0.5_f64, 1.2_f64), (1.3, 0.4), (-0.6, 1.0), (2.0, 0.9)] {
-        let ratio = ((beta + alpha) / 2.0).sin() / ((beta - alpha) / 2.0).sin();
+        let ratio = f64::midpoint(beta, alpha).sin() / ((beta - alpha) / 2.0).sin();
         let linkage = Bennett { a: 2.0, alpha, beta };
         let other = BennettByTripleProduct::from_parameters([2.0, alpha, beta]);
         for step in 1..24 {
