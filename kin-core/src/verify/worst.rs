@@ -176,8 +176,8 @@ impl Worst {
         }
         errors[order] = larger(errors[order], error);
         let is_worst = self.finding.as_ref().is_none_or(|worst| {
-            let known = worst.error / allowed(worst.order);
-            !known.is_nan() && (error.is_nan() || error / allowed(order) > known)
+            let (known, own) = (worst.error / allowed(worst.order), error / allowed(order));
+            !known.is_nan() && (own.is_nan() || own > known)
         });
         if is_worst {
             self.finding = Some(Finding {
