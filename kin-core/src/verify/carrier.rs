@@ -13,7 +13,7 @@ pub(super) trait Carrier: Scalar {
     /// A derivative, NaN beyond those that are held.
     fn derivative(&self, order: usize) -> f64;
 
-    /// The first `count` derivatives, value first.
+    /// The derivatives through an order, value first.
     fn derivatives_through(&self, order: usize) -> std::vec::Vec<f64> {
         (0..=order).map(|order| self.derivative(order)).collect()
     }

@@ -11,16 +11,17 @@ use crate::{Dimension, Mechanism, Quantity};
 ///
 /// Let κ be the condition of the Jacobian, its columns scaled by the sizes of the unknowns and its rows by the terms of
 /// the equations. Let w be the largest |x⁽ᵏ⁾|^(1/k) over all quantities x (lengths relative to the mechanism's size) and
-/// orders k, and no less than the rate at which the scaled Jacobian changes, which is beyond that of the quantities where a
-/// function of them is steep. Every term of an n-th derivative is of the size wⁿ at most, and is computed to a few ε. Solving
+/// orders k. The entries of the scaled Jacobian are among these quantities, through the fourth order: they change faster than the
+/// unknowns where a function of them is steep. Every term of an n-th derivative is of the size wⁿ at most, and is computed to a few ε. Solving
 /// J q = r multiplies the error of r by κ, and the position, in error by ε κ itself, enters J. So an n-th derivative is known to
 ///
 /// ```text
 /// ε κ² wⁿ
 /// ```
 ///
-/// times a number that depends on the count of terms, [`allowed`]. An equation whose large terms cancel on the way to its value is allowed
-/// no less than its own rounding.
+/// times a number that depends on the count of terms, [`allowed`]. The terms of an equation are what a relative error of each quantity
+/// in it shifts it by. Larger ones that cancel on the way to its value show in a bound on its rounding error; a row is at least so
+/// large that this bound is allowed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gauge {
     /// The condition κ of the scaled Jacobian.
@@ -74,17 +75,19 @@ impl Gauge {
             for (entry, size) in row.iter_mut().zip(&sizes) {
                 *entry *= size;
             }
-            let size = row
+            let shifts = row
                 .iter()
                 .chain(&others)
                 .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+            for (rates, own) in rates.into_iter().zip(&sizes) {
+                frequency = frequency.max(fastest_of(rates, shifts / own));
+            }
+            // terms that cancel count as well
+            let size = shifts.max(rounding / allowed(0));
             for entry in row.iter_mut() {
                 *entry /= size;
             }
-            for (rate, own) in rates.into_iter().zip(&sizes) {
-                frequency = frequency.max(rate.abs() * own / size);
-            }
-            rows.push(size.max(rounding / allowed(0)));
+            rows.push(size);
         }
         Self {
             condition: condition(jacobian),
@@ -145,15 +148,16 @@ fn natural(length: f64, quantity: &Quantity, motion: &[f64]) -> f64 {
     }
 }
 
-/// The largest |x⁽ᵏ⁾ / size|^(1/k).
+/// The largest rate of a motion of a quantity of some size, as a frequency.
 fn frequency(motion: &[f64], size: f64) -> f64 {
-    motion
-        .iter()
-        .zip(0_u32..)
-        .skip(1)
-        .fold(0.0_f64, |largest, (rate, order)| {
-            largest.max((rate.abs() / size).powf(1.0 / f64::from(order)))
-        })
+    fastest_of(motion.iter().skip(1).copied(), size)
+}
+
+/// The largest |x⁽ᵏ⁾ / size|^(1/k) of time derivatives from the first on.
+fn fastest_of(rates: impl IntoIterator<Item = f64>, size: f64) -> f64 {
+    rates.into_iter().zip(1_u32..).fold(0.0_f64, |largest, (rate, order)| {
+        largest.max((rate.abs() / size).powf(1.0 / f64::from(order)))
+    })
 }
 
 /// How many units of error are allowed in an n-th derivative: generously, the number of its terms. Bell's and Leibniz's sums

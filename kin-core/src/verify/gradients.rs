@@ -4,6 +4,7 @@ use std::vec::Vec;
 
 use num_dual::{Dual, Dual64};
 
+use super::carrier::{Carrier, Nested};
 use super::rounding::Rounded;
 use super::{Inputs, Unknowns};
 use crate::{Mechanism, Row, Scalar};
@@ -68,20 +69,17 @@ pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
     (rows(&by_unknowns), rows(&by_others))
 }
 
-/// The time derivative of each of the equations' partial derivatives by the unknowns, row by row.
+/// The first four time derivatives of each of the equations' partial derivatives by the unknowns, row by row.
 pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: &Inputs<M>,
     unknowns: &Unknowns<M>,
-) -> Vec<Vec<f64>> {
-    // outside along time, inside along one unknown
-    type D = Dual<Dual64>;
+) -> Vec<Vec<[f64; 4]>> {
+    // outside along one unknown, inside along time
+    type D = Dual<Nested>;
     let lifted = mechanism.convert(<D as Scalar>::constant);
     let number = |motion: &M::Motion<f64>, seed: f64| {
-        D::new(
-            Dual64::new(derivative(motion, 0), seed),
-            Dual64::new(derivative(motion, 1), 0.0),
-        )
+        D::new(Nested::carrying(motion.as_ref()), <Nested as Scalar>::constant(seed))
     };
     let columns: Vec<Vec<D>> = (0..unknowns.as_ref().len())
         .map(|seeded| {
@@ -93,8 +91,9 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
             lifted.residuals(inputs, unknowns).as_ref().to_vec()
         })
         .collect();
+    let rates = |entry: &D| [1, 2, 3, 4].map(|order| entry.eps.derivative(order));
     (0..columns.len())
-        .map(|row| columns.iter().map(|column| column[row].eps.eps).collect())
+        .map(|row| columns.iter().map(|column| rates(&column[row])).collect())
         .collect()
 }
 
