@@ -158,6 +158,27 @@ fn tables_of_operations_are_up_to_date() {
         }
     }
     cases::library(&mut Rows(read("docs/library.md")));
+
+    struct CoupledRows(String);
+    impl Visitor for CoupledRows {
+        fn visit<M: ThroughSnap>(&mut self, _: Case) {
+            let rates: Vec<String> = M::DESCRIPTION.operations[1..]
+                .iter()
+                .map(|order| order.arithmetic().to_string())
+                .collect();
+            let unknowns: Vec<&str> = M::DESCRIPTION.unknowns.iter().map(|unknown| unknown.name).collect();
+            for start in [
+                format!("| `{}` | {} | ", M::DESCRIPTION.name, unknowns.join(", ")),
+                format!("| `{}` | {} |", M::DESCRIPTION.name, rates.join(" | ")),
+            ] {
+                assert!(
+                    self.0.lines().any(|line| line.starts_with(&start)),
+                    "docs/library.md should have a line\n{start}"
+                );
+            }
+        }
+    }
+    cases::coupled_library(&mut CoupledRows(read("docs/library.md")));
     let orders: Vec<String> = FourBar::OPERATIONS
         .iter()
         .map(|order| order.arithmetic().to_string())

@@ -75,6 +75,51 @@ fn constants_are_what_is_carried_out() {
     assert!(count.wrong.is_empty(), "{:#?}", count.wrong);
 }
 
+/// With coupled blocks the position costs what the guess is worth, the rates what is published.
+#[test]
+fn rates_of_coupled_blocks_cost_what_is_published() {
+    struct Rates;
+    impl Visitor for Rates {
+        fn visit<M: ThroughSnap>(&mut self, case: Case) {
+            type S = Counted;
+            let mut random = Random::new(8);
+            let mechanism: M = case.mechanism();
+            let counting = mechanism.convert(S::new);
+            let mut poses = 0;
+            for step in 0..240 {
+                let inputs = case.inputs::<M>(f64::from(step) / 240.0, &mut random);
+                let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+                let guess = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
+                let Ok(near) = mechanism.solve_position_near(values, guess) else {
+                    continue;
+                };
+                let counted = <<M::With<S> as Mechanism>::Inputs<M::Motion<S>> as Row<_>>::from_fn(|index| {
+                    <M::Motion<S> as Row<S>>::from_fn(|order| S::new(inputs.as_ref()[index].as_slice()[order]))
+                });
+                let counted_values =
+                    <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| S::new(values.as_ref()[index]));
+                let near =
+                    <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| S::new(near.as_ref()[index]));
+                let whole = kinds(&count::of(|| {
+                    counting.solve_motion_near(counted, near).expect("it closes")
+                }));
+                let position = kinds(&count::of(|| {
+                    counting.solve_position_near(counted_values, near).expect("so")
+                }));
+                let rates = M::DESCRIPTION.operations[1..]
+                    .iter()
+                    .fold(Operations::NONE, |sum, order| sum.plus(*order));
+                for ((whole, position), rates) in whole.into_iter().zip(position).zip(kinds(&rates)) {
+                    assert_eq!(whole - position, rates, "{}", M::DESCRIPTION.name);
+                }
+                poses += 1;
+            }
+            assert!(poses > 20, "{}: {poses}", M::DESCRIPTION.name);
+        }
+    }
+    cases::coupled_library(&mut Rates);
+}
+
 /// Writes what a mechanism costs, order by order.
 struct Table(String);
 

@@ -108,6 +108,7 @@ fn compare(length: f64, rate: f64, exactly: bool) {
     cases::loops(&mut compare);
     cases::chains(&mut compare);
     cases::with_outputs(&mut compare);
+    cases::library(&mut compare);
     assert!(compare.poses > 1000, "{}", compare.poses);
 }
 
