@@ -2,8 +2,8 @@
 //!
 //! Of the three ways between the ternary links two are one binary link long, which makes a four-bar loop, and one is
 //! two links long. In the first kind the ground link is one of the two single links, in the second one of the pair, in
-//! the third it is a ternary link. Source of the kinds and their names: J. M. McCarthy and G. S. Soh, Geometric
-//! Design of Linkages, 2nd edition, Springer 2011.
+//! the third it is a ternary link. Source of the kinds and their names: A. G. Erdman and G. N. Sandor, Mechanism
+//! Design: Analysis and Synthesis, volume 1, Prentice-Hall 1984.
 
 crate::mechanism! {
     /// Stephenson's six-bar linkage of the first kind, driven at the crank: a four-bar linkage, and a dyad between its

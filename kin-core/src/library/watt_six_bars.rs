@@ -1,7 +1,7 @@
 //! Watt's six-bar linkages, with two ternary links that share a joint.
 //!
 //! In the first the ground link is binary, in the second one of the ternary links. Source of the kinds and their
-//! names: J. M. McCarthy and G. S. Soh, Geometric Design of Linkages, 2nd edition, Springer 2011.
+//! names: A. G. Erdman and G. N. Sandor, Mechanism Design: Analysis and Synthesis, volume 1, Prentice-Hall 1984.
 
 crate::mechanism! {
     /// Watt's six-bar linkage of the first kind, driven at the crank: a four-bar linkage, and a dyad between its crank
