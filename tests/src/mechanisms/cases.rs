@@ -83,6 +83,7 @@ pub fn all(visitor: &mut impl Visitor) {
     chains(visitor);
     scalars(visitor);
     ranges(visitor);
+    in_space(visitor);
     with_outputs(visitor);
     library(visitor);
 }
@@ -277,6 +278,14 @@ groups! {
         AndrewsSqueezer [
             0.007, 0.028, 0.035, 0.02, 0.04, 0.02, 0.04, -0.06934, -0.00227, -0.03635, 0.03273
         ] at [-1.0, 1.0];
+        Rssr [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
+        Rssp [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
+        UniversalJoint [0.7] at [-3.1, 3.1];
+        SphericalFourBar [1.4, 0.5, 1.2, 0.9] at [-3.1, 3.1];
+        StewartGoughLeg [
+            1.0, 0.2, -0.3, 0.6, -0.5, 0.2
+        ] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
+        Bennett [2.0, 0.6, 1.3] at [-3.1, 3.1];
     }
 
     /// The library's mechanisms with coupled blocks, the assemblies of which have no names.
