@@ -95,6 +95,7 @@ fn main() -> Result<ExitCode, SolveError> {
     five_bars(&mut catalogue);
     six_bars(&mut catalogue)?;
     machines(&mut catalogue);
+    in_space(&mut catalogue);
     println!("{} mechanisms, {} failed", catalogue.shown, catalogue.failed);
     Ok(if catalogue.failed == 0 {
         ExitCode::SUCCESS
@@ -251,4 +252,19 @@ fn machines(catalogue: &mut Catalogue) {
         0.5,
         AndrewsSqueezer::PUBLISHED_ASSEMBLY,
     );
+}
+
+fn in_space(catalogue: &mut Catalogue) {
+    let crank = [steady(0.8, 2.0)];
+    let rssr = Rssr::from_parameters([1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3]);
+    catalogue.show(rssr, crank, PI, Assembly::Open);
+    let rssp = Rssp::from_parameters([1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0]);
+    catalogue.show(rssp, crank, PI, Assembly::Open);
+    catalogue.show(UniversalJoint::from_parameters([0.7]), crank, PI, Assembly::Open);
+    let spherical = SphericalFourBar::from_parameters([1.4, 0.5, 1.2, 0.9]);
+    catalogue.show(spherical, crank, PI, Assembly::Open);
+    let pose = [0.1, 0.1, 2.0, 0.2, -0.3, 0.4].map(|value| steady(value, 0.5));
+    let leg = StewartGoughLeg::from_parameters([1.0, 0.2, -0.3, 0.6, -0.5, 0.2]);
+    catalogue.show(leg, pose, 0.4, ());
+    catalogue.show(Bennett::from_parameters([2.0, 0.6, 1.3]), crank, PI, ());
 }
