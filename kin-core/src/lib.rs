@@ -46,6 +46,7 @@
 //! | a point or vector of the plane, of space | [`Plane`], [`Space`] |
 //! | a rotation of space | [`Rotation`] |
 //! | which of two solutions | [`Assembly`] |
+//! | a position that follows from another one by moving there | [`track`](track()), [`TrackError`] |
 //! | why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | mechanisms ready to use | [`library`] |
@@ -99,6 +100,7 @@ pub mod series;
 mod skeleton;
 pub mod solve;
 mod space;
+mod track;
 mod transmission;
 #[cfg(feature = "num-dual")]
 pub mod verify;
@@ -118,6 +120,7 @@ pub use rotation::Rotation;
 pub use scalar::Scalar;
 pub use skeleton::{Chain, Polyline, Skeleton};
 pub use space::Space;
+pub use track::{Obstacle, TrackError, TrackErrorOf, track};
 pub use transmission::TransmissionAngle;
 
 /// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap,

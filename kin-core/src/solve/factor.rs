@@ -1,6 +1,6 @@
 //! A small square matrix as a product of two triangular ones.
 
-use crate::{Failure, Scalar};
+use crate::{Failure, Row, Scalar};
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
 
@@ -62,49 +62,10 @@ pub(super) fn factor_to<T: Scalar, const N: usize>(
     if !entries.iter().flatten().all(|entry| entry.is_finite()) {
         return Err(Failure::NotFinite { quantity: QUANTITY });
     }
-    let row_exponents = entries.map(|row| levelling::<T>(row.into_iter()));
-    for (row, exponent) in entries.iter_mut().zip(row_exponents) {
-        *row = row.map(|entry| entry * power_of_two(exponent));
-    }
-    let column_exponents = core::array::from_fn(|column| levelling::<T>(entries.iter().map(|row| row[column])));
-    for row in &mut entries {
-        for (entry, exponent) in row.iter_mut().zip(column_exponents) {
-            *entry = *entry * power_of_two(exponent);
-        }
-    }
+    let (mut row_exponents, mut column_exponents, mut origins) = ([0; N], [0; N], [0; N]);
+    level(&mut entries, &mut row_exponents, &mut column_exponents);
     let norm = row_norm(&entries);
-    let mut largest = largest_of(entries.iter().flatten());
-    let mut origins = core::array::from_fn(|row| row);
-    let mut odd = false;
-    let mut singular = false;
-    for step in 0..N {
-        let mut best = step;
-        for row in step + 1..N {
-            if entries[row][step].real().abs() > entries[best][step].real().abs() {
-                best = row;
-            }
-        }
-        if best != step {
-            entries.swap(best, step);
-            origins.swap(best, step);
-            odd = !odd;
-        }
-        let pivot_row = entries[step];
-        let pivot = pivot_row[step];
-        let size = pivot.real().abs();
-        if size == 0.0 {
-            return Err(Failure::Singular { determinant: 0.0 });
-        }
-        singular |= size.is_nan() || size <= 2.0 * number(N) * epsilon * largest;
-        for row in &mut entries[step + 1..] {
-            let multiplier = row[step] / pivot;
-            row[step] = multiplier;
-            for (entry, above) in row[step + 1..].iter_mut().zip(&pivot_row[step + 1..]) {
-                *entry = *entry - multiplier * *above;
-            }
-            largest = largest.max(largest_of(row[step + 1..].iter()));
-        }
-    }
+    let Elimination { odd, singular } = eliminate(&mut entries, &mut origins, epsilon);
     let factors = Factors {
         entries,
         origins,
@@ -124,6 +85,109 @@ pub(super) fn factor_to<T: Scalar, const N: usize>(
     Ok(factors)
 }
 
+/// Multiplies rows and then columns by powers of two until the largest entry of each lies between 1 and 2.
+///
+/// As everything below, of a square matrix: as many leading columns as there are rows.
+pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i32], column_exponents: &mut [i32]) {
+    let count = rows.len();
+    for (row, exponent) in rows.iter_mut().zip(row_exponents) {
+        let entries = &mut row.as_mut()[..count];
+        *exponent = levelling::<T>(entries.iter());
+        for entry in entries {
+            *entry = *entry * power_of_two(*exponent);
+        }
+    }
+    for (column, exponent) in column_exponents.iter_mut().enumerate().take(count) {
+        *exponent = levelling::<T>(rows.iter().map(|row| &row.as_ref()[column]));
+        for row in &mut *rows {
+            let entry = &mut row.as_mut()[column];
+            *entry = *entry * power_of_two(*exponent);
+        }
+    }
+}
+
+/// What is known of a matrix after its elimination.
+pub(crate) struct Elimination {
+    /// Whether an odd number of pairs of rows was exchanged.
+    pub(crate) odd: bool,
+    /// Whether a pivot is zero up to rounding.
+    pub(crate) singular: bool,
+}
+
+/// Makes a levelled matrix into its triangular factors, and notes which row each row came from. If a pivot is exactly zero,
+/// the elimination ends there.
+pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
+    let count = rows.len();
+    for (row, origin) in origins.iter_mut().enumerate() {
+        *origin = row;
+    }
+    let mut largest = largest_of(rows.iter().flat_map(|row| &row.as_ref()[..count]));
+    let (mut odd, mut singular) = (false, false);
+    for step in 0..count {
+        let size_of = |row: &R| row.as_ref()[step].real().abs();
+        let mut best = step;
+        for row in step + 1..count {
+            if size_of(&rows[row]) > size_of(&rows[best]) {
+                best = row;
+            }
+        }
+        if best != step {
+            rows.swap(best, step);
+            origins.swap(best, step);
+            odd = !odd;
+        }
+        let pivot_row = rows[step];
+        let pivot_row = &pivot_row.as_ref()[..count];
+        let pivot = pivot_row[step];
+        let size = pivot.real().abs();
+        singular |= size.is_nan() || size <= 2.0 * number(count) * epsilon * largest;
+        if size == 0.0 {
+            break;
+        }
+        for row in &mut rows[step + 1..] {
+            let entries = &mut row.as_mut()[step..count];
+            let multiplier = entries[0] / pivot;
+            entries[0] = multiplier;
+            for (entry, above) in entries[1..].iter_mut().zip(&pivot_row[step + 1..]) {
+                *entry = *entry - multiplier * *above;
+            }
+            largest = largest.max(largest_of(entries[1..].iter()));
+        }
+    }
+    Elimination { odd, singular }
+}
+
+/// The solution for a right-hand side in the order of the original rows.
+pub(crate) fn substitute<T: Scalar, R: Row<T>>(
+    rows: &[R],
+    origins: &[usize],
+    row_exponents: &[i32],
+    column_exponents: &[i32],
+    right: &[T],
+    solution: &mut [T],
+) {
+    let count = rows.len();
+    for (row, entries) in rows.iter().enumerate() {
+        let origin = origins[row];
+        let mut sum = right[origin] * power_of_two(row_exponents[origin]);
+        for (factor, known) in entries.as_ref()[..row].iter().zip(&*solution) {
+            sum = sum - *factor * *known;
+        }
+        solution[row] = sum;
+    }
+    for (row, entries) in rows.iter().enumerate().rev() {
+        let entries = &entries.as_ref()[..count];
+        let mut sum = solution[row];
+        for (factor, known) in entries[row + 1..].iter().zip(&solution[row + 1..]) {
+            sum = sum - *factor * *known;
+        }
+        solution[row] = sum / entries[row];
+    }
+    for (entry, exponent) in solution.iter_mut().zip(column_exponents).take(count) {
+        *entry = *entry * power_of_two(*exponent);
+    }
+}
+
 impl<T: Scalar, const N: usize> Factors<T, N> {
     /// The solution of `matrix · x = right`. N² multiplications and as many additions.
     ///
@@ -131,25 +195,14 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     #[must_use]
     pub fn solve(&self, right: [T; N]) -> [T; N] {
         let mut solution = right;
-        for row in 0..N {
-            let origin = self.origins[row];
-            let mut sum = right[origin] * power_of_two(self.row_exponents[origin]);
-            for (factor, known) in self.entries[row][..row].iter().zip(&solution) {
-                sum = sum - *factor * *known;
-            }
-            solution[row] = sum;
-        }
-        for row in (0..N).rev() {
-            let entries = &self.entries[row];
-            let mut sum = solution[row];
-            for (factor, known) in entries[row + 1..].iter().zip(&solution[row + 1..]) {
-                sum = sum - *factor * *known;
-            }
-            solution[row] = sum / entries[row];
-        }
-        for (entry, exponent) in solution.iter_mut().zip(self.column_exponents) {
-            *entry = *entry * power_of_two(exponent);
-        }
+        substitute(
+            &self.entries,
+            &self.origins,
+            &self.row_exponents,
+            &self.column_exponents,
+            &right,
+            &mut solution,
+        );
         solution
     }
 
@@ -241,8 +294,8 @@ fn row_norm<T: Scalar, const N: usize>(matrix: &[[T; N]; N]) -> f64 {
 }
 
 /// The exponent of the power of two that brings the largest of the entries between 1 and 2.
-fn levelling<T: Scalar>(entries: impl Iterator<Item = T>) -> i32 {
-    let largest = entries.fold(0.0, |largest: f64, entry| entry.real().abs().max(largest));
+fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
+    let largest = largest_of(entries);
     if largest == 0.0 {
         return 0;
     }

@@ -57,6 +57,7 @@ pub use direction::direction;
 pub use domain::{
     arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
 };
+pub(crate) use factor::{Elimination, eliminate, level, substitute};
 pub use factor::{Factors, factor};
 pub use inverse::{inverse_cosine, inverse_sine};
 pub use linear::{linear, linear_pair};

@@ -1,0 +1,385 @@
+//! Moving a mechanism from a position that is known to another one.
+
+mod obstacle;
+mod path;
+mod system;
+mod turning;
+
+pub use obstacle::{Obstacle, TrackError};
+
+use path::{Linear, Path, Point, largest};
+use system::Sides;
+use turning::Passage;
+
+use crate::{Failure, InputValues, Mechanism, Pose, Row, Scalar, SolveError};
+
+/// The longest step by the inputs, and the longest way of an unknown in a step, in their sizes.
+const LONGEST: f64 = 0.5;
+/// The size that the last terms of the Taylor series may have at the end of a step.
+const LAST_TERM: f64 = 0.02;
+/// By how much the corrected unknowns may differ from the predicted ones, and their rates by as much of the largest.
+const CORRECTION: f64 = 0.02;
+/// Steps are not made shorter than this.
+const SHORTEST: f64 = 1e-13;
+/// From this rate of an unknown on, it becomes the parameter in the place of the inputs.
+const FAST: f64 = 32.0;
+
+/// The [`TrackError`] of a mechanism: with its inputs and its unknowns in double precision.
+pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
+/// The obstacle in it.
+type ObstacleOf<M> = Obstacle<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
+
+/// Moves the inputs on a straight line from one place to another, and the mechanism with them, without leaving its assembly.
+///
+/// `from_unknowns` are the unknowns at `from_inputs`, or near enough for [`solve_position_near`](Mechanism::solve_position_near). The
+/// result are those at `to_inputs`, in radians or the mechanism's own unit; angles have been carried along, so that a crank
+/// that has made a full turn ends 2π further.
+///
+/// This is a continuation. Each step is predicted with the Taylor series of the mechanism's own solvers, to its order,
+/// corrected by [`solve_motion_near`](Mechanism::solve_motion_near), and accepted if prediction and correction agree in the unknowns and
+/// their rates, and if the determinant of each block's Jacobian keeps its sign and its size, to a factor of two, on
+/// the whole step. So no two changes of sign hide in it, and the assembly is kept. The length of the steps follows from
+/// the last terms of the series and from these tests. Where an unknown runs more than 32 times as fast as the inputs, it becomes the
+/// parameter, and the inputs are sought: that way a limit position is a regular point, the zero of the inputs'
+/// rate. It is found by Newton's method, and the inputs there are exact to rounding.
+///
+/// The way is found in double precision; a number type that carries derivatives gets them at its end.
+///
+/// # Errors
+/// [`TrackError::Limit`] and [`TrackError::ChangePoint`] with the place; [`TrackError::Failed`] if there is no position at
+/// the beginning, or if something else ends the way, such as the domain of a function.
+///
+/// ```
+/// use core::f64::consts::TAU;
+/// use kin_core::library::FourBar;
+/// use kin_core::prelude::*;
+/// use kin_core::{TrackError, track};
+///
+/// // a crank-rocker goes all the way round
+/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+/// for assembly in Assembly::BOTH {
+///     let start = linkage.position(0.5, assembly)?.unknowns();
+///     let end = track(&linkage, [0.5], start, [0.5 + TAU])?;
+///     assert!((end[0] - start[0]).abs() < 1e-13 && (end[1] - start[1]).abs() < 1e-13);
+/// }
+///
+/// // with a shorter coupler the crank comes as far as cos(theta2) = (r1² + r2² - (r3 + r4)²) / (2 r1 r2)
+/// let (r1, r2, r3, r4) = (90.0_f64, 30.0, 60.0, 45.0);
+/// let linkage = FourBar { r1, r2, r3, r4 };
+/// let start = linkage.position(0.5, Assembly::Open)?.unknowns();
+/// let Err(TrackError::Limit(limit)) = track(&linkage, [0.5], start, [3.0]) else {
+///     panic!("the links do not reach");
+/// };
+/// let expected = ((r1 * r1 + r2 * r2 - (r3 + r4) * (r3 + r4)) / (2.0 * r1 * r2)).acos();
+/// assert!((limit.inputs[0] - expected).abs() < 1e-14);
+/// // where coupler and rocker are in line
+/// assert!((limit.unknowns[0] - limit.unknowns[1] + core::f64::consts::PI).abs() < 1e-12);
+/// assert_eq!(limit.block, "theta3, theta4");
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+pub fn track<M: Mechanism>(
+    mechanism: &M,
+    from_inputs: M::Inputs<M::Scalar>,
+    from_unknowns: M::Unknowns<M::Scalar>,
+    to_inputs: M::Inputs<M::Scalar>,
+) -> Result<M::Unknowns<M::Scalar>, TrackErrorOf<M>> {
+    let from = from_inputs.as_ref();
+    let to = to_inputs.as_ref();
+    let near = from_unknowns.as_ref();
+    let end = follow(
+        mechanism.convert(Scalar::real),
+        Row::from_fn(|index| from[index].real()),
+        Row::from_fn(|index| near[index].real()),
+        Row::from_fn(|index| to[index].real()),
+    )
+    .map_err(retyped::<M>)?;
+    let near = M::Unknowns::from_fn(|index| M::Scalar::constant(end.as_ref()[index]));
+    Ok(mechanism.solve_position_near(to_inputs, near)?)
+}
+
+/// The error in rows of the mechanism instead of those of its double in double precision, which are the same arrays.
+fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
+    let convert = |obstacle: ObstacleOf<M::With<f64>>| Obstacle {
+        block: obstacle.block,
+        fraction: obstacle.fraction,
+        inputs: Row::from_fn(|index| obstacle.inputs.as_ref()[index]),
+        unknowns: Row::from_fn(|index| obstacle.unknowns.as_ref()[index]),
+        names: obstacle.names,
+    };
+    match error {
+        TrackError::Limit(obstacle) => TrackError::Limit(convert(obstacle)),
+        TrackError::ChangePoint(obstacle) => TrackError::ChangePoint(convert(obstacle)),
+        TrackError::Failed(error) => TrackError::Failed(error),
+    }
+}
+
+/// A point of the way with all that is known there.
+struct Station<M: Mechanism> {
+    point: Point<M>,
+    pose: M::Pose,
+    sides: Sides<M>,
+}
+
+/// Why there is no station.
+enum Missing {
+    Unsolved(SolveError),
+    /// The closure is not finite, or not that of the same branch.
+    Elsewhere,
+}
+
+fn follow<M: Mechanism<Scalar = f64>>(
+    mechanism: M,
+    from: M::Inputs<f64>,
+    near: M::Unknowns<f64>,
+    to: M::Inputs<f64>,
+) -> Result<M::Unknowns<f64>, TrackErrorOf<M>> {
+    let start = mechanism.solve_position_near(from, near)?;
+    let path = Path::new(mechanism, from, &start, to);
+    if !path.length.is_finite() {
+        // The solver knows best which input it is.
+        mechanism.solve_position_near(to, start)?;
+        return Err(TrackError::Failed(lost::<M>(Failure::NotFinite {
+            quantity: "way of the inputs",
+        })));
+    }
+    if path.length == 0.0 {
+        return Ok(start);
+    }
+    let mut here = station(&path, 0.0, start).map_err(|missing| match missing {
+        Missing::Unsolved(error) => error,
+        Missing::Elsewhere => lost::<M>(Failure::NotFinite {
+            quantity: "closure at the beginning",
+        }),
+    })?;
+    let assembly = mechanism.assembly_near(from, start);
+    let beginning = here.sides;
+    let mut longest = LONGEST;
+    loop {
+        let rates = rates(&path, &here);
+        if largest(rates.as_ref().iter().copied()) > FAST {
+            match turning::pass(&path, here.point, &rates) {
+                Passage::Onwards(point) => {
+                    here = station(&path, point.travel, point.unknowns).map_err(|missing| match missing {
+                        Missing::Unsolved(error) => error,
+                        Missing::Elsewhere => singular::<M>(),
+                    })?;
+                    longest = LONGEST;
+                    continue;
+                }
+                Passage::Target(unknowns) => return Ok(unknowns),
+                Passage::Limit(point, sides) => {
+                    return Err(TrackError::Limit(obstacle(&path, &point, &sides, &beginning)));
+                }
+                Passage::ChangePoint(point, sides) => {
+                    return Err(TrackError::ChangePoint(obstacle(&path, &point, &sides, &beginning)));
+                }
+                Passage::Lost => return Err(TrackError::Failed(singular::<M>())),
+            }
+        }
+        let rest = path.length - here.point.travel;
+        let mut step = longest.min(trusted(&path, &here));
+        let mut error = None;
+        let there = loop {
+            if step < SHORTEST * path.length.max(1.0) {
+                return Err(blocked(&path, &here, &beginning, error));
+            }
+            let is_last = step >= rest;
+            let travel = if is_last { path.length } else { here.point.travel + step };
+            match attempted(&path, &here, travel) {
+                Ok(there) if has(&mechanism, &path, &there, assembly) => {
+                    if is_last {
+                        return Ok(there.point.unknowns);
+                    }
+                    break there;
+                }
+                Ok(_) | Err(Missing::Elsewhere) => {}
+                Err(Missing::Unsolved(reason)) => error = Some(reason),
+            }
+            step = 0.5 * step.min(rest);
+        };
+        longest = LONGEST.min(2.0 * step);
+        here = there;
+    }
+}
+
+/// The mechanism at a given travel, near given unknowns.
+fn station<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    travel: f64,
+    near: M::Unknowns<f64>,
+) -> Result<Station<M>, Missing> {
+    let pose = path
+        .mechanism
+        .solve_motion_near(path.motions(travel), near)
+        .map_err(Missing::Unsolved)?;
+    let motions = pose.unknown_motions();
+    let point = Point {
+        unknowns: M::Unknowns::from_fn(|index| motions.as_ref()[index].as_ref()[0]),
+        travel,
+    };
+    let linear: Linear<M> = path.linearise(&point).ok_or(Missing::Elsewhere)?;
+    Ok(Station {
+        point,
+        pose,
+        sides: Sides::of(&linear),
+    })
+}
+
+/// The station at the end of a step, if it is certain that it lies on the same branch and nothing happens in between.
+fn attempted<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Station<M>,
+    travel: f64,
+) -> Result<Station<M>, Missing> {
+    let step = travel - here.point.travel;
+    for part in [0.25, 0.5, 0.75, 1.0] {
+        let (unknowns, _) = predicted(path, here, part * step);
+        let point = Point {
+            unknowns,
+            travel: here.point.travel + part * step,
+        };
+        let linear = path.linearise(&point).ok_or(Missing::Elsewhere)?;
+        if !Sides::of(&linear).are_near(&here.sides) {
+            return Err(Missing::Elsewhere);
+        }
+    }
+    let (near, foreseen) = predicted(path, here, step);
+    let there = station(path, travel, near)?;
+    let pairs = there.point.unknowns.as_ref().iter().zip(near.as_ref());
+    let distance = largest(
+        pairs
+            .zip(path.sizes.as_ref())
+            .map(|((one, other), size)| (one - other) / size),
+    );
+    let rates = rates(path, &there);
+    let pairs = rates.as_ref().iter().zip(foreseen.as_ref());
+    let turn = largest(pairs.map(|(one, other)| one - other));
+    let scale = largest(rates.as_ref().iter().copied()).max(1.0);
+    // A correction must also be small against the step, lest it lead to a neighbouring branch.
+    let is_same = distance <= CORRECTION * (step * scale).min(1.0) + 64.0 * f64::EPSILON * path.length.max(1.0)
+        && turn <= 5.0 * CORRECTION * scale
+        && there.sides.are_near(&here.sides);
+    if is_same { Ok(there) } else { Err(Missing::Elsewhere) }
+}
+
+/// Whether a station is of the given assembly. Assemblies that depend on the dimensions have no names to compare; the determinants
+/// tell them apart.
+fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, path: &Path<M>, there: &Station<M>, assembly: M::Assembly) -> bool {
+    M::ASSEMBLY_COUNT == 0 || mechanism.assembly_near(path.inputs(there.point.travel), there.point.unknowns) == assembly
+}
+
+/// The first derivatives by the travel, in sizes.
+fn rates<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> M::Unknowns<f64> {
+    let motions = here.pose.unknown_motions();
+    M::Unknowns::from_fn(|index| {
+        let rate = motions.as_ref()[index].as_ref().get(1).copied().unwrap_or(0.0);
+        rate / path.sizes.as_ref()[index]
+    })
+}
+
+/// The unknowns after a step by Taylor's series, and their rates in sizes.
+fn predicted<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Station<M>,
+    step: f64,
+) -> (M::Unknowns<f64>, M::Unknowns<f64>) {
+    let motions = here.pose.unknown_motions();
+    let series = |index: usize, lowest: usize| {
+        // Horner's scheme for the sum of derivative · stepⁿ / n!.
+        let derivatives = &motions.as_ref()[index].as_ref()[lowest..];
+        let mut order = f64::from(u32::try_from(derivatives.len()).unwrap_or(u32::MAX));
+        derivatives.iter().rev().fold(0.0, |sum, derivative| {
+            let value = derivative + sum * step / order;
+            order -= 1.0;
+            value
+        })
+    };
+    (
+        M::Unknowns::from_fn(|index| series(index, 0)),
+        M::Unknowns::from_fn(|index| series(index, 1) / path.sizes.as_ref()[index]),
+    )
+}
+
+/// The step at the end of which the last two terms of the series are small.
+fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64 {
+    let motions = here.pose.unknown_motions();
+    let mut step = f64::INFINITY;
+    for (motion, size) in motions.as_ref().iter().zip(path.sizes.as_ref()) {
+        let derivatives = motion.as_ref();
+        let mut factorial = 1.0;
+        let mut exponent = 0.0;
+        for (order, derivative) in derivatives.iter().enumerate().skip(1) {
+            exponent += 1.0;
+            factorial *= exponent;
+            let allowed = match order {
+                1 => LONGEST,
+                _ if order + 2 >= derivatives.len() => LAST_TERM,
+                _ => continue,
+            };
+            let coefficient = (derivative / factorial / size).abs();
+            let reach = num_traits::Float::powf(allowed / coefficient, 1.0 / exponent);
+            step = step.min(reach);
+        }
+    }
+    step
+}
+
+/// What stands in the way where no step succeeds.
+fn blocked<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Station<M>,
+    beginning: &Sides<M>,
+    error: Option<SolveError>,
+) -> TrackErrorOf<M> {
+    if let Passage::Limit(point, sides) = turning::pass(path, here.point, &rates(path, here)) {
+        return TrackError::Limit(obstacle(path, &point, &sides, beginning));
+    }
+    // Where two branches cross, a determinant goes through zero at a finite rate: as much as it changes over a small step
+    // back, so far it is to there.
+    let back = 0.5 * num_traits::Float::sqrt(num_traits::Float::sqrt(f64::EPSILON));
+    let (unknowns, _) = predicted(path, here, -back);
+    let before = Point {
+        unknowns,
+        travel: here.point.travel - back,
+    };
+    if let Some(linear) = path.linearise(&before) {
+        let (_, change) = here.sides.most_shrunk(&Sides::of(&linear));
+        let ratio = num_traits::Float::exp2(change);
+        let ahead = back * ratio / (1.0 - ratio);
+        if ratio < 0.5 && ahead.abs() < back {
+            let (unknowns, _) = predicted(path, here, ahead);
+            let point = Point {
+                unknowns,
+                travel: here.point.travel + ahead,
+            };
+            return TrackError::ChangePoint(obstacle(path, &point, &here.sides, beginning));
+        }
+    }
+    TrackError::Failed(error.unwrap_or_else(|| singular::<M>()))
+}
+
+fn obstacle<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    point: &Point<M>,
+    sides: &Sides<M>,
+    beginning: &Sides<M>,
+) -> ObstacleOf<M> {
+    let (block, _) = sides.most_shrunk(beginning);
+    Obstacle {
+        block: M::DESCRIPTION.blocks.get(block).map_or("", |block| block.unknowns),
+        fraction: point.travel / path.length,
+        inputs: path.inputs(point.travel),
+        unknowns: point.unknowns,
+        names: M::DESCRIPTION.inputs,
+    }
+}
+
+fn singular<M: Mechanism>() -> SolveError {
+    lost::<M>(Failure::Singular { determinant: 0.0 })
+}
+
+/// A failure of no block in particular.
+fn lost<M: Mechanism>(failure: Failure) -> SolveError {
+    let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
+    failure.at(block, InputValues::new(&[], &[]))
+}

@@ -1,0 +1,306 @@
+//! The curve of solutions where an unknown runs ahead of the inputs: near limit positions.
+//!
+//! There the unknown that moves fastest is the parameter, and the travel of the inputs is unknown in its place. The
+//! curve is as smooth by this parameter as anywhere; a limit position is a zero of the travel's rate, and a simple one.
+//! (Local parametrisation: W. C. Rheinboldt and J. V. Burkardt, A locally parameterized continuation process, ACM
+//! Transactions on Mathematical Software 9, 1983, 215-235.)
+
+use super::path::{Linear, Path, Point, largest};
+use super::system::{Orientation, Sides, bordered};
+use crate::{Mechanism, Row};
+
+/// The longest step, in sizes of the parameter.
+const LONGEST: f64 = 0.05;
+/// Steps are not made shorter than this.
+pub(super) const SHORTEST: f64 = 1e-13;
+/// Rates of unknowns below this are left to steps by the inputs.
+const SLOW: f64 = 16.0;
+/// Steps of an iteration that converges quadratically, or halves an interval.
+const ITERATIONS: usize = 100;
+
+/// How the curve was followed.
+pub(super) enum Passage<M: Mechanism> {
+    /// The unknowns are slow again.
+    Onwards(Point<M>),
+    /// The inputs are where they were wanted, the unknowns nearly.
+    Target(M::Unknowns<f64>),
+    /// The curve turns round before.
+    Limit(Point<M>, Sides<M>),
+    /// Shorter and shorter steps lead to this place, at which the curve has no single direction.
+    ChangePoint(Point<M>, Sides<M>),
+    /// There is no way on, for another reason.
+    Lost,
+}
+
+/// The curve to second order near one of its points.
+struct Local<M: Mechanism> {
+    point: Point<M>,
+    /// The derivatives by the parameter, in sizes.
+    rates: M::Unknowns<f64>,
+    travel_rate: f64,
+    /// Half the second derivatives.
+    bends: M::Unknowns<f64>,
+    travel_bend: f64,
+    /// Of the closure, with the travel in the place of the parameter.
+    orientation: Orientation,
+    sides: Sides<M>,
+}
+
+impl<M: Mechanism<Scalar = f64>> Local<M> {
+    /// `None` if the closure is not finite there, or another parameter is needed.
+    fn new(path: &Path<M>, point: Point<M>, parameter: usize) -> Option<Self> {
+        let linear = path.linearise(&point)?;
+        let system = bordered(&linear, parameter);
+        let column = M::Unknowns::from_fn(|row| -linear.jacobian.as_ref()[row].as_ref()[parameter]);
+        let mut rates = system.solve(&column);
+        let travel_rate = core::mem::replace(&mut rates.as_mut()[parameter], 1.0);
+        let right = path.bend(&point, &rates, travel_rate);
+        let mut bends = system.solve(&M::Unknowns::from_fn(|row| -right.as_ref()[row]));
+        let travel_bend = core::mem::replace(&mut bends.as_mut()[parameter], 0.0);
+        let all = rates.as_ref().iter().chain(bends.as_ref());
+        let mut all = all.chain([&travel_rate, &travel_bend]);
+        all.all(|value| value.is_finite()).then_some(Self {
+            point,
+            rates,
+            travel_rate,
+            bends,
+            travel_bend,
+            orientation: system.orientation(),
+            sides: Sides::of(&linear),
+        })
+    }
+
+    /// Where the curve is after a step of the parameter, to second order.
+    fn predicted(&self, path: &Path<M>, step: f64) -> Point<M> {
+        let along = |index: usize| (self.rates.as_ref()[index] + self.bends.as_ref()[index] * step) * step;
+        Point {
+            unknowns: M::Unknowns::from_fn(|index| {
+                self.point.unknowns.as_ref()[index] + along(index) * path.sizes.as_ref()[index]
+            }),
+            travel: self.point.travel + (self.travel_rate + self.travel_bend * step) * step,
+        }
+    }
+
+    /// The curve after a step of the parameter.
+    fn moved(&self, path: &Path<M>, parameter: usize, step: f64) -> Option<Self> {
+        let point = corrected(path, self.predicted(path, step), parameter)?;
+        Self::new(path, point, parameter)
+    }
+
+    fn fastest(&self) -> usize {
+        fastest(&self.rates)
+    }
+}
+
+/// The place of the largest rate.
+pub(super) fn fastest<R: Row<f64>>(rates: &R) -> usize {
+    let rates = rates.as_ref().iter().enumerate();
+    let best = rates.fold(
+        (0, 0.0),
+        |best: (usize, f64), (index, rate)| {
+            if rate.abs() > best.1 { (index, rate.abs()) } else { best }
+        },
+    );
+    best.0
+}
+
+/// The point of the curve with the same value of the parameter, by Newton's method.
+fn corrected<M: Mechanism<Scalar = f64>>(path: &Path<M>, start: Point<M>, parameter: usize) -> Option<Point<M>> {
+    let mut point = start;
+    let mut previous = f64::INFINITY;
+    for _ in 0..ITERATIONS {
+        let linear: Linear<M> = path.linearise(&point)?;
+        let correction = bordered(&linear, parameter).solve(&linear.residuals);
+        let length = largest(correction.as_ref().iter().copied());
+        if !length.is_finite() || (length >= 0.5 * previous && length > 1e-7) {
+            return None;
+        }
+        for (index, change) in correction.as_ref().iter().enumerate() {
+            if index == parameter {
+                point.travel -= change;
+            } else {
+                point.unknowns.as_mut()[index] -= change * path.sizes.as_ref()[index];
+            }
+        }
+        if length <= f64::EPSILON || length >= 0.5 * previous {
+            return Some(point);
+        }
+        previous = length;
+    }
+    None
+}
+
+/// Follows the curve until the unknowns are slow again, the inputs arrive, or there is a limit.
+///
+/// `rates` are those of the unknowns by the travel, in sizes.
+pub(super) fn pass<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    start: Point<M>,
+    rates: &M::Unknowns<f64>,
+) -> Passage<M> {
+    let mut parameter = fastest(rates);
+    let Some(mut here) = Local::new(path, start, parameter) else {
+        return Passage::Lost;
+    };
+    let entry = here.orientation.logarithm;
+    let mut longest = LONGEST;
+    loop {
+        let best = here.fastest();
+        if best != parameter {
+            let Some(again) = Local::new(path, here.point, best) else {
+                return Passage::Lost;
+            };
+            (parameter, here) = (best, again);
+        }
+        // The rates may change by a third of the largest.
+        let bend = largest(here.bends.as_ref().iter().copied().chain([here.travel_bend]));
+        let mut size = longest.min(0.15 / bend);
+        let there = loop {
+            if size < SHORTEST {
+                let has_vanished = here.orientation.logarithm < entry - 10.0;
+                return if has_vanished {
+                    Passage::ChangePoint(here.point, here.sides)
+                } else {
+                    Passage::Lost
+                };
+            }
+            if let Some(there) = attempted(path, &here, parameter, size) {
+                break there;
+            }
+            size *= 0.5;
+        };
+        longest = LONGEST.min(2.0 * size);
+        let step = size.copysign(here.travel_rate);
+        if there.travel_rate * here.travel_rate <= 0.0 {
+            let Some((turn, reach)) = turned(path, &here, parameter, step) else {
+                return Passage::Lost;
+            };
+            let rounding = 16.0 * f64::EPSILON * path.length.max(1.0);
+            return if turn.point.travel <= path.length + rounding {
+                Passage::Limit(turn.point, turn.sides)
+            } else {
+                Passage::Target(arrived(path, &here, parameter, reach))
+            };
+        }
+        if there.point.travel >= path.length {
+            return Passage::Target(arrived(path, &here, parameter, step));
+        }
+        here = there;
+        let rate = largest(here.rates.as_ref().iter().copied());
+        if rate < SLOW * here.travel_rate.abs() {
+            return Passage::Onwards(here.point);
+        }
+    }
+}
+
+/// The end of a step in the direction of growing travel, if it is certain that it lies on the same curve, and that nothing
+/// happens on the way but one limit position at most.
+fn attempted<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Local<M>,
+    parameter: usize,
+    size: f64,
+) -> Option<Local<M>> {
+    let step = size.copysign(here.travel_rate);
+    let middle = Local::new(path, here.predicted(path, 0.5 * step), parameter)?;
+    let there = here.moved(path, parameter, step)?;
+    let predicted = here.predicted(path, step);
+    let pairs = there.point.unknowns.as_ref().iter().zip(predicted.unknowns.as_ref());
+    let differences = pairs
+        .zip(path.sizes.as_ref())
+        .map(|((one, other), size)| (one - other) / size);
+    let distance = largest(differences.chain([there.point.travel - predicted.travel]));
+    if distance > 0.05 * size {
+        return None;
+    }
+    for (local, part) in [(&middle, 0.5), (&there, 1.0)] {
+        let foreseen = |rate: f64, bend: f64| rate + 2.0 * bend * part * step;
+        let changes = (0..Path::<M>::COUNT).map(|index| {
+            local.rates.as_ref()[index] - foreseen(here.rates.as_ref()[index], here.bends.as_ref()[index])
+        });
+        let turn = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
+        if largest(changes.chain([turn])) > 0.15 || !local.orientation.is_near(here.orientation) {
+            return None;
+        }
+        // As long as the inputs go on, every block stays on its side.
+        let goes_on = local.travel_rate * here.travel_rate > 0.0;
+        if goes_on != local.sides.are_same(&here.sides) {
+            return None;
+        }
+    }
+    let turns = [here.travel_rate, middle.travel_rate, there.travel_rate].map(|rate| rate > 0.0);
+    // Once it has turned it may not turn again.
+    (turns[1] == turns[0] || turns[1] == turns[2]).then_some(there)
+}
+
+/// The limit position within a step, and the step to it: the zero of the travel's rate.
+fn turned<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Local<M>,
+    parameter: usize,
+    step: f64,
+) -> Option<(Local<M>, f64)> {
+    let (mut low, mut high) = (0.0, step);
+    let mut reach = -here.travel_rate / (2.0 * here.travel_bend);
+    let mut best: Option<(Local<M>, f64)> = None;
+    for _ in 0..ITERATIONS {
+        if !(reach - low).is_finite() || (reach - low) * (reach - high) > 0.0 {
+            reach = 0.5 * (low + high);
+        }
+        let Some(local) = here.moved(path, parameter, reach) else {
+            break;
+        };
+        if local.travel_rate * here.travel_rate > 0.0 {
+            low = reach;
+        } else {
+            high = reach;
+        }
+        let next = reach - local.travel_rate / (2.0 * local.travel_bend);
+        let size = (here.point.unknowns.as_ref()[parameter] / path.sizes.as_ref()[parameter]).abs();
+        let done = (next - reach).abs() <= 2.0 * f64::EPSILON * size.max(1.0) || low == high;
+        let is_better = best
+            .as_ref()
+            .is_none_or(|(best, _)| local.travel_rate.abs() < best.travel_rate.abs());
+        if is_better {
+            best = Some((local, reach));
+        }
+        if done {
+            break;
+        }
+        reach = next;
+    }
+    best
+}
+
+/// The unknowns where the inputs are as wanted, within a step along which they only go on.
+fn arrived<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Local<M>,
+    parameter: usize,
+    step: f64,
+) -> M::Unknowns<f64> {
+    let (mut low, mut high) = (0.0, step);
+    let mut reach = (path.length - here.point.travel) / here.travel_rate;
+    let mut unknowns = here.point.unknowns;
+    for _ in 0..ITERATIONS {
+        if !(reach - low).is_finite() || (reach - low) * (reach - high) > 0.0 {
+            reach = 0.5 * (low + high);
+        }
+        let Some(local) = here.moved(path, parameter, reach) else {
+            break;
+        };
+        unknowns = local.point.unknowns;
+        let missing = path.length - local.point.travel;
+        if missing > 0.0 {
+            low = reach;
+        } else {
+            high = reach;
+        }
+        let next = reach + missing / local.travel_rate;
+        if (next - reach).abs() <= 1e-12 {
+            break;
+        }
+        reach = next;
+    }
+    unknowns
+}
