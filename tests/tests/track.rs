@@ -149,7 +149,7 @@ fn slider_cranks_stop_where_the_rod_is_at_right_angles() {
                 let expected = (h + sign * l).asin();
                 let tolerance = 8.0 * f64::EPSILON / expected.cos();
                 assert!((limit - expected).abs() <= tolerance, "{linkage:?} {limit} {expected}");
-                assert_eq!(block, "phi, s");
+                assert_eq!(block, "phi");
                 assert!(unknowns[0].cos().abs() <= 1e-11);
             }
             let linkage = SliderCrank { r: scale, l: l * scale };
@@ -222,7 +222,7 @@ fn a_parallelogram_has_change_points() {
                 let Err(TrackError::ChangePoint(point)) = result else {
                     panic!("{linkage:?} {assembly:?} to {to}: {result:?}");
                 };
-                assert!((point.inputs[0] - place).abs() < 1e-8, "{point:?}");
+                assert!((point.inputs[0] - place).abs() < 1e-10, "{point:?}");
                 assert_eq!(point.block, block);
             }
         }
@@ -231,16 +231,7 @@ fn a_parallelogram_has_change_points() {
 
 #[test]
 fn loops_one_after_the_other() {
-    let watt = WattSixBar::<f64> {
-        r1: 4.0,
-        r2: 1.0,
-        r3: 3.5,
-        r4: 3.0,
-        arm: Plane::new(1.0, 1.2),
-        pivot: Plane::new(8.0, 0.5),
-        r5: 4.0,
-        r6: 3.0,
-    };
+    let watt = WattSixBar::<f64>::from_parameters([4.0, 1.0, 3.5, 3.0, 1.0, 1.2, 8.0, 0.5, 4.0, 3.0]);
     let places = [0.3, 0.3 + TAU, -5.0, 12.0 * TAU];
     let mut count = 0;
     for assembly in WattSixBar::<f64>::assemblies() {
@@ -248,24 +239,11 @@ fn loops_one_after_the_other() {
         count += 1;
     }
     assert_eq!(count, 4);
-    let whitworth = Whitworth::<f64> {
-        ground: 1.0,
-        crank: 2.0,
-        arm: 1.5,
-        rod: 6.0,
-        height: 1.0,
-    };
+    let whitworth = Whitworth::<f64>::from_parameters([1.0, 2.0, 1.5, 6.0, 1.0]);
     for assembly in Whitworth::<f64>::assemblies() {
         go_round(&whitworth, assembly, &places, 1e-12);
     }
-    let yoke = GearedYoke::<f64> {
-        r1: 90.0,
-        r2: 30.0,
-        r3: 70.0,
-        r4: 60.0,
-        ratio: 7.5,
-        throw: 3.0,
-    };
+    let yoke = GearedYoke::<f64>::from_parameters([90.0, 30.0, 70.0, 60.0, 7.5, 3.0]);
     for assembly in GearedYoke::<f64>::assemblies() {
         go_round(&yoke, assembly, &[0.3, 2.0, 0.1], 1e-11);
     }
@@ -274,15 +252,7 @@ fn loops_one_after_the_other() {
 /// The second loop stops first: its crank is the first one's rocker.
 #[test]
 fn the_block_that_stops_is_named() {
-    let linkage = FourBarsInSeries::<f64> {
-        r1: 90.0,
-        r2: 30.0,
-        r3: 70.0,
-        r4: 60.0,
-        s1: 150.0,
-        s3: 70.0,
-        s4: 45.0,
-    };
+    let linkage = FourBarsInSeries::<f64>::from_parameters([90.0, 30.0, 70.0, 60.0, 100.0, 80.0, 60.0]);
     let first = CRANK_ROCKER;
     let mut found = 0;
     for assembly in FourBarsInSeries::<f64>::assemblies() {
@@ -292,26 +262,18 @@ fn the_block_that_stops_is_named() {
         for to in [10.0, -10.0] {
             let (block, limit, unknowns) = limit_of(&linkage, assembly, 1.0, to);
             assert_eq!(block, "phi3, phi4");
-            let rocker = first.position_near(limit, [unknowns[0], unknowns[1]]).unwrap().theta4;
             // cos of the rocker's angle where the second diagonal is coupler and rocker together
-            let expected = (150.0_f64.powi(2) + 60.0_f64.powi(2) - 115.0_f64.powi(2)) / (2.0 * 150.0 * 60.0);
-            // the rocker may be slower than the crank, by far
-            let rate = first
-                .solve(Motion::from((limit, 1.0, 0.0, 0.0, 0.0)), assembly_of(unknowns))
-                .unwrap();
-            let speed = rate.theta4.velocity().abs();
-            assert!(
-                (rocker.cos() - expected).abs() <= 16.0 * f64::EPSILON * (1.0 + speed),
-                "{rocker}"
-            );
+            let expected = (100.0_f64.powi(2) + 60.0_f64.powi(2) - 140.0_f64.powi(2)) / (2.0 * 100.0 * 60.0);
+            let near = [unknowns[0], unknowns[1]];
+            let crank = Motion::from((limit, 1.0, 0.0, 0.0, 0.0));
+            let rocker = first.solve(crank, first.assembly_at(limit, near)).unwrap().theta4;
+            // where the rocker moves fast, its angle is known as badly
+            let tolerance = 16.0 * f64::EPSILON * (1.0 + rocker.velocity().abs());
+            assert!((rocker.value().cos() - expected).abs() <= tolerance, "{rocker:?}");
             found += 1;
         }
     }
     assert!(found >= 4, "{found}");
-}
-
-fn assembly_of(unknowns: [f64; 4]) -> Assembly {
-    CRANK_ROCKER.assembly_at(0.0, [unknowns[0], unknowns[1]])
 }
 
 #[test]

@@ -21,6 +21,12 @@ const LAST_TERM: f64 = 0.02;
 const CORRECTION: f64 = 0.02;
 /// Steps are not made shorter than this.
 const SHORTEST: f64 = 1e-13;
+/// A station after a longer step than this is far enough from a change point for its series to be accurate there.
+const ANCHOR: f64 = 1e-3;
+/// So near to a change point rounding may confuse the branches that cross there.
+const BLUR: f64 = 1e-5;
+/// Steps of an iteration on a smooth function near its zero.
+const SECANTS: usize = 30;
 /// From this rate of an unknown on, it becomes the parameter in the place of the inputs.
 const FAST: f64 = 32.0;
 
@@ -114,6 +120,7 @@ fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
 }
 
 /// A point of the way with all that is known there.
+#[derive(Clone, Copy)]
 struct Station<M: Mechanism> {
     point: Point<M>,
     pose: M::Pose,
@@ -153,6 +160,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
     })?;
     let assembly = mechanism.assembly_near(from, start);
     let beginning = here.sides;
+    let mut anchor = here;
     let mut longest = LONGEST;
     loop {
         let rates = rates(&path, &here);
@@ -164,6 +172,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
                         Missing::Elsewhere => singular::<M>(),
                     })?;
                     longest = LONGEST;
+                    anchor = here;
                     continue;
                 }
                 Passage::Target(unknowns) => return Ok(unknowns),
@@ -181,7 +190,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
         let mut error = None;
         let there = loop {
             if step < SHORTEST * path.length.max(1.0) {
-                return Err(blocked(&path, &here, &beginning, error));
+                return Err(blocked(&path, &here, &anchor, &beginning, error));
             }
             let is_last = step >= rest;
             let travel = if is_last { path.length } else { here.point.travel + step };
@@ -198,6 +207,9 @@ fn follow<M: Mechanism<Scalar = f64>>(
             step = 0.5 * step.min(rest);
         };
         longest = LONGEST.min(2.0 * step);
+        if step > ANCHOR {
+            anchor = there;
+        }
         here = there;
     }
 }
@@ -328,34 +340,53 @@ fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64
 fn blocked<M: Mechanism<Scalar = f64>>(
     path: &Path<M>,
     here: &Station<M>,
+    anchor: &Station<M>,
     beginning: &Sides<M>,
     error: Option<SolveError>,
 ) -> TrackErrorOf<M> {
     if let Passage::Limit(point, sides) = turning::pass(path, here.point, &rates(path, here)) {
         return TrackError::Limit(obstacle(path, &point, &sides, beginning));
     }
-    // Where two branches cross, a determinant goes through zero at a finite rate: as much as it changes over a small step
-    // back, so far it is to there.
-    let back = 0.5 * num_traits::Float::sqrt(num_traits::Float::sqrt(f64::EPSILON));
-    let (unknowns, _) = predicted(path, here, -back);
-    let before = Point {
-        unknowns,
-        travel: here.point.travel - back,
-    };
-    if let Some(linear) = path.linearise(&before) {
-        let (_, change) = here.sides.most_shrunk(&Sides::of(&linear));
-        let ratio = num_traits::Float::exp2(change);
-        let ahead = back * ratio / (1.0 - ratio);
-        if ratio < 0.5 && ahead.abs() < back {
-            let (unknowns, _) = predicted(path, here, ahead);
-            let point = Point {
-                unknowns,
-                travel: here.point.travel + ahead,
-            };
-            return TrackError::ChangePoint(obstacle(path, &point, &here.sides, beginning));
-        }
+    if let Some((point, sides)) = crossing(path, anchor, here.point.travel) {
+        return TrackError::ChangePoint(obstacle(path, &point, &sides, beginning));
     }
     TrackError::Failed(error.unwrap_or_else(|| singular::<M>()))
+}
+
+/// The change point near a given travel, if there is one.
+///
+/// Where two branches cross, both are smooth, and a determinant goes through zero at a finite rate. Near by, rounding
+/// confuses the branches, which is why the determinant is followed along the Taylor series of a station before.
+fn crossing<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    anchor: &Station<M>,
+    travel: f64,
+) -> Option<(Point<M>, Sides<M>)> {
+    let at = |step: f64| {
+        let (unknowns, _) = predicted(path, anchor, step);
+        let travel = anchor.point.travel + step;
+        let point = Point { unknowns, travel };
+        let linear = path.linearise(&point)?;
+        Some((point, Sides::of(&linear)))
+    };
+    let mut step = travel - anchor.point.travel;
+    let (_, sides) = at(step)?;
+    let (block, _) = sides.most_shrunk(&anchor.sides);
+    let (mut previous, mut value_before) = (0.0, 1.0);
+    for _ in 0..SECANTS {
+        let (point, sides) = at(step)?;
+        let value = sides.relative(&anchor.sides, block);
+        let change = value * (step - previous) / (value_before - value);
+        if value == 0.0 || change.abs() <= f64::EPSILON * path.length.max(1.0) {
+            return ((point.travel - travel).abs() <= BLUR).then_some((point, sides));
+        }
+        (previous, value_before) = (step, value);
+        step += change;
+        if !step.is_finite() {
+            break;
+        }
+    }
+    None
 }
 
 fn obstacle<M: Mechanism<Scalar = f64>>(

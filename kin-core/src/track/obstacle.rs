@@ -34,7 +34,8 @@ pub enum TrackError<I, U> {
     /// A change point: the assembly meets another one, and both go on. Which of them the mechanism follows is not a matter
     /// of geometry.
     ///
-    /// It is found where two branches cross; its place is known to about the root of the rounding errors, 10⁻⁸.
+    /// The place is that of a mechanism whose dimensions may differ by rounding errors: where the gap between two assemblies
+    /// is that small, nothing else is known of it.
     ChangePoint(Obstacle<I, U>),
     /// The position could not be found, at the beginning, or on the way for another reason.
     Failed(SolveError),

@@ -128,6 +128,12 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
         pairs.all(|(one, other)| one.sign == other.sign)
     }
 
+    /// The determinant of a block in those of what it was.
+    pub(super) fn relative(&self, reference: &Self, block: usize) -> f64 {
+        let (now, then) = (self.0.as_ref()[block], reference.0.as_ref()[block]);
+        f64::from(now.sign * then.sign) * Float::exp2(now.logarithm - then.logarithm)
+    }
+
     /// The block whose determinant has shrunk most, and the logarithm of its size to base 2, relative to what it was.
     pub(super) fn most_shrunk(&self, reference: &Self) -> (usize, f64) {
         let pairs = self.0.as_ref().iter().zip(reference.0.as_ref());
