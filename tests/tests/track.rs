@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use kin_core::library::{FourBar, OffsetSliderCrank, SliderCrank};
+use kin_core::library::{FourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank};
 use kin_core::prelude::*;
 use kin_core::series::Series;
 use kin_core::{TrackError, track};
@@ -54,7 +54,13 @@ fn every_crank_goes_round() {
         go_round(&CRANK_ROCKER, assembly, &places, 1e-12);
         go_round(&SliderCrank { r: 1.0, l: 2.5 }, assembly, &places, 1e-12);
         go_round(&OffsetSliderCrank { r: 1.0, l: 2.5, h: 0.4 }, assembly, &places, 1e-12);
+        // solved triangle by triangle
+        let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
+        let linkage = GeometricFourBar { r1, r2, r3, r4 };
+        go_round(&linkage, linkage.assembly(0.3, assembly), &places, 1e-12);
     }
+    go_round(&InvertedSliderCrank { r1: 2.0, r2: 1.0 }, (), &places, 1e-12);
+    go_round(&InvertedSliderCrank { r1: 1.0, r2: 2.0 }, (), &places, 1e-12);
 }
 
 /// Where a track ends before its time.
@@ -179,7 +185,7 @@ fn near_a_change_point_the_assembly_is_kept_or_the_limit_found() {
                     if range.is_full_turn() {
                         // The angles are as sensitive as the gap is small.
                         let tolerance = 64.0 * f64::EPSILON / off.abs();
-                        go_round(&linkage, assembly, &[1.0, 1.0 + TAU, -1.0, 3.0 * TAU, 1.0], tolerance);
+                        go_round(&linkage, assembly, &[1.0, 1.0 + TAU, 2.0], tolerance);
                         turned += 1;
                     } else {
                         for (end, diagonal, beyond) in [(range.low, r3 - r4, -PI), (range.high, r3 + r4, PI + 1.0)] {

@@ -7,13 +7,14 @@ mod turning;
 
 pub use obstacle::{Obstacle, TrackError};
 
+use num_traits::Float;
 use path::{Linear, Path, Point, largest};
 use system::Sides;
 use turning::Passage;
 
 use crate::{Failure, InputValues, Mechanism, Pose, Row, Scalar, SolveError};
 
-/// The longest step by the inputs, and the longest way of an unknown in a step, in their sizes.
+/// The longest step by the inputs, in their sizes.
 const LONGEST: f64 = 0.5;
 /// The size that the last terms of the Taylor series may have at the end of a step.
 const LAST_TERM: f64 = 0.02;
@@ -164,7 +165,10 @@ fn follow<M: Mechanism<Scalar = f64>>(
     let mut longest = LONGEST;
     loop {
         let rates = rates(&path, &here);
-        if largest(rates.as_ref().iter().copied()) > FAST {
+        let trusted = trusted(&path, &here);
+        let rate = largest(rates.as_ref().iter().copied());
+        // Fast and straight, as behind a gear, is not near a limit.
+        if rate > FAST && rate * trusted < LONGEST {
             match turning::pass(&path, here.point, &rates) {
                 Passage::Onwards(point) => {
                     here = station(&path, point.travel, point.unknowns).map_err(|missing| match missing {
@@ -182,11 +186,12 @@ fn follow<M: Mechanism<Scalar = f64>>(
                 Passage::ChangePoint(point, sides) => {
                     return Err(TrackError::ChangePoint(obstacle(&path, &point, &sides, &beginning)));
                 }
-                Passage::Lost => return Err(TrackError::Failed(singular::<M>())),
+                // The solvers may know the way, or why there is none.
+                Passage::Lost => {}
             }
         }
         let rest = path.length - here.point.travel;
-        let mut step = longest.min(trusted(&path, &here));
+        let mut step = longest.min(trusted);
         let mut error = None;
         let there = loop {
             if step < SHORTEST * path.length.max(1.0) {
@@ -268,7 +273,9 @@ fn attempted<M: Mechanism<Scalar = f64>>(
     let turn = largest(pairs.map(|(one, other)| one - other));
     let scale = largest(rates.as_ref().iter().copied()).max(1.0);
     // A correction must also be small against the step, lest it lead to a neighbouring branch.
-    let is_same = distance <= CORRECTION * (step * scale).min(1.0) + 64.0 * f64::EPSILON * path.length.max(1.0)
+    let far = there.point.unknowns.as_ref().iter().zip(path.sizes.as_ref());
+    let rounding = 64.0 * f64::EPSILON * largest(far.map(|(value, size)| value / size)).max(1.0);
+    let is_same = distance <= CORRECTION * (step * scale).min(1.0) + rounding
         && turn <= 5.0 * CORRECTION * scale
         && there.sides.are_near(&here.sides);
     if is_same { Ok(there) } else { Err(Missing::Elsewhere) }
@@ -312,25 +319,23 @@ fn predicted<M: Mechanism<Scalar = f64>>(
     )
 }
 
-/// The step at the end of which the last two terms of the series are small.
+/// The step at the end of which the last two terms of the series are small; the first order is straight and does not count, unless
+/// it is the last.
 fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64 {
     let motions = here.pose.unknown_motions();
     let mut step = f64::INFINITY;
     for (motion, size) in motions.as_ref().iter().zip(path.sizes.as_ref()) {
         let derivatives = motion.as_ref();
+        let last = derivatives.len().saturating_sub(1);
         let mut factorial = 1.0;
         let mut exponent = 0.0;
         for (order, derivative) in derivatives.iter().enumerate().skip(1) {
             exponent += 1.0;
             factorial *= exponent;
-            let allowed = match order {
-                1 => LONGEST,
-                _ if order + 2 >= derivatives.len() => LAST_TERM,
-                _ => continue,
-            };
-            let coefficient = (derivative / factorial / size).abs();
-            let reach = num_traits::Float::powf(allowed / coefficient, 1.0 / exponent);
-            step = step.min(reach);
+            if order == last || (order + 1 == last && order > 1) {
+                let coefficient = (derivative / factorial / size).abs();
+                step = step.min(Float::powf(LAST_TERM / coefficient, 1.0 / exponent));
+            }
         }
     }
     step
