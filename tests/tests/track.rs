@@ -390,3 +390,87 @@ fn messages_say_where_and_what_to_do() {
          and neither goes on; stop short of it, or drive the mechanism by another input"
     );
 }
+
+mechanism! {
+    /// A five-bar with two cranks and a wheel that is geared up, to the velocity.
+    struct FiveBar {
+        ground: Length,
+        crank: Length,
+        link: Length,
+        ratio: Scalar,
+    }
+    order = 1;
+    input left: Angle, right: Angle;
+    unknown alpha: Angle, beta: Angle, wheel: Angle;
+    crank * cis(left) + link * cis(alpha) == ground + crank * cis(right) + link * cis(beta);
+    wheel == ratio * beta;
+}
+
+mechanism! {
+    /// The same to a high order.
+    struct FiveBarOfOrderEight {
+        ground: Length,
+        crank: Length,
+        link: Length,
+        ratio: Scalar,
+    }
+    order = 8;
+    input left: Angle, right: Angle;
+    unknown alpha: Angle, beta: Angle, wheel: Angle;
+    crank * cis(left) + link * cis(alpha) == ground + crank * cis(right) + link * cis(beta);
+    wheel == ratio * beta;
+}
+
+/// Moves both cranks of a five-bar round a triangle and back, and then apart as far as they go.
+fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
+    let inputs = |left: f64, right: f64| M::Inputs::from_fn(|index| [left, right][index]);
+    for assembly in Assembly::BOTH {
+        let start = mechanism.solve_position(inputs(0.5, 1.5), assembly).unwrap();
+        let corners = [(0.5, 1.5), (0.5 + TAU, 1.5 - TAU), (0.5 + TAU, 1.5), (0.5, 1.5)];
+        let mut unknowns = start;
+        for legs in corners.windows(2) {
+            let [from, to] = [legs[0], legs[1]];
+            unknowns = track(mechanism, inputs(from.0, from.1), unknowns, inputs(to.0, to.1)).unwrap();
+            // The wheel turns a hundred times as far as the coupler, and comes back as well.
+            for (one, other) in unknowns.as_ref().iter().zip(start.as_ref()) {
+                assert!(
+                    (one - other).abs() <= 1e-11,
+                    "{} {assembly:?}: {one} {other}",
+                    M::DESCRIPTION.name
+                );
+            }
+        }
+        // Spread too far, the pins are as far apart as both links are long.
+        let small = M::from_parameters(M::Parameters::from_fn(|index| [10.0, 3.0, 4.0, 100.0][index]));
+        let start = small.solve_position(inputs(0.5, PI - 0.4), assembly).unwrap();
+        let result = track(&small, inputs(0.5, PI - 0.4), start, inputs(1.5, 1.0));
+        let Err(error) = result else {
+            panic!("it does not reach");
+        };
+        let message = error.to_string();
+        let TrackError::Limit(limit) = error else {
+            panic!("{error:?}");
+        };
+        let [left, right] = [0, 1].map(|index| limit.inputs.as_ref()[index]);
+        // along the line of inputs
+        assert!(
+            ((left - 0.5) - (right - PI + 0.4) / (1.0 - PI + 0.4)).abs() <= 1e-15,
+            "{message}"
+        );
+        let span = (10.0 + 3.0 * (right.cos() - left.cos())).hypot(3.0 * (right.sin() - left.sin()));
+        assert!((span - 8.0).abs() <= 16.0 * f64::EPSILON * 16.0, "{span}");
+        assert!(
+            message.starts_with("alpha, beta reach a limit position at left = "),
+            "{message}"
+        );
+        assert!(message.contains(", right = "), "{message}");
+        assert_eq!(limit.block, "alpha, beta");
+    }
+}
+
+#[test]
+fn several_inputs_and_any_order() {
+    let parameters = [10.0, 3.0, 10.0, 100.0];
+    both_cranks(&FiveBar::<f64>::from_parameters(parameters));
+    both_cranks(&FiveBarOfOrderEight::<f64>::from_parameters(parameters));
+}

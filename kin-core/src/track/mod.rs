@@ -164,38 +164,26 @@ fn follow<M: Mechanism<Scalar = f64>>(
     let mut anchor = here;
     let mut longest = LONGEST;
     loop {
-        let rates = rates(&path, &here);
-        let trusted = trusted(&path, &here);
-        let rate = largest(rates.as_ref().iter().copied());
+        let trusted = trusted(&path, &here).min(longest);
+        let rate = largest(rates(&path, &here).as_ref().iter().copied());
         // Fast and straight, as behind a gear, is not near a limit.
         if rate > FAST && rate * trusted < LONGEST {
-            match turning::pass(&path, here.point, &rates) {
-                Passage::Onwards(point) => {
-                    here = station(&path, point.travel, point.unknowns).map_err(|missing| match missing {
-                        Missing::Unsolved(error) => error,
-                        Missing::Elsewhere => singular::<M>(),
-                    })?;
-                    longest = LONGEST;
-                    anchor = here;
+            match round_the_turn(&path, &here, &beginning)? {
+                Arrival::Station(there) => {
+                    (here, anchor, longest) = (there, there, LONGEST);
                     continue;
                 }
-                Passage::Target(unknowns) => return Ok(unknowns),
-                Passage::Limit(point, sides) => {
-                    return Err(TrackError::Limit(obstacle(&path, &point, &sides, &beginning)));
-                }
-                Passage::ChangePoint(point, sides) => {
-                    return Err(TrackError::ChangePoint(obstacle(&path, &point, &sides, &beginning)));
-                }
+                Arrival::End(unknowns) => return Ok(unknowns),
                 // The solvers may know the way, or why there is none.
-                Passage::Lost => {}
+                Arrival::None => {}
             }
         }
         let rest = path.length - here.point.travel;
-        let mut step = longest.min(trusted);
+        let mut step = trusted;
         let mut error = None;
         let there = loop {
             if step < SHORTEST * path.length.max(1.0) {
-                return Err(blocked(&path, &here, &anchor, &beginning, error));
+                break None;
             }
             let is_last = step >= rest;
             let travel = if is_last { path.length } else { here.point.travel + step };
@@ -204,12 +192,23 @@ fn follow<M: Mechanism<Scalar = f64>>(
                     if is_last {
                         return Ok(there.point.unknowns);
                     }
-                    break there;
+                    break Some(there);
                 }
                 Ok(_) | Err(Missing::Elsewhere) => {}
                 Err(Missing::Unsolved(reason)) => error = Some(reason),
             }
             step = 0.5 * step.min(rest);
+        };
+        let Some(there) = there else {
+            match round_the_turn(&path, &here, &beginning)? {
+                // Not if it only creeps through the neighbourhood of a change point.
+                Arrival::Station(there) if there.point.travel > here.point.travel + BLUR => {
+                    (here, anchor, longest) = (there, there, LONGEST);
+                    continue;
+                }
+                Arrival::End(unknowns) => return Ok(unknowns),
+                _ => return Err(blocked(&path, &here, &anchor, &beginning, error)),
+            }
         };
         longest = LONGEST.min(2.0 * step);
         if step > ANCHOR {
@@ -319,8 +318,8 @@ fn predicted<M: Mechanism<Scalar = f64>>(
     )
 }
 
-/// The step at the end of which the last two terms of the series are small; the first order is straight and does not count, unless
-/// it is the last.
+/// The step at the end of which the last two terms of the series are small. The first order is straight and does not count; a
+/// series that has no other is left to the comparison with what is found.
 fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64 {
     let motions = here.pose.unknown_motions();
     let mut step = f64::INFINITY;
@@ -332,13 +331,39 @@ fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64
         for (order, derivative) in derivatives.iter().enumerate().skip(1) {
             exponent += 1.0;
             factorial *= exponent;
-            if order == last || (order + 1 == last && order > 1) {
+            if order > 1 && order + 1 >= last {
                 let coefficient = (derivative / factorial / size).abs();
                 step = step.min(Float::powf(LAST_TERM / coefficient, 1.0 / exponent));
             }
         }
     }
     step
+}
+
+/// Where the curve of solutions leads if an unknown is its parameter.
+enum Arrival<M: Mechanism> {
+    /// To a station from which steps by the inputs lead on.
+    Station(Station<M>),
+    /// To the end.
+    End(M::Unknowns<f64>),
+    /// Nowhere.
+    None,
+}
+
+fn round_the_turn<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Station<M>,
+    beginning: &Sides<M>,
+) -> Result<Arrival<M>, TrackErrorOf<M>> {
+    match turning::pass(path, here.point, &rates(path, here)) {
+        Passage::Onwards(point) => {
+            Ok(station(path, point.travel, point.unknowns).map_or(Arrival::None, Arrival::Station))
+        }
+        Passage::Target(unknowns) => Ok(Arrival::End(unknowns)),
+        Passage::Limit(point, sides) => Err(TrackError::Limit(obstacle(path, &point, &sides, beginning))),
+        Passage::ChangePoint(point, sides) => Err(TrackError::ChangePoint(obstacle(path, &point, &sides, beginning))),
+        Passage::Lost => Ok(Arrival::None),
+    }
 }
 
 /// What stands in the way where no step succeeds.
@@ -349,13 +374,10 @@ fn blocked<M: Mechanism<Scalar = f64>>(
     beginning: &Sides<M>,
     error: Option<SolveError>,
 ) -> TrackErrorOf<M> {
-    if let Passage::Limit(point, sides) = turning::pass(path, here.point, &rates(path, here)) {
-        return TrackError::Limit(obstacle(path, &point, &sides, beginning));
+    match crossing(path, anchor, here.point.travel) {
+        Some((point, sides)) => TrackError::ChangePoint(obstacle(path, &point, &sides, beginning)),
+        None => TrackError::Failed(error.unwrap_or_else(|| lost::<M>(Failure::Singular { determinant: 0.0 }))),
     }
-    if let Some((point, sides)) = crossing(path, anchor, here.point.travel) {
-        return TrackError::ChangePoint(obstacle(path, &point, &sides, beginning));
-    }
-    TrackError::Failed(error.unwrap_or_else(|| singular::<M>()))
 }
 
 /// The change point near a given travel, if there is one.
@@ -408,10 +430,6 @@ fn obstacle<M: Mechanism<Scalar = f64>>(
         unknowns: point.unknowns,
         names: M::DESCRIPTION.inputs,
     }
-}
-
-fn singular<M: Mechanism>() -> SolveError {
-    lost::<M>(Failure::Singular { determinant: 0.0 })
 }
 
 /// A failure of no block in particular.
