@@ -73,6 +73,8 @@ mod expansion_tests;
 mod expr;
 mod fallback;
 mod function;
+#[cfg(test)]
+mod growth_tests;
 mod model;
 mod plan;
 mod refuse;

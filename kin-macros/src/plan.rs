@@ -4,15 +4,19 @@
 //! is carried through to the scheduled program and its operations are counted; the cheapest is kept.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Regularity, Stage, Step};
-use crate::derive::{self, Hint, Rate, Way};
+use crate::derive::{self, Derivatives, Hint, Rate, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
 use crate::structure::Block;
 
 /// Position, velocity, acceleration, jerk, snap, ….
 const ORDER_NAMES: [&str; 7] = ["position", "velocity", "acceleration", "jerk", "snap", "crackle", "pop"];
+
+/// The ways to differentiate sines and cosines. Of two that cost the same the first is kept.
+const WAYS: [Way; 2] = [Way::Envelope, Way::Recurrence];
 
 /// What the n-th time derivative is called.
 pub(crate) fn order_name(order: usize) -> String {
@@ -56,29 +60,93 @@ struct Form {
 
 /// Tries the ways, order by order, and keeps the cheapest.
 pub(crate) fn plan(task: &Task<'_>) -> Plan {
-    let mut best: Option<Plan> = None;
+    let mut best: Option<Candidate> = None;
     for form in forms(task) {
-        let mut ways = Vec::new();
-        for order in 1..=task.order {
-            let mut cheapest: Option<(usize, Way)> = None;
-            for way in [Way::Envelope, Way::Recurrence] {
-                ways.push(way);
-                let cost = cost(&program(task, &form, &ways, order, &[false]));
-                ways.pop();
-                if cheapest.is_none_or(|(least, _)| cost < least) {
-                    cheapest = Some((cost, way));
+        let mut derived = Derived::new(task, form);
+        let mut last: Option<Candidate> = None;
+        let mut differ = false;
+        for _ in 1..=task.order {
+            last = None;
+            let mut cheapest = derived.next(task, WAYS[0]);
+            let others: Vec<Derived> = WAYS[1..].iter().map(|&way| derived.next(task, way)).collect();
+            differ = differ || others.iter().any(|other| !other.is_like(&cheapest));
+            if differ {
+                let mut least = candidate(task, &cheapest);
+                for other in others {
+                    let trial = candidate(task, &other);
+                    if trial.cost() < least.cost() {
+                        (cheapest, least) = (other, trial);
+                    }
                 }
+                last = Some(least);
             }
-            ways.extend(cheapest.map(|(_, way)| way));
+            derived = cheapest;
         }
-        let candidate = program(task, &form, &ways, task.order, &[false, true]);
-        if best.as_ref().is_none_or(|kept| cost(&candidate) < cost(kept)) {
-            best = Some(candidate);
+        let mut own = last.unwrap_or_else(|| candidate(task, &derived));
+        own.factor_out();
+        if best.as_ref().is_none_or(|kept| own.cost() < kept.cost()) {
+            best = Some(own);
         }
     }
-    let mut best = best.expect("there is at least one form");
-    best.every = every(task);
-    best
+    let mut plan = best.expect("there is at least one form").finish();
+    plan.every = every(task);
+    plan
+}
+
+/// Equations and outputs in one form, with their derivatives through some order.
+struct Derived {
+    form: Rc<Form>,
+    graph: Graph,
+    derivatives: Derivatives,
+}
+
+impl Derived {
+    fn new(task: &Task<'_>, form: Form) -> Self {
+        let mut graph = form.graph.clone();
+        let derivatives = Derivatives::new(&mut graph, form.task(task));
+        Self {
+            form: Rc::new(form),
+            graph,
+            derivatives,
+        }
+    }
+
+    /// With one order more.
+    fn next(&self, task: &Task<'_>, way: Way) -> Self {
+        let mut next = Self {
+            form: Rc::clone(&self.form),
+            graph: self.graph.clone(),
+            derivatives: self.derivatives.clone(),
+        };
+        next.derivatives.derive_next(&mut next.graph, self.form.task(task), way);
+        next
+    }
+
+    /// Whether both hold the same expressions, made in the same order: then the same program follows.
+    fn is_like(&self, other: &Self) -> bool {
+        let nodes = |derived: &Self| -> BTreeSet<Node> {
+            let derivatives = &derived.derivatives;
+            let rates = derivatives.orders.iter().flatten().flat_map(Rate::nodes);
+            let roots: Vec<Node> = rates.chain(derivatives.outputs.iter().flatten()).copied().collect();
+            derived.graph.reachable(&roots)
+        };
+        let (own, others) = (nodes(self), nodes(other));
+        let counterparts: BTreeMap<Node, Node> = own.iter().copied().zip(others.iter().copied()).collect();
+        own.len() == others.len()
+            && counterparts.iter().all(|(&own, &counterpart)| {
+                self.graph.term(own).with_operands(&|operand| counterparts[&operand]) == *other.graph.term(counterpart)
+            })
+    }
+}
+
+impl Form {
+    fn task<'a>(&'a self, task: &Task<'a>) -> derive::Task<'a> {
+        derive::Task {
+            residuals: &self.residuals,
+            blocks: task.blocks,
+            outputs: &self.outputs,
+        }
+    }
 }
 
 /// The program that goes through all positions.
@@ -116,15 +184,53 @@ fn forms(task: &Task<'_>) -> Vec<Form> {
     vec![expanded, typed]
 }
 
-fn cost(plan: &Plan) -> usize {
-    let cost = plan.scheduled.cost();
-    // a function is worth many operations
-    cost.arithmetic() + 20 * (cost.square_roots + cost.sine_cosines + cost.arc_tangents + cost.others)
+/// The program for what is derived.
+struct Candidate {
+    graph: Graph,
+    program: Program,
+    hints: Vec<(Node, String)>,
+    choices: Vec<Choice>,
+    scheduled: Scheduled,
 }
 
-/// The program through one order, in one way; `factor_out` are the styles of scheduling to choose from.
-fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out: &[bool]) -> Plan {
-    let mut graph = form.graph.clone();
+impl Candidate {
+    fn cost(&self) -> usize {
+        let cost = self.scheduled.cost();
+        // a function is worth many operations
+        cost.arithmetic() + 20 * (cost.square_roots + cost.sine_cosines + cost.arc_tangents + cost.others)
+    }
+
+    /// Takes out factors that terms share, if that is cheaper.
+    fn factor_out(&mut self) {
+        let style = Style {
+            factor_out: true,
+            check_domains: true,
+        };
+        let other = schedule(&self.graph, &self.program, &self.hints, style);
+        if other.cost().arithmetic() < self.scheduled.cost().arithmetic() {
+            self.scheduled = other;
+        }
+    }
+
+    fn finish(mut self) -> Plan {
+        let names = self.program.names;
+        let orientations = orientations(&mut self.graph, &names, &self.choices);
+        Plan {
+            graph: self.graph,
+            choices: self.choices,
+            names,
+            scheduled: self.scheduled,
+            orientations,
+            every: None,
+        }
+    }
+}
+
+/// Assembles and schedules it.
+fn candidate(task: &Task<'_>, derived: &Derived) -> Candidate {
+    let mut graph = derived.graph.clone();
+    let derivatives = &derived.derivatives;
+    let order = derivatives.orders.len();
     let mut names = task.names.clone();
     for order in 1..=order {
         let suffix = order_name(order);
@@ -145,16 +251,6 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
             names.name(rate, &wish);
         }
     }
-    let derivatives = derive::derive(
-        &mut graph,
-        &derive::Plan {
-            residuals: &form.residuals,
-            blocks: task.blocks,
-            outputs: &form.outputs,
-            order,
-            ways,
-        },
-    );
     let jacobians: Vec<Regularity> = derivatives
         .regular
         .iter()
@@ -218,7 +314,7 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
     for &determinant in derivatives.regular.iter().flatten() {
         hints.push((units.rewrite(&mut graph, determinant), "determinant".to_owned()));
     }
-    for (node, hint) in derivatives.hints {
+    for (node, hint) in derivatives.hints(&derived.graph) {
         let name = match hint {
             Hint::Right { equation, order } => format!("right_{}_{}", equation + 1, order_name(order)),
             Hint::P { angle, order } => format!("{}_p{order}", names.of(angle)),
@@ -240,33 +336,18 @@ fn program(task: &Task<'_>, form: &Form, ways: &[Way], order: usize, factor_out:
         .extend(checks.into_iter().map(|node| Step::Regular { node }));
     Stage::prune(&mut stages, &graph);
 
-    let program = Program {
-        stages,
-        names: names.clone(),
+    let program = Program { stages, names };
+    let style = Style {
+        factor_out: false,
+        check_domains: true,
     };
-    let scheduled = factor_out
-        .iter()
-        .map(|&factor_out| {
-            schedule(
-                &graph,
-                &program,
-                &hints,
-                Style {
-                    factor_out,
-                    check_domains: true,
-                },
-            )
-        })
-        .min_by_key(|scheduled| scheduled.cost().arithmetic())
-        .expect("there is at least one style");
-    let orientations = orientations(&mut graph, &names, &assembled.choices);
-    Plan {
+    let scheduled = schedule(&graph, &program, &hints, style);
+    Candidate {
         graph,
+        program,
+        hints,
         choices: assembled.choices,
-        names,
         scheduled,
-        orientations,
-        every: None,
     }
 }
 

@@ -119,18 +119,24 @@ pub(crate) struct Program {
 pub(crate) struct Names {
     names: BTreeMap<Symbol, String>,
     taken: BTreeSet<String>,
+    /// The number that was last put behind a wish.
+    last: BTreeMap<String, usize>,
 }
 
 impl Names {
     /// A name that is not taken yet, as close to the wish as possible.
     pub(crate) fn unique(&mut self, wish: &str) -> String {
-        let mut name = wish.to_owned();
-        let mut count = 2;
-        while !self.taken.insert(name.clone()) {
-            name = format!("{wish}_{count}");
-            count += 1;
+        if self.taken.insert(wish.to_owned()) {
+            return wish.to_owned();
         }
-        name
+        let last = self.last.entry(wish.to_owned()).or_insert(1);
+        loop {
+            *last += 1;
+            let name = format!("{wish}_{last}");
+            if self.taken.insert(name.clone()) {
+                return name;
+            }
+        }
     }
 
     /// Makes a name unavailable.

@@ -7,15 +7,18 @@ mod jacobian;
 mod rates;
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
-pub(crate) use rates::{Rates, Way};
+pub(crate) use rates::Way;
 
 use jacobian::Jacobian;
+use rates::Rates;
 
 use crate::expr::{Expansion, Graph, Node, Symbol};
 use crate::structure::Block;
 
 /// The rates of the unknowns, order by order, as expressions of positions and lower rates.
+#[derive(Clone)]
 pub(crate) struct Derivatives {
     /// `orders[n - 1]` holds the rates of order n, in the order in which they can be computed.
     pub(crate) orders: Vec<Vec<Rate>>,
@@ -27,8 +30,9 @@ pub(crate) struct Derivatives {
     pub(crate) systems: Vec<Option<(Symbol, Vec<Vec<Node>>)>>,
     /// What the rates are divided by, besides the determinants, that does not vanish where these do not.
     pub(crate) guaranteed: Vec<Node>,
-    /// Names for parts that a reader of the program will want to know.
-    pub(crate) hints: Vec<(Node, Hint)>,
+    rights: Vec<(Node, Hint)>,
+    rates: Rates,
+    jacobians: Rc<[Jacobian]>,
 }
 
 /// A part of the derivation that has a name.
@@ -43,6 +47,7 @@ pub(crate) enum Hint {
 }
 
 /// How time derivatives of unknowns are found.
+#[derive(Clone)]
 pub(crate) enum Rate {
     /// One by itself.
     Value { unknown: usize, value: Node },
@@ -54,14 +59,22 @@ pub(crate) enum Rate {
     },
 }
 
-/// What is differentiated, and how.
-pub(crate) struct Plan<'a> {
+impl Rate {
+    /// The expressions that it is found from.
+    pub(crate) fn nodes(&self) -> &[Node] {
+        match self {
+            Self::Value { value, .. } => std::slice::from_ref(value),
+            Self::System { right, .. } => right,
+        }
+    }
+}
+
+/// What is differentiated.
+#[derive(Clone, Copy)]
+pub(crate) struct Task<'a> {
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
     pub(crate) outputs: &'a [Node],
-    pub(crate) order: usize,
-    /// How sines and cosines are differentiated, by order, the last one for all higher orders.
-    pub(crate) ways: &'a [Way],
 }
 
 /// Equations and outputs in the form in which they are differentiated: as typed or multiplied out, and in any case
@@ -93,28 +106,35 @@ pub(crate) fn forms(graph: &mut Graph, residuals: &[Node], outputs: &[Node], exp
     (residuals, outputs)
 }
 
-/// Derives everything that a plan asks for.
-pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
-    let jacobians: Vec<Jacobian> = plan
-        .blocks
-        .iter()
-        .map(|block| Jacobian::new(graph, plan.residuals, block))
-        .collect();
-    let mut rates = Rates::new(plan.ways);
-    let mut derivatives = Derivatives {
-        orders: Vec::new(),
-        outputs: Vec::new(),
-        regular: jacobians.iter().map(|jacobian| jacobian.regular(graph)).collect(),
-        systems: jacobians.iter().map(Jacobian::system).collect(),
-        guaranteed: jacobians
+impl Derivatives {
+    /// What is known before any order is derived.
+    pub(crate) fn new(graph: &mut Graph, task: Task<'_>) -> Self {
+        let jacobians: Rc<[Jacobian]> = task
+            .blocks
             .iter()
-            .flat_map(|jacobian| jacobian.guaranteed(graph))
-            .collect(),
-        hints: Vec::new(),
-    };
-    for order in 1..=plan.order {
+            .map(|block| Jacobian::new(graph, task.residuals, block))
+            .collect();
+        Self {
+            orders: Vec::new(),
+            outputs: Vec::new(),
+            regular: jacobians.iter().map(|jacobian| jacobian.regular(graph)).collect(),
+            systems: jacobians.iter().map(Jacobian::system).collect(),
+            guaranteed: jacobians
+                .iter()
+                .flat_map(|jacobian| jacobian.guaranteed(graph))
+                .collect(),
+            rights: Vec::new(),
+            rates: Rates::new(),
+            jacobians,
+        }
+    }
+
+    /// Derives the next order; `way` is how sines and cosines are differentiated to it.
+    pub(crate) fn derive_next(&mut self, graph: &mut Graph, task: Task<'_>, way: Way) {
+        let order = self.orders.len() + 1;
+        self.rates.push_way(way);
         let mut found = Vec::new();
-        for (block, jacobian) in plan.blocks.iter().zip(&jacobians) {
+        for (block, jacobian) in task.blocks.iter().zip(&*self.jacobians) {
             let zero = graph.zero();
             let mut without_own: BTreeMap<Node, Node> = block
                 .unknowns
@@ -125,23 +145,28 @@ pub(crate) fn derive(graph: &mut Graph, plan: &Plan<'_>) -> Derivatives {
                 .equations
                 .iter()
                 .map(|&equation| {
-                    let whole = rates.total(graph, plan.residuals[equation], order);
+                    let whole = self.rates.total(graph, task.residuals[equation], order);
                     let rest = graph.substitute(whole, &mut without_own);
                     let right = graph.negate(rest);
-                    derivatives.hints.push((right, Hint::Right { equation, order }));
+                    self.rights.push((right, Hint::Right { equation, order }));
                     right
                 })
                 .collect();
             found.extend(jacobian.solve(graph, &right, order));
         }
-        derivatives.orders.push(found);
-        derivatives.outputs.push(
-            plan.outputs
+        self.orders.push(found);
+        self.outputs.push(
+            task.outputs
                 .iter()
-                .map(|&output| rates.total(graph, output, order))
+                .map(|&output| self.rates.total(graph, output, order))
                 .collect(),
         );
     }
-    derivatives.hints.extend(rates.hints(graph));
-    derivatives
+
+    /// Names for parts that a reader of the program will want to know.
+    pub(crate) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
+        let mut hints = self.rights.clone();
+        hints.extend(self.rates.hints(graph));
+        hints
+    }
 }

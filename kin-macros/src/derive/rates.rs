@@ -19,8 +19,10 @@ pub(crate) enum Way {
 }
 
 /// The derivatives found so far.
-pub(crate) struct Rates<'a> {
-    ways: &'a [Way],
+#[derive(Clone, Default)]
+pub(super) struct Rates {
+    /// How sines and cosines are differentiated, by order, the last one for all higher orders.
+    ways: Vec<Way>,
     known: BTreeMap<(Node, usize), Node>,
     envelopes: BTreeMap<(Node, Node, usize), (Node, Node)>,
 }
@@ -34,17 +36,18 @@ fn binomial(n: usize, k: usize) -> f64 {
     })
 }
 
-impl<'a> Rates<'a> {
-    pub(crate) fn new(ways: &'a [Way]) -> Self {
-        Self {
-            ways,
-            known: BTreeMap::new(),
-            envelopes: BTreeMap::new(),
-        }
+impl Rates {
+    pub(super) fn new() -> Self {
+        Self::default()
+    }
+
+    /// Decides on the way to the next order.
+    pub(super) fn push_way(&mut self, way: Way) {
+        self.ways.push(way);
     }
 
     /// The shared parts of rotating vectors that have a name: P and Q by angle and order.
-    pub(crate) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
+    pub(super) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
         let mut hints = Vec::new();
         for (&(amplitude, angle, order), &(along, across)) in &self.envelopes {
             if let Some(angle) = graph.as_symbol(angle)
@@ -66,7 +69,7 @@ impl<'a> Rates<'a> {
     }
 
     /// The total time derivative of the order given.
-    pub(crate) fn total(&mut self, graph: &mut Graph, node: Node, order: usize) -> Node {
+    pub(super) fn total(&mut self, graph: &mut Graph, node: Node, order: usize) -> Node {
         if order == 0 {
             return node;
         }
@@ -328,8 +331,9 @@ mod tests {
                 value * time.exp()
             }
         };
-        for ways in [[Way::Envelope], [Way::Recurrence]] {
-            let mut rates = Rates::new(&ways);
+        for way in [Way::Envelope, Way::Recurrence] {
+            let mut rates = Rates::new();
+            rates.push_way(way);
             for node in [cosine, sine, link, quotient, exponential, root, arc] {
                 for order in 1..=6 {
                     let derivative = rates.total(&mut graph, node, order);
@@ -340,7 +344,7 @@ mod tests {
                         (graph.evaluate(below, &at(step)) - graph.evaluate(below, &at(-step))) / (2.0 * step);
                     assert!(
                         (exact - difference).abs() < 1e-6 * (1.0 + exact.abs()),
-                        "{ways:?}, order {order}: {exact} against {difference}"
+                        "{way:?}, order {order}: {exact} against {difference}"
                     );
                 }
             }

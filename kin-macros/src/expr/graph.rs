@@ -1,7 +1,8 @@
 //! The graph itself: nodes, what they hold, and how equal ones are found.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
+use super::HashMap;
 use crate::function::Function;
 
 /// An expression: its number in the graph.
@@ -60,6 +61,28 @@ pub(crate) enum Term {
     /// Π node^exponent, the nodes in ascending order, none of them a number or a product, no exponent zero.
     Product(Vec<(Node, i32)>),
     Call(Function, Vec<Node>),
+}
+
+impl Term {
+    /// The same of other operands; the order in which it lists them is kept.
+    pub(crate) fn with_operands(&self, counterpart: &impl Fn(Node) -> Node) -> Self {
+        match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => self.clone(),
+            Self::Sum(constant, terms) => {
+                let terms = terms
+                    .iter()
+                    .map(|&(node, coefficient)| (counterpart(node), coefficient));
+                Self::Sum(*constant, terms.collect())
+            }
+            Self::Product(factors) => {
+                let factors = factors.iter().map(|&(node, exponent)| (counterpart(node), exponent));
+                Self::Product(factors.collect())
+            }
+            Self::Call(function, arguments) => {
+                Self::Call(*function, arguments.iter().map(|&node| counterpart(node)).collect())
+            }
+        }
+    }
 }
 
 /// The expressions of one declaration.

@@ -9,6 +9,7 @@ mod construct;
 mod evaluate;
 mod graph;
 mod harmonic;
+mod hash;
 mod partial;
 mod print;
 mod probe;
@@ -16,4 +17,5 @@ mod substitute;
 
 pub(crate) use graph::{Graph, Node, Number, Symbol, Term};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
+pub(crate) use hash::HashMap;
 pub(crate) use probe::Probe;

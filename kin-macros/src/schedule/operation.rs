@@ -1,10 +1,10 @@
 //! Rows as binary operations.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use super::rows::{Row, RowId, Rows};
 use crate::assemble::Cost;
-use crate::expr::{Number, Symbol};
+use crate::expr::{HashMap, Number, Symbol};
 use crate::function::Function;
 
 /// An operation's number; operands have lower ones.
@@ -73,6 +73,11 @@ impl Operations {
         self.list.push(operation.clone());
         self.known.insert(operation, value);
         value
+    }
+
+    /// The number of an operation, if the program has it.
+    pub(super) fn find(&self, operation: &Operation) -> Option<Value> {
+        self.known.get(operation).copied()
     }
 
     pub(super) fn leaf(&mut self, symbol: Symbol) -> Value {

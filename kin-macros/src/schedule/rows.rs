@@ -1,8 +1,8 @@
 //! Expressions as rows: sums and products of any number of terms, numbered, equal ones once.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::{Graph, Node, Number, Symbol, Term};
+use crate::expr::{Graph, HashMap, Node, Number, Symbol, Term};
 use crate::function::Function;
 
 /// A row's number.
@@ -50,7 +50,7 @@ impl Rows {
             .collect();
         let mut rows = Self {
             list: Vec::new(),
-            known: HashMap::new(),
+            known: HashMap::default(),
             by_node: BTreeMap::new(),
             shared_divisors,
         };

@@ -26,8 +26,8 @@ pub(super) struct Scheduler<'a> {
     pub(super) operations: Operations,
     pub(super) names: Names,
     pub(super) hints: BTreeMap<Value, String>,
-    usage: BTreeMap<Value, Usage>,
-    computed_in: BTreeMap<Value, usize>,
+    /// By value; none for what is not used.
+    usage: Vec<Usage>,
     /// Values that have a name, and it.
     pub(super) bound: BTreeMap<Value, String>,
     program: &'a Program,
@@ -146,8 +146,7 @@ pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)
         operations,
         names: program.names.clone(),
         hints,
-        usage: BTreeMap::new(),
-        computed_in: BTreeMap::new(),
+        usage: Vec::new(),
         bound: BTreeMap::new(),
         program,
         check_domains: style.check_domains,
@@ -166,7 +165,7 @@ impl Scheduler<'_> {
         self.operations.lower(rows, rows.of_node(node))
     }
 
-    /// First pass: where each value is computed and used.
+    /// First pass: where each value is used.
     fn survey(&mut self, rows: &Rows) {
         let program = self.program;
         for (stage, steps) in program.stages.iter().enumerate() {
@@ -175,30 +174,22 @@ impl Scheduler<'_> {
                 self.touch(value, stage);
             }
         }
-        // a sine and a cosine of one angle are computed together, where the first of them is needed
-        let circular: Vec<(Value, usize)> = self
-            .computed_in
-            .iter()
-            .filter(|(value, _)| self.is_circular(**value))
-            .map(|(&value, &stage)| (value, stage))
-            .collect();
-        for (value, stage) in circular {
-            if let Some(partner) = self.partner(value)
-                && let Some(own) = self.computed_in.get_mut(&partner)
-            {
-                *own = stage.min(*own);
-            }
-        }
+    }
+
+    fn usage(&self, value: Value) -> Usage {
+        self.usage.get(value.0).copied().unwrap_or_default()
     }
 
     fn touch(&mut self, value: Value, stage: usize) {
-        let usage = self.usage.entry(value).or_default();
+        if self.usage.len() <= value.0 {
+            self.usage.resize(self.operations.list.len(), Usage::default());
+        }
+        let usage = &mut self.usage[value.0];
         usage.count += 1;
         usage.last_stage = usage.last_stage.max(stage);
-        if self.computed_in.contains_key(&value) {
+        if usage.count > 1 {
             return;
         }
-        self.computed_in.insert(value, stage);
         for operand in self.operations.operation(value).operands() {
             self.touch(operand, stage);
         }
@@ -221,10 +212,8 @@ impl Scheduler<'_> {
         } else {
             Function::Sin
         };
-        self.computed_in
-            .keys()
-            .copied()
-            .find(|&candidate| *self.operations.operation(candidate) == Operation::Call(other, arguments.clone()))
+        let partner = self.operations.find(&Operation::Call(other, arguments.clone()))?;
+        (self.usage(partner).count > 0).then_some(partner)
     }
 
     /// Second pass: the statements.
@@ -416,7 +405,7 @@ impl Scheduler<'_> {
 
     fn result_name(&mut self, symbol: Symbol) -> Option<String> {
         let leaf = self.operations.leaf(symbol);
-        let is_used = matches!(symbol, Symbol::Unknown(_)) || self.usage.contains_key(&leaf);
+        let is_used = matches!(symbol, Symbol::Unknown(_)) || self.usage(leaf).count > 0;
         is_used.then(|| self.names.of(symbol).to_owned())
     }
 
@@ -475,7 +464,7 @@ impl Scheduler<'_> {
             Operation::Number(_) | Operation::Pi | Operation::Leaf(_) => return self.unfold(value),
             _ => {}
         }
-        let usage = self.usage.get(&value).copied().unwrap_or_default();
+        let usage = self.usage(value);
         if usage.count > 1 || usage.last_stage > self.stage || self.size(value) > READABLE {
             let expression = self.unfold(value);
             let name = self.bind(value);
@@ -500,7 +489,7 @@ impl Scheduler<'_> {
                     .operands()
                     .into_iter()
                     .map(|operand| {
-                        let shared = self.usage.get(&operand).is_some_and(|usage| usage.count > 1);
+                        let shared = self.usage(operand).count > 1;
                         if shared { 0 } else { self.size(operand) }
                     })
                     .sum::<usize>()

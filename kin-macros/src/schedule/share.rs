@@ -3,34 +3,73 @@
 //! The greedy extraction of two-term divisors, most frequent first (R. K. Brayton and C. `McMullen`, "The decomposition
 //! and factorization of Boolean expressions", ISCAS 1982, in its common form for arithmetic expressions).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::mem;
 
 use super::rows::{Row, RowId, Rows};
+use crate::expr::HashMap;
 
 /// Two factors, or two terms and whether their signs differ.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 enum Pair {
     Product(RowId, RowId),
     Sum(RowId, RowId, bool),
 }
 
-/// Rewrites the rows until no pair occurs twice.
-pub(super) fn share(rows: &mut Rows) {
-    loop {
-        let mut occurrences: BTreeMap<Pair, Vec<usize>> = BTreeMap::new();
-        for (index, row) in rows.list.iter().enumerate() {
-            for (pair, count) in pairs(row) {
-                occurrences.entry(pair).or_default().extend((0..count).map(|_| index));
+/// Where each pair occurs. Only rows that change are looked at again.
+#[derive(Default)]
+struct Occurrences {
+    /// The rows, ascending, and how often each has the pair.
+    places: HashMap<Pair, Vec<(usize, usize)>>,
+    /// The pairs of each row.
+    pairs: Vec<Vec<(Pair, usize)>>,
+}
+
+impl Occurrences {
+    /// Takes note of what a row has become.
+    fn update(&mut self, index: usize, row: &Row) {
+        if self.pairs.len() <= index {
+            self.pairs.resize_with(index + 1, Vec::new);
+        }
+        let own = pairs(row);
+        for (pair, _) in mem::replace(&mut self.pairs[index], own) {
+            if let Some(places) = self.places.get_mut(&pair) {
+                places.retain(|&(place, _)| place != index);
             }
         }
-        let mut candidates: Vec<(Pair, Vec<usize>)> =
-            occurrences.into_iter().filter(|(_, places)| places.len() > 1).collect();
-        candidates.sort_by_key(|(pair, places)| (std::cmp::Reverse(places.len()), *pair));
-        let mut changed = false;
-        for (pair, mut places) in candidates {
-            places.dedup();
+        for &(pair, count) in &self.pairs[index] {
+            let places = self.places.entry(pair).or_default();
+            let position = places.partition_point(|&(place, _)| place < index);
+            places.insert(position, (index, count));
+        }
+    }
+
+    /// The pairs that occur more than once, the most frequent first.
+    fn candidates(&self) -> Vec<Pair> {
+        let mut candidates: Vec<(usize, Pair)> = self
+            .places
+            .iter()
+            .map(|(&pair, places)| (places.iter().map(|&(_, count)| count).sum(), pair))
+            .filter(|&(count, _)| count > 1)
+            .collect();
+        // in full, so that the order in which the table was read does not matter
+        candidates.sort_unstable_by_key(|&(count, pair)| (std::cmp::Reverse(count), pair));
+        candidates.into_iter().map(|(_, pair)| pair).collect()
+    }
+}
+
+/// Rewrites the rows until no pair occurs twice.
+pub(super) fn share(rows: &mut Rows) {
+    let mut occurrences = Occurrences::default();
+    let mut changed: BTreeSet<usize> = (0..rows.list.len()).collect();
+    while !changed.is_empty() {
+        for index in mem::take(&mut changed) {
+            occurrences.update(index, &rows.list[index]);
+        }
+        for pair in occurrences.candidates() {
+            let places = &occurrences.places[&pair];
             // earlier replacements may have used up what this pair needs
-            let current: usize = places.iter().map(|&place| count_in(&rows.list[place], pair)).sum();
+            let current: usize = places.iter().map(|&(place, _)| count_in(&rows.list[place], pair)).sum();
             if current < 2 {
                 continue;
             }
@@ -38,57 +77,67 @@ pub(super) fn share(rows: &mut Rows) {
                 Pair::Product(a, b) => Row::Product(vec![a, b]),
                 Pair::Sum(a, b, opposite) => Row::Sum(vec![(false, a), (opposite, b)]),
             });
-            for place in places {
-                if RowId(place) != replacement {
-                    changed |= replace(&mut rows.list[place], pair, replacement);
+            if replacement.0 >= occurrences.pairs.len() {
+                changed.insert(replacement.0);
+            }
+            for &(place, _) in places {
+                if RowId(place) != replacement && replace(&mut rows.list[place], pair, replacement) {
+                    changed.insert(place);
                 }
             }
-        }
-        if !changed {
-            return;
         }
     }
 }
 
 fn count_in(row: &Row, pair: Pair) -> usize {
-    pairs(row)
-        .into_iter()
-        .find(|&(own, _)| own == pair)
-        .map_or(0, |(_, count)| count)
+    match (row, pair) {
+        (Row::Product(factors), Pair::Product(a, b)) => {
+            let count = |wanted: RowId| factors.iter().filter(|&&factor| factor == wanted).count();
+            if a == b { count(a) / 2 } else { count(a).min(count(b)) }
+        }
+        (Row::Sum(terms), Pair::Sum(a, b, opposite)) => {
+            let signs = |wanted: RowId| terms.iter().filter(move |&&(_, term)| term == wanted);
+            signs(a)
+                .map(|first| signs(b).filter(|second| (first.0 != second.0) == opposite).count())
+                .sum()
+        }
+        _ => 0,
+    }
 }
 
 /// The pairs in a row, and how often each can be taken out.
 fn pairs(row: &Row) -> Vec<(Pair, usize)> {
-    let mut found: BTreeMap<Pair, usize> = BTreeMap::new();
+    let mut found = Vec::new();
     match row {
         Row::Product(factors) => {
-            let mut powers: BTreeMap<RowId, usize> = BTreeMap::new();
-            for &factor in factors {
-                *powers.entry(factor).or_insert(0) += 1;
-            }
-            let powers: Vec<(RowId, usize)> = powers.into_iter().collect();
+            let powers: Vec<(RowId, usize)> = factors
+                .chunk_by(|a, b| a == b)
+                .map(|power| (power[0], power.len()))
+                .collect();
             for (index, &(a, power)) in powers.iter().enumerate() {
                 if power > 1 {
-                    found.insert(Pair::Product(a, a), power / 2);
+                    found.push((Pair::Product(a, a), power / 2));
                 }
                 for &(b, other) in &powers[index + 1..] {
-                    found.insert(Pair::Product(a, b), power.min(other));
+                    found.push((Pair::Product(a, b), power.min(other)));
                 }
             }
         }
         Row::Sum(terms) => {
+            let mut counts: BTreeMap<Pair, usize> = BTreeMap::new();
             for (index, &(negative, a)) in terms.iter().enumerate() {
                 for &(other_negative, b) in &terms[index + 1..] {
                     if a != b {
                         let pair = Pair::Sum(a.min(b), a.max(b), negative != other_negative);
-                        *found.entry(pair).or_insert(0) += 1;
+                        *counts.entry(pair).or_insert(0) += 1;
                     }
                 }
             }
+            found.extend(counts);
         }
         _ => {}
     }
-    found.into_iter().collect()
+    found
 }
 
 /// Puts `replacement` in the place of a pair, as often as it occurs.
