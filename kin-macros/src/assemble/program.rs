@@ -117,7 +117,7 @@ pub(crate) struct Program {
 /// The names of symbols in generated code, no two alike.
 #[derive(Clone, Default)]
 pub(crate) struct Names {
-    names: BTreeMap<Symbol, String>,
+    by_symbol: BTreeMap<Symbol, String>,
     taken: BTreeSet<String>,
     /// The number that was last put behind a wish.
     last: BTreeMap<String, usize>,
@@ -147,18 +147,18 @@ impl Names {
     /// Names a symbol.
     pub(crate) fn name(&mut self, symbol: Symbol, wish: &str) {
         let name = self.unique(wish);
-        self.names.insert(symbol, name);
+        self.by_symbol.insert(symbol, name);
     }
 
     /// Gives a symbol the very name that it was declared with.
     pub(crate) fn name_exactly(&mut self, symbol: Symbol, name: &str) {
         self.reserve(name);
-        self.names.insert(symbol, name.to_owned());
+        self.by_symbol.insert(symbol, name.to_owned());
     }
 
     /// The symbols by their names.
     pub(crate) fn by_name(&self) -> BTreeMap<&str, Symbol> {
-        self.names
+        self.by_symbol
             .iter()
             .map(|(&symbol, name)| (name.as_str(), symbol))
             .collect()
@@ -166,7 +166,7 @@ impl Names {
 
     /// The name of a symbol that has been named.
     pub(crate) fn of(&self, symbol: Symbol) -> &str {
-        self.names.get(&symbol).map_or("unnamed", String::as_str)
+        self.by_symbol.get(&symbol).map_or("unnamed", String::as_str)
     }
 }
 

@@ -93,6 +93,13 @@ pub(crate) struct Graph {
     steps: usize,
 }
 
+#[cfg(test)]
+thread_local! {
+    /// How often an expression has been looked up in any graph of this thread: a measure of the work of an expansion that is the
+    /// same in every run.
+    pub(crate) static LOOKUPS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
 impl Graph {
     pub(crate) fn new() -> Self {
         Self::default()
@@ -112,6 +119,8 @@ impl Graph {
 
     /// The node that holds a term, which must be in normal form.
     pub(super) fn intern(&mut self, term: Term) -> Node {
+        #[cfg(test)]
+        LOOKUPS.set(LOOKUPS.get() + 1);
         if let Some(&node) = self.known.get(&term) {
             return node;
         }

@@ -15,6 +15,8 @@ mod print;
 mod probe;
 mod substitute;
 
+#[cfg(test)]
+pub(crate) use graph::LOOKUPS;
 pub(crate) use graph::{Graph, Node, Number, Symbol, Term};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
 pub(crate) use hash::HashMap;
