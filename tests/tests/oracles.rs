@@ -58,8 +58,16 @@ fn slider_cranks() {
 
 #[test]
 fn mechanisms_of_space() {
-    prove::<Rssr>("RSSR", any_length);
-    prove::<Rssp>("RSSP", any_length);
+    // vectors in all directions, and a rod that bridges them more often than not
+    let linkage = |rod: usize| {
+        move |random: &mut Random, index: usize| match index {
+            0 => random.between(0.5, 2.0),
+            _ if index == rod => random.between(2.0, 5.0),
+            _ => random.between(-2.0, 2.0),
+        }
+    };
+    prove::<Rssr>("RSSR", linkage(10));
+    prove::<Rssp>("RSSP", linkage(7));
     prove::<UniversalJoint>("universal joint", |random, _| random.between(-1.4, 1.4));
     prove::<SphericalFourBar>("spherical four-bar", |random, _| random.between(0.3, 1.5));
     prove::<StewartGoughLeg>("Stewart-Gough leg", any_length);
