@@ -7,7 +7,7 @@ use crate::{Scalar, SolveError};
 /// A declared mechanism, as the `mechanism!` macro implements it.
 ///
 /// The associated rows are arrays; their lengths are the numbers of parameters, inputs, unknowns and scalar equations.
-/// Points count as two scalars, x and y.
+/// Points of the plane count as two scalars, x and y, those of space as three.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -143,7 +143,7 @@ pub trait Pose: Copy + Debug {
     /// The unknowns, in the order in which they were declared.
     fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
-    /// The outputs, in the order in which they were declared; a point is its x, then its y.
+    /// The outputs, in the order in which they were declared; a point is its x, its y and, in space, its z.
     fn output_motions(&self) -> Self::Outputs<Self::Motion>;
 }
 
@@ -190,7 +190,7 @@ pub struct Description {
 /// A named quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    /// Its name; the parts of a point `p` are `p.x` and `p.y`.
+    /// Its name; the parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`.
     pub name: &'static str,
     /// What it measures.
     pub dimension: Dimension,

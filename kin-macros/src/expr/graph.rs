@@ -18,7 +18,7 @@ impl Node {
 /// A quantity whose value comes from outside of the graph.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) enum Symbol {
-    /// A scalar of the structure of parameters; a point takes two.
+    /// A scalar of the structure of parameters; a point takes two, one of space three.
     Parameter(usize),
     /// An input's value.
     Input(usize),
