@@ -9,6 +9,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::process::ExitCode;
 
+#[allow(clippy::wildcard_imports, reason = "it is the example of the whole library")]
 use kin_core::library::*;
 use kin_core::prelude::*;
 use kin_core::verify::{self, Oracle, Report};

@@ -240,6 +240,12 @@ impl<'a> Expansion<'a> {
         Some(result.cleaned(self.graph))
     }
 
+    /// Whether something is free of the variables and not simple enough to multiply an equation by: the norm of a vector, for
+    /// instance, of which the coefficients would otherwise carry a high power.
+    fn is_known_divisor(&self, node: Node) -> bool {
+        matches!(self.graph.term(node), Term::Sum(..) | Term::Call(..)) && !self.varies(node)
+    }
+
     fn varies(&self, node: Node) -> bool {
         self.graph.symbols(node).into_iter().any(self.is_variable)
     }
@@ -308,6 +314,12 @@ impl<'a> Expansion<'a> {
                 let above = Polynomial::constant(self.graph, one);
                 let mut product = self.whole(above);
                 for (part, exponent) in factors {
+                    if exponent < 0 && self.is_known_divisor(part) {
+                        let divisor = self.graph.power(part, exponent);
+                        let divisor = Polynomial::constant(self.graph, divisor);
+                        product.above = product.above.multiply(self.graph, &divisor);
+                        continue;
+                    }
                     let mut base = self.fraction(part);
                     if exponent < 0 {
                         base = Fraction {
