@@ -146,18 +146,24 @@ fn follow<M: Mechanism<Scalar = f64>>(
     if !path.length.is_finite() {
         // The solver knows best which input it is.
         mechanism.solve_position_near(to, start)?;
-        return Err(TrackError::Failed(lost::<M>(Failure::NotFinite {
-            quantity: "way of the inputs",
-        })));
+        return Err(TrackError::Failed(lost::<M>(
+            0,
+            Failure::NotFinite {
+                quantity: "way of the inputs",
+            },
+        )));
     }
     if path.length == 0.0 {
         return Ok(start);
     }
     let mut here = station(&path, 0.0, start).map_err(|missing| match missing {
         Missing::Unsolved(error) => error,
-        Missing::Elsewhere => lost::<M>(Failure::NotFinite {
-            quantity: "closure at the beginning",
-        }),
+        Missing::Elsewhere => lost::<M>(
+            0,
+            Failure::NotFinite {
+                quantity: "closure at the beginning",
+            },
+        ),
     })?;
     let assembly = mechanism.assembly_near(from, start);
     let beginning = here.sides;
@@ -376,7 +382,12 @@ fn blocked<M: Mechanism<Scalar = f64>>(
 ) -> TrackErrorOf<M> {
     match crossing(path, anchor, here.point.travel) {
         Some((point, sides)) => TrackError::ChangePoint(obstacle(path, &point, &sides, beginning)),
-        None => TrackError::Failed(error.unwrap_or_else(|| lost::<M>(Failure::Singular { determinant: 0.0 }))),
+        // Without an error of the solvers, it is the determinants that change at every step, however short.
+        None => TrackError::Failed(error.unwrap_or_else(|| {
+            let (block, _) = here.sides.most_shrunk(beginning);
+            let determinant = here.sides.determinant(block);
+            lost::<M>(block, Failure::Singular { determinant })
+        })),
     }
 }
 
@@ -424,7 +435,7 @@ fn obstacle<M: Mechanism<Scalar = f64>>(
 ) -> ObstacleOf<M> {
     let (block, _) = sides.most_shrunk(beginning);
     Obstacle {
-        block: M::DESCRIPTION.blocks.get(block).map_or("", |block| block.unknowns),
+        block: name::<M>(block),
         fraction: point.travel / path.length,
         inputs: path.inputs(point.travel),
         unknowns: point.unknowns,
@@ -432,8 +443,13 @@ fn obstacle<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// A failure of no block in particular.
-fn lost<M: Mechanism>(failure: Failure) -> SolveError {
-    let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
+/// A failure of a block that no solver has reported.
+fn lost<M: Mechanism>(block: usize, failure: Failure) -> SolveError {
+    let block = name::<M>(block);
     failure.at(block, InputValues::new(&[], &[]))
+}
+
+/// The unknowns of a block.
+fn name<M: Mechanism>(block: usize) -> &'static str {
+    M::DESCRIPTION.blocks.get(block).map_or("", |block| block.unknowns)
 }

@@ -128,7 +128,13 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
         pairs.all(|(one, other)| one.sign == other.sign)
     }
 
-    /// The determinant of a block in those of what it was.
+    /// The determinant of a block, with its unknowns in their sizes.
+    pub(super) fn determinant(&self, block: usize) -> f64 {
+        let orientation = self.0.as_ref()[block];
+        f64::from(orientation.sign) * Float::exp2(orientation.logarithm)
+    }
+
+    /// The determinant of a block as a multiple of what it was.
     pub(super) fn relative(&self, reference: &Self, block: usize) -> f64 {
         let (now, then) = (self.0.as_ref()[block], reference.0.as_ref()[block]);
         f64::from(now.sign * then.sign) * Float::exp2(now.logarithm - then.logarithm)
