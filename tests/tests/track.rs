@@ -22,7 +22,8 @@ const DOUBLE_ROCKER: FourBar = FourBar {
     r4: 45.0,
 };
 
-/// Tracks a mechanism of one input from place to place, and compares the result with the direct solution in the same assembly.
+/// Tracks a mechanism of one input from place to place, and compares the result with the direct solution in the same
+/// assembly.
 fn go_round<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, places: &[f64], tolerance: f64) {
     let inputs = |value| M::Inputs::from_fn(|_| value);
     let mut at = places[0];
@@ -91,8 +92,8 @@ fn limit_of<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// By how much rounding changes the angle of which this is the cosine, itself a quotient of sums of squares; 1 for the inputs
-/// being rounded.
+/// By how much rounding changes the angle of which this is the cosine, itself a quotient of sums of squares; 1 for
+/// the inputs being rounded.
 fn condition_of_limit(r1: f64, r2: f64, diagonal: f64, angle: f64) -> f64 {
     1.0 + (r1 * r1 + r2 * r2 + diagonal * diagonal) / (2.0 * r1 * r2) / angle.sin().abs()
 }

@@ -6,10 +6,10 @@ const QUANTITY: &str = "Jacobian of a block without closed form";
 
 /// A matrix in triangular factors, ready for any number of right-hand sides.
 ///
-/// Rows and columns are scaled by powers of two, which rounds nothing, until the largest entry of each lies between 1 and
-/// 2; then rows are exchanged so that each pivot is the largest of its column. So the result does not depend on the units of
-/// equations and unknowns. This is Gaussian elimination with partial pivoting (N. J. Higham, *Accuracy and Stability of
-/// Numerical Algorithms*, 2nd edition, SIAM 2002, chapters 7 and 9).
+/// Rows and columns are scaled by powers of two, which rounds nothing, until the largest entry of each lies between 1
+/// and 2; then rows are exchanged so that each pivot is the largest of its column. So the result does not depend on
+/// the units of equations and unknowns. This is Gaussian elimination with partial pivoting (N. J. Higham, *Accuracy
+/// and Stability of Numerical Algorithms*, 2nd edition, SIAM 2002, chapters 7 and 9).
 ///
 /// The factors are ours, and not those of a library for linear algebra, because their entries are any [`Scalar`]: the
 /// derivatives that dual numbers and series carry go through, while pivots are chosen on real parts. nalgebra's
@@ -35,8 +35,8 @@ pub struct Factors<T, const N: usize> {
 /// About N³/3 multiplications and as many additions.
 ///
 /// # Errors
-/// [`Failure::Singular`] if a pivot of the scaled matrix is not larger than 2 N ε times its largest entry, where ε is the
-/// distance from 1 to the next number: rounding the entries alone can make such a pivot zero;
+/// [`Failure::Singular`] if a pivot of the scaled matrix is not larger than 2 N ε times its largest entry, where ε is
+/// the distance from 1 to the next number: rounding the entries alone can make such a pivot zero;
 /// [`Failure::NotFinite`].
 ///
 /// ```
@@ -114,8 +114,8 @@ pub(crate) struct Elimination {
     pub(crate) singular: bool,
 }
 
-/// Makes a levelled matrix into its triangular factors, and notes which row each row came from. If a pivot is exactly zero,
-/// the elimination ends there.
+/// Makes a levelled matrix into its triangular factors, and notes which row each row came from. If a pivot is exactly
+/// zero, the elimination ends there.
 pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
     let count = rows.len();
     for (row, origin) in origins.iter_mut().enumerate() {

@@ -17,22 +17,22 @@ const SMALLEST_PART: f64 = 1e-5;
 
 /// The root of as many equations as unknowns near a guess, by Newton's method.
 ///
-/// `sizes` says how large each unknown is by nature: 1 for an angle, a characteristic length for a length. `evaluate` gives
-/// the residuals of the equations and their Jacobian, one row of partial derivatives for each equation.
+/// `sizes` says how large each unknown is by nature: 1 for an angle, a characteristic length for a length. `evaluate`
+/// gives the residuals of the equations and their Jacobian, one row of partial derivatives for each equation.
 ///
 /// A step is shortened until the correction that would follow with the same Jacobian is smaller: the residual must
 /// fall, measured by the unknowns and not by the units of the equations. This is the natural monotonicity test with
-/// the damping strategy of P. Deuflhard, *Newton Methods for Nonlinear Problems*, Springer 2004, section 3.3.3, algorithm
-/// NLEQ-ERR. The first step is limited to half a radian or half the size of a length. The iteration goes on until
-/// the correction is lost in rounding: below ε times the unknown or its size, or no longer falling where rounding,
-/// magnified by the condition of the Jacobian, explains it.
+/// the damping strategy of P. Deuflhard, *Newton Methods for Nonlinear Problems*, Springer 2004, section 3.3.3,
+/// algorithm NLEQ-ERR. The first step is limited to half a radian or half the size of a length. The iteration goes on
+/// until the correction is lost in rounding: below ε times the unknown or its size, or no longer falling where
+/// rounding, magnified by the condition of the Jacobian, explains it.
 ///
 /// All this is decided, and calculated, on real parts. A number that carries derivatives through order n then gets them
 /// by log₂(n + 1) plain steps, each of which doubles the orders that are right.
 ///
 /// # Errors
-/// [`Failure::NotConverged`] if the guess leads nowhere, [`Failure::Singular`] if the Jacobian becomes singular, or the root is so near to a
-/// second one that rounding does not tell them apart, [`Failure::NotFinite`].
+/// [`Failure::NotConverged`] if the guess leads nowhere, [`Failure::Singular`] if the Jacobian becomes singular, or
+/// the root is so near to a second one that rounding does not tell them apart, [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::solve;
@@ -187,9 +187,9 @@ fn real_root<T: Scalar, const N: usize>(
 
 /// Whether a correction that does not fall may be a matter of rounding.
 ///
-/// The residuals are known to a few ε of what each unknown contributes, and those errors are magnified by the condition. Large
-/// terms without unknowns are not seen in the Jacobian; but below a few √ε the equations are linear over the step, which
-/// [`distinct`] makes sure of, and only rounding can hold up what should fall at once.
+/// The residuals are known to a few ε of what each unknown contributes, and those errors are magnified by the
+/// condition. Large terms without unknowns are not seen in the Jacobian; but below a few √ε the equations are linear
+/// over the step, which [`distinct`] makes sure of, and only rounding can hold up what should fall at once.
 fn is_rounding<T: Scalar, const N: usize>(
     length: f64,
     point: &Point<T, N>,
@@ -204,8 +204,8 @@ fn is_rounding<T: Scalar, const N: usize>(
     length <= 16.0 * T::EPSILON * size * factors.amplification(&point.jacobian)
 }
 
-/// The root, unless a change of the size of rounding errors alters the determinant by a quarter of itself: then a double root,
-/// at which it is zero, is as near as can be told.
+/// The root, unless a change of the size of rounding errors alters the determinant by a quarter of itself: then a
+/// double root, at which it is zero, is as near as can be told.
 fn distinct<T, const N: usize>(
     root: [T; N],
     previous: Option<&Factors<f64, N>>,
@@ -447,7 +447,8 @@ mod tests {
         through::<9>();
     }
 
-    /// A double root, all terms of which are of the given size, is pulled apart to a distance of the root of their rounding.
+    /// A double root, all terms of which are of the given size, is pulled apart to a distance of the root of their
+    /// rounding.
     fn is_double<const N: usize>(result: Result<[f64; N], Failure>, root: [f64; N], size: f64) -> bool {
         let distance = (8.0 * f64::EPSILON * size).sqrt();
         match result {

@@ -36,25 +36,29 @@ pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mecha
 /// The obstacle in it.
 type ObstacleOf<M> = Obstacle<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
 
-/// Moves the inputs on a straight line from one place to another, and the mechanism with them, without leaving its assembly.
+/// Moves the inputs on a straight line from one place to another, and the mechanism with them, without leaving its
+/// assembly.
 ///
-/// `from_unknowns` are the unknowns at `from_inputs`, or near enough for [`solve_position_near`](Mechanism::solve_position_near). The
-/// result are those at `to_inputs`, in radians or the mechanism's own unit; angles have been carried along, so that a crank
-/// that has made a full turn ends 2π further.
+/// `from_unknowns` are the unknowns at `from_inputs`, or near enough for
+/// [`solve_position_near`](Mechanism::solve_position_near). The result are those at `to_inputs`, in radians or the
+/// mechanism's own unit; angles have been carried along, so that a crank that has made a full turn ends 2π further.
 ///
-/// This is a continuation. Each step is predicted with the Taylor series of the mechanism's own solvers, to its order,
-/// corrected by [`solve_motion_near`](Mechanism::solve_motion_near), and accepted if prediction and correction agree in the unknowns and
-/// their rates, and if the determinant of each block's Jacobian keeps its sign and its size, to a factor of two, on
-/// the whole step. So no two changes of sign hide in it, and the assembly is kept. The length of the steps follows from
-/// the last terms of the series and from these tests. Where an unknown runs more than 32 times as fast as the inputs, it becomes the
-/// parameter, and the inputs are sought: that way a limit position is a regular point, the zero of the inputs'
-/// rate. It is found by Newton's method, and the inputs there are exact to rounding.
+/// This is a continuation. Each step is predicted with the Taylor series of the mechanism's own solvers, to its
+/// order, corrected by [`solve_motion_near`](Mechanism::solve_motion_near), and accepted if prediction and correction
+/// agree in the unknowns and their rates, and if the determinant of each block's Jacobian keeps its sign and its
+/// size, to a factor of two, at every quarter of the step. Two changes of sign could hide only where a determinant
+/// dips to zero and recovers within a quarter of a step on which the series holds. The length of the steps follows
+/// from the last terms of the series and from these tests.
+///
+/// Where an unknown runs more than 32 times as fast as the inputs, it becomes the parameter, and the inputs are
+/// sought: that way a limit position is a regular point, the zero of the inputs' rate. It is found by Newton's
+/// method, and the inputs there are exact to rounding.
 ///
 /// The way is found in double precision; a number type that carries derivatives gets them at its end.
 ///
 /// # Errors
-/// [`TrackError::Limit`] and [`TrackError::ChangePoint`] with the place; [`TrackError::Failed`] if there is no position at
-/// the beginning, or if something else ends the way, such as the domain of a function.
+/// [`TrackError::Limit`] and [`TrackError::ChangePoint`] with the place; [`TrackError::Failed`] if there is no
+/// position at the beginning, or if something else ends the way, such as the domain of a function.
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -286,8 +290,8 @@ fn attempted<M: Mechanism<Scalar = f64>>(
     if is_same { Ok(there) } else { Err(Missing::Elsewhere) }
 }
 
-/// Whether a station is of the given assembly. Assemblies that depend on the dimensions have no names to compare; the determinants
-/// tell them apart.
+/// Whether a station is of the given assembly. Assemblies that depend on the dimensions have no names to compare; the
+/// determinants tell them apart.
 fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, path: &Path<M>, there: &Station<M>, assembly: M::Assembly) -> bool {
     M::ASSEMBLY_COUNT == 0 || mechanism.assembly_near(path.inputs(there.point.travel), there.point.unknowns) == assembly
 }
@@ -324,8 +328,8 @@ fn predicted<M: Mechanism<Scalar = f64>>(
     )
 }
 
-/// The step at the end of which the last two terms of the series are small. The first order is straight and does not count; a
-/// series that has no other is left to the comparison with what is found.
+/// The step at the end of which the last two terms of the series are small. The first order is straight and does not
+/// count; a series that has no other is left to the comparison with what is found.
 fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64 {
     let motions = here.pose.unknown_motions();
     let mut step = f64::INFINITY;

@@ -31,11 +31,11 @@ pub enum TrackError<I, U> {
     ///
     /// Where the solution is drawn over the inputs, its curve turns round there.
     Limit(Obstacle<I, U>),
-    /// A change point: the assembly meets another one, and both go on. Which of them the mechanism follows is not a matter
-    /// of geometry.
+    /// A change point: the assembly meets another one, and both go on. Which of them the mechanism follows is not a
+    /// matter of geometry.
     ///
-    /// The place is that of a mechanism whose dimensions may differ by rounding errors: where the gap between two assemblies
-    /// is that small, nothing else is known of it.
+    /// The place is that of a mechanism whose dimensions may differ by rounding errors: where the gap between two
+    /// assemblies is that small, nothing else is known of it.
     ChangePoint(Obstacle<I, U>),
     /// The position could not be found, at the beginning, or on the way for another reason.
     Failed(SolveError),

@@ -17,8 +17,9 @@ pub(super) struct Point<M: Mechanism> {
 
 /// The line of inputs from one place to another, for a mechanism in double precision.
 ///
-/// Unknowns are measured by their natural sizes: 1 for an angle, the longest link for a length. The travel of the inputs
-/// is the largest of theirs, by their sizes, so that rates by the travel are of the size of 1 where nothing special happens.
+/// Unknowns are measured by their natural sizes: 1 for an angle, the longest link for a length. The travel of the
+/// inputs is the largest of theirs, by their sizes, so that rates by the travel are of the size of 1 where nothing
+/// special happens.
 pub(super) struct Path<M: Mechanism<Scalar = f64>> {
     pub(super) mechanism: M,
     series: M::With<Second>,

@@ -193,8 +193,8 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// The end of a step in the direction of growing travel, if it is certain that it lies on the same curve, and that nothing
-/// happens on the way but one limit position at most.
+/// The end of a step in the direction of growing travel, if it is certain that it lies on the same curve, and that
+/// nothing happens on the way but one limit position at most.
 fn attempted<M: Mechanism<Scalar = f64>>(
     path: &Path<M>,
     here: &Local<M>,
