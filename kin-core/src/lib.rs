@@ -279,7 +279,7 @@ pub mod __private {
     pub use crate::{
         Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Failure, Guess, InputValues, Mechanism,
         Motion, Near, Operations, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Skeleton, SolveError, Space,
-        TransmissionAngle, continuation, series, solve,
+        TrackErrorOf, TransmissionAngle, continuation, series, solve, track,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

@@ -15,6 +15,7 @@ mod skeleton;
 mod solve;
 mod statements;
 mod test;
+mod track;
 mod transmission;
 mod values;
 
@@ -61,6 +62,7 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         solve::tokens(inside),
         position::tokens(inside),
         every::tokens(inside),
+        track::tokens(inside),
         poses::tokens(inside),
         rates::tokens(inside),
         mechanism::tokens(inside),
