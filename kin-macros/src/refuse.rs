@@ -47,17 +47,27 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
                 let together: BTreeSet<usize> = equations.iter().map(|&equation| origins[equation].equation).collect();
                 for &surplus in surplus {
                     let origin = origins[surplus];
-                    let others = together.iter().filter(|&&other| other != origin.equation);
+                    let others = list(
+                        together
+                            .iter()
+                            .filter(|&&other| other != origin.equation)
+                            .map(|&other| format!("`{}`", model.equations[other].text)),
+                    );
+                    let beside = if others.is_empty() {
+                        String::new()
+                    } else {
+                        format!(" beside {others}")
+                    };
                     report.error(
                         whole(model, origin),
                         format_args!(
-                            "too many equations: {} for {} ({}); this {} is one too many beside {}: remove it, or declare \
+                            "too many equations: {} for {} ({}); this {} is one too many{}: remove it, or declare \
                              what it determines as unknown ({}; a plane equation counts as two, one of space as three)",
                             count(equations.len(), "scalar equation"),
                             count(unknowns.len(), "unknown"),
                             names(unknowns),
                             origin.part,
-                            list(others.map(|&other| format!("`{}`", model.equations[other].text))),
+                            beside,
                             mobility(model, origins),
                         ),
                     );
