@@ -4,7 +4,6 @@
 use core::f64::consts::PI;
 use core::fmt::Write;
 
-use kin_core::Block;
 use kin_core::library::{FourBar, InvertedSliderCrank, OffsetSliderCrank};
 use kin_core::prelude::*;
 use kin_tests::compare::assert_agree;
@@ -175,6 +174,11 @@ fn slider_cranks() {
         SliderCrankMixedComponents: |phi, s| [-phi, s];
         SliderCrankClockwise: |phi, s| [phi, s];
     }
+    // which equation comes first is a matter of typing
+    let solutions = |blocks: &[kin_core::Block]| {
+        let blocks = blocks.iter();
+        blocks.map(|block| (block.unknowns, block.solution)).collect::<Vec<_>>()
+    };
     let plain = <SliderCrankLoop>::DESCRIPTION.blocks;
     for blocks in [
         <SliderCrankSidesSwapped>::DESCRIPTION.blocks,
@@ -185,14 +189,7 @@ fn slider_cranks() {
         <SliderCrankRodFromSlider>::DESCRIPTION.blocks,
         <SliderCrankBackwards>::DESCRIPTION.blocks,
     ] {
-        // which row is which follows from the typing
-        let solved = |blocks: &[Block]| {
-            blocks
-                .iter()
-                .map(|block| (block.unknowns, block.solution))
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(solved(blocks), solved(plain));
+        assert_eq!(solutions(blocks), solutions(plain));
     }
     // where neither equation holds one unknown alone, the loop is solved as one
     for blocks in [
