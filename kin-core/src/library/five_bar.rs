@@ -56,7 +56,7 @@ crate::mechanism! {
     /// negative `ratio`; with an idler or a belt it is positive.
     ///
     /// - With `ratio` -1, `phase` π and equal cranks and rods, the mechanism stays its own mirror image, and the tool moves
-    ///   along an exact straight line: Cartwright's straight-line engine of 1800.
+    ///   along an exact straight line: Cartwright's straight-line mechanism of about 1800.
     /// - With `ratio` 1 and `phase` 0, equal cranks keep the two rods' ends at the distance of the pivots: the rods do
     ///   not turn at all.
     ///

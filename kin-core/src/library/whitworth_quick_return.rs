@@ -3,7 +3,7 @@
 crate::mechanism! {
     /// Whitworth's quick-return mechanism: the crank's pin slides in a lever that makes full turns and drives a ram.
     ///
-    /// The lever turns about the origin, the crank about (0, `ground`), inside the crank's circle. The ram moves along
+    /// The lever turns about the origin, which lies inside the crank's circle about (0, `ground`). The ram moves along
     /// the x axis. It reverses where the crank's pin is level with the lever's pivot, so that at constant speed the
     /// two strokes take times in the ratio (π + 2 δ) : (π - 2 δ) with sin δ = ground / crank, whatever arm and rod
     /// (R. L. Norton, Design of Machinery, McGraw-Hill, chapter 3, "Quick-return mechanisms").
