@@ -2,12 +2,13 @@
 //!
 //! Both oracles are run over the whole library in `oracles_of_every_form` and in `verify`.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use kin_core::library::*;
 use kin_core::prelude::*;
+use kin_core::{Dimension, TrackError, track};
 use kin_tests::compare::{assert_agree, turned_back};
-use kin_tests::mechanisms::cases::ThroughSnap;
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
 
@@ -821,5 +822,156 @@ fn all_positions_of_a_symmetric_platform() {
             );
         }
         assert!(all.len() <= 6);
+    }
+}
+
+/// Tracks the first input through a full turn from the middle of its range, from every position there is.
+#[derive(Default)]
+struct FullTurn {
+    turned: Vec<&'static str>,
+    limited: Vec<&'static str>,
+    crossed: Vec<&'static str>,
+    wrong: Vec<String>,
+}
+
+impl FullTurn {
+    fn go<M: ThroughSnap>(&mut self, mechanism: &M, from: M::Inputs<f64>, start: M::Unknowns<f64>) {
+        let name = M::DESCRIPTION.name;
+        let mut to = from;
+        to.as_mut()[0] += TAU;
+        let assembly = mechanism.assembly_near(from, start);
+        match track(mechanism, from, start, to) {
+            Ok(end) => {
+                self.turned.push(name);
+                // the way back ends where it began, for coupled blocks too, whose assemblies may change places in a turn
+                match track(mechanism, to, end, from) {
+                    Ok(back) => self.compare::<M>("on the way back", start, back),
+                    Err(error) => self.wrong.push(format!("{name}: back {error}")),
+                }
+                if M::ASSEMBLY_COUNT > 0 {
+                    if mechanism.assembly_near(to, end) != assembly {
+                        self.wrong.push(format!("{name}: {assembly:?} is left"));
+                    }
+                    self.compare::<M>("after a turn", start, end);
+                }
+            }
+            Err(TrackError::Limit(limit)) => {
+                self.limited.push(name);
+                let (low, high) = (from.as_ref()[0], to.as_ref()[0]);
+                if !(low..=high).contains(&limit.inputs.as_ref()[0]) {
+                    self.wrong.push(format!("{name}: {limit:?}"));
+                }
+            }
+            Err(TrackError::ChangePoint(_)) => self.crossed.push(name),
+            Err(error) => self.wrong.push(format!("{name}, {assembly:?}: {error}")),
+        }
+    }
+
+    /// Compares two positions at inputs that are a full turn apart or equal.
+    fn compare<M: ThroughSnap>(&mut self, place: &str, start: M::Unknowns<f64>, end: M::Unknowns<f64>) {
+        let pairs = start.as_ref().iter().zip(end.as_ref()).zip(M::DESCRIPTION.unknowns);
+        for ((start, end), quantity) in pairs {
+            let is_angle = quantity.dimension == Dimension::Angle;
+            let difference = if is_angle {
+                turned_back(end - start)
+            } else {
+                end - start
+            };
+            if difference.abs() > 1e-9 * (1.0 + start.abs()) {
+                let name = M::DESCRIPTION.name;
+                self.wrong
+                    .push(format!("{name}, {place}: {} is off by {difference}", quantity.name));
+            }
+        }
+    }
+}
+
+impl Visitor for FullTurn {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        // a length does not turn, and the hinge of Bennett's linkage is an arctangent, which jumps where the hinge passes π
+        if M::DESCRIPTION.inputs[0].dimension != Dimension::Angle || M::DESCRIPTION.name == "Bennett" {
+            return;
+        }
+        let mechanism: M = case.mechanism();
+        let at = |fraction: f64| {
+            M::Inputs::from_fn(|index| {
+                let (low, high) = case.inputs[index];
+                low + fraction * (high - low)
+            })
+        };
+        let from = at(0.6);
+        if M::ASSEMBLY_COUNT > 0 {
+            for assembly in M::assemblies() {
+                if let Ok(start) = mechanism.solve_position(from, assembly) {
+                    self.go(&mechanism, from, start);
+                }
+            }
+            return;
+        }
+        let mut random = Random::new(54);
+        for step in 0..40 {
+            let from = at(f64::from(step % 8) / 8.0);
+            let guess = M::Unknowns::from_fn(|_| random.between(-PI, PI));
+            if let Ok(start) = mechanism.solve_position_near(from, guess) {
+                self.go(&mechanism, from, start);
+            }
+        }
+    }
+}
+
+/// A crank is tracked through a full turn without leaving its assembly, or to a limit position on the way.
+#[test]
+fn every_input_is_tracked_through_a_turn() {
+    let mut turn = FullTurn::default();
+    cases::library(&mut turn);
+    cases::coupled_library(&mut turn);
+    println!(
+        "turned: {:?}\n\nlimited: {:?}\n\nchange points: {:?}",
+        turn.turned, turn.limited, turn.crossed
+    );
+    assert!(turn.wrong.is_empty(), "{:#?}", turn.wrong);
+    for name in [
+        "HoekenLinkage",
+        "KlannLeg",
+        "JansenLeg",
+        "WhitworthQuickReturn",
+        "AndrewsSqueezer",
+        "Rssr",
+    ] {
+        assert!(turn.turned.contains(&name), "{name}");
+    }
+}
+
+/// With a short crank Stephenson's linkage of the second kind turns fully, its class III triad solved by Newton's method all
+/// the way round.
+#[test]
+fn a_coupled_six_bar_turns_fully() {
+    let linkage = StephensonII {
+        r1: 4.0,
+        r2: 0.5,
+        r3: 3.0,
+        r4: 1.5,
+        p: Plane::new(0.3, 0.4),
+        q: Plane::new(0.8, 0.6),
+        r5: 2.6,
+        r6: 2.5,
+    };
+    let all = linkage.assemblies_at(0.3).expect("finite");
+    assert!(all.is_complete() && !all.is_empty(), "{all:?}");
+    for &Near(start) in &all {
+        let mut near = start;
+        let end = track(&linkage, [0.3], start, [0.3 + TAU]).expect("no limit is on the way");
+        // the same position again, and small steps lead there as well
+        for step in 1..=360 {
+            let crank = 0.3 + f64::from(step).to_radians();
+            near = linkage.position_near(crank, near).expect("it turns").unknowns();
+        }
+        for index in 0..4 {
+            assert!((near[index] - end[index]).abs() < 1e-11, "{near:?} {end:?}");
+            assert!(
+                turned_back(end[index] - start[index]).abs() < 1e-11,
+                "{end:?} {start:?}"
+            );
+        }
     }
 }
