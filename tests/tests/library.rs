@@ -888,8 +888,8 @@ impl FullTurn {
 
 impl Visitor for FullTurn {
     fn visit<M: ThroughSnap>(&mut self, case: Case) {
-        // a length does not turn, and the hinge of Bennett's linkage is an arctangent, which jumps where the hinge passes π
-        if M::DESCRIPTION.inputs[0].dimension != Dimension::Angle || M::DESCRIPTION.name == "Bennett" {
+        // a length does not turn
+        if M::DESCRIPTION.inputs[0].dimension != Dimension::Angle {
             return;
         }
         let mechanism: M = case.mechanism();

@@ -45,7 +45,9 @@ crate::mechanism! {
         /// The third hinge's angle.
         theta3: Angle,
         /// The fourth hinge's angle.
-        theta4: Angle;
+        theta4: Angle,
+        /// The distance of the fourth hinge from the axis of the second.
+        reach: Length where reach > 0;
 
     let b = a * sin(beta) / sin(alpha);
     // from the second hinge to the fourth: over the links 2 and 3, and over link 1 and the ground
@@ -55,7 +57,7 @@ crate::mechanism! {
     let to = vec2(back.x, back.y);
 
     theta3 == -theta1;
-    theta2 == atan2(cross(from, to), dot(from, to));
+    reach * cis(theta2) == vec2(dot(from, to), cross(from, to)) / norm(from);
     theta4 == -theta2;
 
     /// The second hinge.
