@@ -77,7 +77,7 @@ fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
 }
 
 /// The parts of the equations, and where each comes from.
-fn scalar_equations(model: &Model) -> (Vec<Node>, Vec<Origin>) {
+pub(crate) fn scalar_equations(model: &Model) -> (Vec<Node>, Vec<Origin>) {
     let (mut residuals, mut origins) = (Vec::new(), Vec::new());
     for (equation, declared) in model.equations.iter().enumerate() {
         let axes = declared.residual.shape().axes();
@@ -111,7 +111,7 @@ fn ranges(model: &Model) -> BTreeMap<usize, Limits> {
 }
 
 /// The names that the declaration gives, and those that generated code needs for itself.
-fn names(model: &Model) -> Names {
+pub(crate) fn names(model: &Model) -> Names {
     let mut names = Names::default();
     for reserved in [
         "assembly",

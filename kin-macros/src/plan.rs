@@ -60,15 +60,21 @@ struct Form {
 
 /// Tries the ways, order by order, and keeps the cheapest.
 pub(crate) fn plan(task: &Task<'_>) -> Plan {
+    with_last(task, &WAYS)
+}
+
+/// The same with the last order differentiated in one of the ways given.
+fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
     let mut best: Option<Candidate> = None;
     for form in forms(task) {
         let mut derived = Derived::new(task, form);
         let mut last: Option<Candidate> = None;
         let mut differ = false;
-        for _ in 1..=task.order {
+        for order in 1..=task.order {
             last = None;
-            let mut cheapest = derived.next(task, WAYS[0]);
-            let others: Vec<Derived> = WAYS[1..].iter().map(|&way| derived.next(task, way)).collect();
+            let ways = if order < task.order { &WAYS } else { last_ways };
+            let mut cheapest = derived.next(task, ways[0]);
+            let others: Vec<Derived> = ways[1..].iter().map(|&way| derived.next(task, way)).collect();
             differ = differ || others.iter().any(|other| !other.is_like(&cheapest));
             if differ {
                 let mut least = candidate(task, &cheapest);
@@ -427,4 +433,59 @@ fn unguarded_divisors(graph: &Graph, stages: &[Stage], guaranteed: &[Node]) -> V
             )
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenStream;
+    use quote::quote;
+
+    use super::{Task, WAYS, with_last};
+    use crate::derive::Way;
+    use crate::expand::{names, scalar_equations};
+    use crate::report::Report;
+    use crate::{model, structure, syntax};
+
+    fn four_bar(order: usize) -> TokenStream {
+        let order = proc_macro2::Literal::usize_unsuffixed(order);
+        quote! {
+            struct FourBar { r1: Length, r2: Length, r3: Length, r4: Length }
+            input theta2: Angle;
+            unknown theta3: Angle, theta4: Angle;
+            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+            order = #order;
+        }
+    }
+
+    /// From the position through an order, which is differentiated in a given way.
+    fn operations(order: usize, way: Way) -> usize {
+        let mut report = Report::new();
+        let declaration = syntax::parse(four_bar(order), &mut report).expect("it is well formed");
+        let model = model::build(&declaration, &mut report).expect("it is sound");
+        let mut graph = model.graph.clone();
+        let (residuals, _) = scalar_equations(&model);
+        let blocks = structure::analyse(&mut graph, &residuals, model.unknowns.len()).unwrap_or_else(|_| panic!("it closes"));
+        let task = Task {
+            graph: &graph,
+            residuals: &residuals,
+            blocks: &blocks,
+            ranges: &std::collections::BTreeMap::new(),
+            outputs: &[],
+            inputs: model.inputs.len(),
+            order: model.order,
+            names: &names(&model),
+        };
+        with_last(&task, &[way]).scheduled.cost().arithmetic()
+    }
+
+    /// The architecture shows what the ways cost for the four-bar linkage.
+    #[test]
+    fn the_table_of_ways_is_up_to_date() {
+        let book = include_str!("../../docs/architecture.md");
+        for (way, name) in WAYS.into_iter().zip(["link vectors", "recurrence"]) {
+            let cells: Vec<String> = (1..=4).map(|order| operations(order, way).to_string()).collect();
+            let row = format!("| {name} | {} |", cells.join(" | "));
+            assert!(book.lines().any(|line| line == row), "docs/architecture.md should say\n{row}");
+        }
+    }
 }

@@ -17,6 +17,7 @@ chapters! {
     grammar: "../../docs/grammar.md";
     outputs: "../../docs/outputs.md";
     closed_forms: "../../docs/closed-forms.md";
+    coupled: "../../docs/coupled.md";
     errors: "../../docs/errors.md";
     verification: "../../docs/verification.md";
     library: "../../docs/library.md";

@@ -97,14 +97,13 @@ fn bare(code: &str) -> String {
     dense.replace(",)", ")")
 }
 
-/// What the architecture shows of the generated code stands in the snapshot of the expansion.
-#[test]
-fn excerpts_are_what_is_generated() {
-    let snapshot = bare(&read(
-        "kin-macros/src/snapshots/kin_macros__expansion_tests__four_bar_expansion.snap",
-    ));
+/// What a chapter shows of the generated code stands in the snapshot of the expansion.
+fn assert_excerpts(chapter: &str, expansion: &str) {
+    let snapshot = bare(&read(&format!(
+        "kin-macros/src/snapshots/kin_macros__expansion_tests__{expansion}_expansion.snap"
+    )));
     let mut count = 0;
-    for (language, lines) in blocks(&read("docs/architecture.md")) {
+    for (language, lines) in blocks(&read(chapter)) {
         let is_generated = lines.first().is_some_and(|line| line.starts_with("let "));
         if language == "text" && is_generated {
             let code = lines.join("\n");
@@ -112,7 +111,13 @@ fn excerpts_are_what_is_generated() {
             count += 1;
         }
     }
-    assert!(count > 0, "there are excerpts");
+    assert!(count > 0, "{chapter} has no excerpts");
+}
+
+#[test]
+fn excerpts_are_what_is_generated() {
+    assert_excerpts("docs/architecture.md", "four_bar");
+    assert_excerpts("docs/coupled.md", "triad");
 }
 
 fn row<M: Mechanism>() -> String {
