@@ -1,8 +1,8 @@
 //! Loop closures in, motion out: position, velocity, acceleration, jerk and snap of mechanisms in the plane and in space.
 //!
 //! [`mechanism!`] takes the loop closure of a mechanism as it is written on a blackboard. At compile time it finds out how
-//! the closure can be solved, differentiates it, and generates straight-line code: a closed-form position solver, and
-//! one solver for each derivative.
+//! the closure can be solved, differentiates it, and generates a position solver, in closed form wherever one fits, and
+//! straight-line code for each derivative.
 //!
 //! ```
 //! use kin_core::prelude::*;

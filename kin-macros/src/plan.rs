@@ -464,7 +464,8 @@ mod tests {
         let model = model::build(&declaration, &mut report).expect("it is sound");
         let mut graph = model.graph.clone();
         let (residuals, _) = scalar_equations(&model);
-        let blocks = structure::analyse(&mut graph, &residuals, model.unknowns.len()).unwrap_or_else(|_| panic!("it closes"));
+        let blocks =
+            structure::analyse(&mut graph, &residuals, model.unknowns.len()).unwrap_or_else(|_| panic!("it closes"));
         let task = Task {
             graph: &graph,
             residuals: &residuals,
@@ -485,7 +486,10 @@ mod tests {
         for (way, name) in WAYS.into_iter().zip(["link vectors", "recurrence"]) {
             let cells: Vec<String> = (1..=4).map(|order| operations(order, way).to_string()).collect();
             let row = format!("| {name} | {} |", cells.join(" | "));
-            assert!(book.lines().any(|line| line == row), "docs/architecture.md should say\n{row}");
+            assert!(
+                book.lines().any(|line| line == row),
+                "docs/architecture.md should say\n{row}"
+            );
         }
     }
 }
