@@ -39,7 +39,10 @@ fn the_closed_forms_are_found_from_the_vectors() {
     assert_eq!(forms::<SphericalFourBarAboutAxis>(), circular);
     assert_eq!(forms::<StewartGoughLeg>(), "square root");
     assert_eq!(forms::<StewartGoughLegByLength>(), "linear equation");
-    assert_eq!(forms::<Bennett>(), "linear equation; polar form (RPR dyad); linear equation");
+    assert_eq!(
+        forms::<Bennett>(),
+        "linear equation; polar form (RPR dyad); linear equation"
+    );
     assert_eq!(
         forms::<BennettByTripleProduct>(),
         format!("linear equation; {circular}; linear equation")

@@ -153,6 +153,19 @@ impl Mechanism<'_> {
         self.failed_at(&self.part_name(part))
     }
 
+    /// The same with the names of all unknowns of a part's block: it is singular as a whole.
+    fn failed_together(&self, part: usize) -> TokenStream {
+        let mut before = 0;
+        let block = self.blocks.iter().find(|block| {
+            before += block.parts.len();
+            part < before
+        });
+        block.map_or_else(
+            || self.failed(part),
+            |block| self.failed_at(&self.names(&block.unknowns)),
+        )
+    }
+
     fn failed_at(&self, place: &str) -> TokenStream {
         let inputs = self.input_names();
         let failure = self.own("failure");
@@ -232,7 +245,7 @@ impl Mechanism<'_> {
             Statement::Regular { value } => {
                 let value = formula::tokens(value);
                 let failed = match part {
-                    Some(part) => self.failed(part),
+                    Some(part) => self.failed_together(part),
                     None => self.failed_at("the rates"),
                 };
                 quote!(#runtime::solve::regular(#value) #failed;)
@@ -261,7 +274,7 @@ impl Mechanism<'_> {
                     quote!([#(#entries),*])
                 });
                 let failed = match part {
-                    Some(part) => self.failed(part),
+                    Some(part) => self.failed_together(part),
                     None => self.failed_at("the rates"),
                 };
                 quote!(let #name = #runtime::solve::factor([#(#rows),*]) #failed;)
