@@ -2,7 +2,9 @@
 
 use core::f64::consts::{PI, TAU};
 
-use kin_core::library::{FourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank};
+use kin_core::library::{
+    FourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, PeaucellierLinkage, SliderCrank,
+};
 use kin_core::prelude::*;
 use kin_core::series::Series;
 use kin_core::{TrackError, track};
@@ -474,4 +476,22 @@ fn several_inputs_and_any_order() {
     let parameters = [10.0, 3.0, 10.0, 100.0];
     both_cranks(&FiveBar::<f64>::from_parameters(parameters));
     both_cranks(&FiveBarOfOrderEight::<f64>::from_parameters(parameters));
+}
+
+/// Where all loops of Peaucellier's linkage reach their limits at once, that is an end and no crossing.
+#[test]
+fn several_limits_at_once_are_a_limit() {
+    let linkage = PeaucellierLinkage::from_parameters([2.0, 2.0, 6.0, 4.0]);
+    let mut ended = 0;
+    for assembly in PeaucellierLinkage::<f64>::assemblies() {
+        let Ok(start) = linkage.solve_position([0.6], assembly) else {
+            continue;
+        };
+        let Err(TrackError::Limit(limit)) = track(&linkage, [0.6], start, [3.0]) else {
+            panic!("{assembly:?} goes on");
+        };
+        assert!((limit.inputs[0] - TAU / 3.0).abs() < 1e-12, "{limit:?}");
+        ended += 1;
+    }
+    assert!(ended > 0);
 }

@@ -371,8 +371,28 @@ fn round_the_turn<M: Mechanism<Scalar = f64>>(
         }
         Passage::Target(unknowns) => Ok(Arrival::End(unknowns)),
         Passage::Limit(point, sides) => Err(TrackError::Limit(obstacle(path, &point, &sides, beginning))),
-        Passage::ChangePoint(point, sides) => Err(TrackError::ChangePoint(obstacle(path, &point, &sides, beginning))),
+        Passage::ChangePoint(point, sides) => Err(crossed_or_ended(path, &point, &sides, beginning)),
         Passage::Lost => Ok(Arrival::None),
+    }
+}
+
+/// A change point, or a limit if several blocks reach theirs at once, so that nothing goes on beyond.
+fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    point: &Point<M>,
+    sides: &Sides<M>,
+    beginning: &Sides<M>,
+) -> TrackErrorOf<M> {
+    let obstacle = obstacle(path, point, sides, beginning);
+    let is_out_of_reach = |beyond: f64| {
+        let inputs = path.inputs(point.travel + beyond);
+        let failure = path.mechanism.solve_position_near(inputs, point.unknowns).err();
+        matches!(failure, Some(error) if matches!(error.failure, Failure::OutOfReach { .. }))
+    };
+    if [ANCHOR, 0.1 * ANCHOR].into_iter().all(is_out_of_reach) {
+        TrackError::Limit(obstacle)
+    } else {
+        TrackError::ChangePoint(obstacle)
     }
 }
 
@@ -385,7 +405,7 @@ fn blocked<M: Mechanism<Scalar = f64>>(
     error: Option<SolveError>,
 ) -> TrackErrorOf<M> {
     match crossing(path, anchor, here.point.travel) {
-        Some((point, sides)) => TrackError::ChangePoint(obstacle(path, &point, &sides, beginning)),
+        Some((point, sides)) => crossed_or_ended(path, &point, &sides, beginning),
         // Without an error of the solvers, it is the determinants that change at every step, however short.
         None => TrackError::Failed(error.unwrap_or_else(|| {
             let (block, _) = here.sides.most_shrunk(beginning);
