@@ -33,11 +33,12 @@ impl Cost {
             products += rows * rows;
             rows += 1;
         }
-        let quotients = size * (size - 1) / 2;
+        // rows and columns are levelled by powers of two
+        let levelling = 2 * size * size;
         Self {
             additions: products,
-            multiplications: products + quotients,
-            divisions: size,
+            multiplications: products + levelling,
+            divisions: size * (size - 1) / 2,
             negations: 0,
             square_roots: 0,
             sine_cosines: 0,
@@ -46,12 +47,12 @@ impl Cost {
         }
     }
 
-    /// Of solving by the factors of a matrix of so many rows.
+    /// Of solving by the factors of a matrix of so many rows, see `kin_core::solve::Factors::solve`.
     pub(crate) const fn of_substitution(size: usize) -> Self {
         Self {
             additions: size * (size - 1),
-            multiplications: size * size,
-            divisions: 0,
+            multiplications: size * (size + 1),
+            divisions: size,
             negations: 0,
             square_roots: 0,
             sine_cosines: 0,
