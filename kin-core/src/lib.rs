@@ -49,6 +49,7 @@
 //! | a position that follows from another one by moving there | [`track`](track()), [`TrackError`] |
 //! | why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
+//! | how the motion depends on the dimensions | [`Sensitive`] |
 //! | mechanisms ready to use | [`library`] |
 //! | the closed forms, with their costs | [`solve`] |
 //! | verification of a mechanism of your own | `verify` (feature `num-dual`) |
@@ -96,6 +97,7 @@ mod pose_of;
 mod positions;
 mod rotation;
 mod scalar;
+mod sensitivity;
 pub mod series;
 mod skeleton;
 pub mod solve;
@@ -118,6 +120,7 @@ pub use pose_of::PoseOf;
 pub use positions::Positions;
 pub use rotation::Rotation;
 pub use scalar::Scalar;
+pub use sensitivity::{Partials, Sensitive};
 pub use skeleton::{Chain, Polyline, Skeleton};
 pub use space::Space;
 pub use track::{Obstacle, TrackError, TrackErrorOf, track};
@@ -152,7 +155,8 @@ pub use transmission::TransmissionAngle;
 /// - The order is that of the highest time derivative, from 1 to 12, and 4, which is snap, if none is given. After snap come
 ///   crackle and pop, then `derivative_7` and so on.
 /// - `with` asks for further generated items: `with transmission_angles;`, for instance, for the method that gives the
-///   [`TransmissionAngle`] of every dyad.
+///   [`TransmissionAngle`] of every dyad; `with sensitivities;` for the method `sensitivities`, the partial derivatives of
+///   unknowns and outputs, and of all their time derivatives, with respect to each parameter: see [`Sensitive`].
 /// - A `let` is an abbreviation, written before its uses. An output is a quantity that is carried to the same order as
 ///   the unknowns.
 ///
@@ -268,7 +272,9 @@ macro_rules! __assert_verified {
 pub mod prelude {
     // Of this name only the macro is public, the module is not.
     pub use crate::mechanism;
-    pub use crate::{Assembly, Failure, Mechanism, Motion, Near, Plane, Pose, Row, Scalar, SolveError, Space};
+    pub use crate::{
+        Assembly, Failure, Mechanism, Motion, Near, Partials, Plane, Pose, Row, Scalar, Sensitive, SolveError, Space,
+    };
 }
 
 /// What generated code refers to; not for direct use, and free to change.
@@ -278,8 +284,8 @@ pub mod __private {
     pub use crate::assemblies::every;
     pub use crate::{
         Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Failure, Guess, InputValues, Mechanism,
-        Motion, Near, Operations, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Skeleton, SolveError, Space,
-        TrackErrorOf, TransmissionAngle, continuation, series, solve, track,
+        Motion, Near, Operations, Partials, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Sensitive, Skeleton,
+        SolveError, Space, TrackErrorOf, TransmissionAngle, continuation, series, solve, track,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

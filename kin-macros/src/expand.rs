@@ -7,7 +7,7 @@ use quote::quote;
 
 use crate::assemble::{Limits, Names};
 use crate::expr::{Node, Symbol};
-use crate::model::{Model, Shape};
+use crate::model::{Model, Request, Requested, Shape};
 use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests};
 use crate::report::Report;
 use crate::{emit, fallback, model, plan, structure, syntax};
@@ -47,6 +47,7 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
         outputs: &outputs,
         inputs: model.inputs.len(),
         order: model.order,
+        parameters: sensitive_parameters(&model),
         names: &names(&model),
     });
     emit::tokens(&emit::Mechanism {
@@ -74,6 +75,19 @@ fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
         quote!(::kin_core::__private)
     };
     (runtime, tokens.collect())
+}
+
+/// How many numbers the motion is to be differentiated by: all that the structure of parameters holds, or none.
+fn sensitive_parameters(model: &Model) -> usize {
+    let is_sensitivities = |requested: &Requested| requested.request == Request::Sensitivities;
+    if !model.requests.iter().any(is_sensitivities) {
+        return 0;
+    }
+    model
+        .parameters
+        .iter()
+        .map(|parameter| parameter.dimension.shape().axes().len().max(1))
+        .sum()
 }
 
 /// The parts of the equations, and where each comes from.
@@ -117,6 +131,7 @@ pub(crate) fn names(model: &Model) -> Names {
         "assembly",
         "near",
         "failure",
+        "pose",
         "position",
         "result",
         "candidate",

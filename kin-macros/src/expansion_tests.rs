@@ -90,10 +90,43 @@ fn quick_return_expansion() {
     insta::assert_snapshot!(pretty(&quick_return()));
 }
 
+/// The four-bar with the partial derivatives by its lengths.
+#[test]
+fn sensitivities_expansion() {
+    let mut declaration = four_bar();
+    declaration.extend(quote!(
+        with sensitivities;
+    ));
+    insta::assert_snapshot!(pretty(&declaration));
+}
+
+/// What no rule solves is factored once, for the rates of all orders and for the sensitivities to all parameters.
+#[test]
+fn factors_are_shared() {
+    let ring = quote! {
+        pub struct Ring { side: Length, leg: Length, tie: Length, radius: Length }
+        input theta: Angle;
+        unknown a: Angle, b: Angle, c: Angle, d: Angle, e: Angle, f: Angle;
+        let first = polar(radius, 0) + leg * cis(a);
+        let second = polar(radius, 2 * PI / 3) + leg * cis(b);
+        let third = polar(radius, 4 * PI / 3) + leg * cis(c);
+        first + side * cis(d) + tie * cis(e) == second;
+        second + side * cis(e) + tie * cis(f) == third;
+        third + side * cis(f) + tie * cis(d + theta) == first;
+        with sensitivities;
+    };
+    let code = pretty(&ring);
+    assert_eq!(code.matches("solve::factor(").count(), 1);
+    // four orders of rates, and five orders of sensitivities to four parameters
+    assert_eq!(code.matches("solve::Factors::solve(").count(), 4 + 5 * 4);
+}
+
 /// The same declaration gives the same bytes.
 #[test]
 fn expansion_is_deterministic() {
-    for declaration in [four_bar(), geometric_four_bar(), quick_return()] {
+    let mut sensitive = quick_return();
+    sensitive.extend(quote!(with sensitivities;));
+    for declaration in [four_bar(), geometric_four_bar(), quick_return(), sensitive] {
         assert_eq!(expand(declaration.clone()).to_string(), expand(declaration).to_string());
     }
 }

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Regularity, Stage, Step};
-use crate::derive::{self, Derivatives, Hint, Rate, Way};
+use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
 use crate::structure::Block;
@@ -35,6 +35,8 @@ pub(crate) struct Task<'a> {
     pub(crate) outputs: &'a [Node],
     pub(crate) inputs: usize,
     pub(crate) order: usize,
+    /// How many scalar parameters the motion is to be differentiated by: all of them, or none.
+    pub(crate) parameters: usize,
     /// Names of parameters, inputs, unknowns and outputs.
     pub(crate) names: &'a Names,
 }
@@ -45,6 +47,8 @@ pub(crate) struct Plan {
     pub(crate) choices: Vec<Choice>,
     pub(crate) names: Names,
     pub(crate) scheduled: Scheduled,
+    /// The partial derivatives by the parameters, if they were asked for: what follows the highest order.
+    pub(crate) sensitivities: Option<ScheduledStage>,
     /// What tells the assembly of a guess: definitions in the order of the choices, each positive in the open assembly.
     pub(crate) orientations: ScheduledStage,
     /// What goes through all positions where a block is left to Newton's method, if its equations are algebraic.
@@ -65,7 +69,7 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
 
 /// The same with the last order differentiated in one of the ways given.
 fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
-    let mut best: Option<Candidate> = None;
+    let mut best: Option<(Candidate, Derived)> = None;
     for form in forms(task) {
         let mut derived = Derived::new(task, form);
         let mut last: Option<Candidate> = None;
@@ -77,9 +81,9 @@ fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
             let others: Vec<Derived> = ways[1..].iter().map(|&way| derived.next(task, way)).collect();
             differ = differ || others.iter().any(|other| !other.is_like(&cheapest));
             if differ {
-                let mut least = candidate(task, &cheapest);
+                let mut least = candidate(task, &cheapest, &[]);
                 for other in others {
-                    let trial = candidate(task, &other);
+                    let trial = candidate(task, &other, &[]);
                     if trial.cost() < least.cost() {
                         (cheapest, least) = (other, trial);
                     }
@@ -88,13 +92,17 @@ fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
             }
             derived = cheapest;
         }
-        let mut own = last.unwrap_or_else(|| candidate(task, &derived));
+        let mut own = last.unwrap_or_else(|| candidate(task, &derived, &[]));
         own.factor_out();
-        if best.as_ref().is_none_or(|kept| own.cost() < kept.cost()) {
-            best = Some(own);
+        if best.as_ref().is_none_or(|(kept, _)| own.cost() < kept.cost()) {
+            best = Some((own, derived));
         }
     }
-    let mut plan = best.expect("there is at least one form").finish();
+    let (mut best, derived) = best.expect("there is at least one form");
+    if task.parameters > 0 {
+        best = sensitive(task, derived);
+    }
+    let mut plan = best.finish();
     plan.every = every(task);
     plan
 }
@@ -155,6 +163,17 @@ impl Form {
     }
 }
 
+/// The program for what is derived, with the sensitivities after it.
+fn sensitive(task: &Task<'_>, mut derived: Derived) -> Candidate {
+    let own = derived.form.task(task);
+    let definitions = derived
+        .derivatives
+        .sensitivities(&mut derived.graph, own, task.parameters);
+    let mut candidate = candidate(task, &derived, &definitions);
+    candidate.factor_out();
+    candidate
+}
+
 /// The program that goes through all positions.
 fn every(task: &Task<'_>) -> Option<ScheduledStage> {
     if !task.blocks.iter().any(Block::is_coupled) {
@@ -164,7 +183,11 @@ fn every(task: &Task<'_>) -> Option<ScheduledStage> {
     let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, task.ranges)?;
     let mut stages = vec![stage];
     Stage::prune(&mut stages, &graph);
-    let program = Program { stages, names };
+    let program = Program {
+        stages,
+        names,
+        has_sensitivities: false,
+    };
     let style = Style {
         factor_out: false,
         check_domains: true,
@@ -220,20 +243,26 @@ impl Candidate {
 
     fn finish(mut self) -> Plan {
         let names = self.program.names;
+        let sensitivities = if self.program.has_sensitivities {
+            self.scheduled.stages.pop()
+        } else {
+            None
+        };
         let orientations = orientations(&mut self.graph, &names, &self.choices);
         Plan {
             graph: self.graph,
             choices: self.choices,
             names,
             scheduled: self.scheduled,
+            sensitivities,
             orientations,
             every: None,
         }
     }
 }
 
-/// Assembles and schedules it.
-fn candidate(task: &Task<'_>, derived: &Derived) -> Candidate {
+/// Assembles and schedules it, with the sensitivities given after it.
+fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -> Candidate {
     let mut graph = derived.graph.clone();
     let derivatives = &derived.derivatives;
     let order = derivatives.orders.len();
@@ -316,6 +345,29 @@ fn candidate(task: &Task<'_>, derived: &Derived) -> Candidate {
         }
         stages.push(Stage { steps });
     }
+    if !sensitivities.is_empty() {
+        name_sensitivities(sensitivities, &mut names);
+        let steps = sensitivities
+            .iter()
+            .map(|definition| match definition {
+                Definition::Value { symbol, node } | Definition::Entry { symbol, node, .. } => Step::Define {
+                    symbol: *symbol,
+                    node: units.rewrite(&mut graph, *node),
+                },
+                // the factors are the position's own: where it could not factor there is no pose
+                Definition::System {
+                    factors,
+                    right,
+                    results,
+                } => Step::Substitute {
+                    factors: graph.symbol(*factors),
+                    right: right.iter().map(|&node| units.rewrite(&mut graph, node)).collect(),
+                    results: results.clone(),
+                },
+            })
+            .collect();
+        stages.push(Stage { steps });
+    }
     let mut hints: Vec<(Node, String)> = Vec::new();
     for &determinant in derivatives.regular.iter().flatten() {
         hints.push((units.rewrite(&mut graph, determinant), "determinant".to_owned()));
@@ -342,7 +394,11 @@ fn candidate(task: &Task<'_>, derived: &Derived) -> Candidate {
         .extend(checks.into_iter().map(|node| Step::Regular { node }));
     Stage::prune(&mut stages, &graph);
 
-    let program = Program { stages, names };
+    let program = Program {
+        stages,
+        names,
+        has_sensitivities: !sensitivities.is_empty(),
+    };
     let style = Style {
         factor_out: false,
         check_domains: true,
@@ -354,6 +410,44 @@ fn candidate(task: &Task<'_>, derived: &Derived) -> Candidate {
         hints,
         choices: assembled.choices,
         scheduled,
+    }
+}
+
+/// Names for the partial derivatives: `theta4_velocity_by_r3`.
+fn name_sensitivities(definitions: &[Definition], names: &mut Names) {
+    for definition in definitions {
+        let symbols = match definition {
+            Definition::Value { symbol, .. } => std::slice::from_ref(symbol),
+            Definition::System { results, .. } => results,
+            Definition::Entry {
+                symbol,
+                row,
+                unknown,
+                order,
+                ..
+            } => {
+                let row = match *row {
+                    Row::Equation(equation) => (equation + 1).to_string(),
+                    Row::Output(output) => names.of(Symbol::OutputRate(output, 0)).to_owned(),
+                };
+                let unknown = names.of(Symbol::Unknown(*unknown));
+                let wish = format!("entry_{row}_{unknown}_{}", order_name(*order));
+                names.name(*symbol, &wish);
+                continue;
+            }
+        };
+        for &symbol in symbols {
+            let (base, parameter, order) = match symbol {
+                Symbol::Sensitivity(unknown, parameter, order) => (Symbol::Unknown(unknown), parameter, order),
+                Symbol::OutputSensitivity(output, parameter, order) => {
+                    (Symbol::OutputRate(output, 0), parameter, order)
+                }
+                _ => unreachable!("sensitivities are of unknowns and outputs"),
+            };
+            let parameter = names.of(Symbol::Parameter(parameter));
+            let wish = format!("{}_{}_by_{parameter}", names.of(base), order_name(order));
+            names.name(symbol, &wish);
+        }
     }
 }
 
@@ -371,6 +465,7 @@ fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> Schedul
     let program = Program {
         stages: vec![Stage { steps }],
         names,
+        has_sensitivities: false,
     };
     let mut scheduled = schedule(
         graph,

@@ -112,6 +112,8 @@ pub(crate) struct Stage {
 pub(crate) struct Program {
     pub(crate) stages: Vec<Stage>,
     pub(crate) names: Names,
+    /// Whether the last stage is that of the sensitivities, a method of the mechanism, as the position is.
+    pub(crate) has_sensitivities: bool,
 }
 
 /// The names of symbols in generated code, no two alike.

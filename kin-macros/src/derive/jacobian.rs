@@ -273,10 +273,11 @@ impl Jacobian {
         Some((self.factors?, self.core.clone()))
     }
 
-    /// The rates of one order from J q⁽ⁿ⁾ = right, in the order in which they can be computed.
-    pub(super) fn solve(&self, graph: &mut Graph, right: &[Node], order: usize) -> Vec<Rate> {
+    /// The x of J x = right, one for each unknown, in the order in which they can be computed; `symbol` is what later ones
+    /// know earlier ones by.
+    pub(super) fn solve(&self, graph: &mut Graph, right: &[Node], symbol: &impl Fn(usize) -> Symbol) -> Vec<Rate> {
         let mut right = right.to_vec();
-        let mut rates = Vec::new();
+        let mut rates: Vec<Rate> = Vec::new();
         for pivot in &self.pivots {
             match pivot {
                 Pivot::First {
@@ -291,7 +292,7 @@ impl Jacobian {
                         value,
                     });
                     for &(other, entry) in column {
-                        right[other] = without(graph, right[other], &[(*unknown, entry)], order);
+                        right[other] = without(graph, right[other], &[(*unknown, entry)], &rates, symbol);
                     }
                 }
                 Pivot::Number { row, multiples, .. } => {
@@ -310,12 +311,21 @@ impl Jacobian {
         }
         let own: Vec<Node> = self.rows.iter().map(|&row| right[row]).collect();
         match self.factors {
+            // nothing to be solved for
+            Some(_) if own.iter().all(|&node| graph.is_zero(node)) => {
+                rates.extend(
+                    self.unknowns
+                        .iter()
+                        .zip(&own)
+                        .map(|(&unknown, &value)| Rate::Value { unknown, value }),
+                );
+            }
             Some(factors) => rates.push(Rate::System {
                 factors,
                 unknowns: self.unknowns.clone(),
                 right: own,
             }),
-            None => rates.extend(cramer(graph, &self.core, &own, &self.unknowns, order)),
+            None => rates.extend(cramer(graph, &self.core, &own, &self.unknowns, symbol)),
         }
         for pivot in self.pivots.iter().rev() {
             let (row, unknown, entry, others) = match pivot {
@@ -340,7 +350,7 @@ impl Jacobian {
                     others,
                 } => (rows[0], *unknown, squares(graph, *entries), others),
             };
-            let rest = without(graph, right[row], others, order);
+            let rest = without(graph, right[row], others, &rates, symbol);
             let value = graph.divide(rest, entry);
             rates.push(Rate::Value { unknown, value });
         }
@@ -360,11 +370,21 @@ fn squares(graph: &mut Graph, [p, q]: [Node; 2]) -> Node {
     graph.add(p, q)
 }
 
-/// A right-hand side less what known rates add to its equation.
-fn without(graph: &mut Graph, right: Node, others: &[(usize, Node)], order: usize) -> Node {
+/// A right-hand side less what the rates found add to its equation.
+fn without(
+    graph: &mut Graph,
+    right: Node,
+    others: &[(usize, Node)],
+    found: &[Rate],
+    symbol: &impl Fn(usize) -> Symbol,
+) -> Node {
     let mut rest = right;
     for &(unknown, entry) in others {
-        let rate = graph.symbol(Symbol::UnknownRate(unknown, order));
+        let is_zero = |rate: &Rate| matches!(rate, Rate::Value { unknown: own, value } if *own == unknown && graph.is_zero(*value));
+        if found.iter().any(is_zero) {
+            continue;
+        }
+        let rate = graph.symbol(symbol(unknown));
         let product = graph.multiply(entry, rate);
         rest = graph.subtract(rest, product);
     }
@@ -400,7 +420,13 @@ fn determinant(graph: &mut Graph, matrix: &[Vec<Node>]) -> Node {
 }
 
 /// The rates of up to three unknowns by Cramer's rule.
-fn cramer(graph: &mut Graph, matrix: &[Vec<Node>], right: &[Node], unknowns: &[usize], order: usize) -> Vec<Rate> {
+fn cramer(
+    graph: &mut Graph,
+    matrix: &[Vec<Node>],
+    right: &[Node],
+    unknowns: &[usize],
+    symbol: &impl Fn(usize) -> Symbol,
+) -> Vec<Rate> {
     match matrix {
         [] => Vec::new(),
         [row] => {
@@ -410,7 +436,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<Node>], right: &[Node], unknowns: &[u
                 value,
             }]
         }
-        [_, _] => pair(graph, matrix, right, unknowns, order),
+        [_, _] => pair(graph, matrix, right, unknowns, symbol),
         _ => {
             // the columns of the adjugate are the cross products of the rows
             let cofactors = [
@@ -436,7 +462,13 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<Node>], right: &[Node], unknowns: &[u
     }
 }
 
-fn pair(graph: &mut Graph, matrix: &[Vec<Node>], right: &[Node], unknowns: &[usize], order: usize) -> Vec<Rate> {
+fn pair(
+    graph: &mut Graph,
+    matrix: &[Vec<Node>],
+    right: &[Node],
+    unknowns: &[usize],
+    symbol: &impl Fn(usize) -> Symbol,
+) -> Vec<Rate> {
     // a zero in the matrix makes the system triangular: one unknown first, the other from it
     for row in 0..2 {
         for column in 0..2 {
@@ -444,18 +476,17 @@ fn pair(graph: &mut Graph, matrix: &[Vec<Node>], right: &[Node], unknowns: &[usi
                 let (other_row, first) = (1 - row, 1 - column);
                 let first_value = graph.divide(right[row], matrix[row][first]);
                 let known = [(unknowns[first], matrix[other_row][first])];
-                let rest = without(graph, right[other_row], &known, order);
-                let second_value = graph.divide(rest, matrix[other_row][column]);
-                return vec![
-                    Rate::Value {
-                        unknown: unknowns[first],
-                        value: first_value,
-                    },
-                    Rate::Value {
-                        unknown: unknowns[column],
-                        value: second_value,
-                    },
-                ];
+                let mut rates = vec![Rate::Value {
+                    unknown: unknowns[first],
+                    value: first_value,
+                }];
+                let rest = without(graph, right[other_row], &known, &rates, symbol);
+                let value = graph.divide(rest, matrix[other_row][column]);
+                rates.push(Rate::Value {
+                    unknown: unknowns[column],
+                    value,
+                });
+                return rates;
             }
         }
     }

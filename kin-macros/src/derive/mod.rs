@@ -5,11 +5,13 @@
 
 mod jacobian;
 mod rates;
+mod sensitivity;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 pub(crate) use rates::Way;
+pub(crate) use sensitivity::{Definition, Row};
 
 use jacobian::Jacobian;
 use rates::Rates;
@@ -152,7 +154,7 @@ impl Derivatives {
                     right
                 })
                 .collect();
-            found.extend(jacobian.solve(graph, &right, order));
+            found.extend(jacobian.solve(graph, &right, &|unknown| Symbol::UnknownRate(unknown, order)));
         }
         self.orders.push(found);
         self.outputs.push(

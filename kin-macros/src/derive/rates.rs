@@ -28,7 +28,7 @@ pub(super) struct Rates {
 }
 
 /// n over k.
-fn binomial(n: usize, k: usize) -> f64 {
+pub(super) fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |product, step| {
         #[expect(clippy::cast_precision_loss, reason = "orders are small")]
         let (above, below) = ((n - step) as f64, (step + 1) as f64);
@@ -82,7 +82,12 @@ impl Rates {
             Term::Symbol(Symbol::Unknown(index)) => graph.symbol(Symbol::UnknownRate(index, order)),
             Term::Symbol(Symbol::InputRate(index, lower)) => graph.symbol(Symbol::InputRate(index, lower + order)),
             Term::Symbol(Symbol::UnknownRate(index, lower)) => graph.symbol(Symbol::UnknownRate(index, lower + order)),
-            Term::Symbol(Symbol::Parameter(_) | Symbol::OutputRate(..) | Symbol::Step(_)) => graph.zero(),
+            Term::Symbol(Symbol::Sensitivity(index, parameter, lower)) => {
+                graph.symbol(Symbol::Sensitivity(index, parameter, lower + order))
+            }
+            Term::Symbol(
+                Symbol::Parameter(_) | Symbol::OutputRate(..) | Symbol::OutputSensitivity(..) | Symbol::Step(_),
+            ) => graph.zero(),
             Term::Sum(_, terms) => {
                 let terms: Vec<(Node, f64)> = terms
                     .into_iter()
@@ -321,7 +326,10 @@ mod tests {
                     Symbol::InputRate(_, order) => (0.4, order),
                     Symbol::Unknown(_) => (1.1, 0),
                     Symbol::UnknownRate(_, order) => (1.1, order),
-                    Symbol::OutputRate(..) | Symbol::Step(_) => (f64::NAN, 0),
+                    Symbol::OutputRate(..)
+                    | Symbol::Sensitivity(..)
+                    | Symbol::OutputSensitivity(..)
+                    | Symbol::Step(_) => (f64::NAN, 0),
                 };
                 if matches!(symbol, Symbol::Parameter(_)) {
                     return value;

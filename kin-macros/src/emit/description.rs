@@ -25,49 +25,57 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 /// The costs as an array.
 pub(super) fn operations(mechanism: &Mechanism<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
-    let costs = mechanism.plan.scheduled.stages.iter().map(|stage| {
-        let Cost {
-            additions,
-            multiplications,
-            divisions,
-            negations,
-            square_roots,
-            sine_cosines,
-            arc_tangents,
-            others,
-        } = stage.cost;
-        let [
-            additions,
-            multiplications,
-            divisions,
-            negations,
-            square_roots,
-            sine_cosines,
-            arc_tangents,
-            others,
-        ] = [
-            additions,
-            multiplications,
-            divisions,
-            negations,
-            square_roots,
-            sine_cosines,
-            arc_tangents,
-            others,
-        ]
-        .map(Literal::usize_unsuffixed);
-        quote! {
-            #runtime::Operations {
-                additions: #additions,
-                multiplications: #multiplications,
-                divisions: #divisions,
-                negations: #negations,
-                square_roots: #square_roots,
-                sine_cosines: #sine_cosines,
-                arc_tangents: #arc_tangents,
-                others: #others,
-            }
-        }
-    });
+    let costs = mechanism
+        .plan
+        .scheduled
+        .stages
+        .iter()
+        .map(|stage| operations_of(runtime, stage.cost));
     quote!([#(#costs),*])
+}
+
+/// One cost.
+pub(super) fn operations_of(runtime: &TokenStream, cost: Cost) -> TokenStream {
+    let Cost {
+        additions,
+        multiplications,
+        divisions,
+        negations,
+        square_roots,
+        sine_cosines,
+        arc_tangents,
+        others,
+    } = cost;
+    let [
+        additions,
+        multiplications,
+        divisions,
+        negations,
+        square_roots,
+        sine_cosines,
+        arc_tangents,
+        others,
+    ] = [
+        additions,
+        multiplications,
+        divisions,
+        negations,
+        square_roots,
+        sine_cosines,
+        arc_tangents,
+        others,
+    ]
+    .map(Literal::usize_unsuffixed);
+    quote! {
+        #runtime::Operations {
+            additions: #additions,
+            multiplications: #multiplications,
+            divisions: #divisions,
+            negations: #negations,
+            square_roots: #square_roots,
+            sine_cosines: #sine_cosines,
+            arc_tangents: #arc_tangents,
+            others: #others,
+        }
+    }
 }

@@ -114,7 +114,7 @@ impl Mechanism<'_> {
 
     /// The line that says what a solver costs.
     pub(super) fn cost_line(&self, order: usize) -> String {
-        format!(" Costs {}.", cost(self.plan.scheduled.stages[order].cost))
+        cost_line(self.plan.scheduled.stages[order].cost)
     }
 
     /// The inputs' names and units, for a method's documentation.
@@ -151,8 +151,13 @@ pub(super) const fn unit(dimension: Dimension) -> &'static str {
     }
 }
 
+/// The line that says what something costs.
+pub(super) fn cost_line(cost: Cost) -> String {
+    format!(" Costs {}.", in_words(cost))
+}
+
 /// A cost in words.
-fn cost(cost: Cost) -> String {
+fn in_words(cost: Cost) -> String {
     let functions = [
         (cost.square_roots, "square root", "square roots"),
         (cost.sine_cosines, "sine-cosine pair", "sine-cosine pairs"),

@@ -11,6 +11,7 @@ mod mechanism;
 mod poses;
 mod position;
 mod rates;
+mod sensitivities;
 mod skeleton;
 mod solve;
 mod statements;
@@ -55,6 +56,7 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         declaration::tokens(outside.model, outside.runtime),
         assembly::structure(outside),
         poses::structures(outside),
+        sensitivities::structures(outside),
     ];
     let implementations = [
         assembly::tokens(inside),
@@ -65,6 +67,7 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         track::tokens(inside),
         poses::tokens(inside),
         rates::tokens(inside),
+        sensitivities::tokens(inside),
         mechanism::tokens(inside),
         values::tokens(inside),
         skeleton::tokens(inside),

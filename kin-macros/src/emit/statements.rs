@@ -13,9 +13,14 @@ use crate::schedule::{Expression, ScheduledStage, Statement};
 impl Mechanism<'_> {
     /// `let` for the values of earlier stages, positions and rates that a stage reads; `given` are arguments already.
     pub(super) fn readings(&self, stage: &ScheduledStage, given: &[Symbol]) -> TokenStream {
+        self.readings_from(stage, given, &quote!(self))
+    }
+
+    /// The same from a pose that is not `self`.
+    pub(super) fn readings_from(&self, stage: &ScheduledStage, given: &[Symbol], pose: &TokenStream) -> TokenStream {
         let carried = stage.uses.iter().map(|carried| {
             let name = local(&carried.name);
-            quote!(let #name = self.#name;)
+            quote!(let #name = #pose.#name;)
         });
         let symbols = stage
             .symbols
@@ -23,23 +28,25 @@ impl Mechanism<'_> {
             .filter(|symbol| !given.contains(symbol))
             .map(|&symbol| {
                 let name = self.name_of(symbol);
-                let value = self.reading(symbol);
+                let value = self.reading(symbol, pose);
                 quote!(let #name = #value;)
             });
         quote!(#(#carried)* #(#symbols)*)
     }
 
-    fn reading(&self, symbol: Symbol) -> TokenStream {
+    fn reading(&self, symbol: Symbol, pose: &TokenStream) -> TokenStream {
         let (name, order) = match symbol {
             Symbol::Parameter(index) => return self.scalar_parameters()[index].1.clone(),
             Symbol::Input(index) => (&self.model.inputs[index].name, 0),
             Symbol::InputRate(index, order) => (&self.model.inputs[index].name, order),
             Symbol::Unknown(index) => (&self.model.unknowns[index].name, 0),
             Symbol::UnknownRate(index, order) => (&self.model.unknowns[index].name, order),
-            Symbol::OutputRate(..) | Symbol::Step(_) => unreachable!("they are carried under their names"),
+            Symbol::OutputRate(..) | Symbol::Sensitivity(..) | Symbol::OutputSensitivity(..) | Symbol::Step(_) => {
+                unreachable!("they are carried under their names")
+            }
         };
         let accessor = local(&crate::plan::order_name(order));
-        quote!(self.#name.#accessor())
+        quote!(#pose.#name.#accessor())
     }
 
     /// The statements of a stage that cannot fail.

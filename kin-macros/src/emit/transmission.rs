@@ -89,6 +89,7 @@ fn program(mechanism: &Mechanism<'_>) -> (Vec<(Dyad, [String; 2])>, ScheduledSta
     let program = Program {
         stages: vec![Stage { steps }],
         names,
+        has_sensitivities: false,
     };
     let style = Style {
         factor_out: false,

@@ -30,6 +30,10 @@ pub(crate) enum Symbol {
     UnknownRate(usize, usize),
     /// A scalar part of an output's time derivative of the order given second.
     OutputRate(usize, usize),
+    /// An unknown's partial derivative by the parameter given second, its time derivative of the order given third.
+    Sensitivity(usize, usize, usize),
+    /// The same of a scalar part of an output.
+    OutputSensitivity(usize, usize, usize),
     /// A value that the program computes in a step of its own: what a closed form returns, or an abbreviation.
     Step(usize),
 }

@@ -34,6 +34,8 @@ impl Probe {
             Symbol::UnknownRate(index, order) => (5 + 16 * order, index),
             Symbol::Step(index) => (6, index),
             Symbol::OutputRate(index, order) => (7 + 16 * order, index),
+            Symbol::Sensitivity(index, parameter, order) => (8 + 16 * order, index + (parameter << 12)),
+            Symbol::OutputSensitivity(index, parameter, order) => (9 + 16 * order, index + (parameter << 12)),
         };
         let seed = (kind as u64) << 40 | (index as u64) << 8 | self.0;
         0.5 + scattered(seed)

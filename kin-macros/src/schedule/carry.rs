@@ -3,16 +3,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::statement::{Carried, Scheduled, Statement};
-use crate::assemble::Names;
+use crate::assemble::Program;
 use crate::expr::Symbol;
 
 /// What each stage leaves for the later ones.
-pub(super) fn hand_on(scheduled: &mut Scheduled, names: &Names) {
+pub(super) fn hand_on(scheduled: &mut Scheduled, program: &Program) {
     let last = scheduled.stages.len();
+    // methods of the mechanism itself, which need not be handed its parameters
+    let has_parameters = |stage: usize| stage == 0 || (program.has_sensitivities && stage + 1 == last);
     let mut uses: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
     let mut symbols: Vec<BTreeSet<Symbol>> = vec![BTreeSet::new(); last];
     let mut carries: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
-    let leaves = names.by_name();
+    let leaves = program.names.by_name();
     let mut born: BTreeMap<String, usize> = BTreeMap::new();
     let mut systems: BTreeMap<String, usize> = BTreeMap::new();
     for (stage, scheduled_stage) in scheduled.stages.iter().enumerate() {
@@ -21,8 +23,9 @@ pub(super) fn hand_on(scheduled: &mut Scheduled, names: &Names) {
                 let symbol = leaves.get(name.as_str()).copied();
                 let (since, parameter) = match symbol {
                     Some(Symbol::Parameter(index)) => {
-                        if stage == 0 {
-                            symbols[0].insert(Symbol::Parameter(index));
+                        if has_parameters(stage) {
+                            symbols[stage].insert(Symbol::Parameter(index));
+                            continue;
                         }
                         (0, Some(index))
                     }

@@ -32,8 +32,8 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// The rows of the expressions given.
-    pub(super) fn of(graph: &Graph, roots: &[Node], factor_out: bool) -> Self {
+    /// No rows yet; what the expressions given divide by more than once will be inverted once.
+    pub(super) fn new(graph: &Graph, roots: &[Node]) -> Self {
         let reachable = graph.reachable(roots);
         let mut divisions: BTreeMap<Node, usize> = BTreeMap::new();
         for &node in &reachable {
@@ -48,17 +48,22 @@ impl Rows {
             .filter(|&(_, count)| count > 1)
             .map(|(base, _)| base)
             .collect();
-        let mut rows = Self {
+        Self {
             list: Vec::new(),
             known: HashMap::default(),
             by_node: BTreeMap::new(),
             shared_divisors,
-        };
-        for node in reachable {
-            let row = rows.lower(graph, node, factor_out);
-            rows.by_node.insert(node, row);
         }
-        rows
+    }
+
+    /// Adds the rows of expressions.
+    pub(super) fn extend(&mut self, graph: &Graph, roots: &[Node], factor_out: bool) {
+        for node in graph.reachable(roots) {
+            if !self.by_node.contains_key(&node) {
+                let row = self.lower(graph, node, factor_out);
+                self.by_node.insert(node, row);
+            }
+        }
     }
 
     pub(super) fn row(&self, id: RowId) -> &Row {

@@ -74,6 +74,7 @@ fn iterations(graph: &Graph, program: &Program) -> BTreeMap<usize, Iteration> {
                 }],
             }],
             names: program.names.clone(),
+            has_sensitivities: false,
         };
         let mut scheduled = schedule(
             graph,
@@ -123,14 +124,22 @@ pub(crate) struct Style {
 
 /// Schedules a program. `hints` are names for expressions that get one.
 pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)], style: Style) -> Scheduled {
-    let roots: Vec<Node> = program
-        .stages
-        .iter()
-        .flat_map(|stage| &stage.steps)
-        .flat_map(Step::needs)
-        .collect();
-    let mut rows = Rows::of(graph, &roots, style.factor_out);
+    let roots_of = |stages: &[Stage]| -> Vec<Node> {
+        stages
+            .iter()
+            .flat_map(|stage| &stage.steps)
+            .flat_map(Step::needs)
+            .collect()
+    };
+    let roots = roots_of(&program.stages);
+    let mut rows = Rows::new(graph, &roots);
     let reachable: BTreeSet<Node> = graph.reachable(&roots);
+    if let (true, Some((_, motion))) = (program.has_sensitivities, program.stages.split_last()) {
+        // the motion comes first: what it shares is not to be torn apart for what comes after it
+        rows.extend(graph, &roots_of(motion), style.factor_out);
+        share::share(&mut rows);
+    }
+    rows.extend(graph, &roots, style.factor_out);
     share::share(&mut rows);
     let mut operations = Operations::default();
     for &root in &roots {
@@ -231,7 +240,7 @@ impl Scheduler<'_> {
                 ..ScheduledStage::default()
             });
         }
-        carry::hand_on(&mut scheduled, &self.names);
+        carry::hand_on(&mut scheduled, program);
         scheduled
     }
 

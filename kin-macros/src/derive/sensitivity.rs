@@ -1,0 +1,196 @@
+//! Partial derivatives of the motion with respect to the parameters, order by order, with the same Jacobians.
+//!
+//! The closure F(q, u, p) = 0 holds for all values of the parameters, and q depends on them. Differentiated by one of
+//! them, with S = ∂q/∂p, it reads J S + ∂F/∂p = 0; differentiated n times in time, by Leibniz's rule,
+//!
+//! J S⁽ⁿ⁾ = -[(∂F/∂p)⁽ⁿ⁾ + Σ C(n, k) J⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾] over k below n.
+//!
+//! In a chain of blocks the unknowns of earlier blocks join the sum, for them over all k to n. The derivatives of J
+//! along the motion are the same for all parameters and are computed once. (Direct differentiation of an implicit function:
+//! A. Griewank and A. Walther, "Evaluating Derivatives", 2nd edition, SIAM 2008, chapter 15; for a four-bar linkage to the
+//! acceleration: D. M. Erickson, "Computer aided design of minimum sensitivity four-bar linkages", Kansas State
+//! University, 1988, chapter III.)
+
+use std::collections::BTreeMap;
+
+use super::jacobian::Jacobian;
+use super::rates::{Rates, binomial};
+use super::{Derivatives, Rate, Task};
+use crate::expr::{Graph, Node, Symbol, Term};
+
+/// One step of the sensitivities' program.
+pub(crate) enum Definition {
+    /// A sensitivity.
+    Value { symbol: Symbol, node: Node },
+    /// Several of one parameter and order together, by the factors of a Jacobian that the rates have been found by.
+    System {
+        factors: Symbol,
+        right: Vec<Node>,
+        results: Vec<Symbol>,
+    },
+    /// What the sensitivities to all parameters have in common: the time derivative of a partial derivative by an unknown.
+    Entry {
+        symbol: Symbol,
+        node: Node,
+        row: Row,
+        unknown: usize,
+        order: usize,
+    },
+}
+
+/// What is differentiated.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Row {
+    Equation(usize),
+    Output(usize),
+}
+
+impl Derivatives {
+    /// Every sensitivity to so many parameters, of every order derived so far, in the order in which they can be computed.
+    pub(crate) fn sensitivities(&mut self, graph: &mut Graph, task: Task<'_>, parameters: usize) -> Vec<Definition> {
+        let highest = self.orders.len();
+        let mut derivation = Derivation {
+            graph,
+            task,
+            rates: &mut self.rates,
+            definitions: Vec::new(),
+            partials: BTreeMap::new(),
+            entries: BTreeMap::new(),
+            found: BTreeMap::new(),
+        };
+        for order in 0..=highest {
+            for parameter in 0..parameters {
+                let mut known = Vec::new();
+                for (block, jacobian) in task.blocks.iter().zip(&*self.jacobians) {
+                    known.extend(&block.unknowns);
+                    let right: Vec<Node> = block
+                        .equations
+                        .iter()
+                        .map(|&equation| {
+                            let total = derivation.total(Row::Equation(equation), &known, parameter, order);
+                            derivation.graph.negate(total)
+                        })
+                        .collect();
+                    derivation.solve(jacobian, &right, parameter, order);
+                }
+                for output in 0..task.outputs.len() {
+                    let node = derivation.total(Row::Output(output), &known, parameter, order);
+                    derivation.definitions.push(Definition::Value {
+                        symbol: Symbol::OutputSensitivity(output, parameter, order),
+                        node,
+                    });
+                }
+            }
+        }
+        derivation.definitions
+    }
+}
+
+struct Derivation<'a> {
+    graph: &'a mut Graph,
+    task: Task<'a>,
+    rates: &'a mut Rates,
+    definitions: Vec<Definition>,
+    partials: BTreeMap<(Row, Symbol), Node>,
+    /// The symbols under which the sums know the time derivatives of partial derivatives.
+    entries: BTreeMap<Node, Node>,
+    /// The sensitivities found so far, by unknown, parameter and order: symbols, or zero.
+    found: BTreeMap<(usize, usize, usize), Node>,
+}
+
+impl Derivation<'_> {
+    /// (∂f/∂p)⁽ⁿ⁾ + Σ C(n, k) (∂f/∂q)⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾ over the unknowns given, as far as their S⁽ᵏ⁾ have been found.
+    fn total(&mut self, row: Row, unknowns: &[usize], parameter: usize, order: usize) -> Node {
+        let own = self.partial(row, Symbol::Parameter(parameter), order);
+        let mut terms = vec![(own, 1.0)];
+        for &unknown in unknowns {
+            for k in 0..=order {
+                let Some(&sensitivity) = self.found.get(&(unknown, parameter, k)) else {
+                    continue;
+                };
+                if self.graph.is_zero(sensitivity) {
+                    continue;
+                }
+                let entry = self.entry(row, unknown, order - k);
+                terms.push((self.graph.multiply(entry, sensitivity), binomial(order, k)));
+            }
+        }
+        self.graph.linear(0.0, &terms)
+    }
+
+    /// The time derivative of a partial derivative.
+    fn partial(&mut self, row: Row, symbol: Symbol, order: usize) -> Node {
+        let node = match row {
+            Row::Equation(equation) => self.task.residuals[equation],
+            Row::Output(output) => self.task.outputs[output],
+        };
+        let partial = if let Some(&partial) = self.partials.get(&(row, symbol)) {
+            partial
+        } else {
+            let partial = self.graph.partial(node, symbol);
+            self.partials.insert((row, symbol), partial);
+            partial
+        };
+        self.rates.total(self.graph, partial, order)
+    }
+
+    /// The time derivative of a partial derivative by an unknown, computed once for all parameters.
+    fn entry(&mut self, row: Row, unknown: usize, order: usize) -> Node {
+        let whole = self.partial(row, Symbol::Unknown(unknown), order);
+        let (coefficient, bare) = self.graph.split_coefficient(whole);
+        if matches!(self.graph.term(bare), Term::Number(_) | Term::Symbol(_)) {
+            return whole;
+        }
+        let symbol = if let Some(&symbol) = self.entries.get(&bare) {
+            symbol
+        } else {
+            let (symbol, node) = self.graph.new_step();
+            self.definitions.push(Definition::Entry {
+                symbol,
+                node: bare,
+                row,
+                unknown,
+                order,
+            });
+            self.entries.insert(bare, node);
+            node
+        };
+        self.graph.scale(coefficient, symbol)
+    }
+
+    /// S⁽ⁿ⁾ of a block from J S⁽ⁿ⁾ = right, by the solver that the rates use.
+    fn solve(&mut self, jacobian: &Jacobian, right: &[Node], parameter: usize, order: usize) {
+        let symbol = |unknown: usize| Symbol::Sensitivity(unknown, parameter, order);
+        for solution in jacobian.solve(self.graph, right, &symbol) {
+            match solution {
+                Rate::Value { unknown, value } => {
+                    let node = if self.graph.is_zero(value) {
+                        value
+                    } else {
+                        self.graph.symbol(symbol(unknown))
+                    };
+                    self.found.insert((unknown, parameter, order), node);
+                    self.definitions.push(Definition::Value {
+                        symbol: symbol(unknown),
+                        node: value,
+                    });
+                }
+                Rate::System {
+                    factors,
+                    unknowns,
+                    right,
+                } => {
+                    for &unknown in &unknowns {
+                        let node = self.graph.symbol(symbol(unknown));
+                        self.found.insert((unknown, parameter, order), node);
+                    }
+                    self.definitions.push(Definition::System {
+                        factors,
+                        right,
+                        results: unknowns.into_iter().map(symbol).collect(),
+                    });
+                }
+            }
+        }
+    }
+}
