@@ -6,3 +6,4 @@ pub mod mechanisms;
 pub mod notes;
 pub mod oracles;
 pub mod random;
+pub mod sensitivities;

@@ -2,19 +2,24 @@
 
 use kin_core::prelude::*;
 use kin_tests::compare::turned_back;
-use kin_tests::mechanisms::coupled::{GearedPair, Kepler, RelativeDrive, SixCoupled, StephensonThree, Triad};
+use kin_tests::mechanisms::cases::ThroughSnap;
+use kin_tests::mechanisms::coupled::{
+    Built, GearedPair, Kepler, RelativeDrive, SixCoupled, SixInChain, StephensonThree, Triad,
+};
 use kin_tests::oracles::{Reported, Worst};
 use kin_tests::random::Random;
 
-fn at(length: f64, angle: f64) -> Plane {
-    Plane::new(length * angle.cos(), length * angle.sin())
-}
-
 /// Both oracles, and the unknowns that the mechanism was built around.
-fn check<M>(worst: &mut Worst, mechanism: &M, motion: [f64; 5], unknowns: &[f64], random: &mut Random)
+fn check<M, const UNKNOWNS: usize>(worst: &mut Worst, built: &Built<M, UNKNOWNS>, random: &mut Random)
 where
-    M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>,
+    M: ThroughSnap,
 {
+    let Built {
+        mechanism,
+        input,
+        unknowns,
+    } = built;
+    let motion = random.motion(*input);
     let inputs = M::Inputs::from_fn(|_| Motion::new(motion));
     let near = M::Unknowns::from_fn(|index| unknowns[index] + random.between(-0.02, 0.02));
     let values = M::Inputs::from_fn(|_| motion[0]);
@@ -33,19 +38,19 @@ where
     worst.check(mechanism, inputs, assembly);
 }
 
-#[test]
-fn kepler() {
-    let mut random = Random::new(1);
+/// Two hundred of them.
+fn prove<M: ThroughSnap, const UNKNOWNS: usize>(seed: u64, built: impl Fn(&mut Random) -> Built<M, UNKNOWNS>) {
+    let mut random = Random::new(seed);
     let mut worst = Worst::default();
     for _ in 0..200 {
-        let mechanism = Kepler {
-            eccentricity: random.between(0.0, 0.95),
-        };
-        let eccentric: f64 = random.between(-10.0, 10.0);
-        let mean = eccentric - mechanism.eccentricity * eccentric.sin();
-        check(&mut worst, &mechanism, random.motion(mean), &[eccentric], &mut random);
+        check(&mut worst, &built(&mut random), &mut random);
     }
-    worst.report("Kepler");
+    worst.report(M::DESCRIPTION.name);
+}
+
+#[test]
+fn kepler() {
+    prove(1, Kepler::built);
 }
 
 #[test]
@@ -69,33 +74,7 @@ fn relative_drive() {
 
 #[test]
 fn triad() {
-    let mut random = Random::new(3);
-    let mut worst = Worst::default();
-    for _ in 0..200 {
-        let [theta, alpha, beta, gamma, phi] = [(); 5].map(|()| random.between(-3.0, 3.0));
-        let [crank, a, b, c, p, q] = [(); 6].map(|()| random.between(0.5, 2.0));
-        let delta = random.between(0.5, 2.0);
-        let joint = at(crank, theta) + at(a, alpha);
-        let mechanism = Triad {
-            crank,
-            a,
-            b,
-            c,
-            p,
-            q,
-            delta,
-            pivot_b: joint + at(p, phi) - at(b, beta),
-            pivot_c: joint + at(q, phi + delta) - at(c, gamma),
-        };
-        check(
-            &mut worst,
-            &mechanism,
-            random.motion(theta),
-            &[alpha, beta, gamma, phi],
-            &mut random,
-        );
-    }
-    worst.report("Triad");
+    prove(3, Triad::built);
 }
 
 /// Every assembly is found: the one that the triad was built in, and as many as a dense scan finds.
@@ -104,28 +83,18 @@ fn all_assemblies_of_a_triad() {
     let mut random = Random::new(6);
     let mut seen = [0; 7];
     for _ in 0..100 {
-        let [theta, alpha, beta, gamma, phi] = [(); 5].map(|()| random.between(-3.0, 3.0));
-        let [crank, a, b, c, p, q] = [(); 6].map(|()| random.between(0.5, 2.0));
-        let delta = random.between(0.5, 2.0);
-        let joint = at(crank, theta) + at(a, alpha);
-        let mechanism = Triad {
-            crank,
-            a,
-            b,
-            c,
-            p,
-            q,
-            delta,
-            pivot_b: joint + at(p, phi) - at(b, beta),
-            pivot_c: joint + at(q, phi + delta) - at(c, gamma),
-        };
+        let Built {
+            mechanism,
+            input: theta,
+            unknowns,
+        } = Triad::built(&mut random);
         let all = mechanism.assemblies_at(theta).expect("the dimensions are finite");
         assert!(all.is_complete(), "{mechanism:?}: {all:?}");
         assert!(
             all.iter().any(|Near(position)| {
                 position
                     .iter()
-                    .zip([alpha, beta, gamma, phi])
+                    .zip(unknowns)
                     .all(|(own, built)| turned_back(own - built).abs() < 1e-6)
             }),
             "{mechanism:?}: {all:?}"
@@ -142,6 +111,10 @@ fn all_assemblies_of_a_triad() {
         seen[2] > 0 && seen[4] > 0 && seen[6] > 0 && seen[1] + seen[3] + seen[5] == 0,
         "{seen:?}"
     );
+}
+
+fn at(length: f64, angle: f64) -> Plane {
+    Plane::new(length * angle.cos(), length * angle.sin())
 }
 
 /// Another way to count: for each direction of the ternary link the first two legs close as a four-bar does, in two ways, and
@@ -185,69 +158,22 @@ fn scanned(mechanism: &Triad, theta: f64) -> usize {
 
 #[test]
 fn stephenson() {
-    let mut random = Random::new(4);
-    let mut worst = Worst::default();
-    for _ in 0..200 {
-        let [theta2, theta3, theta5, theta6] = [(); 4].map(|()| random.between(-3.0, 3.0));
-        let [r2, r3, r5, r6, x, y] = [(); 6].map(|()| random.between(0.5, 2.0));
-        let end = at(r2, theta2) + at(r3, theta3);
-        let r1 = random.between(0.5, 2.0);
-        let rocker = end - Plane::new(r1, 0.0);
-        let theta4 = rocker.y.atan2(rocker.x);
-        let coupler_point = Plane::new(x, y);
-        let mechanism = StephensonThree {
-            r1,
-            r2,
-            r3,
-            r4: rocker.x.hypot(rocker.y),
-            coupler_point,
-            r5,
-            r6,
-            pivot: at(r2, theta2) + coupler_point.times(at(1.0, theta3)) + at(r5, theta5) - at(r6, theta6),
-        };
-        check(
-            &mut worst,
-            &mechanism,
-            random.motion(theta6),
-            &[theta2, theta3, theta4, theta5],
-            &mut random,
-        );
-    }
-    worst.report("StephensonThree");
+    prove(4, StephensonThree::built);
 }
 
 #[test]
 fn geared_pair() {
-    let mut random = Random::new(5);
-    let mut worst = Worst::default();
-    for _ in 0..200 {
-        let [theta2, theta3] = [(); 2].map(|()| random.between(-3.0, 3.0));
-        let [r1, r3, r4, ratio] = [(); 4].map(|()| random.between(0.5, 2.0));
-        let phase = 0.3;
-        let theta4 = ratio * theta2 + phase;
-        // the crank's length from the y part
-        let r2 = (r4 * theta4.sin() - r3 * theta3.sin()) / theta2.sin();
-        let s = r2 * theta2.cos() + r3 * theta3.cos() - r1 - r4 * theta4.cos();
-        let mechanism = GearedPair {
-            r1,
-            r2,
-            r3,
-            r4,
-            ratio,
-            phase,
-        };
-        check(
-            &mut worst,
-            &mechanism,
-            random.motion(theta3),
-            &[theta2, theta4, s],
-            &mut random,
-        );
-    }
-    worst.report("GearedPair");
+    prove(5, GearedPair::built);
 }
 
 #[test]
 fn six_coupled() {
-    println!("{:?}", SixCoupled::<f64>::DESCRIPTION.blocks);
+    assert_eq!(SixCoupled::<f64>::DESCRIPTION.blocks.len(), 1);
+    prove(7, SixCoupled::built);
+}
+
+#[test]
+fn six_in_chain() {
+    assert_eq!(SixInChain::<f64>::DESCRIPTION.blocks.len(), 3);
+    prove(8, SixInChain::built);
 }

@@ -8,6 +8,7 @@ use kin_core::count::{self, Counted};
 use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::cases::{self, Case, Visitor};
+use kin_tests::mechanisms::coupled::SixInChain;
 use kin_tests::random::Random;
 
 fn kinds(operations: &Operations) -> [usize; 8] {
@@ -118,6 +119,11 @@ fn rates_of_coupled_blocks_cost_what_is_published() {
         }
     }
     cases::coupled_library(&mut Rates);
+    // the only one with factors
+    Rates.visit::<SixInChain>(Case {
+        parameters: &[0.5, 2.5, 1.0, 1.5, 1.2, 0.7],
+        inputs: &[(-0.2, 0.2)],
+    });
 }
 
 /// Writes what a mechanism costs, order by order.

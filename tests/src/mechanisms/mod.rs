@@ -9,5 +9,6 @@ pub mod multi_loop;
 pub mod outputs;
 pub mod ranged;
 pub mod scalar_forms;
+pub mod sensitive;
 pub mod slider_crank_typings;
 pub mod space;
