@@ -568,6 +568,7 @@ mod tests {
             ranges: &std::collections::BTreeMap::new(),
             outputs: &[],
             inputs: model.inputs.len(),
+            parameters: 0,
             order: model.order,
             names: &names(&model),
         };
