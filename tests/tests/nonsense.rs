@@ -39,7 +39,14 @@ fn closing<M: ThroughSnap>(case: Case) -> (M, M::Inputs<Motion<f64, 5>>, M::Asse
     let mut random = Random::new(71);
     for step in 0..60 {
         let inputs = case.inputs::<M>(f64::from(step) / 60.0, &mut random);
-        for assembly in M::assemblies() {
+        // where assemblies have no names, a guess will do
+        let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+        let guess = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
+        let near = mechanism.solve_position_near(values, guess).ok();
+        let guessed = near
+            .filter(|_| M::ASSEMBLY_COUNT == 0)
+            .map(|near| mechanism.assembly_near(values, near));
+        for assembly in M::assemblies().chain(guessed) {
             if mechanism.solve_motion(inputs, assembly).is_ok() {
                 return (mechanism, inputs, assembly);
             }
@@ -84,6 +91,7 @@ impl Visitor for Inputs {
 fn parameters() {
     let mut parameters = Parameters::default();
     cases::all(&mut parameters);
+    cases::coupled_library(&mut parameters);
     assert!(parameters.0.0.is_empty(), "{:#?}", parameters.0.0);
 }
 
@@ -91,6 +99,7 @@ fn parameters() {
 fn inputs_and_their_rates() {
     let mut inputs = Inputs::default();
     cases::all(&mut inputs);
+    cases::coupled_library(&mut inputs);
     assert!(inputs.0.0.is_empty(), "{:#?}", inputs.0.0);
 }
 
@@ -106,7 +115,7 @@ fn extremes() {
                     let mut parameters = mechanism.parameters();
                     parameters.as_mut()[place] = extreme;
                     let mechanism = M::from_parameters(parameters);
-                    for assembly in M::assemblies() {
+                    for assembly in M::assemblies().chain([assembly]) {
                         check::<M>(mechanism.solve_motion(inputs, assembly), extreme);
                     }
                 }
@@ -131,4 +140,5 @@ fn extremes() {
         }
     }
     cases::all(&mut Extremes);
+    cases::coupled_library(&mut Extremes);
 }

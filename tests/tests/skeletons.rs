@@ -207,3 +207,48 @@ mod scalar {
         assert_eq!(linkage.skeleton(), "none");
     }
 }
+
+/// In space the joints are points of space, and a chain of the plane lies in that of x and y.
+#[test]
+fn loops_of_space() {
+    mechanism! {
+        pub struct SpaceLoop { pub crank: Length, pub rod: Length, pub rocker: Length, pub pivot: Point3, pub post: Length }
+        input theta: Angle;
+        unknown phi: Angle, azimuth: Angle, elevation: Angle, x: Length, y: Length;
+        rot_z(theta) * vec3(crank, 0, 0) + rot_z(azimuth) * rot_y(-elevation) * vec3(rod, 0, 0)
+            == pivot + rot_x(phi) * vec3(0, rocker, 0);
+        post * cis(theta) == vec2(x, y);
+        output ball: Point3 = rot_z(theta) * vec3(crank, 0, 0);
+    }
+    let (theta, phi, azimuth, elevation) = (0.4_f64, 0.9_f64, 0.3_f64, 0.2_f64);
+    let crank = Space::new(theta.cos(), theta.sin(), 0.0);
+    let rod = Space::new(
+        3.0 * elevation.cos() * azimuth.cos(),
+        3.0 * elevation.cos() * azimuth.sin(),
+        3.0 * elevation.sin(),
+    );
+    let rocker = Space::new(0.0, 2.0 * phi.cos(), 2.0 * phi.sin());
+    let linkage = SpaceLoop {
+        crank: 1.0,
+        rod: 3.0,
+        rocker: 2.0,
+        pivot: crank + rod - rocker,
+        post: 0.5,
+    };
+    let pose = linkage
+        .position_near(theta, [phi + 0.01, azimuth - 0.01, elevation + 0.01, 0.5, 0.2])
+        .expect("it is built around this position");
+    let skeleton = linkage.skeleton(&pose);
+    let ends: Vec<(usize, Space)> = skeleton
+        .polylines()
+        .map(|line| (line.joints.len(), line.joints[line.joints.len() - 1]))
+        .collect();
+    assert_eq!(ends.iter().map(|end| end.0).collect::<Vec<_>>(), [3, 3, 2, 2]);
+    for pair in ends.chunks(2) {
+        let gap = (pair[0].1 - pair[1].1).norm();
+        assert!(gap <= 16.0 * f64::EPSILON * 3.0, "{gap}");
+    }
+    assert_eq!(ends[2].1.z, 0.0);
+    let points: Vec<_> = skeleton.points().collect();
+    assert_eq!(points.len(), 1);
+}
