@@ -20,6 +20,7 @@ chapters! {
     coupled: "../../docs/coupled.md";
     errors: "../../docs/errors.md";
     verification: "../../docs/verification.md";
+    accuracy: "../../docs/accuracy.md";
     library: "../../docs/library.md";
     architecture: "../../docs/architecture.md";
     decisions: "../../docs/decisions.md";

@@ -6,4 +6,5 @@ pub mod mechanisms;
 pub mod notes;
 pub mod oracles;
 pub mod random;
+pub mod reference;
 pub mod sensitivities;

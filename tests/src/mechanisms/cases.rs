@@ -14,6 +14,9 @@ pub trait ThroughSnap: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>> {}
 
 impl<M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>> ThroughSnap for M {}
 
+/// Motions of a mechanism's inputs.
+pub type Inputs<M> = <M as Mechanism>::Inputs<Motion<f64, 5>>;
+
 /// Dimensions of a mechanism, and the range of each of its inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
@@ -40,7 +43,7 @@ impl Case {
 
     /// Inputs a fraction of their ranges from the start, each fraction the next multiple of the first, with random rates.
     #[must_use]
-    pub fn inputs<M: ThroughSnap>(&self, fraction: f64, random: &mut Random) -> M::Inputs<Motion<f64, 5>> {
+    pub fn inputs<M: ThroughSnap>(&self, fraction: f64, random: &mut Random) -> Inputs<M> {
         let mut own = 0.0;
         M::Inputs::from_fn(|index| {
             own += fraction;

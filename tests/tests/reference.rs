@@ -1,0 +1,232 @@
+//! The library's mechanisms against a reference of 50 digits and more: `docs/accuracy.md` is what is measured here.
+//!
+//! The worst errors and their places are printed: `cargo test -p kin-tests --test reference -- --nocapture`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use kin_core::library::FourBar;
+use kin_core::{Assembly, Mechanism, Motion, Pose as _, Row};
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
+use kin_tests::reference::{Errors, Given, Kind, Pose, poses, solution};
+
+/// As many units of error are allowed, at every order.
+const ALLOWED: f64 = 8.0;
+
+fn given<M: ThroughSnap>(pose: &Pose<M>) -> Given {
+    Given {
+        parameters: pose.mechanism.parameters().as_ref().to_vec(),
+        inputs: pose
+            .inputs
+            .as_ref()
+            .iter()
+            .map(|motion| motion.derivatives().to_vec())
+            .collect(),
+    }
+}
+
+/// The errors in double precision, of all poses.
+fn double<M: ThroughSnap>(poses: &[Pose<M>]) -> Errors {
+    let mut errors = Errors::new::<M>();
+    for pose in poses {
+        let motions: Vec<Vec<f64>> = pose.unknowns.iter().map(|motion| motion.to_vec()).collect();
+        let place = format!("{:?} in {:?}", pose.kind, pose.assembly);
+        let given = given(pose);
+        let held = errors.hold::<M>(&given, &motions, f64::EPSILON, &place);
+        assert_eq!(held, Ok(()), "{}, {place}: {given:?}", errors.name);
+    }
+    errors
+}
+
+/// The errors in single precision, of all poses but those near limits: they are as near as double precision can tell.
+fn single<M: ThroughSnap>(poses: &[Pose<M>]) -> Errors {
+    type Single<M> = <M as Mechanism>::With<f32>;
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the nearest single-precision number is meant"
+    )]
+    let nearest = |value: f64| value as f32;
+    let mut errors = Errors::new::<M>();
+    for pose in poses.iter().filter(|pose| pose.kind != Kind::NearLimit) {
+        let mechanism: Single<M> = pose.mechanism.convert(nearest);
+        let given = given(pose);
+        let inputs: <Single<M> as Mechanism>::Inputs<_> = Row::from_fn(|index| {
+            let motion: M::Motion<f32> = Row::from_fn(|order| nearest(given.inputs[index][order]));
+            motion
+        });
+        let widened = |motions: &[M::Motion<f32>]| -> Vec<Vec<f64>> {
+            let motion = |motion: &M::Motion<f32>| motion.as_ref().iter().map(|value| f64::from(*value)).collect();
+            motions.iter().map(motion).collect()
+        };
+        let given = Given {
+            parameters: mechanism
+                .parameters()
+                .as_ref()
+                .iter()
+                .map(|value| f64::from(*value))
+                .collect(),
+            inputs: widened(inputs.as_ref()),
+        };
+        let place = format!("{:?} in {:?}", pose.kind, pose.assembly);
+        let Ok(found) = mechanism.solve_motion(inputs, pose.assembly) else {
+            continue;
+        };
+        let motions = widened(found.unknown_motions().as_ref());
+        let held = errors.hold::<M>(&given, &motions, f32::EPSILON.into(), &place);
+        assert_eq!(held, Ok(()), "{}, {place}: {given:?}", errors.name);
+    }
+    errors
+}
+
+/// The rows of a table of the book, by name.
+fn documented(heading: &str) -> BTreeMap<String, Vec<f64>> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/accuracy.md");
+    let text = fs::read_to_string(path).expect("the chapter is there");
+    text.lines()
+        .skip_while(|line| *line != heading)
+        .skip(1)
+        .take_while(|line| !line.starts_with("## "))
+        .filter_map(|line| {
+            let (name, errors) = line.strip_prefix("| `")?.split_once("` |")?;
+            let errors = errors.trim_end_matches('|').split('|');
+            let errors = errors.map(|error| error.trim().parse().expect("an error is a number"));
+            Some((name.to_owned(), errors.collect()))
+        })
+        .collect()
+}
+
+/// Measures every mechanism of a group, and compares with a table of the book.
+struct Table<F> {
+    rows: BTreeMap<String, Vec<f64>>,
+    measure: F,
+    kinds: BTreeMap<Kind, usize>,
+    mistakes: Vec<String>,
+}
+
+trait Measure {
+    fn errors<M: ThroughSnap>(&self, poses: &[Pose<M>]) -> Errors;
+}
+
+struct Double;
+
+impl Measure for Double {
+    fn errors<M: ThroughSnap>(&self, poses: &[Pose<M>]) -> Errors {
+        double(poses)
+    }
+}
+
+struct Single;
+
+impl Measure for Single {
+    fn errors<M: ThroughSnap>(&self, poses: &[Pose<M>]) -> Errors {
+        single(poses)
+    }
+}
+
+impl<F: Measure> Visitor for Table<F> {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        let poses = poses::<M>(&case);
+        for pose in &poses {
+            *self.kinds.entry(pose.kind).or_default() += 1;
+        }
+        let errors = self.measure.errors(&poses);
+        print!("{errors}");
+        if errors.poses < 10 {
+            self.mistakes
+                .push(format!("{}: only {} poses", errors.name, errors.poses));
+        }
+        // written so that what is no number is a mistake, too
+        if !errors.worst.iter().all(|worst| *worst <= ALLOWED) {
+            self.mistakes.push(errors.to_string());
+        }
+        // the last digit of sines and cosines is not the same on all platforms
+        let agrees = |measured: f64, said: f64| measured <= 1.5 * said + 0.2 && said <= 1.5 * measured + 0.2;
+        let row = self.rows.remove(errors.name).unwrap_or_default();
+        if row.len() != errors.worst.len() || !errors.worst.iter().zip(row).all(|(worst, said)| agrees(*worst, said)) {
+            self.mistakes
+                .push(format!("docs/accuracy.md should say\n{}", errors.row()));
+        }
+    }
+}
+
+fn check(heading: &str, measure: impl Measure) -> BTreeMap<Kind, usize> {
+    let mut table = Table {
+        rows: documented(heading),
+        measure,
+        kinds: BTreeMap::new(),
+        mistakes: Vec::new(),
+    };
+    cases::library(&mut table);
+    cases::coupled_library(&mut table);
+    println!("{:?}", table.kinds);
+    assert!(table.mistakes.is_empty(), "{}", table.mistakes.join("\n"));
+    assert!(table.rows.is_empty(), "not in the library: {:?}", table.rows);
+    table.kinds
+}
+
+#[test]
+fn double_precision() {
+    let kinds = check("## Double precision", Double);
+    assert_eq!(kinds.len(), 6, "{kinds:?}");
+    assert!(kinds.values().all(|count| *count >= 100), "{kinds:?}");
+}
+
+#[test]
+fn single_precision() {
+    check("## Single precision", Single);
+}
+
+/// The reference itself: a parallelogram's rocker moves as its crank does, and its coupler does not turn.
+#[test]
+fn a_parallelogram_to_fifty_digits() {
+    let crank = [0.7, -3.0, 2.0, 11.0, -50.0];
+    let given = Given {
+        parameters: vec![3.0, 1.0, 3.0, 1.0],
+        inputs: vec![crank.to_vec()],
+    };
+    // from a position that is only near
+    let found = solution::<FourBar>(&given, &[0.01, 0.69]).expect("a parallelogram closes");
+    for (order, expected) in crank.into_iter().enumerate() {
+        let theta3 = found.motions[0][order].nearest();
+        let theta4 = (&found.motions[1][order] - &kin_precise::Number::exactly(expected)).nearest();
+        assert!(
+            theta3.abs() < 1e-52 && theta4.abs() < 1e-52,
+            "order {order}: {theta3} {theta4}"
+        );
+    }
+}
+
+/// The test can fail: at every order it sees an error that other oracles let pass.
+#[test]
+fn a_wrong_twelfth_digit_is_found() {
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let crank = Motion::from([1.1, -10.0, 2.0, -0.5, 0.3]);
+    let pose = linkage.solve(crank, Assembly::Open).expect("it closes");
+    let right = [pose.theta3, pose.theta4].map(|motion| motion.derivatives().to_vec());
+    let given = Given {
+        parameters: linkage.parameters().to_vec(),
+        inputs: vec![crank.derivatives().to_vec()],
+    };
+    let worst = |motions: &[Vec<f64>]| {
+        let mut errors = Errors::new::<FourBar>();
+        errors
+            .hold::<FourBar>(&given, motions, f64::EPSILON, "")
+            .expect("there is a reference");
+        errors.worst
+    };
+    assert!(worst(&right).iter().all(|worst| *worst < 1.0));
+    for unknown in 0..2 {
+        for order in 0..5 {
+            let mut wrong = right.clone();
+            wrong[unknown][order] *= 1.0 + 1e-12;
+            let found = worst(&wrong);
+            assert!(found[order] > ALLOWED, "{unknown} {order}: {found:?}");
+        }
+    }
+}
