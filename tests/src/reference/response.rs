@@ -5,15 +5,14 @@
 //! relative error of rounding. What is rounded, each once:
 //!
 //! - every parameter, and every derivative of every input: |p ∂q⁽ⁿ⁾/∂p|;
-//! - the position of every unknown, and the derivatives follow; an angle is rounded as a direction is, by a fraction of a radian;
-//! - every entry of the Jacobian, in the linear equations of each order: |J⁻¹| |J| |q⁽ⁿ⁾|, the condition of R. D. Skeel, *Scaling
-//!   for numerical stability in Gaussian elimination*, Journal of the ACM 26 (1979), pages 494 to 526;
+//! - every term of every equation, and of its derivatives, by itself: in the n-th derivative the terms J⁽ᵏ⁾ q⁽ⁿ⁻ᵏ⁾ of
+//!   Leibniz's sum, where an angle's own term is that of a radian, as its direction is rounded. For the linear equations of one
+//!   order this is the condition |J⁻¹| |J| |q⁽ⁿ⁾| of R. D. Skeel, *Scaling for numerical stability in Gaussian elimination*, Journal
+//!   of the ACM 26 (1979), pages 494 to 526;
 //! - q⁽ⁿ⁾ itself.
 //!
 //! The changes are those of the linearised equations. With p₀ the derivative of the closure by p, as a series in time along the
 //! motion, and J the Jacobian, likewise, the change x of the motion is the solution of J(t) x(t) = -p₀(t), order by order.
-
-use std::iter;
 
 use kin_core::{Dimension, Mechanism};
 use kin_precise::Number;
@@ -31,10 +30,10 @@ struct Linearised {
 }
 
 impl Linearised {
-    /// The motion's change by a change of the equations, where that of the position may be given.
-    fn response(&self, change: impl Fn(usize, usize) -> Number, position: Option<Vec<Number>>) -> Vec<Vec<Number>> {
-        let mut response: Vec<Vec<Number>> = position.into_iter().collect();
-        for power in response.len()..self.jacobians.len() {
+    /// The motion's change by a change of the equations, told by row and power of time.
+    fn response(&self, change: impl Fn(usize, usize) -> Number) -> Vec<Vec<Number>> {
+        let mut response: Vec<Vec<Number>> = Vec::new();
+        for power in 0..self.jacobians.len() {
             let mut left: Vec<Number> = (0..self.inverse.len()).map(|row| change(row, power)).collect();
             for above in 1..=power {
                 let carried = product(&self.jacobians[above], &response[power - above]);
@@ -47,16 +46,14 @@ impl Linearised {
         response
     }
 
-    /// What rounded entries of the Jacobian make of the solution of the linear equations at a power of time.
-    fn skeel(&self, solution: &[Number]) -> Vec<f64> {
-        let magnitudes = |matrix: &Matrix| -> Matrix {
-            let row = |row: &Vec<Number>| row.iter().map(Number::abs).collect();
-            matrix.iter().map(row).collect()
+    /// The size of the terms of each equation at a power of time, for unknowns of given sizes at each power.
+    fn terms(&self, sizes: &[Vec<f64>], power: usize) -> Vec<f64> {
+        let term = |row: usize| {
+            let jacobians = self.jacobians[..=power].iter().zip(sizes[..=power].iter().rev());
+            let entries = jacobians.flat_map(|(jacobian, sizes)| jacobian[row].iter().zip(sizes));
+            entries.map(|(entry, size)| entry.nearest().abs() * size).sum()
         };
-        let solution: Vec<Number> = solution.iter().map(Number::abs).collect();
-        let rounded = product(&magnitudes(&self.jacobians[0]), &solution);
-        let response = product(&magnitudes(&self.inverse), &rounded);
-        response.iter().map(Number::nearest).collect()
+        (0..self.inverse.len()).map(term).collect()
     }
 }
 
@@ -70,24 +67,36 @@ pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -
     let linearised = Linearised { jacobians, inverse };
     let size = arguments.unknowns.len();
 
-    let orders: Vec<Vec<Number>> = (0..count)
+    let own = |index: usize, power: usize| arguments.unknowns[index].coefficient(power).nearest().abs();
+    let mut sums: Vec<Vec<f64>> = (0..size)
+        .map(|index| (0..count).map(|power| own(index, power)).collect())
+        .collect();
+
+    let sizes: Vec<Vec<f64>> = (0..count)
         .map(|power| {
-            arguments
-                .unknowns
-                .iter()
-                .map(|unknown| unknown.coefficient(power))
+            let unknowns = M::DESCRIPTION.unknowns.iter().enumerate();
+            unknowns
+                .map(|(index, quantity)| {
+                    let is_direction = power == 0 && quantity.dimension == Dimension::Angle;
+                    if is_direction { 1.0 } else { own(index, power) }
+                })
                 .collect()
         })
         .collect();
-    // the position is no solution of linear equations
-    let of_jacobian: Vec<Vec<f64>> = orders[1..].iter().map(|unknowns| linearised.skeel(unknowns)).collect();
-    let mut sums: Vec<Vec<f64>> = (0..size)
-        .map(|index| {
-            let skeel = iter::once(0.0).chain(of_jacobian.iter().map(|unknowns| unknowns[index]));
-            let own = orders.iter().map(|unknowns| unknowns[index].nearest().abs());
-            own.zip(skeel).map(|(own, skeel)| own + skeel).collect()
-        })
-        .collect();
+    let terms: Vec<Vec<f64>> = (0..count).map(|power| linearised.terms(&sizes, power)).collect();
+    for row in 0..size {
+        // what a change at one power of time makes of the powers above, it makes of them at any
+        let response = linearised.response(|other, power| number(usize::from(other == row && power == 0)));
+        for (above, unknowns) in response.iter().enumerate() {
+            for (sums, unknown) in sums.iter_mut().zip(unknowns) {
+                let unknown = unknown.nearest().abs();
+                for (sum, terms) in sums[above..].iter_mut().zip(&terms) {
+                    *sum += unknown * terms[row];
+                }
+            }
+        }
+    }
+
     let mut add = |response: Vec<Vec<Number>>| {
         for (power, unknowns) in response.iter().enumerate() {
             for (sum, unknown) in sums.iter_mut().zip(unknowns) {
@@ -105,7 +114,7 @@ pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -
         let mut moved = arguments.clone();
         moved.parameters[index] = Series::constant(&value + &(&value * &by));
         let change = equations.change(&moved, &by, &before, count);
-        add(linearised.response(|row, power| change[row].coefficient(power), None));
+        add(linearised.response(|row, power| change[row].coefficient(power)));
     }
     for index in 0..arguments.inputs.len() {
         let mut moved = arguments.clone();
@@ -121,17 +130,8 @@ pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -
                 Some(power) => &change[row].coefficient(power) * &own,
                 None => Number::zero(),
             };
-            add(linearised.response(change, None));
+            add(linearised.response(change));
         }
-    }
-    for (index, quantity) in M::DESCRIPTION.unknowns.iter().enumerate() {
-        let mut position = vec![Number::zero(); size];
-        position[index] = if quantity.dimension == Dimension::Angle {
-            number(1)
-        } else {
-            arguments.unknowns[index].coefficient(0)
-        };
-        add(linearised.response(|_, _| Number::zero(), Some(position)));
     }
     Ok(sums)
 }
