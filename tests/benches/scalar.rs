@@ -1,0 +1,329 @@
+//! One pose at a time: the generated solvers against the notes' formulas, automatic differentiation, and a kernel written by hand.
+//!
+//! `cargo bench -p kin-tests --bench scalar` prints lines `ratio NAME VALUE`, from times taken in one run. None is asserted: what is
+//! asserted, before anything is timed, is that the contenders find the same.
+#![allow(missing_docs, reason = "a program")]
+#![allow(
+    clippy::cast_possible_truncation,
+    reason = "single precision is made from double precision"
+)]
+
+mod arctangents;
+mod floor;
+mod measure;
+
+use core::hint::black_box;
+
+use arctangents::Without;
+use kin_core::library::{FourBar, InvertedSliderCrank, SliderCrank};
+use kin_core::prelude::*;
+use kin_core::series::Series;
+use kin_tests::notes::{self, four_bar_geometric, inverted_slider_crank, sample, slider_crank};
+use kin_tests::random::Random;
+use measure::Race;
+use num_dual::{Dual, Dual3, HyperDual};
+
+/// Poses in each turn: too many to be learnt by heart by a branch predictor that could, few enough for the nearest cache.
+const POSES: usize = 256;
+
+/// Motions about angles all over a range.
+fn motions(low: f64, high: f64) -> Vec<[f64; 5]> {
+    let mut random = Random::new(1);
+    (0..POSES)
+        .map(|_| {
+            let value = random.between(low, high);
+            random.motion(value)
+        })
+        .collect()
+}
+
+/// Asserts that two ways agree: to a part in 10⁸ of the largest value of each order, as these poses are well conditioned and the
+/// snap loses no more than that.
+fn assert_same(name: &str, own: &[[f64; 5]], other: &[[f64; 5]]) {
+    for order in 0..5 {
+        let size = other.iter().map(|motion| motion[order].abs()).fold(1.0, f64::max);
+        for (own, other) in own.iter().zip(other) {
+            let difference = (own[order] - other[order]).abs();
+            assert!(
+                difference <= 1e-8 * size,
+                "{name}, order {order}: {own:?} against {other:?}"
+            );
+        }
+    }
+}
+
+type Nested = HyperDual<HyperDual<f64>>;
+type Mixed = Dual<Dual3<f64>>;
+
+fn nested(d: [f64; 5]) -> Nested {
+    let inner = |k: usize| HyperDual::new(d[k], d[k + 1], d[k + 1], d[k + 2]);
+    HyperDual::new(inner(0), inner(1), inner(1), inner(2))
+}
+
+fn mixed(d: [f64; 5]) -> Mixed {
+    Dual::new(Dual3::new(d[0], d[1], d[2], d[3]), Dual3::new(d[1], d[2], d[3], d[4]))
+}
+
+fn four_bar() {
+    let r = sample::DIMENSIONS;
+    let linkage = FourBar {
+        r1: r.r1,
+        r2: r.r2,
+        r3: r.r3,
+        r4: r.r4,
+    };
+    let by_hand = floor::FourBar {
+        r1: r.r1,
+        r2: r.r2,
+        r3: r.r3,
+        r4: r.r4,
+    };
+    // where the linkage closes with room to spare, all round the ground line
+    let motions = motions(-1.8, 1.8);
+    let with_branches: Vec<_> = motions
+        .iter()
+        .map(|motion| {
+            let branch = four_bar_geometric::Branch::closing(r, motion[0], notes::Assembly::Open);
+            (*motion, branch)
+        })
+        .collect();
+    let values = || motions.iter().map(|motion| motion[0]).collect::<Vec<_>>();
+    let typed = || motions.iter().map(|motion| Motion::new(*motion)).collect::<Vec<_>>();
+
+    let generated: Vec<[[f64; 5]; 2]> = motions
+        .iter()
+        .map(|motion| {
+            let pose = linkage.solve(Motion::new(*motion), Assembly::Open).expect("it closes");
+            [pose.theta3.derivatives(), pose.theta4.derivatives()]
+        })
+        .collect();
+    let hand: Vec<[[f64; 5]; 2]> = motions
+        .iter()
+        .map(|motion| by_hand.solve(*motion).expect("it closes"))
+        .collect();
+    let notes: Vec<[[f64; 5]; 2]> = with_branches
+        .iter()
+        .map(|(motion, branch)| {
+            let pose = four_bar_geometric::derivatives(r, *motion, four_bar_geometric::position(r, motion[0], *branch));
+            [pose.theta3, pose.theta4]
+        })
+        .collect();
+    for unknown in 0..2 {
+        let of = |poses: &[[[f64; 5]; 2]]| poses.iter().map(|pose| pose[unknown]).collect::<Vec<_>>();
+        assert_same("by hand", &of(&hand), &of(&generated));
+        // the notes give theta4 from 0 to a whole turn; and theta3 with it
+        let mut notes = of(&notes);
+        for (notes, generated) in notes.iter_mut().zip(of(&generated)) {
+            let turn = core::f64::consts::TAU;
+            notes[0] -= turn * ((notes[0] - generated[0]) / turn).round();
+        }
+        assert_same("notes", &notes, &of(&generated));
+    }
+
+    let mut race = Race::new(POSES);
+    race.enter("four_bar.notes", with_branches, |(motion, branch)| {
+        let r = black_box(r);
+        let pose = four_bar_geometric::derivatives(r, motion, four_bar_geometric::position(r, motion[0], branch));
+        [pose.theta3, pose.theta4]
+    });
+    race.enter("four_bar.generated", typed(), |motion| {
+        black_box(linkage)
+            .solve(motion, Assembly::Open)
+            .map(|pose| [pose.theta3, pose.theta4])
+    });
+    race.enter("four_bar.by_hand", motions.clone(), |motion| {
+        black_box(by_hand).solve(motion)
+    });
+    race.enter("four_bar.by_hand_without_arctangents", motions.clone(), |motion| {
+        black_box(by_hand).solve_to_vectors(motion)
+    });
+    let without = linkage.convert(Without);
+    let inputs = motions.iter().map(|motion| Motion::new(motion.map(Without))).collect();
+    race.enter("four_bar.generated_without_arctangents", inputs, move |motion| {
+        black_box(without)
+            .solve(motion, Assembly::Open)
+            .map(|pose| [pose.theta3, pose.theta4])
+    });
+    let single = linkage.convert(|length| length as f32);
+    let inputs = motions
+        .iter()
+        .map(|motion| Motion::new(motion.map(|entry| entry as f32)))
+        .collect();
+    race.enter("four_bar.single_precision", inputs, move |motion| {
+        black_box(single)
+            .solve(motion, Assembly::Open)
+            .map(|pose| [pose.theta3, pose.theta4])
+    });
+    let lifted = linkage.convert(<Nested as Scalar>::constant);
+    race.enter("four_bar.nested_dual_numbers", motions.clone(), move |motion| {
+        black_box(lifted)
+            .position(nested(motion), Assembly::Open)
+            .map(|pose| [pose.theta3, pose.theta4])
+    });
+    let lifted = linkage.convert(<Mixed as Scalar>::constant);
+    race.enter("four_bar.mixed_dual_numbers", motions.clone(), move |motion| {
+        black_box(lifted)
+            .position(mixed(motion), Assembly::Open)
+            .map(|pose| [pose.theta3, pose.theta4])
+    });
+    let lifted = linkage.convert(Series::<5>::constant);
+    race.enter("four_bar.series", motions.clone(), move |motion| {
+        black_box(lifted)
+            .position(Series::from_derivatives(motion), Assembly::Open)
+            .map(|pose| [pose.theta3.value().derivatives(), pose.theta4.value().derivatives()])
+    });
+    race.enter("four_bar.sine_cosine_and_two_arctangents", values(), |angle| {
+        let (sine, cosine) = black_box(angle).sin_cos();
+        [sine.atan2(cosine + 0.5), sine.atan2(cosine - 0.5)]
+    });
+
+    race.enter("four_bar.position", typed(), |motion| {
+        let pose = black_box(linkage).position(motion.value(), Assembly::Open)?;
+        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+    });
+    race.enter("four_bar.through_velocity", typed(), |motion| {
+        let pose = black_box(linkage)
+            .position(motion.value(), Assembly::Open)?
+            .velocity(motion.velocity());
+        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+    });
+    race.enter("four_bar.through_acceleration", typed(), |motion| {
+        let pose = black_box(linkage)
+            .position(motion.value(), Assembly::Open)?
+            .velocity(motion.velocity())
+            .acceleration(motion.acceleration());
+        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+    });
+    race.enter("four_bar.through_jerk", typed(), |motion| {
+        let pose = black_box(linkage)
+            .position(motion.value(), Assembly::Open)?
+            .velocity(motion.velocity())
+            .acceleration(motion.acceleration())
+            .jerk(motion.jerk());
+        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+    });
+    race.enter("four_bar.through_snap", typed(), |motion| {
+        let pose = black_box(linkage)
+            .position(motion.value(), Assembly::Open)?
+            .velocity(motion.velocity())
+            .acceleration(motion.acceleration())
+            .jerk(motion.jerk())
+            .snap(motion.snap());
+        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+    });
+
+    let times = race.run();
+    for other in [
+        "notes",
+        "by_hand",
+        "nested_dual_numbers",
+        "mixed_dual_numbers",
+        "series",
+    ] {
+        times.ratio("four_bar.generated", &format!("four_bar.{other}"));
+    }
+    for (name, other) in [
+        ("by_hand", "notes"),
+        ("generated_without_arctangents", "generated"),
+        ("generated_without_arctangents", "notes"),
+        ("generated_without_arctangents", "by_hand_without_arctangents"),
+        ("sine_cosine_and_two_arctangents", "generated"),
+        ("single_precision", "generated"),
+        ("position", "generated"),
+        ("through_velocity", "generated"),
+        ("through_acceleration", "generated"),
+        ("through_jerk", "generated"),
+        ("through_snap", "generated"),
+    ] {
+        times.ratio(&format!("four_bar.{name}"), &format!("four_bar.{other}"));
+    }
+}
+
+fn slider_cranks() {
+    let dimensions = slider_crank::Dimensions { r: 0.4, l: 1.1 };
+    let mechanism = SliderCrank {
+        r: dimensions.r,
+        l: dimensions.l,
+    };
+    let motions = motions(-3.1, 3.1);
+    let typed: Vec<_> = motions.iter().map(|motion| Motion::new(*motion)).collect();
+    let notes: Vec<_> = motions
+        .iter()
+        .map(|motion| slider_crank::solve(dimensions, *motion, slider_crank::Rod::Forward))
+        .collect();
+    let generated: Vec<_> = typed
+        .iter()
+        .map(|motion| mechanism.solve(*motion, Assembly::Open).expect("it closes"))
+        .collect();
+    assert_same(
+        "slider-crank, phi",
+        &notes.iter().map(|pose| pose.phi).collect::<Vec<_>>(),
+        &generated.iter().map(|pose| pose.phi.derivatives()).collect::<Vec<_>>(),
+    );
+    assert_same(
+        "slider-crank, s",
+        &notes.iter().map(|pose| pose.s).collect::<Vec<_>>(),
+        &generated.iter().map(|pose| pose.s.derivatives()).collect::<Vec<_>>(),
+    );
+
+    let mut race = Race::new(POSES);
+    race.enter("slider_crank.notes", motions, |motion| {
+        slider_crank::solve(black_box(dimensions), motion, slider_crank::Rod::Forward)
+    });
+    race.enter("slider_crank.generated", typed, |motion| {
+        black_box(mechanism)
+            .solve(motion, Assembly::Open)
+            .map(|pose| [pose.phi, pose.s])
+    });
+    race.run().ratio("slider_crank.generated", "slider_crank.notes");
+}
+
+fn inverted_slider_cranks() {
+    let dimensions = inverted_slider_crank::Dimensions { r1: 2.0, r2: 0.8 };
+    let mechanism = InvertedSliderCrank {
+        r1: dimensions.r1,
+        r2: dimensions.r2,
+    };
+    let motions = motions(-3.1, 3.1);
+    let typed: Vec<_> = motions.iter().map(|motion| Motion::new(*motion)).collect();
+    // the lever swings by less than a right angle
+    let branch = inverted_slider_crank::Branch::closing(dimensions, 0.0, false);
+    let solve = move |dimensions, motion: [f64; 5]| {
+        let position = inverted_slider_crank::position(dimensions, motion[0], branch);
+        inverted_slider_crank::derivatives(dimensions, motion, position)
+    };
+    let notes: Vec<_> = motions.iter().map(|motion| solve(dimensions, *motion)).collect();
+    let generated: Vec<_> = typed
+        .iter()
+        .map(|motion| mechanism.solve(*motion).expect("it closes"))
+        .collect();
+    assert_same(
+        "inverted slider-crank, r4",
+        &notes.iter().map(|pose| pose.r4).collect::<Vec<_>>(),
+        &generated.iter().map(|pose| pose.r4.derivatives()).collect::<Vec<_>>(),
+    );
+    assert_same(
+        "inverted slider-crank, theta4",
+        &notes.iter().map(|pose| pose.theta4).collect::<Vec<_>>(),
+        &generated
+            .iter()
+            .map(|pose| pose.theta4.derivatives())
+            .collect::<Vec<_>>(),
+    );
+
+    let mut race = Race::new(POSES);
+    race.enter("inverted_slider_crank.notes", motions, move |motion| {
+        solve(black_box(dimensions), motion)
+    });
+    race.enter("inverted_slider_crank.generated", typed, |motion| {
+        black_box(mechanism).solve(motion).map(|pose| [pose.r4, pose.theta4])
+    });
+    race.run()
+        .ratio("inverted_slider_crank.generated", "inverted_slider_crank.notes");
+}
+
+fn main() {
+    four_bar();
+    slider_cranks();
+    inverted_slider_cranks();
+}

@@ -1,0 +1,163 @@
+//! No solver allocates, and the sizes of what they return.
+//!
+//! The sizes are printed: `cargo test -p kin-tests --test allocation -- --nocapture`.
+
+use core::any::type_name;
+use core::hint::black_box;
+
+use allocation_counter::measure;
+use kin_core::library::{self, ClassThreeTriad, StephensonII, WattIByDyad};
+use kin_core::prelude::*;
+use kin_core::track;
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
+use kin_tests::mechanisms::sensitive::{self, SensitiveThroughSnap};
+use kin_tests::random::Random;
+
+/// Runs it, and asserts that it neither allocated nor freed: on this thread, as the tests run side by side.
+#[track_caller]
+fn without_allocation<M: Mechanism, R>(what: &str, run: impl FnOnce() -> R) -> R {
+    let mut result = None;
+    let allocations = measure(|| result = Some(black_box(run())));
+    let name = M::DESCRIPTION.name;
+    assert_eq!(allocations.count_total, 0, "{what} of {name} allocates");
+    assert_eq!(allocations.count_current, 0, "{what} of {name} frees");
+    result.expect("it has run")
+}
+
+/// The measure itself sees an allocation.
+#[test]
+fn allocations_are_counted() {
+    let boxed = measure(|| drop(black_box(Box::new(1.0))));
+    assert_eq!(boxed.count_total, 1);
+    let grown = measure(|| drop(black_box(vec![1.0; black_box(100)])));
+    assert_eq!((grown.count_total, grown.bytes_total), (1, 800));
+}
+
+/// What has been solved, and what was refused.
+#[derive(Default)]
+struct Outcomes {
+    poses: usize,
+    refusals: usize,
+    ways: usize,
+}
+
+/// Solves one mechanism all over its ranges, and beyond, where it may not close.
+fn solve<M: ThroughSnap>(case: Case, outcomes: &mut Outcomes, random: &mut Random) -> Option<(M, M::Pose)> {
+    let mechanism = case.mechanism::<M>();
+    let mut found = None;
+    for step in 0..24 {
+        let inputs = case.inputs::<M>(0.041 * f64::from(step) + 0.01, random);
+        let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+        let some = M::Unknowns::from_fn(|_| random.between(0.2, 2.0));
+        let near = without_allocation::<M, _>("assembly_near", || mechanism.assembly_near(values, some));
+        let assembly = M::assembly(0).unwrap_or(near);
+        let solved = without_allocation::<M, _>("solve_motion", || mechanism.solve_motion(inputs, assembly));
+        let position = without_allocation::<M, _>("solve_position", || mechanism.solve_position(values, assembly));
+        without_allocation::<M, _>("solve_motion_near", || mechanism.solve_motion_near(inputs, some)).ok();
+        without_allocation::<M, _>("solve_position_near", || mechanism.solve_position_near(values, some)).ok();
+        without_allocation::<M, _>("residuals", || mechanism.residuals(values, some));
+        let Ok(pose) = solved else {
+            outcomes.refusals += 1;
+            continue;
+        };
+        outcomes.poses += 1;
+        found = Some((mechanism, pose));
+        if let Ok(position) = position {
+            // a little further
+            let to = M::Inputs::from_fn(|index| values.as_ref()[index] + 0.02);
+            let end = without_allocation::<M, _>("track", || track(&mechanism, values, position, to));
+            outcomes.ways += usize::from(end.is_ok());
+        }
+    }
+    println!(
+        "{:30} {:4} bytes: inputs and unknowns {:4}",
+        M::DESCRIPTION.name,
+        size_of::<M::Pose>(),
+        (M::Inputs::<()>::LENGTH + M::Unknowns::<()>::LENGTH) * size_of::<Motion<f64, 5>>(),
+    );
+    found
+}
+
+struct All {
+    outcomes: Outcomes,
+    random: Random,
+}
+
+impl Visitor for All {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        solve::<M>(case, &mut self.outcomes, &mut self.random);
+    }
+}
+
+impl sensitive::Visitor for All {
+    fn visit<M: SensitiveThroughSnap>(&mut self, case: Case) {
+        let (mechanism, pose) =
+            solve::<M>(case, &mut self.outcomes, &mut self.random).expect("it closes somewhere in its range");
+        without_allocation::<M, _>("sensitivities_of", || mechanism.sensitivities_of(&pose));
+    }
+}
+
+impl All {
+    fn new() -> Self {
+        Self {
+            outcomes: Outcomes::default(),
+            random: Random::new(5),
+        }
+    }
+
+    fn report(&self) {
+        let Outcomes { poses, refusals, ways } = self.outcomes;
+        println!("{poses} poses, {refusals} refusals, {ways} ways from one position to another");
+        assert!(poses > 200 && refusals > 0 && ways > 200);
+    }
+}
+
+#[test]
+fn no_solver_allocates() {
+    let mut all = All::new();
+    cases::all(&mut all);
+    cases::coupled_library(&mut all);
+    all.report();
+}
+
+#[test]
+fn sensitivities_do_not_allocate() {
+    let mut all = All::new();
+    sensitive::all(&mut all);
+    all.report();
+}
+
+/// All positions of a coupled block are found by following many paths, in a list that lies in the result.
+#[test]
+fn the_search_for_all_assemblies_does_not_allocate() {
+    let watt = WattIByDyad::<f64>::from_parameters([4.0, 1.0, 3.0, 2.5, 1.5, 0.8, 2.0, 1.5, 2.5, 2.0]);
+    let found = without_allocation::<WattIByDyad, _>("assemblies_at", || watt.assemblies_at(1.1));
+    assert!(!found.expect("it closes").is_empty());
+    let stephenson = StephensonII::<f64>::from_parameters([4.0, 2.0, 1.5, 1.2, 3.0, 0.3, 1.0, 0.5, 1.6, 3.0]);
+    let found = without_allocation::<StephensonII, _>("assemblies_at", || stephenson.assemblies_at(0.4));
+    assert!(!found.expect("it closes").is_empty());
+    let triad = ClassThreeTriad::<f64>::from_parameters([3.4, 0.2, 1.7, 3.1, 1.6, 0.1, 0.8, 1.4]);
+    let found = without_allocation::<ClassThreeTriad, _>("assemblies_at", || triad.assemblies_at(2.1, 2.1, 2.1));
+    assert!(!found.expect("it closes").is_empty());
+}
+
+/// Each step's pose is as large as its motions and what the next steps reuse.
+#[test]
+fn sizes_of_the_poses_of_each_order() {
+    fn print<T>(carried: usize) {
+        println!(
+            "{:50} {:4} bytes, of which {carried} carried",
+            type_name::<T>(),
+            size_of::<T>()
+        );
+    }
+    let motions = |orders: usize| 3 * orders * size_of::<f64>();
+    print::<library::FourBarPosition>(size_of::<library::FourBarPosition>() - motions(1));
+    print::<library::FourBarVelocity>(size_of::<library::FourBarVelocity>() - motions(2));
+    print::<library::FourBarAcceleration>(size_of::<library::FourBarAcceleration>() - motions(3));
+    print::<library::FourBarJerk>(size_of::<library::FourBarJerk>() - motions(4));
+    print::<library::FourBarSnap>(size_of::<library::FourBarSnap>() - motions(5));
+    // at the last order nothing is left to be reused
+    assert_eq!(size_of::<library::FourBarSnap>(), motions(5));
+    assert_eq!(size_of::<library::FourBarSnap<f32>>(), motions(5) / 2);
+}
