@@ -123,13 +123,10 @@ fn four_bar() {
     let mut race = Race::new(POSES);
     race.enter("four_bar.notes", with_branches, |(motion, branch)| {
         let r = black_box(r);
-        let pose = four_bar_geometric::derivatives(r, motion, four_bar_geometric::position(r, motion[0], branch));
-        [pose.theta3, pose.theta4]
+        four_bar_geometric::derivatives(r, motion, four_bar_geometric::position(r, motion[0], branch))
     });
     race.enter("four_bar.generated", typed(), |motion| {
-        black_box(linkage)
-            .solve(motion, Assembly::Open)
-            .map(|pose| [pose.theta3, pose.theta4])
+        black_box(linkage).solve(motion, Assembly::Open)
     });
     race.enter("four_bar.by_hand", motions.clone(), |motion| {
         black_box(by_hand).solve(motion)
@@ -140,9 +137,7 @@ fn four_bar() {
     let without = linkage.convert(Without);
     let inputs = motions.iter().map(|motion| Motion::new(motion.map(Without))).collect();
     race.enter("four_bar.generated_without_arctangents", inputs, move |motion| {
-        black_box(without)
-            .solve(motion, Assembly::Open)
-            .map(|pose| [pose.theta3, pose.theta4])
+        black_box(without).solve(motion, Assembly::Open)
     });
     let single = linkage.convert(|length| length as f32);
     let inputs = motions
@@ -150,27 +145,19 @@ fn four_bar() {
         .map(|motion| Motion::new(motion.map(|entry| entry as f32)))
         .collect();
     race.enter("four_bar.single_precision", inputs, move |motion| {
-        black_box(single)
-            .solve(motion, Assembly::Open)
-            .map(|pose| [pose.theta3, pose.theta4])
+        black_box(single).solve(motion, Assembly::Open)
     });
     let lifted = linkage.convert(<Nested as Scalar>::constant);
     race.enter("four_bar.nested_dual_numbers", motions.clone(), move |motion| {
-        black_box(lifted)
-            .position(nested(motion), Assembly::Open)
-            .map(|pose| [pose.theta3, pose.theta4])
+        black_box(lifted).position(nested(motion), Assembly::Open)
     });
     let lifted = linkage.convert(<Mixed as Scalar>::constant);
     race.enter("four_bar.mixed_dual_numbers", motions.clone(), move |motion| {
-        black_box(lifted)
-            .position(mixed(motion), Assembly::Open)
-            .map(|pose| [pose.theta3, pose.theta4])
+        black_box(lifted).position(mixed(motion), Assembly::Open)
     });
     let lifted = linkage.convert(Series::<5>::constant);
     race.enter("four_bar.series", motions.clone(), move |motion| {
-        black_box(lifted)
-            .position(Series::from_derivatives(motion), Assembly::Open)
-            .map(|pose| [pose.theta3.value().derivatives(), pose.theta4.value().derivatives()])
+        black_box(lifted).position(Series::from_derivatives(motion), Assembly::Open)
     });
     race.enter("four_bar.sine_cosine_and_two_arctangents", values(), |angle| {
         let (sine, cosine) = black_box(angle).sin_cos();
@@ -178,38 +165,28 @@ fn four_bar() {
     });
 
     race.enter("four_bar.position", typed(), |motion| {
-        let pose = black_box(linkage).position(motion.value(), Assembly::Open)?;
-        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+        black_box(linkage).position(motion.value(), Assembly::Open)
     });
     race.enter("four_bar.through_velocity", typed(), |motion| {
-        let pose = black_box(linkage)
-            .position(motion.value(), Assembly::Open)?
-            .velocity(motion.velocity());
-        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+        let position = black_box(linkage).position(motion.value(), Assembly::Open)?;
+        Ok::<_, SolveError>(position.velocity(motion.velocity()))
     });
     race.enter("four_bar.through_acceleration", typed(), |motion| {
-        let pose = black_box(linkage)
-            .position(motion.value(), Assembly::Open)?
-            .velocity(motion.velocity())
-            .acceleration(motion.acceleration());
-        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+        let position = black_box(linkage).position(motion.value(), Assembly::Open)?;
+        let velocity = position.velocity(motion.velocity());
+        Ok::<_, SolveError>(velocity.acceleration(motion.acceleration()))
     });
     race.enter("four_bar.through_jerk", typed(), |motion| {
-        let pose = black_box(linkage)
-            .position(motion.value(), Assembly::Open)?
-            .velocity(motion.velocity())
-            .acceleration(motion.acceleration())
-            .jerk(motion.jerk());
-        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+        let position = black_box(linkage).position(motion.value(), Assembly::Open)?;
+        let velocity = position.velocity(motion.velocity());
+        let acceleration = velocity.acceleration(motion.acceleration());
+        Ok::<_, SolveError>(acceleration.jerk(motion.jerk()))
     });
     race.enter("four_bar.through_snap", typed(), |motion| {
-        let pose = black_box(linkage)
-            .position(motion.value(), Assembly::Open)?
-            .velocity(motion.velocity())
-            .acceleration(motion.acceleration())
-            .jerk(motion.jerk())
-            .snap(motion.snap());
-        Ok::<_, SolveError>([pose.theta3, pose.theta4])
+        let position = black_box(linkage).position(motion.value(), Assembly::Open)?;
+        let velocity = position.velocity(motion.velocity());
+        let acceleration = velocity.acceleration(motion.acceleration());
+        Ok::<_, SolveError>(acceleration.jerk(motion.jerk()).snap(motion.snap()))
     });
 
     let times = race.run();
@@ -271,9 +248,7 @@ fn slider_cranks() {
         slider_crank::solve(black_box(dimensions), motion, slider_crank::Rod::Forward)
     });
     race.enter("slider_crank.generated", typed, |motion| {
-        black_box(mechanism)
-            .solve(motion, Assembly::Open)
-            .map(|pose| [pose.phi, pose.s])
+        black_box(mechanism).solve(motion, Assembly::Open)
     });
     race.run().ratio("slider_crank.generated", "slider_crank.notes");
 }
@@ -316,7 +291,7 @@ fn inverted_slider_cranks() {
         solve(black_box(dimensions), motion)
     });
     race.enter("inverted_slider_crank.generated", typed, |motion| {
-        black_box(mechanism).solve(motion).map(|pose| [pose.r4, pose.theta4])
+        black_box(mechanism).solve(motion)
     });
     race.run()
         .ratio("inverted_slider_crank.generated", "inverted_slider_crank.notes");

@@ -1,6 +1,7 @@
 //! Declared mechanisms to put the macro to the test.
 
 pub mod cases;
+pub mod chains;
 pub mod coupled;
 pub mod dyads;
 pub mod four_bar_typings;
