@@ -5,7 +5,8 @@
 #![allow(missing_docs, reason = "a program")]
 #![allow(
     clippy::cast_possible_truncation,
-    reason = "single precision is made from double precision"
+    clippy::cast_precision_loss,
+    reason = "single precision is made from double precision, and there are hundreds of poses"
 )]
 
 mod arctangents;
@@ -23,17 +24,16 @@ use kin_tests::random::Random;
 use measure::Race;
 use num_dual::{Dual, Dual3, HyperDual};
 
-/// Poses in each turn: too many to be learnt by heart by a branch predictor that could, few enough for the nearest cache.
+/// Poses in each turn.
 const POSES: usize = 256;
 
-/// Motions about angles all over a range.
+/// Motions about angles all over a range, one after the other as in a sweep or a control loop, so that branches within arctangents
+/// are as foreseeable as they are there; the rates are random.
 fn motions(low: f64, high: f64) -> Vec<[f64; 5]> {
     let mut random = Random::new(1);
+    let step = (high - low) / POSES as f64;
     (0..POSES)
-        .map(|_| {
-            let value = random.between(low, high);
-            random.motion(value)
-        })
+        .map(|index| random.motion(low + step * (index as f64 + 0.5)))
         .collect()
 }
 
@@ -50,6 +50,15 @@ fn assert_same(name: &str, own: &[[f64; 5]], other: &[[f64; 5]]) {
             );
         }
     }
+}
+
+mechanism! {
+    /// The library's four-bar linkage once more, for a program that solves it in one place only: there the position solver is
+    /// compiled into its caller, where with many callers it is one function for all.
+    pub struct SolvedInOnePlace { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
 }
 
 type Nested = HyperDual<HyperDual<f64>>;
@@ -128,6 +137,10 @@ fn four_bar() {
     race.enter("four_bar.generated", typed(), |motion| {
         black_box(linkage).solve(motion, Assembly::Open)
     });
+    let alone = SolvedInOnePlace::from_parameters(linkage.parameters());
+    race.enter("four_bar.generated_in_one_place", typed(), move |motion| {
+        black_box(alone).solve(motion, Assembly::Open)
+    });
     race.enter("four_bar.by_hand", motions.clone(), |motion| {
         black_box(by_hand).solve(motion)
     });
@@ -200,6 +213,8 @@ fn four_bar() {
         times.ratio("four_bar.generated", &format!("four_bar.{other}"));
     }
     for (name, other) in [
+        ("generated_in_one_place", "notes"),
+        ("generated_in_one_place", "by_hand"),
         ("by_hand", "notes"),
         ("generated_without_arctangents", "generated"),
         ("generated_without_arctangents", "notes"),

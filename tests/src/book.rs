@@ -22,6 +22,7 @@ chapters! {
     verification: "../../docs/verification.md";
     accuracy: "../../docs/accuracy.md";
     library: "../../docs/library.md";
+    performance: "../../docs/performance.md";
     architecture: "../../docs/architecture.md";
     decisions: "../../docs/decisions.md";
 }
