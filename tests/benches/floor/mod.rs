@@ -4,8 +4,11 @@
 //! coordinates, one reciprocal of the determinant, one arctangent for each angle. No NaN comes out of a position that is out of
 //! reach; beyond that nothing is asked and nothing is explained.
 
-/// Coupler and rocker: vectors, or angles with their derivatives.
+/// Of coupler and rocker.
 pub(crate) type Pair<T> = [T; 2];
+
+/// The vectors of coupler and rocker, and the rates of their angles from the velocity to the snap.
+pub(crate) type Vectors = (Pair<[f64; 2]>, Pair<[f64; 4]>);
 
 /// The linkage: ground, crank, coupler, rocker.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +33,7 @@ impl FourBar {
 
     /// The vectors of coupler and rocker and the angles' rates: the same without the two arctangents.
     #[inline]
-    pub(crate) fn solve_to_vectors(&self, theta2: [f64; 5]) -> Option<(Pair<[f64; 2]>, Pair<[f64; 4]>)> {
+    pub(crate) fn solve_to_vectors(&self, theta2: [f64; 5]) -> Option<Vectors> {
         let Self { r1, r2, r3, r4 } = *self;
         let [theta2, w2, a2, j2, s2] = theta2;
 
@@ -40,7 +43,7 @@ impl FourBar {
         let d2 = dx * dx + dy * dy;
         let (sum, difference) = (r3 + r4, r3 - r4);
         let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
-        if !(four_q2 > 0.0) {
+        if four_q2.is_nan() || four_q2 <= 0.0 {
             return None;
         }
         let half = 0.5 / d2;
