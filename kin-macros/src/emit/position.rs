@@ -45,6 +45,12 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         mechanism.unknown_order()
     );
     let is_coupled = mechanism.is_coupled();
+    // a function of its own, called from several places, would pass the pose through memory; an iteration does not mind
+    let inline = if is_coupled {
+        quote!(#[inline])
+    } else {
+        quote!(#[inline(always)])
+    };
     let (choice, chosen) = if is_coupled {
         let chosen = quote!(self.position_near(#(#inputs,)* #runtime::Guess::values(#near)));
         (quote!(#near: impl #runtime::Guess<T, #count>), chosen)
@@ -97,7 +103,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 self.__position(#(#inputs,)* #found #near_value)
             }
 
-            #[inline]
+            #inline
             fn __position(&self, #(#inputs: T,)* #assembly_then #near: #near_type)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
