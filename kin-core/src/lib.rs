@@ -82,6 +82,7 @@ mod assembly;
 pub mod continuation;
 #[cfg(feature = "std")]
 pub mod count;
+mod elementary;
 mod error;
 mod figures;
 mod inputs;

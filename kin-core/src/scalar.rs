@@ -5,6 +5,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
 
+use crate::elementary::arc_tangent_single;
+
 /// A number that a mechanism can be solved with.
 ///
 /// Implemented for `f32` and `f64`, for the truncated series of [`series`](crate::series), for
@@ -90,7 +92,7 @@ pub trait Scalar:
 }
 
 macro_rules! primitive_scalar {
-    ($float:ty, $from_f64:expr) => {
+    ($float:ty, $from_f64:expr, $arc_tangent:expr) => {
         impl Scalar for $float {
             const EPSILON: f64 = <$float>::EPSILON as f64;
             const SMALLEST: f64 = <$float>::MIN_POSITIVE as f64;
@@ -137,7 +139,7 @@ macro_rules! primitive_scalar {
 
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                Float::atan2(self, x)
+                $arc_tangent(self, x)
             }
 
             #[inline]
@@ -153,15 +155,15 @@ macro_rules! primitive_scalar {
     };
 }
 
-primitive_scalar!(f64, core::convert::identity);
-primitive_scalar!(f32, single);
+primitive_scalar!(f64, core::convert::identity, Float::atan2);
+primitive_scalar!(f32, single, arc_tangent_single);
 
 #[expect(
     clippy::cast_possible_truncation,
     reason = "rounding to the nearest single-precision number is what is asked for"
 )]
 #[inline]
-fn single(value: f64) -> f32 {
+pub(crate) fn single(value: f64) -> f32 {
     value as f32
 }
 
