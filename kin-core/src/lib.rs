@@ -103,6 +103,7 @@ pub mod series;
 mod skeleton;
 pub mod solve;
 mod space;
+mod split_mix;
 mod track;
 mod transmission;
 #[cfg(feature = "num-dual")]

@@ -135,6 +135,7 @@ pub(crate) fn names(model: &Model) -> Names {
         "position",
         "result",
         "candidate",
+        "size",
         "first",
         "second",
     ] {

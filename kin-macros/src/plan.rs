@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Regularity, Stage, Step};
+use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Stage, Step};
 use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
@@ -102,9 +102,7 @@ fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
     if task.parameters > 0 {
         best = sensitive(task, derived);
     }
-    let mut plan = best.finish();
-    plan.every = every(task);
-    plan
+    best.finish(every(task))
 }
 
 /// Equations and outputs in one form, with their derivatives through some order.
@@ -241,7 +239,7 @@ impl Candidate {
         }
     }
 
-    fn finish(mut self) -> Plan {
+    fn finish(mut self, every: Option<ScheduledStage>) -> Plan {
         let names = self.program.names;
         let sensitivities = if self.program.has_sensitivities {
             self.scheduled.stages.pop()
@@ -256,7 +254,7 @@ impl Candidate {
             scheduled: self.scheduled,
             sensitivities,
             orientations,
-            every: None,
+            every,
         }
     }
 }
@@ -286,19 +284,16 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
             names.name(rate, &wish);
         }
     }
-    let jacobians: Vec<Regularity> = derivatives
-        .regular
-        .iter()
-        .zip(&derivatives.systems)
-        .map(|(regular, system)| Regularity {
-            regular: regular.clone(),
-            system: system.clone(),
-        })
-        .collect();
-    for (symbol, _) in derivatives.systems.iter().flatten() {
+    for (symbol, _) in derivatives.regularity.iter().filter_map(|block| block.system.as_ref()) {
         names.name(*symbol, "factors");
     }
-    let assembled = assemble::assemble(&mut graph, &mut names, task.blocks, task.ranges, &jacobians);
+    let assembled = assemble::assemble(
+        &mut graph,
+        &mut names,
+        task.blocks,
+        task.ranges,
+        &derivatives.regularity,
+    );
     let mut units = assembled.units;
     let mut stages = vec![assembled.stage];
     for (index, &output) in task.outputs.iter().enumerate() {
@@ -311,30 +306,20 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     for order in 1..=order {
         let mut steps = Vec::new();
         for rate in &derivatives.orders[order - 1] {
-            match rate {
-                Rate::Value { unknown, value } => {
-                    let node = units.rewrite(&mut graph, *value);
-                    steps.push(Step::Define {
-                        symbol: Symbol::UnknownRate(*unknown, order),
-                        node,
-                    });
-                }
+            steps.push(match rate {
+                Rate::Value { unknown, value } => Step::Define {
+                    symbol: Symbol::UnknownRate(*unknown, order),
+                    node: units.rewrite(&mut graph, *value),
+                },
                 Rate::System {
                     factors,
                     unknowns,
                     right,
                 } => {
-                    let right = right.iter().map(|&node| units.rewrite(&mut graph, node)).collect();
-                    steps.push(Step::Substitute {
-                        factors: graph.symbol(*factors),
-                        right,
-                        results: unknowns
-                            .iter()
-                            .map(|&unknown| Symbol::UnknownRate(unknown, order))
-                            .collect(),
-                    });
+                    let results = unknowns.iter().map(|&unknown| Symbol::UnknownRate(unknown, order));
+                    units.substitution(&mut graph, *factors, right, results.collect())
                 }
-            }
+            });
         }
         for (index, &output) in derivatives.outputs[order - 1].iter().enumerate() {
             let node = units.rewrite(&mut graph, output);
@@ -359,17 +344,13 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
                     factors,
                     right,
                     results,
-                } => Step::Substitute {
-                    factors: graph.symbol(*factors),
-                    right: right.iter().map(|&node| units.rewrite(&mut graph, node)).collect(),
-                    results: results.clone(),
-                },
+                } => units.substitution(&mut graph, *factors, right, results.clone()),
             })
             .collect();
         stages.push(Stage { steps });
     }
     let mut hints: Vec<(Node, String)> = Vec::new();
-    for &determinant in derivatives.regular.iter().flatten() {
+    for &determinant in derivatives.regular() {
         hints.push((units.rewrite(&mut graph, determinant), "determinant".to_owned()));
     }
     for (node, hint) in derivatives.hints(&derived.graph) {
@@ -385,7 +366,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     let guaranteed: Vec<Node> = derivatives
         .guaranteed
         .iter()
-        .chain(derivatives.regular.iter().flatten())
+        .chain(derivatives.regular())
         .map(|&node| units.rewrite(&mut graph, node))
         .collect();
     let checks = unguarded_divisors(&graph, &stages, &guaranteed);

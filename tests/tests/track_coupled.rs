@@ -4,12 +4,8 @@ use core::f64::consts::{PI, TAU};
 
 use kin_core::prelude::*;
 use kin_core::{TrackError, track};
-use kin_tests::mechanisms::coupled::{Kepler, RelativeDrive, StephensonThree, Triad};
+use kin_tests::mechanisms::coupled::{Built, Kepler, RelativeDrive, StephensonThree, Triad};
 use kin_tests::random::Random;
-
-fn at(length: f64, angle: f64) -> Plane {
-    Plane::new(length * angle.cos(), length * angle.sin())
-}
 
 /// Kepler's equation turns back where cos E = 1 / e, if e > 1: one root of three is left there.
 #[test]
@@ -220,18 +216,7 @@ fn triads() {
             random.between(0.5, 2.0)
         };
         let delta = random.between(0.5, 2.0);
-        let joint = at(crank, theta) + at(a, alpha);
-        let mechanism = Triad {
-            crank,
-            a,
-            b,
-            c,
-            p,
-            q,
-            delta,
-            pivot_b: joint + at(p, phi) - at(b, beta),
-            pivot_c: joint + at(q, phi + delta) - at(c, gamma),
-        };
+        let mechanism = Triad::around([theta, alpha, beta, gamma, phi], [crank, a, b, c, p, q], delta);
         let end = theta + if round % 3 == 0 { -TAU } else { TAU };
         *tally
             .entry(compare(&mechanism, theta, [alpha, beta, gamma, phi], end))
@@ -252,20 +237,9 @@ fn six_bars_driven_at_the_far_dyad() {
         } else {
             random.between(0.5, 2.0)
         };
-        let end = at(r2, theta2) + at(r3, theta3);
-        let rocker = end - Plane::new(r1, 0.0);
-        let coupler_point = Plane::new(x, y);
-        let mechanism = StephensonThree {
-            r1,
-            r2,
-            r3,
-            r4: rocker.x.hypot(rocker.y),
-            coupler_point,
-            r5,
-            r6,
-            pivot: at(r2, theta2) + coupler_point.times(at(1.0, theta3)) + at(r5, theta5) - at(r6, theta6),
-        };
-        let unknowns = [theta2, theta3, rocker.y.atan2(rocker.x), theta5];
+        let Built {
+            mechanism, unknowns, ..
+        } = StephensonThree::around([theta2, theta3, theta5, theta6], [r1, r2, r3, r5, r6], Plane::new(x, y));
         *tally
             .entry(compare(&mechanism, theta6, unknowns, theta6 + TAU))
             .or_insert(0) += 1;

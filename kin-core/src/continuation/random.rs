@@ -3,10 +3,9 @@
 use core::f64::consts::TAU;
 
 use super::complex::Complex;
+use crate::split_mix::{INCREMENT, fraction, mix};
 
 /// A fixed sequence of numbers without any relation to the mechanism.
-///
-/// G. Steele, D. Lea & C. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014, figure 17 (`SplitMix64`).
 #[derive(Clone, Debug)]
 pub(super) struct Sequence {
     state: u64,
@@ -28,7 +27,8 @@ impl Sequence {
 
     /// Evenly distributed between 0 and 1.
     pub(super) fn fraction(&mut self) -> f64 {
-        fraction(self.next())
+        self.state = self.state.wrapping_add(INCREMENT);
+        fraction(self.state)
     }
 
     /// A complex number of modulus between 1/2 and 3/2.
@@ -49,24 +49,9 @@ pub(super) fn entry(number: u64, form: u8, place: usize) -> Complex {
     let place = (place as u64).wrapping_mul(256).wrapping_add(u64::from(form));
     let at = number.wrapping_add(place.wrapping_mul(2).wrapping_mul(INCREMENT));
     Complex::new(
-        2.0 * fraction(mix(at)) - 1.0,
-        2.0 * fraction(mix(at.wrapping_add(INCREMENT))) - 1.0,
+        2.0 * fraction(at) - 1.0,
+        2.0 * fraction(at.wrapping_add(INCREMENT)) - 1.0,
     )
-}
-
-const INCREMENT: u64 = 0x9E37_79B9_7F4A_7C15;
-
-#[inline]
-fn mix(mut z: u64) -> u64 {
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ (z >> 31)
-}
-
-#[inline]
-#[expect(clippy::cast_precision_loss, reason = "53 bits are kept, as many as there are")]
-fn fraction(bits: u64) -> f64 {
-    (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
 #[cfg(test)]

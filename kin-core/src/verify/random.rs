@@ -1,6 +1,8 @@
-//! Scattered numbers, the same in every run.
+//! Random dimensions and motions, the same in every run.
 
-/// `SplitMix64` (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+use crate::split_mix::{INCREMENT, fraction};
+
+/// Scattered numbers, by `SplitMix64` (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
 ///
 /// ```
 /// use kin_core::verify::Random;
@@ -22,13 +24,8 @@ impl Random {
 
     /// A number in `low..high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
-        let fraction = ((z ^ (z >> 31)) >> 11) as f64 / 9_007_199_254_740_992.0;
-        low + (high - low) * fraction
+        self.0 = self.0.wrapping_add(INCREMENT);
+        low + (high - low) * fraction(self.0)
     }
 
     /// A size, its logarithm uniform over the decade about 1.

@@ -7,6 +7,7 @@ use super::choice;
 use super::program::{Choice, Limits, Mode, Names, Stage, Step};
 use super::solver::{Argument, Solver};
 use super::units::Units;
+use crate::derive::Regularity;
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
 use crate::structure::{Block, ClosedForm, Complex, Part, Solution};
@@ -24,14 +25,6 @@ pub(super) struct Builder<'a> {
     pub(super) names: &'a mut Names,
     pub(super) steps: Vec<Step>,
     pub(super) units: Units,
-}
-
-/// What is asked of a block's Jacobian when the position is known.
-pub(crate) struct Regularity {
-    /// What must not vanish.
-    pub(crate) regular: Vec<Node>,
-    /// What is to be factored, under a symbol by which later stages know the factors.
-    pub(crate) system: Option<(Symbol, Vec<Vec<Node>>)>,
 }
 
 /// Turns blocks into steps that find a position.

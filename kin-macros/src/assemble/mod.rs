@@ -12,7 +12,7 @@ mod solver;
 mod transmission;
 mod units;
 
-pub(crate) use blocks::{Regularity, assemble, assemble_every};
+pub(crate) use blocks::{assemble, assemble_every};
 pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
 pub(crate) use solver::{Argument, Cost, Returns, Shape, Solver};
 pub(crate) use transmission::{Dyad, dyads};

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::program::Step;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 use crate::structure::Complex;
@@ -62,6 +63,21 @@ impl Units {
         };
         self.rewritten.insert(node, result);
         result
+    }
+
+    /// The step that solves for several unknowns by the factors of their Jacobian.
+    pub(crate) fn substitution(
+        &mut self,
+        graph: &mut Graph,
+        factors: Symbol,
+        right: &[Node],
+        results: Vec<Symbol>,
+    ) -> Step {
+        Step::Substitute {
+            factors: graph.symbol(factors),
+            right: right.iter().map(|&node| self.rewrite(graph, node)).collect(),
+            results,
+        }
     }
 
     /// cos and sin of an angle: known, put together from known ones by the addition theorems, or evaluated.

@@ -113,20 +113,23 @@ impl Jacobian {
         if size <= CRAMER {
             return false;
         }
-        let number = (0..size)
+        let is_constant = |&(row, _): &(usize, usize)| {
+            self.core[row].iter().all(|&entry| {
+                graph
+                    .symbols(entry)
+                    .iter()
+                    .all(|symbol| !matches!(symbol, Symbol::Unknown(_)))
+            })
+        };
+        let numbers: Vec<(usize, usize)> = (0..size)
             .flat_map(|row| (0..size).map(move |column| (row, column)))
-            .find(|&(row, column)| {
+            .filter(|&(row, column)| {
                 graph
                     .as_number(self.core[row][column])
                     .is_some_and(|number| number != 0.0)
-                    && self.core[row].iter().all(|&entry| {
-                        graph
-                            .symbols(entry)
-                            .iter()
-                            .all(|symbol| !matches!(symbol, Symbol::Unknown(_)))
-                    })
-            });
-        if let Some((row, column)) = number {
+            })
+            .collect();
+        if let Some(&(row, column)) = numbers.iter().find(|place| is_constant(place)) {
             self.number(graph, row, column);
             return true;
         }
@@ -134,14 +137,7 @@ impl Jacobian {
             self.turn(graph, [columns[column][0], columns[column][1]], column);
             return true;
         }
-        let number = (0..size)
-            .flat_map(|row| (0..size).map(move |column| (row, column)))
-            .find(|&(row, column)| {
-                graph
-                    .as_number(self.core[row][column])
-                    .is_some_and(|number| number != 0.0)
-            });
-        if let Some((row, column)) = number {
+        if let Some(&(row, column)) = numbers.first() {
             self.number(graph, row, column);
             return true;
         }

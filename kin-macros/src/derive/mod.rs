@@ -26,15 +26,22 @@ pub(crate) struct Derivatives {
     pub(crate) orders: Vec<Vec<Rate>>,
     /// `outputs[n - 1][k]` is the n-th derivative of the k-th output expression.
     pub(crate) outputs: Vec<Vec<Node>>,
-    /// What of each block's Jacobian must not vanish: the factors of its determinant.
-    pub(crate) regular: Vec<Vec<Node>>,
-    /// What of each block's Jacobian is to be factored at run time, with the symbol of the factors.
-    pub(crate) systems: Vec<Option<(Symbol, Vec<Vec<Node>>)>>,
+    /// What is asked of each block's Jacobian when the position is known.
+    pub(crate) regularity: Vec<Regularity>,
     /// What the rates are divided by, besides the determinants, that does not vanish where these do not.
     pub(crate) guaranteed: Vec<Node>,
     rights: Vec<(Node, Hint)>,
     rates: Rates,
     jacobians: Rc<[Jacobian]>,
+}
+
+/// What is asked of a block's Jacobian.
+#[derive(Clone)]
+pub(crate) struct Regularity {
+    /// What must not vanish: the factors of its determinant.
+    pub(crate) regular: Vec<Node>,
+    /// What is to be factored at run time, with the symbol by which later stages know the factors.
+    pub(crate) system: Option<(Symbol, Vec<Vec<Node>>)>,
 }
 
 /// A part of the derivation that has a name.
@@ -119,8 +126,13 @@ impl Derivatives {
         Self {
             orders: Vec::new(),
             outputs: Vec::new(),
-            regular: jacobians.iter().map(|jacobian| jacobian.regular(graph)).collect(),
-            systems: jacobians.iter().map(Jacobian::system).collect(),
+            regularity: jacobians
+                .iter()
+                .map(|jacobian| Regularity {
+                    regular: jacobian.regular(graph),
+                    system: jacobian.system(),
+                })
+                .collect(),
             guaranteed: jacobians
                 .iter()
                 .flat_map(|jacobian| jacobian.guaranteed(graph))
@@ -129,6 +141,11 @@ impl Derivatives {
             rates: Rates::new(),
             jacobians,
         }
+    }
+
+    /// What must not vanish, in all blocks.
+    pub(crate) fn regular(&self) -> impl Iterator<Item = &Node> {
+        self.regularity.iter().flat_map(|block| &block.regular)
     }
 
     /// Derives the next order; `way` is how sines and cosines are differentiated to it.

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::{Mechanism, attributes, formula, local};
+use super::{Mechanism, attributes, local, values};
 use crate::expr::Symbol;
 use crate::schedule::Statement;
 
@@ -179,26 +179,12 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
     let stage = &mechanism.plan.orientations;
     let near = mechanism.own("near");
     let used: std::collections::BTreeSet<String> = stage.statements.iter().flat_map(Statement::uses).collect();
-    let unknowns = (0..mechanism.model.unknowns.len())
-        .map(|index| (index, mechanism.plan.names.of(Symbol::Unknown(index)).to_owned()))
-        .filter(|(_, own)| used.contains(own))
-        .map(|(index, own)| {
-            let (own, index) = (local(&own), Literal::usize_unsuffixed(index));
-            quote!(let #own = #near[#index];)
-        });
+    let symbols: Vec<Symbol> = (0..mechanism.model.unknowns.len()).map(Symbol::Unknown).collect();
+    let unknowns = values::bound(mechanism, &used, &symbols, &near);
     let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
     let readings = mechanism.readings(stage, &given);
     let unused_inputs = inputs.iter().filter(|input| !used.contains(&input.to_string()));
-    let body = stage.statements.iter().map(|statement| match statement {
-        Statement::Let { name, value } => {
-            let (name, value) = (local(name), formula::tokens(value));
-            quote!(let #name = #value;)
-        }
-        other => mechanism.plain_statements(&crate::schedule::ScheduledStage {
-            statements: vec![other.clone()],
-            ..Default::default()
-        }),
-    });
+    let body = mechanism.plain_statements(stage);
     let signs: Vec<TokenStream> = stage
         .statements
         .iter()
@@ -216,15 +202,9 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
         let (name, fields) = (type_name(mechanism), fields(mechanism));
         quote!(#name { #(#fields: #signs),* })
     };
-    let order: Vec<String> = mechanism
-        .model
-        .unknowns
-        .iter()
-        .map(|unknown| unknown.name.to_string())
-        .collect();
     let summary = format!(
         " The assembly of a mechanism whose unknowns are about `[{}]`: the side of the singular positions on which they lie.",
-        order.join(", ")
+        mechanism.unknown_order()
     );
     quote! {
         #attributes
@@ -235,7 +215,7 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
                 #(let _ = #unused_inputs;)*
                 #readings
                 #(#unknowns)*
-                #(#body)*
+                #body
                 #result
             }
         }

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{Mechanism, attributes};
+use super::{Mechanism, attributes, local};
 use crate::assemble::Cost;
 
 /// `OPERATIONS`: position, velocity, ….
@@ -36,46 +36,19 @@ pub(super) fn operations(mechanism: &Mechanism<'_>) -> TokenStream {
 
 /// One cost.
 pub(super) fn operations_of(runtime: &TokenStream, cost: Cost) -> TokenStream {
-    let Cost {
-        additions,
-        multiplications,
-        divisions,
-        negations,
-        square_roots,
-        sine_cosines,
-        arc_tangents,
-        others,
-    } = cost;
-    let [
-        additions,
-        multiplications,
-        divisions,
-        negations,
-        square_roots,
-        sine_cosines,
-        arc_tangents,
-        others,
-    ] = [
-        additions,
-        multiplications,
-        divisions,
-        negations,
-        square_roots,
-        sine_cosines,
-        arc_tangents,
-        others,
+    let fields = [
+        ("additions", cost.additions),
+        ("multiplications", cost.multiplications),
+        ("divisions", cost.divisions),
+        ("negations", cost.negations),
+        ("square_roots", cost.square_roots),
+        ("sine_cosines", cost.sine_cosines),
+        ("arc_tangents", cost.arc_tangents),
+        ("others", cost.others),
     ]
-    .map(Literal::usize_unsuffixed);
-    quote! {
-        #runtime::Operations {
-            additions: #additions,
-            multiplications: #multiplications,
-            divisions: #divisions,
-            negations: #negations,
-            square_roots: #square_roots,
-            sine_cosines: #sine_cosines,
-            arc_tangents: #arc_tangents,
-            others: #others,
-        }
-    }
+    .map(|(name, count)| {
+        let (name, count) = (local(name), Literal::usize_unsuffixed(count));
+        quote!(#name: #count)
+    });
+    quote!(#runtime::Operations { #(#fields),* })
 }

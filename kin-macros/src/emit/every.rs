@@ -4,7 +4,6 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{Mechanism, attributes, formula, local};
-use crate::assemble::Mode;
 use crate::expr::Symbol;
 use crate::schedule::Expression;
 use crate::structure::System;
@@ -21,16 +20,10 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         goes_through_all: true,
         ..*mechanism
     };
-    let choices = mechanism
-        .plan
-        .choices
-        .iter()
-        .filter(|choice| matches!(choice.mode, Mode::Assembly(_)))
-        .count();
     let paths = mechanism
         .blocks
         .iter()
-        .fold(1_usize << choices.min(20), |product, block| {
+        .fold(1_usize << mechanism.choices().len().min(20), |product, block| {
             product.saturating_mul(block.all.as_ref().map_or(1, |system| system.paths))
         });
     if paths > LARGEST {
@@ -45,7 +38,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let readings = mechanism.readings(stage, &given);
     let body = all.position_statements(stage);
     let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
-    let [way, position, near] = ["choices", "position", "near"].map(|name| mechanism.own(name));
+    let [way, near] = ["choices", "near"].map(|name| mechanism.own(name));
     let lines = mechanism
         .blocks
         .iter()
@@ -79,12 +72,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             {
                 #runtime::every(
                     |#way| self.__one_of_all(#(#inputs,)* #way),
-                    |#near| match self.position_near(#(#inputs,)* #near) {
-                        ::core::result::Result::Ok(#position) => {
-                            ::core::result::Result::Ok(#position.unknowns())
-                        }
-                        ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
-                    },
+                    |#near| #runtime::Mechanism::solve_position_near(self, [#(#inputs),*], #near),
                 )
             }
 

@@ -167,12 +167,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #wanted: Self::Assembly,
             ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
                 #ignore
-                match self.position(#(#places,)* #value) {
-                    ::core::result::Result::Ok(position) => {
-                        ::core::result::Result::Ok(position.unknowns())
-                    }
-                    ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
-                }
+                self.position(#(#places,)* #value).map(|position| position.unknowns())
             }
 
             fn solve_position_near(
@@ -180,12 +175,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #inputs: [T; #input_count],
                 #near: [T; #unknown_count],
             ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
-                match self.position_near(#(#places,)* #near) {
-                    ::core::result::Result::Ok(position) => {
-                        ::core::result::Result::Ok(position.unknowns())
-                    }
-                    ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
-                }
+                self.position_near(#(#places,)* #near).map(|position| position.unknowns())
             }
 
             fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {

@@ -319,15 +319,15 @@ impl Mechanism<'_> {
             let place = Literal::usize_unsuffixed(unknown);
             quote!(#near[#place])
         });
-        let lengths: Vec<TokenStream> = self.lengths();
+        let is_length = |unknown: &usize| self.model.unknowns[*unknown].dimension == Dimension::Length;
+        let size = self.own("size");
         let sizes = unknowns
             .iter()
-            .map(|&unknown| match self.model.unknowns[unknown].dimension {
-                Dimension::Length if !lengths.is_empty() => {
-                    quote!(#runtime::solve::largest(&[#(#runtime::Scalar::real(#lengths)),*]))
-                }
-                _ => quote!(1.0),
-            });
+            .map(|unknown| if is_length(unknown) { quote!(#size) } else { quote!(1.0) });
+        let largest = unknowns.iter().any(is_length).then(|| {
+            let lengths = self.lengths();
+            quote!(let #size = #runtime::solve::largest(&[#(#runtime::Scalar::real(#lengths)),*]);)
+        });
         let count = Literal::usize_unsuffixed(unknowns.len());
         let body = body.iter().map(|statement| self.statement(statement, Some(part)));
         let residuals = residuals.iter().map(formula::tokens);
@@ -337,6 +337,7 @@ impl Mechanism<'_> {
         });
         let failed = self.failed(part);
         quote! {
+            #largest
             let [#(#names),*] = #runtime::solve::newton(
                 [#(#guesses),*],
                 [#(#sizes),*],

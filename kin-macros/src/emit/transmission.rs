@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{Mechanism, attributes, formula, local, values};
+use super::{Mechanism, attributes, local, values};
 use crate::assemble::{Dyad, Program, Stage, Step, dyads};
 use crate::expr::{Node, Symbol};
 use crate::schedule::{ScheduledStage, Statement, Style, schedule};
@@ -21,16 +21,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let readings = mechanism.readings(&stage, &[inputs.as_slice(), unknowns.as_slice()].concat());
     let inputs = values(mechanism, &used, &inputs, &quote!(#pose.input_values()));
     let unknowns = values(mechanism, &used, &unknowns, &quote!(#pose.unknown_values()));
-    let body = stage.statements.iter().map(|statement| match statement {
-        Statement::Let { name, value } => {
-            let (name, value) = (local(name), formula::tokens(value));
-            quote!(let #name = #value;)
-        }
-        other => mechanism.plain_statements(&ScheduledStage {
-            statements: vec![other.clone()],
-            ..Default::default()
-        }),
-    });
+    let body = mechanism.plain_statements(&stage);
     let angles = dyads.iter().map(|(dyad, parts)| {
         let [across, along] = parts.each_ref().map(|name| local(name));
         let label = label(mechanism, dyad);
@@ -56,7 +47,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #inputs
                 #unknowns
                 #readings
-                #(#body)*
+                #body
                 [#(#angles),*]
             }
         }
@@ -112,16 +103,7 @@ fn label(mechanism: &Mechanism<'_>, dyad: &Dyad) -> String {
 /// Those of the pose's values that are used, by their own names.
 fn values(mechanism: &Mechanism<'_>, used: &BTreeSet<String>, symbols: &[Symbol], all: &TokenStream) -> TokenStream {
     let row = mechanism.own("values");
-    let values: Vec<TokenStream> = symbols
-        .iter()
-        .enumerate()
-        .map(|(index, &symbol)| (index, mechanism.plan.names.of(symbol)))
-        .filter(|(_, name)| used.contains(*name))
-        .map(|(index, name)| {
-            let (name, index) = (local(name), Literal::usize_unsuffixed(index));
-            quote!(let #name = #row[#index];)
-        })
-        .collect();
+    let values = values::bound(mechanism, used, symbols, &row);
     if values.is_empty() {
         return TokenStream::new();
     }

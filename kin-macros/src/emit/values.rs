@@ -1,17 +1,19 @@
 //! What a pose of any order says of its position.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::{Mechanism, attributes};
+use super::{Mechanism, attributes, local};
+use crate::expr::Symbol;
 
 /// `impl PoseOf`, for the pose of each order.
 pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let (name, attributes) = (&model.name, attributes());
     let inputs: Vec<_> = model.inputs.iter().map(|input| &input.name).collect();
-    let unknowns: Vec<_> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
-    let [input_count, unknown_count] = [inputs.len(), unknowns.len()].map(Literal::usize_unsuffixed);
+    let [input_count, unknown_count] = [inputs.len(), model.unknowns.len()].map(Literal::usize_unsuffixed);
     (0..=mechanism.order())
         .map(|order| {
             let pose = mechanism.pose(order);
@@ -23,7 +25,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                     }
 
                     fn unknown_values(&self) -> [T; #unknown_count] {
-                        [#(self.#unknowns.value()),*]
+                        self.unknowns()
                     }
                 }
             }
@@ -37,4 +39,23 @@ pub(super) fn argument(mechanism: &Mechanism<'_>) -> (Ident, TokenStream) {
     let pose = mechanism.own("pose");
     let argument = quote!(#pose: &impl #runtime::PoseOf<Self>);
     (pose, argument)
+}
+
+/// `let` for those of some values in a row that are used, by their own names.
+pub(super) fn bound(
+    mechanism: &Mechanism<'_>,
+    used: &BTreeSet<String>,
+    symbols: &[Symbol],
+    row: &Ident,
+) -> Vec<TokenStream> {
+    symbols
+        .iter()
+        .enumerate()
+        .map(|(index, &symbol)| (index, mechanism.plan.names.of(symbol)))
+        .filter(|(_, name)| used.contains(*name))
+        .map(|(index, name)| {
+            let (name, index) = (local(name), Literal::usize_unsuffixed(index));
+            quote!(let #name = #row[#index];)
+        })
+        .collect()
 }

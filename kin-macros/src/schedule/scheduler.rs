@@ -266,11 +266,8 @@ impl Scheduler<'_> {
                 let arguments = arguments
                     .iter()
                     .map(|argument: &Argument| {
-                        let parts = argument.nodes().into_iter().map(|node| {
-                            let value = self.value(rows, node);
-                            self.argument(value)
-                        });
-                        (argument.shape(), parts.collect())
+                        let parts = self.arguments(rows, &argument.nodes());
+                        (argument.shape(), parts)
                     })
                     .collect();
                 let results = results.iter().map(|&symbol| self.result_name(symbol)).collect();
@@ -324,13 +321,7 @@ impl Scheduler<'_> {
                 coefficients,
                 results,
             } => {
-                let coefficients: Vec<Expression> = coefficients
-                    .iter()
-                    .map(|&node| {
-                        let value = self.value(rows, node);
-                        self.argument(value)
-                    })
-                    .collect();
+                let coefficients = self.arguments(rows, coefficients);
                 self.statements.push(Statement::Every {
                     block: *block,
                     coefficients,
@@ -338,17 +329,7 @@ impl Scheduler<'_> {
                 });
             }
             Step::Factor { symbol, matrix } => {
-                let matrix: Vec<Vec<Expression>> = matrix
-                    .iter()
-                    .map(|row| {
-                        row.iter()
-                            .map(|&entry| {
-                                let value = self.value(rows, entry);
-                                self.argument(value)
-                            })
-                            .collect()
-                    })
-                    .collect();
+                let matrix: Vec<Vec<Expression>> = matrix.iter().map(|row| self.arguments(rows, row)).collect();
                 if *symbol != RESIDUALS {
                     self.charge(Cost::of_factors(matrix.len()));
                 }
@@ -362,13 +343,7 @@ impl Scheduler<'_> {
                 right,
                 results,
             } => {
-                let right: Vec<Expression> = right
-                    .iter()
-                    .map(|&node| {
-                        let value = self.value(rows, node);
-                        self.argument(value)
-                    })
-                    .collect();
+                let right = self.arguments(rows, right);
                 let factors = self.value(rows, *factors);
                 let Operation::Leaf(symbol) = *self.operations.operation(factors) else {
                     unreachable!("factors are known by a symbol");
@@ -430,6 +405,17 @@ impl Scheduler<'_> {
     /// The expression for a value handed to a function.
     fn argument(&mut self, value: Value) -> Expression {
         self.expression(value)
+    }
+
+    /// The same for several.
+    fn arguments(&mut self, rows: &Rows, nodes: &[Node]) -> Vec<Expression> {
+        nodes
+            .iter()
+            .map(|&node| {
+                let value = self.value(rows, node);
+                self.argument(value)
+            })
+            .collect()
     }
 
     /// A function with a partner or a check cannot stand within an expression.

@@ -163,21 +163,27 @@ impl Triad {
         let [theta, alpha, beta, gamma, phi] = [(); 5].map(|()| random.between(-3.0, 3.0));
         let [crank, a, b, c, p, q] = [(); 6].map(|()| random.between(0.5, 2.0));
         let delta = random.between(0.5, 2.0);
-        let joint = at(crank, theta) + at(a, alpha);
         Built {
-            mechanism: Self {
-                crank,
-                a,
-                b,
-                c,
-                p,
-                q,
-                delta,
-                pivot_b: joint + at(p, phi) - at(b, beta),
-                pivot_c: joint + at(q, phi + delta) - at(c, gamma),
-            },
+            mechanism: Self::around([theta, alpha, beta, gamma, phi], [crank, a, b, c, p, q], delta),
             input: theta,
             unknowns: [alpha, beta, gamma, phi],
+        }
+    }
+
+    /// The triad of given links that closes at given angles.
+    #[must_use]
+    pub fn around([theta, alpha, beta, gamma, phi]: [f64; 5], [crank, a, b, c, p, q]: [f64; 6], delta: f64) -> Self {
+        let joint = at(crank, theta) + at(a, alpha);
+        Self {
+            crank,
+            a,
+            b,
+            c,
+            p,
+            q,
+            delta,
+            pivot_b: joint + at(p, phi) - at(b, beta),
+            pivot_c: joint + at(q, phi + delta) - at(c, gamma),
         }
     }
 }
@@ -187,10 +193,18 @@ impl StephensonThree {
     pub fn built(random: &mut Random) -> Built<Self, 4> {
         let [theta2, theta3, theta5, theta6] = [(); 4].map(|()| random.between(-3.0, 3.0));
         let [r2, r3, r5, r6, x, y] = [(); 6].map(|()| random.between(0.5, 2.0));
-        let end = at(r2, theta2) + at(r3, theta3);
         let r1 = random.between(0.5, 2.0);
-        let rocker = end - Plane::new(r1, 0.0);
-        let coupler_point = Plane::new(x, y);
+        Self::around([theta2, theta3, theta5, theta6], [r1, r2, r3, r5, r6], Plane::new(x, y))
+    }
+
+    /// The linkage of given links that closes at given angles, with the rocker that it needs for that.
+    #[must_use]
+    pub fn around(
+        [theta2, theta3, theta5, theta6]: [f64; 4],
+        [r1, r2, r3, r5, r6]: [f64; 5],
+        coupler_point: Plane,
+    ) -> Built<Self, 4> {
+        let rocker = at(r2, theta2) + at(r3, theta3) - Plane::new(r1, 0.0);
         Built {
             mechanism: Self {
                 r1,
