@@ -79,6 +79,7 @@ compile_error!("kin-core needs the functions of either the feature `std` or the 
 
 mod assemblies;
 mod assembly;
+pub mod batch;
 pub mod continuation;
 #[cfg(feature = "std")]
 pub mod count;
@@ -87,6 +88,7 @@ mod error;
 mod figures;
 mod inputs;
 mod interop;
+mod lanes;
 pub mod library;
 mod link;
 mod mechanism;
@@ -287,7 +289,7 @@ pub mod __private {
     pub use crate::{
         Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Failure, Guess, InputValues, Mechanism,
         Motion, Near, Operations, Partials, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Sensitive, Skeleton,
-        SolveError, Space, TrackErrorOf, TransmissionAngle, continuation, series, solve, track,
+        SolveError, Space, TrackErrorOf, TransmissionAngle, batch, continuation, series, solve, track,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

@@ -159,6 +159,7 @@ pub trait Row<V>: Copy + AsRef<[V]> + AsMut<[V]> {
 impl<V: Copy, const N: usize> Row<V> for [V; N] {
     const LENGTH: usize = N;
 
+    #[inline]
     fn from_fn(function: impl FnMut(usize) -> V) -> Self {
         core::array::from_fn(function)
     }

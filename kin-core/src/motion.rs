@@ -1,7 +1,7 @@
 //! A value and its time derivatives.
 
 use core::array;
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, Index, IndexMut, Mul, Neg, Sub};
 
 use crate::{Plane, Row, Scalar, Space};
 
@@ -242,6 +242,24 @@ impl<T, const N: usize> AsMut<[T]> for Motion<T, N> {
     #[inline]
     fn as_mut(&mut self) -> &mut [T] {
         &mut self.derivatives
+    }
+}
+
+/// The derivative of an order. Panics if there is none, as an index beyond an array does.
+impl<T, const N: usize> Index<usize> for Motion<T, N> {
+    type Output = T;
+
+    #[inline]
+    fn index(&self, order: usize) -> &T {
+        &self.derivatives[order]
+    }
+}
+
+/// The derivative of an order. Panics if there is none, as an index beyond an array does.
+impl<T, const N: usize> IndexMut<usize> for Motion<T, N> {
+    #[inline]
+    fn index_mut(&mut self, order: usize) -> &mut T {
+        &mut self.derivatives[order]
     }
 }
 

@@ -28,7 +28,7 @@ pub struct Plane<T = f64> {
 
 impl<T> Plane<T> {
     /// The vector with the coordinates `x` and `y`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn new(x: T, y: T) -> Self {
         Self { x, y }
@@ -37,7 +37,7 @@ impl<T> Plane<T> {
 
 impl<T: Scalar> Plane<T> {
     /// The scalar product `x₁ x₂ + y₁ y₂`, in the product of the units.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn dot(self, other: Self) -> T {
         self.x * other.x + self.y * other.y
@@ -45,35 +45,35 @@ impl<T: Scalar> Plane<T> {
 
     /// The vector product `x₁ y₂ - y₁ x₂`, a vector normal to the plane of which this is the
     /// component out of it: positive when `other` is reached counter-clockwise.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn cross(self, other: Self) -> T {
         self.x * other.y - self.y * other.x
     }
 
     /// The vector `factor` times as long.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn scale(self, factor: T) -> Self {
         Self::new(self.x * factor, self.y * factor)
     }
 
     /// The square of the length.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn norm_squared(self) -> T {
         self.dot(self)
     }
 
     /// The length. Its square must lie in the range of the number type.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn norm(self) -> T {
         self.norm_squared().sqrt()
     }
 
     /// The product of complex numbers: lengths multiply, angles add.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn times(self, other: Self) -> Self {
         Self::new(self.x * other.x - self.y * other.y, self.x * other.y + self.y * other.x)
@@ -83,7 +83,7 @@ impl<T: Scalar> Plane<T> {
 impl<T: Scalar> Add for Plane<T> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y)
     }
@@ -92,7 +92,7 @@ impl<T: Scalar> Add for Plane<T> {
 impl<T: Scalar> Sub for Plane<T> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y)
     }
@@ -101,21 +101,21 @@ impl<T: Scalar> Sub for Plane<T> {
 impl<T: Scalar> Neg for Plane<T> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y)
     }
 }
 
 impl<T> From<[T; 2]> for Plane<T> {
-    #[inline]
+    #[inline(always)]
     fn from([x, y]: [T; 2]) -> Self {
         Self::new(x, y)
     }
 }
 
 impl<T> From<Plane<T>> for [T; 2] {
-    #[inline]
+    #[inline(always)]
     fn from(vector: Plane<T>) -> Self {
         [vector.x, vector.y]
     }

@@ -5,7 +5,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
 
+use crate::Failure;
 use crate::elementary::arc_tangent_single;
+use crate::solve::damped_root;
 
 /// A number that a mechanism can be solved with.
 ///
@@ -89,6 +91,58 @@ pub trait Scalar:
     /// The natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
+
+    /// The number itself if the judges pass a test, which sees their real parts, and none if they do not.
+    ///
+    /// This and what follows are how a solver decides. A number that stands for several poses at once, as in a
+    /// [batch](crate::batch), decides for each: it keeps the poses that pass, and makes the others NaN.
+    #[inline(always)]
+    fn provided<const N: usize>(self, judges: [Self; N], test: impl Fn([f64; N]) -> bool) -> Option<Self> {
+        test(judges.map(Self::real)).then_some(self)
+    }
+
+    /// One value if the judges pass a test, the other one if they do not.
+    #[inline(always)]
+    fn either<const N: usize>(
+        judges: [Self; N],
+        test: impl Fn([f64; N]) -> bool,
+        one: impl FnOnce() -> Self,
+        other: impl FnOnce() -> Self,
+    ) -> Self {
+        if test(judges.map(Self::real)) { one() } else { other() }
+    }
+
+    /// A constant that depends on the real parts of other numbers.
+    #[must_use]
+    #[inline(always)]
+    fn constant_of<const N: usize>(judges: [Self; N], function: impl Fn([f64; N]) -> f64) -> Self {
+        Self::constant(function(judges.map(Self::real)))
+    }
+
+    /// A decision for the whole of the number, on real parts. A number that stands for several poses fails if they do not agree.
+    ///
+    /// # Errors
+    /// Those of the decision.
+    #[inline(always)]
+    fn decided<const N: usize, R: PartialEq>(
+        judges: [Self; N],
+        decision: impl Fn([f64; N]) -> Result<R, Failure>,
+    ) -> Result<R, Failure> {
+        decision(judges.map(Self::real))
+    }
+
+    /// The root that [`solve::newton`](crate::solve::newton()) finds; the arguments are its own.
+    ///
+    /// # Errors
+    /// Those of the method.
+    #[inline]
+    fn root<const N: usize>(
+        guess: [Self; N],
+        sizes: [Self; N],
+        evaluate: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
+    ) -> Result<[Self; N], Failure> {
+        damped_root(guess, sizes, evaluate)
+    }
 }
 
 macro_rules! primitive_scalar {

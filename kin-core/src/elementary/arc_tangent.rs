@@ -48,7 +48,7 @@ const ARC_TANGENT_SINGLE: [f64; 5] = [
 ];
 
 /// The angle from the x axis to (`x`, `y`), in -π ..= π, with the signs of zeros of IEEE 754.
-#[inline]
+#[inline(always)]
 pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
     let (angle, ordinary) = ordinary_arc_tangent(y, x);
     if ordinary { angle } else { beyond(y, x) }
@@ -56,12 +56,12 @@ pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
 
 /// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and
 /// where a product would overflow or lose bits by underflow.
-#[inline]
+#[inline(always)]
 pub(crate) fn ordinary_arc_tangent(y: f64, x: f64) -> (f64, bool) {
     let (height, width) = (y.abs(), x.abs());
     let turned = Turned::of(height, width);
     let size = turned.along;
-    let ordinary = (ORDINARY[0]..=ORDINARY[1]).contains(&size) && (height >= width * ORDINARY[0] || height == 0.0);
+    let ordinary = (size >= ORDINARY[0]) & (size <= ORDINARY[1]) & ((height >= width * ORDINARY[0]) | (height == 0.0));
 
     let side = 1.0_f64.copysign(x);
     let multiple = turned.multiple(side);
@@ -82,7 +82,7 @@ pub(crate) fn ordinary_arc_tangent(y: f64, x: f64) -> (f64, bool) {
 }
 
 /// [`arc_tangent`] in single precision, computed in double precision.
-#[inline]
+#[inline(always)]
 pub(crate) fn arc_tangent_single(y: f32, x: f32) -> f32 {
     let (height, width) = (f64::from(y).abs(), f64::from(x).abs());
     let turned = Turned::of(height, width);
@@ -114,7 +114,7 @@ struct Turned {
 }
 
 impl Turned {
-    #[inline]
+    #[inline(always)]
     fn of(height: f64, width: f64) -> Self {
         let flat = height <= EIGHTH * width;
         let steep = width < EIGHTH * height;
@@ -131,14 +131,14 @@ impl Turned {
 
     /// The multiple of π/4 from which the angle counts, forwards from the positive x axis or, where `side` is -1 instead of 1,
     /// back from the negative one.
-    #[inline]
+    #[inline(always)]
     fn multiple(&self, side: f64) -> f64 {
         2.0 - side * (1.0 + self.cosine - self.sine)
     }
 }
 
 /// `value` to 25 bits (Veltkamp).
-#[inline]
+#[inline(always)]
 fn upper(value: f64) -> f64 {
     let multiple = value * 268_435_457.0;
     multiple - (multiple - value)
@@ -147,7 +147,7 @@ fn upper(value: f64) -> f64 {
 /// a u - b v, where u and v have at most 28 bits and the products cancel to some 24 bits: as good as exact.
 ///
 /// Splitting the factors, as Dekker did, *A floating-point technique for extending the available precision* (1971).
-#[inline]
+#[inline(always)]
 fn difference_of_products(a: f64, u: f64, b: f64, v: f64) -> f64 {
     let (upper_a, upper_b) = (upper(a), upper(b));
     (upper_a * u - upper_b * v) + ((a - upper_a) * u - (b - upper_b) * v)

@@ -11,15 +11,11 @@
 //! The polynomials are minimax in the relative error of the function itself, found by Remez' exchange in 50 digits; each states
 //! its interval and its error. They were fitted for this crate.
 
-#[cfg_attr(
-    not(test),
-    expect(dead_code, reason = "in double precision it is for solving in lanes")
-)]
 mod arc_tangent;
 mod polynomial;
 #[cfg(test)]
 mod reference;
-#[cfg_attr(not(test), expect(dead_code, reason = "it is for solving in lanes"))]
 mod sine_cosine;
 
-pub(crate) use arc_tangent::arc_tangent_single;
+pub(crate) use arc_tangent::{arc_tangent_single, ordinary_arc_tangent};
+pub(crate) use sine_cosine::{is_near, near_sine_cosine};

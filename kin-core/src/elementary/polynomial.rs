@@ -1,7 +1,7 @@
 //! Polynomials by pairs, which depend less on one another than one step after the other.
 
 /// a b + c, fused where the target has the instruction: elsewhere the exact function is slow.
-#[inline]
+#[inline(always)]
 pub(super) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
     #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
     {
@@ -16,7 +16,7 @@ pub(super) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
 /// The value at `z` of the polynomial with these coefficients, that of the lowest power first.
 ///
 /// Estrin's scheme: neighbours are joined, then the pairs by z², then the fours by z⁴.
-#[inline]
+#[inline(always)]
 pub(super) fn polynomial<const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
     let mut terms = coefficients;
     let mut power = z;

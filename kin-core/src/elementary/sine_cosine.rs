@@ -61,7 +61,7 @@ const COSINE_SINGLE: [f64; 3] = [
 ];
 
 /// Sine and cosine of an angle in radians, in this order.
-#[inline]
+#[inline(always)]
 pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
     if is_near(angle) {
         near_sine_cosine(angle)
@@ -71,7 +71,7 @@ pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
 }
 
 /// [`sine_cosine`] in single precision, computed in double precision.
-#[inline]
+#[inline(always)]
 pub(crate) fn sine_cosine_single(angle: f32) -> (f32, f32) {
     let wide = f64::from(angle);
     if is_near(wide) {
@@ -89,13 +89,13 @@ fn far<T: Float>(angle: T) -> (T, T) {
 }
 
 /// Whether [`near_sine_cosine`] holds for this angle: it is finite and not large.
-#[inline]
+#[inline(always)]
 pub(crate) fn is_near(angle: f64) -> bool {
     angle.abs() <= LIMIT
 }
 
 /// [`sine_cosine`] of an angle that [is near](is_near), without a branch.
-#[inline]
+#[inline(always)]
 pub(crate) fn near_sine_cosine(angle: f64) -> (f64, f64) {
     let shifted = angle * core::f64::consts::FRAC_2_PI + ROUNDING;
     let turns = shifted - ROUNDING;
@@ -119,7 +119,7 @@ pub(crate) fn near_sine_cosine(angle: f64) -> (f64, f64) {
     in_quadrant(shifted, sine, cosine)
 }
 
-#[inline]
+#[inline(always)]
 fn near_single(angle: f64) -> (f64, f64) {
     let shifted = angle * core::f64::consts::FRAC_2_PI + ROUNDING;
     let turns = shifted - ROUNDING;
@@ -131,7 +131,7 @@ fn near_single(angle: f64) -> (f64, f64) {
 }
 
 /// Sine and cosine of the reduced angle, turned on by as many quarter turns as the lowest bits of `shifted` say.
-#[inline]
+#[inline(always)]
 fn in_quadrant(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
     let quarters = shifted.to_bits();
     let (s, c) = (sine.to_bits(), cosine.to_bits());

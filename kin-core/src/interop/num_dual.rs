@@ -234,7 +234,7 @@ mod tests {
     fn newton_steps_differentiate() {
         fn angle<T: Scalar>(t: T) -> T {
             let half = T::constant(0.5);
-            let root = solve::newton([T::constant(1.0)], [1.0], |[x]: [T; 1]| {
+            let root = solve::newton([T::constant(1.0)], [T::constant(1.0)], |[x]: [T; 1]| {
                 let (sine, cosine) = x.sin_cos();
                 ([x + half * sine - t], [[T::constant(1.0) + half * cosine]])
             });
@@ -243,7 +243,7 @@ mod tests {
         agree!("x + sin(x) / 2 = t", angle, X);
         // And t from x gives back the motion of t.
         let motion = nested(X);
-        let [x] = solve::newton([Nested::constant(0.3)], [1.0], |[x]: [Nested; 1]| {
+        let [x] = solve::newton([Nested::constant(0.3)], [Scalar::constant(1.0)], |[x]: [Nested; 1]| {
             (
                 [x * x * x + x - motion],
                 [[x * x * Nested::constant(3.0) + Nested::constant(1.0)]],

@@ -31,7 +31,7 @@ const QUANTITY: &str = "link lengths or the distance they span";
 /// assert!(first.cross(second) < 0.0);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline]
+#[inline(always)]
 pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let d2 = c.norm_squared();
     let sum = a + b;
@@ -39,14 +39,16 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     let twice_p = d2 + sum * difference;
     // The product is the same if one of the lengths is negative and sum and difference change places.
     let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
-    if !(is_ordinary(four_q2.real(), T::SMALLEST) && d2.real() >= T::SMALLEST) {
+    let Some(four_q2) = four_q2.provided([four_q2, d2], |[q2, d2]| {
+        is_ordinary(q2, T::SMALLEST) & (d2 >= T::SMALLEST)
+    }) else {
         return Err(lengths_do_not_close(
             a.real(),
             b.real(),
             Plane::new(c.x.real(), c.y.real()),
             T::EPSILON,
         ));
-    }
+    };
     let half = T::constant(0.5) / d2;
     let p = twice_p * half;
     let q = four_q2.sqrt() * half;
@@ -60,19 +62,21 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
 ///
 /// # Errors
 /// As for [`circle_circle`]; a negative square is out of reach by its root.
-#[inline]
+#[inline(always)]
 pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let d2 = c.norm_squared();
     let twice_p = d2 + a2 - b2;
     let four_q2 = T::constant(4.0) * a2 * d2 - twice_p * twice_p;
-    if !(is_ordinary(four_q2.real(), T::SMALLEST) && d2.real() >= T::SMALLEST) {
+    let Some(four_q2) = four_q2.provided([four_q2, d2], |[q2, d2]| {
+        is_ordinary(q2, T::SMALLEST) & (d2 >= T::SMALLEST)
+    }) else {
         return Err(squares_do_not_close(
             a2.real(),
             b2.real(),
             Plane::new(c.x.real(), c.y.real()),
             T::EPSILON,
         ));
-    }
+    };
     let half = T::constant(0.5) / d2;
     let p = twice_p * half;
     let q = four_q2.sqrt() * half;
@@ -80,7 +84,7 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
 }
 
 /// `c (p ± i q)`, the sign being that of the assembly.
-#[inline]
+#[inline(always)]
 fn beside<T: Scalar>(c: Plane<T>, p: T, q: T, assembly: Assembly) -> Plane<T> {
     match assembly {
         Assembly::Open => Plane::new(c.x * p - c.y * q, c.y * p + c.x * q),

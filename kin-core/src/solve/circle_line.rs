@@ -26,7 +26,7 @@ const QUANTITY: &str = "link length, direction of the slide or distance spanned"
 /// assert_eq!((link.x, link.y, travel), (-4.0, 3.0, 2.5));
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline]
+#[inline(always)]
 pub fn circle_line<T: Scalar>(
     a2: T,
     direction: Plane<T>,
@@ -37,13 +37,13 @@ pub fn circle_line<T: Scalar>(
     let along = direction.dot(c);
     let beside = direction.cross(c);
     let q2 = a2 * u2 - beside * beside;
-    if !(is_ordinary(q2.real(), T::SMALLEST) && u2.real() >= T::SMALLEST) {
+    let Some(q2) = q2.provided([q2, u2], |[q2, u2]| is_ordinary(q2, T::SMALLEST) & (u2 >= T::SMALLEST)) else {
         return Err(does_not_reach(a2, direction, c));
-    }
+    };
     let travel = either(along, q2.sqrt(), assembly) / u2;
-    if !travel.real().is_finite() {
+    let Some(travel) = travel.provided([travel], |[travel]| travel.is_finite()) else {
         return Err(does_not_reach(a2, direction, c));
-    }
+    };
     Ok((c - direction.scale(travel), travel))
 }
 
@@ -53,13 +53,13 @@ pub fn circle_line<T: Scalar>(
 ///
 /// # Errors
 /// As for [`circle_line`].
-#[inline]
+#[inline(always)]
 pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, T), Failure> {
     let q2 = a2 - c.y * c.y;
-    if !(is_ordinary(q2.real(), T::SMALLEST) && c.x.real().is_finite()) {
+    let Some(q2) = q2.provided([q2, c.x], |[q2, x]| is_ordinary(q2, T::SMALLEST) & x.is_finite()) else {
         let axis = Plane::new(T::constant(1.0), T::constant(0.0));
         return Err(does_not_reach(a2, axis, c));
-    }
+    };
     let q = q2.sqrt();
     Ok((Plane::new(assembly.mirrored().signed(q), c.y), either(c.x, q, assembly)))
 }
@@ -70,19 +70,19 @@ pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
 ///
 /// # Errors
 /// As for [`circle_line`].
-#[inline]
+#[inline(always)]
 pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, T), Failure> {
     let q2 = a2 - c.x * c.x;
-    if !(is_ordinary(q2.real(), T::SMALLEST) && c.y.real().is_finite()) {
+    let Some(q2) = q2.provided([q2, c.y], |[q2, y]| is_ordinary(q2, T::SMALLEST) & y.is_finite()) else {
         let axis = Plane::new(T::constant(0.0), T::constant(1.0));
         return Err(does_not_reach(a2, axis, c));
-    }
+    };
     let q = q2.sqrt();
     Ok((Plane::new(c.x, assembly.mirrored().signed(q)), either(c.y, q, assembly)))
 }
 
 /// `middle + q` or `middle - q`.
-#[inline]
+#[inline(always)]
 fn either<T: Scalar>(middle: T, q: T, assembly: Assembly) -> T {
     match assembly {
         Assembly::Open => middle + q,
@@ -90,7 +90,7 @@ fn either<T: Scalar>(middle: T, q: T, assembly: Assembly) -> T {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn does_not_reach<T: Scalar>(a2: T, direction: Plane<T>, c: Plane<T>) -> Failure {
     diagnose(
         a2.real(),

@@ -23,13 +23,13 @@ const QUANTITY: &str = "coefficients of the cosine and the sine";
 /// assert!((u.x - 1.0).abs() < 1e-15 && u.y.abs() < 1e-15);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline]
+#[inline(always)]
 pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let rho2 = a * a + b * b;
     let q2 = rho2 - c * c;
-    if !is_ordinary(q2.real(), T::SMALLEST) {
+    let Some(q2) = q2.provided([q2], |[q2]| is_ordinary(q2, T::SMALLEST)) else {
         return Err(no_angle(a.real(), b.real(), c.real(), T::EPSILON));
-    }
+    };
     let inverse = T::constant(1.0) / rho2;
     let cosine = c * inverse;
     let sine = q2.sqrt() * inverse;

@@ -15,13 +15,10 @@ use crate::Scalar;
 /// assert_eq!(solve::direction(3.0, 0.0, 3.0), FRAC_PI_2);
 /// assert_eq!(solve::direction(3.0, 0.0, -3.0), -FRAC_PI_2);
 /// ```
-#[inline]
+#[inline(always)]
 pub fn direction<T: Scalar>(y: T, x: T, length: T) -> T {
-    if length.real() < 0.0 {
-        (-y).atan2(-x)
-    } else {
-        y.atan2(x)
-    }
+    let reversed = |coordinate: T| T::either([length], |[length]| length < 0.0, || -coordinate, || coordinate);
+    reversed(y).atan2(reversed(x))
 }
 
 #[cfg(test)]

@@ -19,45 +19,45 @@ use crate::{Failure, Scalar};
 /// assert_eq!(solve::square_root_of(9.0), Ok(3.0));
 /// assert!(solve::square_root_of(-9.0).is_err());
 /// ```
-#[inline]
+#[inline(always)]
 pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(x.real() >= 0.0, x, x.sqrt(), "sqrt")
+    within(|x| x >= 0.0, x, x.sqrt(), "sqrt")
 }
 
 /// The angle in -π/2 ..= π/2 with the sine `x`, for |x| ≤ 1.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(x.real().abs() <= 1.0, x, x.asin(), "asin")
+    within(|x| x.abs() <= 1.0, x, x.asin(), "asin")
 }
 
 /// The angle in 0 ..= π with the cosine `x`, for |x| ≤ 1.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(x.real().abs() <= 1.0, x, x.acos(), "acos")
+    within(|x| x.abs() <= 1.0, x, x.acos(), "acos")
 }
 
 /// ln x for x > 0.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(x.real() > 0.0, x, x.ln(), "ln")
+    within(|x| x > 0.0, x, x.ln(), "ln")
 }
 
 /// The solution of asin(x) = v, sin v, for |v| ≤ π/2.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
-    let inside = v.real().abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON);
+    let inside = |v: f64| v.abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON);
     within(inside, v, v.sin_cos().0, "the inverse of asin")
 }
 
@@ -65,10 +65,10 @@ pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let rounding = 4.0 * PI * T::EPSILON;
-    let inside = v.real() >= -rounding && v.real() <= PI + rounding;
+    let inside = |v: f64| v >= -rounding && v <= PI + rounding;
     within(inside, v, v.sin_cos().1, "the inverse of acos")
 }
 
@@ -76,27 +76,34 @@ pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let (sine, cosine) = v.sin_cos();
-    within(v.real().abs() < FRAC_PI_2, v, sine / cosine, "the inverse of atan")
+    within(|v| v.abs() < FRAC_PI_2, v, sine / cosine, "the inverse of atan")
 }
 
 /// The solution of sqrt(x) = v, v², for v ≥ 0.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
-    within(v.real() >= 0.0, v, v * v, "the inverse of sqrt")
+    within(|v| v >= 0.0, v, v * v, "the inverse of sqrt")
 }
 
-#[inline]
-fn within<T: Scalar>(inside: bool, argument: T, result: T, function: &'static str) -> Result<T, Failure> {
-    if inside && result.is_finite() {
-        Ok(result)
-    } else {
-        Err(outside(inside, argument.real(), function))
+#[inline(always)]
+fn within<T: Scalar>(
+    inside: impl Fn(f64) -> bool,
+    argument: T,
+    result: T,
+    function: &'static str,
+) -> Result<T, Failure> {
+    match result.provided([argument], |[argument]| inside(argument)) {
+        Some(result) if result.is_finite() => Ok(result),
+        _ => {
+            let argument = argument.real();
+            Err(outside(inside(argument), argument, function))
+        }
     }
 }
 

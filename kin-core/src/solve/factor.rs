@@ -4,6 +4,10 @@ use crate::{Failure, Row, Scalar};
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
 
+/// Multipliers are at most 1, as the pivot is the largest of its column. A number that stands for several poses has the pivots of
+/// one of them; the others go along as long as that does not cost them more than a digit or so.
+const LARGEST_MULTIPLIER: f64 = 16.0;
+
 /// A matrix in triangular factors, ready for any number of right-hand sides.
 ///
 /// Rows and columns are scaled by powers of two, which rounds nothing, until the largest entry of each lies between 1
@@ -147,6 +151,9 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
         for row in &mut rows[step + 1..] {
             let entries = &mut row.as_mut()[step..count];
             let multiplier = entries[0] / pivot;
+            let multiplier = multiplier
+                .provided([multiplier], |[multiplier]| multiplier.abs() <= LARGEST_MULTIPLIER)
+                .unwrap_or(multiplier);
             entries[0] = multiplier;
             for (entry, above) in entries[1..].iter_mut().zip(&pivot_row[step + 1..]) {
                 *entry = *entry - multiplier * *above;
@@ -255,13 +262,15 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     }
 }
 
-impl<const N: usize> Factors<f64, N> {
+impl<T: Scalar, const N: usize> Factors<T, N> {
     /// The determinant as a multiple of that of another matrix, without overflow on the way.
-    pub(super) fn determinant_relative_to(&self, other: &Self) -> f64 {
-        let exponent = (self.exponent() - other.exponent()).clamp(-range::<f64>(), range::<f64>());
-        self.pivots() / other.pivots() * power_of_two::<f64>(exponent)
+    pub(crate) fn determinant_relative_to(&self, other: &Self) -> T {
+        let exponent = (self.exponent() - other.exponent()).clamp(-range::<T>(), range::<T>());
+        self.pivots() / other.pivots() * power_of_two(exponent)
     }
+}
 
+impl<const N: usize> Factors<f64, N> {
     /// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: by how much relative rounding errors of
     /// each equation's terms are magnified in the solution, in the units of the unknowns as they stand. The
     /// units of the equations do not matter. (R. D. Skeel, Scaling for numerical stability in Gaussian elimination,

@@ -17,7 +17,7 @@ use crate::{Assembly, Failure, Plane, Scalar};
 /// assert!((u.y - 0.8f64).abs() < 1e-15);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline]
+#[inline(always)]
 pub fn inverse_cosine<T: Scalar>(cosine: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let sine = other(cosine, assembly, "cosine of the unknown angle")?;
     Ok(Plane::new(cosine, sine))
@@ -29,21 +29,21 @@ pub fn inverse_cosine<T: Scalar>(cosine: T, assembly: Assembly) -> Result<Plane<
 ///
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin 1 - |sine|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn inverse_sine<T: Scalar>(sine: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let cosine = other(sine, assembly, "sine of the unknown angle")?;
     Ok(Plane::new(cosine, sine))
 }
 
 /// The other coordinate of a unit vector.
-#[inline]
+#[inline(always)]
 fn other<T: Scalar>(known: T, assembly: Assembly, quantity: &'static str) -> Result<T, Failure> {
     let one = T::constant(1.0);
     // In factors, for the sake of the angles near which the known coordinate is 1.
     let square = (one - known) * (one + known);
-    if !is_ordinary(square.real(), T::SMALLEST) {
+    let Some(square) = square.provided([square], |[square]| is_ordinary(square, T::SMALLEST)) else {
         return Err(beyond_one(known.real(), T::EPSILON, quantity));
-    }
+    };
     Ok(assembly.signed(square.sqrt()))
 }
 

@@ -16,15 +16,12 @@ const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 /// assert_eq!(solve::linear(4.0, 6.0), Ok(1.5));
 /// assert!(solve::linear(0.0, 6.0).is_err());
 /// ```
-#[inline]
+#[inline(always)]
 pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
     let x = b / a;
     // Division by an infinite coefficient gives zero and passes for a solution.
-    if x.real().is_finite() && a.real().is_finite() {
-        Ok(x)
-    } else {
-        Err(no_solution(a.real(), b.real().is_finite()))
-    }
+    x.provided([x, a], |[x, a]| x.is_finite() & a.is_finite())
+        .ok_or_else(|| no_solution(a.real(), b.real().is_finite()))
 }
 
 /// The solution of two linear equations, `a[i][0] x + a[i][1] y = b[i]`, by Cramer's rule.
@@ -39,7 +36,7 @@ pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
 ///
 /// assert_eq!(solve::linear_pair([[1.0, 1.0], [1.0, -1.0]], [3.0, 1.0]), Ok((2.0, 1.0)));
 /// ```
-#[inline]
+#[inline(always)]
 pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failure> {
     let product = a[0][0] * a[1][1];
     let determinant = product - a[0][1] * a[1][0];
@@ -47,15 +44,19 @@ pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failu
     let x = (b[0] * a[1][1] - a[0][1] * b[1]) * inverse;
     let y = (a[0][0] * b[1] - b[0] * a[1][0]) * inverse;
     // Parallel lines have a determinant of the size of the rounding errors, and would seem to meet far away.
-    let noise = 2.0 * T::EPSILON * product.real().abs();
-    let size = determinant.real().abs();
-    if size > noise && size < f64::INFINITY && x.real().is_finite() && y.real().is_finite() {
-        Ok((x, y))
-    } else {
+    let noise = |product: f64| 2.0 * T::EPSILON * product.abs();
+    let meet = |[determinant, product, x, y]: [f64; 4]| {
+        let size = determinant.abs();
+        (size > noise(product)) & (size < f64::INFINITY) & x.is_finite() & y.is_finite()
+    };
+    let judges = [determinant, product, x, y];
+    let (Some(x), Some(y)) = (x.provided(judges, meet), y.provided(judges, meet)) else {
         // Solutions that overflow although the lines are not parallel are not the fault of the determinant.
-        let right = size <= noise && b[0].real().is_finite() && b[1].real().is_finite();
-        Err(no_solution(determinant.real(), right))
-    }
+        let parallel = determinant.real().abs() <= noise(product.real());
+        let right = parallel && b[0].real().is_finite() && b[1].real().is_finite();
+        return Err(no_solution(determinant.real(), right));
+    };
+    Ok((x, y))
 }
 
 #[cold]

@@ -31,6 +31,10 @@
 //! The way to a solution is straight: it is decided once, on the real part of the number under the square root,
 //! whether there is one. If there is not, the diagnosis is made out of line, in double precision. What is returned
 //! as `Ok` is finite.
+#![expect(
+    clippy::inline_always,
+    reason = "what a batch calls, and is not inlined, is compiled for the narrowest vectors"
+)]
 
 mod circle_circle;
 mod circle_line;
@@ -62,12 +66,13 @@ pub use factor::{Factors, factor};
 pub use inverse::{inverse_cosine, inverse_sine};
 pub use linear::{linear, linear_pair};
 pub use newton::newton;
+pub(crate) use newton::{FIRST_STEP, LINEAR_STEP, damped_root};
 pub use polar::{polar, polar_offset};
 pub use quadratic::quadratic;
 pub use range::{check_angle, check_value, choose_angle, choose_value};
 pub use size::largest;
 pub use square_root::square_root;
-pub use turn::{nearest_turn, on_turn};
+pub use turn::{agreeing, nearest_turn, on_turn};
 pub use usable::{finite, regular};
 
 #[cfg(test)]

@@ -9,7 +9,9 @@ const SOLUTION: &str = "solution of a block without closed form, or its derivati
 /// Steps after which the guess is given up. From a good guess it takes about five.
 const ITERATIONS: u32 = 64;
 /// The first step is not longer than this, in the sizes of the unknowns: half a radian for an angle.
-const FIRST_STEP: f64 = 0.5;
+pub(crate) const FIRST_STEP: f64 = 0.5;
+/// Equations are linear over a step of which the square is less than this many ε.
+pub(crate) const LINEAR_STEP: f64 = 4096.0;
 /// How often a step is shortened, to half or less each time, before the guess is given up.
 const TRIALS: u32 = 20;
 /// The smallest part of a correction that a forecast may ask for.
@@ -44,12 +46,22 @@ const SMALLEST_PART: f64 = 1e-5;
 /// assert!((x - 3.0).abs() < 1e-14 && (y - 4.0).abs() < 1e-14);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
+#[inline]
 pub fn newton<T: Scalar, const N: usize>(
     guess: [T; N],
-    sizes: [f64; N],
+    sizes: [T; N],
+    evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
+) -> Result<[T; N], Failure> {
+    T::root(guess, sizes, evaluate)
+}
+
+/// [`newton`] for a number that stands for one pose.
+pub(crate) fn damped_root<T: Scalar, const N: usize>(
+    guess: [T; N],
+    sizes: [T; N],
     mut evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
 ) -> Result<[T; N], Failure> {
-    let mut solution = real_root(guess, sizes, &mut evaluate)?;
+    let mut solution = real_root(guess, sizes.map(T::real), &mut evaluate)?;
     // ⌈log₂(order + 1)⌉, as an integer.
     for _ in 0..usize::BITS - T::ORDER.leading_zeros() {
         let (residuals, jacobian) = evaluate(solution);
@@ -196,7 +208,7 @@ fn is_rounding<T: Scalar, const N: usize>(
     sizes: &[f64; N],
     factors: &Factors<f64, N>,
 ) -> bool {
-    if length * length <= 4096.0 * T::EPSILON {
+    if length * length <= LINEAR_STEP * T::EPSILON {
         return true;
     }
     let unknowns = point.unknowns.iter().zip(sizes);
@@ -427,7 +439,7 @@ mod tests {
             let expected = closed_form(GRASHOF, crank, Assembly::Open).unwrap();
             // The guess brings derivatives of its own, which must not matter.
             let guess = expected.map(|angle| Series::from_coefficients([angle.real() + 0.3; N]));
-            let root = newton(guess, [1.0; 2], four_bar(GRASHOF, crank)).unwrap();
+            let root = newton(guess, [Scalar::constant(1.0); 2], four_bar(GRASHOF, crank)).unwrap();
             for (actual, expected) in root.into_iter().zip(expected) {
                 let pairs = actual.coefficients().into_iter().zip(expected.coefficients());
                 for (order, (actual, expected)) in pairs.enumerate() {
@@ -547,9 +559,11 @@ mod tests {
         // A derivative that overflows.
         let steep = Series::from_coefficients([1.0, 1e300]);
         let slope = Series::constant(1e-10);
-        let result = newton([Series::constant(0.5)], [1.0], |[x]: [Series<2>; 1]| {
-            ([x * slope - steep * slope], [[slope * slope]])
-        });
+        let result = newton(
+            [Series::constant(0.5)],
+            [Series::constant(1.0)],
+            |[x]: [Series<2>; 1]| ([x * slope - steep * slope], [[slope * slope]]),
+        );
         assert!(
             matches!(result, Err(Failure::NotFinite { .. } | Failure::NotConverged { .. })),
             "{result:?}"

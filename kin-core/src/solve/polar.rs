@@ -24,12 +24,12 @@ const QUANTITY: &str = "offset of the slide or distance spanned";
 /// assert_eq!((length, c.y / length), (-2.0, -1.0));
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline]
+#[inline(always)]
 pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<T, Failure> {
     let d2 = c.norm_squared();
-    if !is_ordinary(d2.real(), T::SMALLEST) {
+    let Some(d2) = d2.provided([d2], |[d2]| is_ordinary(d2, T::SMALLEST)) else {
         return Err(no_length(c.x.real(), c.y.real()));
-    }
+    };
     Ok(assembly.signed(d2.sqrt()))
 }
 
@@ -43,18 +43,19 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<T, Failure> {
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin |c| - |offset.y|, [`Failure::Singular`] if that is zero,
 /// [`Failure::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly) -> Result<(T, Plane<T>), Failure> {
     let d2 = c.norm_squared();
     let q2 = d2 - offset.y * offset.y;
-    let shift = offset.x.real();
-    if !(is_ordinary(q2.real(), T::SMALLEST) && shift.is_finite()) {
+    let Some(q2) = q2.provided([q2, offset.x], |[q2, shift]| {
+        is_ordinary(q2, T::SMALLEST) & shift.is_finite()
+    }) else {
         return Err(does_not_pass(
-            Plane::new(shift, offset.y.real()),
+            Plane::new(offset.x.real(), offset.y.real()),
             Plane::new(c.x.real(), c.y.real()),
             T::EPSILON,
         ));
-    }
+    };
     let along = assembly.signed(q2.sqrt());
     // u = c / w with w = along + i offset.y, and |w|² = |c|².
     let inverse = T::constant(1.0) / d2;

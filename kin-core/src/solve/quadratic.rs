@@ -23,28 +23,24 @@ const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
 /// assert_eq!(solve::quadratic(1.0, -3.0, 2.0, Assembly::Open), Ok(2.0));
 /// assert_eq!(solve::quadratic(1.0, -3.0, 2.0, Assembly::Crossed), Ok(1.0));
 /// ```
-#[inline]
+#[inline(always)]
 pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, Failure> {
     let g = b * T::constant(-0.5);
     let q2 = g * g - a * c;
-    let leading = a.real();
-    if !is_ordinary(q2.real(), T::SMALLEST) || leading == 0.0 {
-        return Err(no_root(leading, b.real(), c.real(), T::EPSILON));
-    }
+    let fails = || no_root(a.real(), b.real(), c.real(), T::EPSILON);
+    let q2 = q2
+        .provided([q2, a], |[q2, a]| is_ordinary(q2, T::SMALLEST) & (a != 0.0))
+        .ok_or_else(fails)?;
     let q = q2.sqrt();
+    // g and q are added with the same sign, and the root is that sum by a, or c by it.
+    let sum = T::either([g], |[g]| g >= 0.0, || g + q, || g - q);
     // The sign of the root in (g ± q) / a: dividing by a negative number reverses the order.
-    let plus = (assembly == Assembly::Open) == (leading > 0.0);
-    let x = match (plus, g.real() >= 0.0) {
-        (true, true) => (g + q) / a,
-        (true, false) => c / (g - q),
-        (false, true) => c / (g + q),
-        (false, false) => (g - q) / a,
-    };
-    if x.real().is_finite() {
-        Ok(x)
-    } else {
-        Err(no_root(leading, b.real(), c.real(), T::EPSILON))
-    }
+    let plus = |a: f64| (assembly == Assembly::Open) == (a > 0.0);
+    let direct = |[a, g]: [f64; 2]| plus(a) == (g >= 0.0);
+    let above = T::either([a, g], direct, || sum, || c);
+    let below = T::either([a, g], direct, || a, || sum);
+    let x = above / below;
+    x.provided([x], |[x]| x.is_finite()).ok_or_else(fails)
 }
 
 #[cold]

@@ -81,7 +81,7 @@ impl Range {
 ///
 /// assert_eq!(solve::choose_value("e", -2.0, 2.0, 0.0, f64::INFINITY), Ok(Assembly::Crossed));
 /// ```
-#[inline]
+#[inline(always)]
 pub fn choose_value<T: Scalar>(
     unknown: &'static str,
     first: T,
@@ -89,15 +89,16 @@ pub fn choose_value<T: Scalar>(
     low: f64,
     high: f64,
 ) -> Result<Assembly, Failure> {
-    let (first, second) = (first.real(), second.real());
-    match (first >= low && first <= high, second >= low && second <= high) {
-        (true, false) if second.is_finite() => Ok(Assembly::Open),
-        (false, true) if first.is_finite() => Ok(Assembly::Crossed),
-        _ => {
-            let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
-            choose(unknown, first, second, range)
+    T::decided([first, second], |[first, second]| {
+        match (first >= low && first <= high, second >= low && second <= high) {
+            (true, false) if second.is_finite() => Ok(Assembly::Open),
+            (false, true) if first.is_finite() => Ok(Assembly::Crossed),
+            _ => {
+                let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
+                choose(unknown, first, second, range)
+            }
         }
-    }
+    })
 }
 
 /// [`choose_value`] for angles: a solution lies in the range if it does so after some whole turns.
@@ -111,7 +112,7 @@ pub fn choose_value<T: Scalar>(
 /// let chosen = solve::choose_angle("gamma", 0.5, -0.5, 5.0, 6.2);
 /// assert_eq!(chosen, Ok(Assembly::Crossed));
 /// ```
-#[inline]
+#[inline(always)]
 pub fn choose_angle<T: Scalar>(
     unknown: &'static str,
     first: T,
@@ -119,14 +120,15 @@ pub fn choose_angle<T: Scalar>(
     low: f64,
     high: f64,
 ) -> Result<Assembly, Failure> {
-    let (first, second) = (first.real(), second.real());
-    let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
-    choose(
-        unknown,
-        range.representative(first),
-        range.representative(second),
-        range,
-    )
+    T::decided([first, second], |[first, second]| {
+        let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
+        choose(
+            unknown,
+            range.representative(first),
+            range.representative(second),
+            range,
+        )
+    })
 }
 
 fn choose(unknown: &'static str, first: f64, second: f64, range: Range) -> Result<Assembly, Failure> {
@@ -166,20 +168,20 @@ fn choose(unknown: &'static str, first: f64, second: f64, range: Range) -> Resul
 /// assert_eq!(solve::check_value("s", 2.0, 0.0, 3.0), Ok(2.0));
 /// assert!(solve::check_value("s", 4.0, 0.0, 3.0).is_err());
 /// ```
-#[inline]
+#[inline(always)]
 pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
-    let real = value.real();
-    if real >= low && real <= high && real.is_finite() {
-        return Ok(value);
-    }
-    if !real.is_finite() {
-        return Err(Failure::NotFinite { quantity: unknown });
-    }
-    if Range::new(low, high, real, T::EPSILON).holds(real) {
-        Ok(value)
-    } else {
-        Err(out_of_range(unknown, real, low, high))
-    }
+    let holds = |real: f64| {
+        let strictly = real >= low && real <= high;
+        real.is_finite() && (strictly || Range::new(low, high, real, T::EPSILON).holds(real))
+    };
+    value.provided([value], |[real]| holds(real)).ok_or_else(|| {
+        let real = value.real();
+        if real.is_finite() {
+            out_of_range(unknown, real, low, high)
+        } else {
+            Failure::NotFinite { quantity: unknown }
+        }
+    })
 }
 
 /// The angle that lies in `low..=high`, up to rounding, and differs from `value` by whole turns: by as few as possible.
@@ -193,22 +195,25 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
 ///
 /// assert_eq!(solve::check_angle("theta4", -1.0, 0.0, TAU), Ok(TAU - 1.0));
 /// ```
-#[inline]
+#[inline(always)]
 pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
-    let real = value.real();
-    if !real.is_finite() {
-        return Err(Failure::NotFinite { quantity: unknown });
-    }
-    if real >= low && real <= high {
-        return Ok(value);
-    }
-    let range = Range::new(low, high, real, T::EPSILON);
-    let representative = range.representative(real);
-    if range.holds(representative) {
-        Ok(add_turns(value, range.turns(real)))
-    } else {
-        Err(out_of_range(unknown, representative, low, high))
-    }
+    let range = |real: f64| Range::new(low, high, real, T::EPSILON);
+    let strictly = |real: f64| real >= low && real <= high;
+    let holds = |real: f64| {
+        let range = range(real);
+        real.is_finite() && (strictly(real) || range.holds(range.representative(real)))
+    };
+    let Some(value) = value.provided([value], |[real]| holds(real)) else {
+        let real = value.real();
+        return Err(if real.is_finite() {
+            out_of_range(unknown, range(real).representative(real), low, high)
+        } else {
+            Failure::NotFinite { quantity: unknown }
+        });
+    };
+    Ok(add_turns([value], |[real]| {
+        if strictly(real) { 0.0 } else { range(real).turns(real) }
+    }))
 }
 
 #[cold]

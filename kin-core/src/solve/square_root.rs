@@ -15,13 +15,11 @@ use crate::{Assembly, Failure, Scalar};
 ///
 /// assert_eq!(solve::square_root(9.0, Assembly::Crossed), Ok(-3.0));
 /// ```
-#[inline]
+#[inline(always)]
 pub fn square_root<T: Scalar>(w: T, assembly: Assembly) -> Result<T, Failure> {
-    let square = w.real();
-    if square > 0.0 && square < f64::INFINITY {
-        Ok(assembly.signed(w.sqrt()))
-    } else {
-        Err(no_root(square))
+    match w.provided([w], |[square]| (square > 0.0) & (square < f64::INFINITY)) {
+        Some(square) => Ok(assembly.signed(square.sqrt())),
+        None => Err(no_root(w.real())),
     }
 }
 

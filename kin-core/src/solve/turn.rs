@@ -14,15 +14,13 @@ use crate::Scalar;
 ///
 /// assert_eq!(solve::nearest_turn(0.5, 13.0), 0.5 + 2.0 * TAU);
 /// ```
-#[inline]
+#[inline(always)]
 pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
-    let turns = Float::round((guess.real() - angle.real()) / TAU);
-    // A guess that is not finite is none.
-    if turns.is_finite() {
-        add_turns(angle, turns)
-    } else {
-        angle
-    }
+    add_turns([angle, guess], |[angle, guess]| {
+        let turns = Float::round((guess - angle) / TAU);
+        // A guess that is not finite is none.
+        if turns.is_finite() { turns } else { 0.0 }
+    })
 }
 
 /// [`nearest_turn`] to the guess with the given index. Without guesses, or without one of that index, the angle stays
@@ -35,10 +33,6 @@ pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
 /// assert_eq!(solve::on_turn(0.5, Some([3.0, 13.0]), 1), 0.5 + 2.0 * TAU);
 /// assert_eq!(solve::on_turn(0.5, None::<[f64; 2]>, 1), 0.5);
 /// ```
-#[expect(
-    clippy::inline_always,
-    reason = "whether there are guesses is known where this is called, and the branch is to vanish there"
-)]
 #[inline(always)]
 pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index: usize) -> T {
     match near.as_ref().and_then(|guesses| guesses.get(index)) {
@@ -47,14 +41,27 @@ pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index:
     }
 }
 
-/// The angle after whole turns.
-#[inline]
-pub(super) fn add_turns<T: Scalar>(angle: T, turns: f64) -> T {
-    if turns == 0.0 {
-        angle
-    } else {
-        angle + T::constant(turns * TAU)
-    }
+/// Values of unknowns near a position, and the orientations that tell its assembly there. Of a number that stands for several poses,
+/// those whose assembly is not that of the first become NaN; any other number is returned as it is.
+#[inline(always)]
+pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orientations: [T; K]) -> [T; N] {
+    let first = orientations.map(|orientation| orientation.real() >= 0.0);
+    near.map(|value| {
+        value
+            .provided(orientations, |orientations| {
+                orientations.map(|orientation| orientation >= 0.0) == first
+            })
+            .unwrap_or(value)
+    })
+}
+
+/// The first of some numbers, an angle, after as many whole turns as a function of them says.
+#[inline(always)]
+pub(super) fn add_turns<T: Scalar, const N: usize>(judges: [T; N], turns: impl Fn([f64; N]) -> f64) -> T {
+    let angle = judges[0];
+    let added = T::constant_of(judges, |judges| turns(judges) * TAU);
+    // A sum with zero would take the sign of a negative zero.
+    T::either([added], |[added]| added == 0.0, || angle, || angle + added)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::diagnosis::is_ordinary;
 use crate::{Failure, Scalar};
 
-/// Passes if one may divide by the determinant: if its magnitude is neither zero, nor so small that it has lost digits,
+/// The determinant itself if one may divide by it: if its magnitude is neither zero, nor so small that it has lost digits,
 /// nor infinite.
 ///
 /// # Errors
@@ -12,17 +12,16 @@ use crate::{Failure, Scalar};
 /// ```
 /// use kin_core::{Failure, solve};
 ///
-/// assert_eq!(solve::regular(-0.5), Ok(()));
+/// assert_eq!(solve::regular(-0.5), Ok(-0.5));
 /// assert_eq!(solve::regular(0.0), Err(Failure::Singular { determinant: 0.0 }));
 /// ```
-#[inline]
-pub fn regular<T: Scalar>(determinant: T) -> Result<(), Failure> {
-    let real = determinant.real();
-    if is_ordinary(real.abs(), T::SMALLEST) {
-        Ok(())
-    } else {
-        Err(irregular(real))
-    }
+#[inline(always)]
+pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
+    determinant
+        .provided([determinant], |[determinant]| {
+            is_ordinary(determinant.abs(), T::SMALLEST)
+        })
+        .ok_or_else(|| irregular(determinant.real()))
 }
 
 /// The value itself if it is finite, in all its parts if it is a dual number. `quantity` says in a few words what it is.
@@ -37,7 +36,7 @@ pub fn regular<T: Scalar>(determinant: T) -> Result<(), Failure> {
 /// let error = Failure::NotFinite { quantity: "r1" };
 /// assert_eq!(solve::finite("r1", f64::NAN), Err(error));
 /// ```
-#[inline]
+#[inline(always)]
 pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure> {
     if value.is_finite() {
         Ok(value)
@@ -67,7 +66,7 @@ mod tests {
     #[test]
     fn a_determinant_is_regular_if_it_has_its_full_precision() {
         for determinant in [1.0, -1.0, f64::MIN_POSITIVE, -f64::MIN_POSITIVE, f64::MAX] {
-            assert_eq!(regular(determinant), Ok(()));
+            assert_eq!(regular(determinant), Ok(determinant));
         }
         for determinant in [0.0, -0.0, 1e-310, -1e-310] {
             assert_eq!(regular(determinant), Err(Failure::Singular { determinant }));

@@ -185,16 +185,17 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
     let readings = mechanism.readings(stage, &given);
     let unused_inputs = inputs.iter().filter(|input| !used.contains(&input.to_string()));
     let body = mechanism.plain_statements(stage);
-    let signs: Vec<TokenStream> = stage
+    let orientations: Vec<Ident> = stage
         .statements
         .iter()
         .filter_map(|statement| match statement {
-            Statement::Let { name, .. } if name.starts_with("orientation_") => {
-                let name = local(name);
-                Some(quote!(#runtime::Assembly::from_sign(#runtime::Scalar::real(#name))))
-            }
+            Statement::Let { name, .. } if name.starts_with("orientation_") => Some(local(name)),
             _ => None,
         })
+        .collect();
+    let signs: Vec<TokenStream> = orientations
+        .iter()
+        .map(|name| quote!(#runtime::Assembly::from_sign(#runtime::Scalar::real(#name))))
         .collect();
     let result = if let [sign] = signs.as_slice() {
         sign.clone()
@@ -206,18 +207,40 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
         " The assembly of a mechanism whose unknowns are about `[{}]`: the side of the singular positions on which they lie.",
         mechanism.unknown_order()
     );
+    let way = quote! {
+        #(let _ = #unused_inputs;)*
+        #readings
+        #(#unknowns)*
+        #body
+    };
+    let finder = if mechanism.is_coupled() {
+        let side = quote!(self.__side(#(#inputs,)* #near));
+        quote! {
+            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
+                #side.0
+            }
+
+            /// The assembly, and the values near by: of several poses at once, those of the poses that are in the same one.
+            #[inline(always)]
+            fn __side(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> (#kind, [T; #unknown_count]) {
+                #way
+                (#result, #runtime::solve::agreeing(#near, [#(#orientations),*]))
+            }
+        }
+    } else {
+        quote! {
+            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
+                #way
+                #result
+            }
+        }
+    };
     quote! {
         #attributes
         impl<T: #runtime::Scalar> #name<T> {
             #[doc = #summary]
             #[must_use]
-            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
-                #(let _ = #unused_inputs;)*
-                #readings
-                #(#unknowns)*
-                #body
-                #result
-            }
+            #finder
         }
     }
 }

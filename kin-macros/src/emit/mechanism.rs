@@ -105,6 +105,26 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     } else {
         TokenStream::new()
     };
+    // The way of a batch, several poses at a time, is to be inlined from end to end.
+    let in_lanes = quote!(#[inline(always)]);
+    let complete = |position: TokenStream| {
+        quote! {
+            let position = #position?;
+            self.__complete(position, #(#places),*)
+        }
+    };
+    let (solve, solve_near) = if is_coupled {
+        (
+            quote!(self.solve(#(#places,)* #value)),
+            complete(quote!(self.position_near(#(#places.position(),)* #near))),
+        )
+    } else {
+        let value = if value.is_empty() { quote!() } else { quote!(#value,) };
+        (
+            complete(quote!(self.__position(#(#places.position(),)* #value ::core::option::Option::None))),
+            quote!(self.solve_near(#(#places,)* #near)),
+        )
+    };
     quote! {
         #attributes
         impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
@@ -144,21 +164,23 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #name { #(#converted),* }
             }
 
+            #in_lanes
             fn solve_motion(
                 &self,
                 #inputs: [#runtime::Motion<T, #length>; #input_count],
                 #wanted: Self::Assembly,
             ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
                 #ignore
-                self.solve(#(#places,)* #value)
+                #solve
             }
 
+            #in_lanes
             fn solve_motion_near(
                 &self,
                 #inputs: [#runtime::Motion<T, #length>; #input_count],
                 #near: [T; #unknown_count],
             ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
-                self.solve_near(#(#places,)* #near)
+                #solve_near
             }
 
             fn solve_position(

@@ -1,6 +1,7 @@
 //! Model and program to Rust, one file per generated item. Nothing here can fail.
 
 mod assembly;
+mod batch;
 pub(crate) mod closure;
 pub(crate) mod declaration;
 mod description;
@@ -56,6 +57,7 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         declaration::tokens(outside.model, outside.runtime),
         assembly::structure(outside),
         poses::structures(outside),
+        batch::structure(outside),
         sensitivities::structures(outside),
     ];
     let implementations = [
@@ -69,6 +71,7 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         rates::tokens(inside),
         sensitivities::tokens(inside),
         mechanism::tokens(inside),
+        batch::tokens(inside),
         values::tokens(inside),
         skeleton::tokens(inside),
         if inside.is_requested(Request::TransmissionAngles) {
@@ -204,13 +207,13 @@ impl Mechanism<'_> {
             .collect()
     }
 
-    /// `T`, `Plane<T>` or `Space<T>`.
-    fn output_type(&self, shape: Shape) -> TokenStream {
+    /// An output whose numbers are of a type `T`: `T`, `Plane<T>` or `Space<T>`.
+    fn output_type(&self, shape: Shape, number: &TokenStream) -> TokenStream {
         let runtime = self.runtime;
         if let Some(vector) = declaration::vector_type(shape) {
-            quote!(#runtime::#vector<T>)
+            quote!(#runtime::#vector<#number>)
         } else {
-            quote!(T)
+            number.clone()
         }
     }
 

@@ -60,7 +60,7 @@ fn structure(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     });
     let outputs = model.outputs.iter().map(|output| {
         let name = &output.name;
-        let kind = mechanism.output_type(output.value.shape());
+        let kind = mechanism.output_type(output.value.shape(), &quote!(T));
         let line = format!(" Output {}: `{}`.", unit(output.dimension), output.text);
         let documentation = documented(&output.documentation, &line);
         quote! {

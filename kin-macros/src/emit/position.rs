@@ -28,10 +28,16 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let readings = mechanism.readings(stage, &given);
     let body = mechanism.position_statements(stage);
     let result = result(mechanism);
-    let found = if value.is_empty() {
-        TokenStream::new()
+    let (found, near_choice) = if value.is_empty() {
+        (TokenStream::new(), TokenStream::new())
+    } else if mechanism.is_coupled() {
+        let assembly = mechanism.own("assembly");
+        (
+            quote!(let (#assembly, #near) = self.__side(#(#inputs,)* #near);),
+            quote!(#assembly,),
+        )
     } else {
-        quote!(self.assembly_at(#(#inputs,)* #near),)
+        (TokenStream::new(), quote!(self.assembly_at(#(#inputs,)* #near),))
     };
     let input_line = format!(" Inputs: {}.", mechanism.input_line());
     let assemblies = mechanism.assembly_lines();
@@ -45,11 +51,11 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         mechanism.unknown_order()
     );
     let is_coupled = mechanism.is_coupled();
-    // a function of its own, called from several places, would pass the pose through memory; an iteration does not mind
-    let inline = if is_coupled {
-        quote!(#[inline])
-    } else {
+    // the way of a batch is inlined from end to end
+    let inline_near = if is_coupled {
         quote!(#[inline(always)])
+    } else {
+        quote!(#[inline])
     };
     let (choice, chosen) = if is_coupled {
         let chosen = quote!(self.position_near(#(#inputs,)* #runtime::Guess::values(#near)));
@@ -96,14 +102,15 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             ///
             /// # Errors
             /// As for `position`.
-            #[inline]
+            #inline_near
             pub fn position_near(&self, #(#inputs: T,)* #near: [T; #count])
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
-                self.__position(#(#inputs,)* #found #near_value)
+                #found
+                self.__position(#(#inputs,)* #near_choice #near_value)
             }
 
-            #inline
+            #[inline(always)]
             fn __position(&self, #(#inputs: T,)* #assembly_then #near: #near_type)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {

@@ -74,7 +74,7 @@ fn solver(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
             #[doc = #summary]
             ///
             #[doc = #cost]
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn #method(&self, #(#arguments: T),*) -> #pose<T> {
                 #readings

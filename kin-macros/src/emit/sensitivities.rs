@@ -51,7 +51,7 @@ pub(super) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
     });
     let outputs = model.outputs.iter().map(|output| {
         let field = &output.name;
-        let kind = mechanism.output_type(output.value.shape());
+        let kind = mechanism.output_type(output.value.shape(), &quote!(T));
         let line = format!(" Of the output `{field}`, in its unit by the parameter's.");
         quote! {
             #[doc = #line]

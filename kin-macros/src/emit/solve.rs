@@ -101,7 +101,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             #attributes
             impl<T: #runtime::Scalar> #name<T> {
                 /// All derivatives on top of a position.
-                #[inline]
+                #[inline(always)]
                 fn __complete(&self, #position: #first_pose<T>, #(#inputs: #runtime::Motion<T, #length>),*)
                     -> ::core::result::Result<#pose<T>, #runtime::SolveError>
                 {

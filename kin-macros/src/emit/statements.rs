@@ -250,12 +250,17 @@ impl Mechanism<'_> {
             }
             Statement::Bound { unknown, turns } => self.bound(*unknown, *turns, part),
             Statement::Regular { value } => {
-                let value = formula::tokens(value);
                 let failed = match part {
                     Some(part) => self.failed_together(part),
                     None => self.failed_at("the rates"),
                 };
-                quote!(#runtime::solve::regular(#value) #failed;)
+                // under its own name again, so that whoever divides by it divides by what was tested
+                let name = match value {
+                    Expression::Name(name) => pattern(Some(name)),
+                    _ => pattern(None),
+                };
+                let value = formula::tokens(value);
+                quote!(let #name = #runtime::solve::regular(#value) #failed;)
             }
             Statement::Newton {
                 unknowns,
@@ -321,12 +326,16 @@ impl Mechanism<'_> {
         });
         let is_length = |unknown: &usize| self.model.unknowns[*unknown].dimension == Dimension::Length;
         let size = self.own("size");
-        let sizes = unknowns
-            .iter()
-            .map(|unknown| if is_length(unknown) { quote!(#size) } else { quote!(1.0) });
+        let sizes = unknowns.iter().map(|unknown| {
+            if is_length(unknown) {
+                quote!(#size)
+            } else {
+                quote!(T::constant(1.0))
+            }
+        });
         let largest = unknowns.iter().any(is_length).then(|| {
             let lengths = self.lengths();
-            quote!(let #size = #runtime::solve::largest(&[#(#runtime::Scalar::real(#lengths)),*]);)
+            quote!(let #size = #runtime::solve::largest([#(#lengths),*]);)
         });
         let count = Literal::usize_unsuffixed(unknowns.len());
         let body = body.iter().map(|statement| self.statement(statement, Some(part)));

@@ -1,0 +1,84 @@
+//! The widest vectors of the machine.
+#![expect(
+    unsafe_code,
+    reason = "a function for some instructions may be called where the machine has been found to have them"
+)]
+
+/// Which vector instructions a batch is calculated with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Vectors {
+    /// Those that the program was compiled for.
+    Compiled,
+    /// AVX2 and fused multiplication and addition: four numbers each.
+    Avx2,
+    /// AVX-512: eight numbers each.
+    Avx512,
+}
+
+impl Vectors {
+    /// The widest that this machine has.
+    #[inline]
+    #[must_use]
+    pub fn widest() -> Self {
+        [Self::Avx512, Self::Avx2]
+            .into_iter()
+            .find(|vectors| vectors.are_there())
+            .unwrap_or(Self::Compiled)
+    }
+
+    /// Whether this machine has them.
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    #[inline]
+    #[must_use]
+    pub fn are_there(self) -> bool {
+        use std::arch::is_x86_feature_detected as has;
+        match self {
+            Self::Compiled => true,
+            Self::Avx2 => has!("avx2") && has!("fma"),
+            Self::Avx512 => has!("avx512f") && has!("avx512dq") && has!("avx512vl") && Self::Avx2.are_there(),
+        }
+    }
+
+    /// Whether this machine has them.
+    #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+    #[inline]
+    #[must_use]
+    pub fn are_there(self) -> bool {
+        self == Self::Compiled
+    }
+
+    /// Runs a kernel with these instructions, or with those that the program was compiled for if this machine does not have them.
+    pub(super) fn run<K: Kernel>(self, kernel: K) -> K::Result {
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        if self.are_there() {
+            match self {
+                Self::Compiled => {}
+                // SAFETY: the machine has just been found to have these instructions.
+                Self::Avx2 => return unsafe { avx2(kernel) },
+                // SAFETY: the machine has just been found to have these instructions.
+                Self::Avx512 => return unsafe { avx512(kernel) },
+            }
+        }
+        kernel.run::<4>()
+    }
+}
+
+/// What is compiled once for each kind of vectors, whatever it calls with it, if only that is inlined.
+pub(super) trait Kernel {
+    type Result;
+
+    /// Runs in so many lanes.
+    fn run<const W: usize>(self) -> Self::Result;
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx2,fma")]
+fn avx2<K: Kernel>(kernel: K) -> K::Result {
+    kernel.run::<8>()
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+fn avx512<K: Kernel>(kernel: K) -> K::Result {
+    kernel.run::<16>()
+}

@@ -1,0 +1,102 @@
+//! What becomes of the poses of a batch.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::{Failure, SolveError};
+
+/// What has become of one pose.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum Outcome {
+    /// Nobody has asked for it yet.
+    #[default]
+    Unsolved,
+    /// It is found, and all of its numbers are finite.
+    Solved,
+    /// The mechanism does not close. Its numbers are NaN.
+    OutOfReach {
+        /// By how much, a negative length: that of [`Failure::OutOfReach`].
+        margin: f64,
+    },
+    /// The position is singular, as a limit position is. Its numbers are NaN.
+    Singular,
+    /// There is no pose for another reason, which `solve` tells. Its numbers are NaN.
+    Failed,
+}
+
+impl Outcome {
+    /// Whether the pose is found.
+    #[inline]
+    #[must_use]
+    pub const fn is_solved(&self) -> bool {
+        matches!(self, Self::Solved)
+    }
+
+    /// By how much the mechanism does not close, if it does not.
+    #[inline]
+    #[must_use]
+    pub const fn margin(&self) -> Option<f64> {
+        match self {
+            Self::OutOfReach { margin } => Some(*margin),
+            _ => None,
+        }
+    }
+}
+
+impl From<&SolveError> for Outcome {
+    fn from(error: &SolveError) -> Self {
+        match error.failure {
+            Failure::OutOfReach { margin } => Self::OutOfReach { margin },
+            Failure::Singular { .. } => Self::Singular,
+            _ => Self::Failed,
+        }
+    }
+}
+
+/// What has become of a batch.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Summary {
+    /// How many poses were found.
+    pub solved: usize,
+    /// How many were not.
+    pub failed: usize,
+    /// The first of those, by its index, and what `solve` says of it.
+    pub first_failure: Option<(usize, SolveError)>,
+}
+
+impl Summary {
+    /// Notes an outcome of the pose with an index.
+    pub(super) fn note_failure(&mut self, index: usize, error: SolveError) {
+        self.failed += 1;
+        if self.first_failure.as_ref().is_none_or(|(first, _)| index < *first) {
+            self.first_failure = Some((index, error));
+        }
+    }
+}
+
+/// A column that is not as long as there are poses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthMismatch {
+    /// The quantity that it belongs to.
+    pub quantity: &'static str,
+    /// How many poses there are, which is how many outcomes were given.
+    pub poses: usize,
+    /// How long the column is.
+    pub length: usize,
+}
+
+impl fmt::Display for LengthMismatch {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            quantity,
+            poses,
+            length,
+        } = self;
+        write!(
+            formatter,
+            "a column of `{quantity}` has {length} entries, but there are {poses} outcomes: give one entry and one outcome for each pose"
+        )
+    }
+}
+
+impl Error for LengthMismatch {}
