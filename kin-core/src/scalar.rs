@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::Float;
 
 use crate::Failure;
-use crate::elementary::arc_tangent_single;
+use crate::elementary::{arc_tangent, arc_tangent_single, sine_cosine};
 use crate::solve::damped_root;
 
 /// A number that a mechanism can be solved with.
@@ -92,13 +92,18 @@ pub trait Scalar:
     #[must_use]
     fn ln(self) -> Self;
 
-    /// The number itself if the judges pass a test, which sees their real parts, and none if they do not.
+    /// The number itself if all conditions on the real parts of the judges hold, and none if they do not.
     ///
     /// This and what follows are how a solver decides. A number that stands for several poses at once, as in a
     /// [batch](crate::batch), decides for each: it keeps the poses that pass, and makes the others NaN.
     #[inline(always)]
-    fn provided<const N: usize>(self, judges: [Self; N], test: impl Fn([f64; N]) -> bool) -> Option<Self> {
-        test(judges.map(Self::real)).then_some(self)
+    fn provided<const N: usize, const K: usize>(
+        self,
+        judges: [Self; N],
+        conditions: impl Fn([f64; N]) -> [bool; K],
+    ) -> Option<Self> {
+        let conditions = conditions(judges.map(Self::real));
+        conditions.iter().all(|holds| *holds).then_some(self)
     }
 
     /// One value if the judges pass a test, the other one if they do not.
@@ -146,7 +151,7 @@ pub trait Scalar:
 }
 
 macro_rules! primitive_scalar {
-    ($float:ty, $from_f64:expr, $arc_tangent:expr) => {
+    ($float:ty, $from_f64:expr, $sine_cosine:expr, $arc_tangent:expr) => {
         impl Scalar for $float {
             const EPSILON: f64 = <$float>::EPSILON as f64;
             const SMALLEST: f64 = <$float>::MIN_POSITIVE as f64;
@@ -173,7 +178,7 @@ macro_rules! primitive_scalar {
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                Float::sin_cos(self)
+                $sine_cosine(self)
             }
 
             #[inline]
@@ -209,8 +214,8 @@ macro_rules! primitive_scalar {
     };
 }
 
-primitive_scalar!(f64, core::convert::identity, Float::atan2);
-primitive_scalar!(f32, single, arc_tangent_single);
+primitive_scalar!(f64, core::convert::identity, sine_cosine, arc_tangent);
+primitive_scalar!(f32, single, Float::sin_cos, arc_tangent_single);
 
 #[expect(
     clippy::cast_possible_truncation,

@@ -59,7 +59,7 @@ impl Vectors {
                 Self::Avx512 => return unsafe { avx512(kernel) },
             }
         }
-        kernel.run::<4>()
+        kernel.run::<4, false>()
     }
 }
 
@@ -68,17 +68,17 @@ pub(super) trait Kernel {
     type Result;
 
     /// Runs in so many lanes.
-    fn run<const W: usize>(self) -> Self::Result;
+    fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2,fma")]
 fn avx2<K: Kernel>(kernel: K) -> K::Result {
-    kernel.run::<8>()
+    kernel.run::<8, true>()
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<K: Kernel>(kernel: K) -> K::Result {
-    kernel.run::<16>()
+    kernel.run::<16, true>()
 }

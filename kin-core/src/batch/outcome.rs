@@ -58,7 +58,11 @@ impl From<&SolveError> for Outcome {
 pub struct Summary {
     /// How many poses were found.
     pub solved: usize,
-    /// How many were not.
+    /// How many of these were not found together with others but by themselves, as the solver of single poses goes further than
+    /// the one of several at once: where an angle is huge, or an iteration must be damped. If they are many, a batch
+    /// saves little.
+    pub alone: usize,
+    /// How many were not found.
     pub failed: usize,
     /// The first of those, by its index, and what `solve` says of it.
     pub first_failure: Option<(usize, SolveError)>,

@@ -76,12 +76,11 @@ trait Guide<M: Mechanism<Scalar = f64>> {
     fn columns(&self) -> &[Column<'_>];
 
     /// The poses from `start` on.
-    fn solve_chunk<const W: usize>(
+    fn solve_chunk<const W: usize, const FUSED: bool>(
         &self,
-        chunk: &Chunk<'_, M, W>,
+        chunk: &Chunk<'_, M, W, FUSED>,
         start: usize,
-        last: usize,
-    ) -> Result<<M::With<Lanes<W>> as Mechanism>::Pose, SolveError>;
+    ) -> Result<<M::With<Lanes<W, FUSED>> as Mechanism>::Pose, SolveError>;
 
     /// The pose with an index.
     fn solve_one(&self, mechanism: &M, inputs: M::Inputs<M::Motion<f64>>, index: usize) -> Result<M::Pose, SolveError>;
@@ -92,9 +91,9 @@ struct InAssembly<A>(A);
 struct NearColumns<'a, M: Mechanism>(M::Unknowns<Column<'a>>);
 
 /// The mechanisms and inputs of some poses.
-struct Chunk<'a, M: Mechanism<Scalar = f64>, const W: usize> {
-    mechanism: M::With<Lanes<W>>,
-    inputs: &'a <M::With<Lanes<W>> as Mechanism>::Inputs<M::Motion<Lanes<W>>>,
+struct Chunk<'a, M: Mechanism<Scalar = f64>, const W: usize, const FUSED: bool> {
+    mechanism: M::With<Lanes<W, FUSED>>,
+    inputs: &'a <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Guide<M> for InAssembly<M::Assembly> {
@@ -103,12 +102,11 @@ impl<M: Mechanism<Scalar = f64>> Guide<M> for InAssembly<M::Assembly> {
     }
 
     #[inline(always)]
-    fn solve_chunk<const W: usize>(
+    fn solve_chunk<const W: usize, const FUSED: bool>(
         &self,
-        chunk: &Chunk<'_, M, W>,
+        chunk: &Chunk<'_, M, W, FUSED>,
         _: usize,
-        _: usize,
-    ) -> Result<<M::With<Lanes<W>> as Mechanism>::Pose, SolveError> {
+    ) -> Result<<M::With<Lanes<W, FUSED>> as Mechanism>::Pose, SolveError> {
         chunk.mechanism.solve_motion(*chunk.inputs, self.0)
     }
 
@@ -123,14 +121,13 @@ impl<M: Mechanism<Scalar = f64>> Guide<M> for NearColumns<'_, M> {
     }
 
     #[inline(always)]
-    fn solve_chunk<const W: usize>(
+    fn solve_chunk<const W: usize, const FUSED: bool>(
         &self,
-        chunk: &Chunk<'_, M, W>,
+        chunk: &Chunk<'_, M, W, FUSED>,
         start: usize,
-        last: usize,
-    ) -> Result<<M::With<Lanes<W>> as Mechanism>::Pose, SolveError> {
+    ) -> Result<<M::With<Lanes<W, FUSED>> as Mechanism>::Pose, SolveError> {
         let near = self.0.as_ref();
-        let near = Row::from_fn(|index| gathered(near[index], start, last));
+        let near = Row::from_fn(|index| gathered(near[index], start));
         chunk.mechanism.solve_motion_near(*chunk.inputs, near)
     }
 
@@ -140,23 +137,17 @@ impl<M: Mechanism<Scalar = f64>> Guide<M> for NearColumns<'_, M> {
     }
 }
 
-/// The numbers of the poses from `start` on; lanes beyond the last one repeat it.
+/// The numbers of the poses from `start` on.
 #[inline(always)]
-fn gathered<const W: usize>(column: Column<'_>, start: usize, last: usize) -> Lanes<W> {
+fn gathered<const W: usize, const FUSED: bool>(column: Column<'_>, start: usize) -> Lanes<W, FUSED> {
     match column {
         Column::Same(value) => Lanes([value; W]),
+        // All columns are long enough, and the compiler does not know.
         Column::Each(values) => match values.get(start..).and_then(<[f64]>::first_chunk) {
             Some(values) => Lanes(*values),
-            None => gathered_rest(values, start, last),
+            None => Lanes([f64::NAN; W]),
         },
     }
-}
-
-#[cold]
-#[inline(never)]
-fn gathered_rest<const W: usize>(values: &[f64], start: usize, last: usize) -> Lanes<W> {
-    let at = |index| values.get(index).copied().unwrap_or(f64::NAN);
-    Lanes::from_fn(|lane| at(last.min(start + lane)))
 }
 
 impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
@@ -230,12 +221,12 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
         let (inputs, result) = self.solve_one(index);
         let numbers = match result {
             Ok(pose) => {
-                *outcome = Outcome::Solved;
-                summary.solved += 1;
+                summary.alone += 1;
                 Some((pose.unknown_motions(), pose.output_motions()))
             }
             Err(error) => {
                 *outcome = Outcome::from(&error);
+                summary.solved -= 1;
                 summary.note_failure(index, error);
                 None
             }
@@ -299,14 +290,16 @@ impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
 }
 
 /// Stores what has been found in lanes.
-struct Storing<'r, R, const W: usize> {
+struct Storing<'r, R, const W: usize, const FUSED: bool> {
     start: usize,
     inputs: &'r [R],
     unknowns: &'r [R],
     outputs: &'r [R],
 }
 
-impl<R: Row<Lanes<W>>, C: Target, const W: usize> Visitor<'_, C> for Storing<'_, R, W> {
+impl<R: Row<Lanes<W, FUSED>>, C: Target, const W: usize, const FUSED: bool> Visitor<'_, C>
+    for Storing<'_, R, W, FUSED>
+{
     #[inline(always)]
     fn visit(&mut self, place: Place, there: &mut C) {
         let Some(slice) = there.slice() else {
@@ -317,20 +310,10 @@ impl<R: Row<Lanes<W>>, C: Target, const W: usize> Visitor<'_, C> for Storing<'_,
             Place::Unknown(index, order) => (self.unknowns, index, order),
             Place::Output(index, order) => (self.outputs, index, order),
         };
-        let lanes = &motions[index].as_ref()[order].0;
-        match slice.get_mut(self.start..self.start + W) {
-            Some(slice) => slice.copy_from_slice(lanes),
-            None => store_rest(slice, self.start, lanes),
+        // All targets are long enough, and the compiler does not know.
+        if let Some(slice) = slice.get_mut(self.start..).and_then(<[f64]>::first_chunk_mut) {
+            *slice = motions[index].as_ref()[order].0;
         }
-    }
-}
-
-/// Stores as many lanes as there are poses left.
-#[cold]
-#[inline(never)]
-fn store_rest(slice: &mut [f64], start: usize, lanes: &[f64]) {
-    for (entry, lane) in slice.iter_mut().skip(start).zip(lanes) {
-        *entry = *lane;
     }
 }
 
@@ -352,43 +335,47 @@ where
     type Result = Summary;
 
     #[inline(always)]
-    fn run<const W: usize>(self) -> Summary {
+    fn run<const W: usize, const FUSED: bool>(self) -> Summary {
         let Self {
             problem,
             poses,
             outcomes,
             ..
         } = self;
-        let mut summary = Summary::default();
-        let Some(last) = outcomes.len().checked_sub(1) else {
-            return summary;
+        let count = outcomes.len();
+        let mut summary = Summary {
+            solved: count,
+            ..Summary::default()
         };
+        outcomes.fill(Outcome::Solved);
         let parameters = problem.parameters.as_ref();
         let columns = problem.inputs.as_ref();
-        let mut dimensions: <M::With<Lanes<W>> as Mechanism>::Parameters<Lanes<W>> =
+        let mut dimensions: <M::With<Lanes<W, FUSED>> as Mechanism>::Parameters<Lanes<W, FUSED>> =
             Row::from_fn(|_| Lanes::constant(0.0));
-        let mut inputs: <M::With<Lanes<W>> as Mechanism>::Inputs<M::Motion<Lanes<W>>> =
+        let mut inputs: <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>> =
             Row::from_fn(|_| Row::from_fn(|_| Lanes::constant(0.0)));
         let varies = parameters.iter().any(|column| column.length().is_some());
-        for start in (0..=last).step_by(W) {
+        let mut next = 0;
+        // Fewer than there are lanes are solved one by one.
+        while next < count && count >= W {
+            // The last poses of all go with some that have been solved before, and come to the same once more.
+            let start = next.min(count - W);
             if varies || start == 0 {
                 for (dimension, column) in dimensions.as_mut().iter_mut().zip(parameters) {
-                    *dimension = gathered(*column, start, last);
+                    *dimension = gathered(*column, start);
                 }
             }
             for (motion, columns) in inputs.as_mut().iter_mut().zip(columns) {
                 for (entry, column) in motion.as_mut().iter_mut().zip(columns.as_ref()) {
-                    *entry = gathered(*column, start, last);
+                    *entry = gathered(*column, start);
                 }
             }
-            let chunk = Chunk::<M, W> {
+            let chunk = Chunk::<M, W, FUSED> {
                 mechanism: M::With::from_parameters(dimensions),
                 inputs: &inputs,
             };
-            let count = W.min(last + 1 - start);
-            let mut all = false;
-            let mut sum = Lanes::constant(f64::NAN);
-            if let Ok(pose) = problem.guide.solve_chunk(&chunk, start, last) {
+            let mut sum = Lanes([f64::NAN; W]);
+            if let Ok(pose) = problem.guide.solve_chunk(&chunk, start) {
                 let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
                 // Finite if, and only if, all of them are, unless the sum itself goes beyond the range.
                 sum = Lanes::constant(0.0);
@@ -402,25 +389,24 @@ where
                         sum = sum + *entry;
                     }
                 }
-                all = sum.sum().is_finite();
-                poses.each(&mut Storing::<_, W> {
+                poses.each(&mut Storing::<_, W, FUSED> {
                     start,
                     inputs: inputs.as_ref(),
                     unknowns: unknowns.as_ref(),
                     outputs: outputs.as_ref(),
                 });
             }
-            let outcomes = &mut outcomes[start..start + count];
-            outcomes.fill(Outcome::Solved);
-            summary.solved += count;
-            if !all {
-                for (lane, outcome) in outcomes.iter_mut().enumerate() {
-                    if !sum.0[lane].is_finite() {
-                        summary.solved -= 1;
-                        problem.settle(start + lane, poses, outcome, &mut summary);
+            if !sum.sum().is_finite() {
+                for index in next..start + W {
+                    if !sum.0[index - start].is_finite() {
+                        problem.settle(index, poses, &mut outcomes[index], &mut summary);
                     }
                 }
             }
+            next = start + W;
+        }
+        for index in next..count {
+            problem.settle(index, poses, &mut outcomes[index], &mut summary);
         }
         summary
     }

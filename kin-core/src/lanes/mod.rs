@@ -21,12 +21,12 @@ use num_traits::Float;
 use crate::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent};
 use crate::{Failure, Scalar};
 
-/// `W` numbers.
+/// `W` numbers; multiplied and added in one step where functions say so, if they are `FUSED`.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Lanes<const W: usize>(pub(crate) [f64; W]);
+pub(crate) struct Lanes<const W: usize, const FUSED: bool>(pub(crate) [f64; W]);
 
-impl<const W: usize> Lanes<W> {
+impl<const W: usize, const FUSED: bool> Lanes<W, FUSED> {
     #[inline(always)]
     pub(crate) fn from_fn(mut function: impl FnMut(usize) -> f64) -> Self {
         let mut lanes = [0.0; W];
@@ -49,6 +49,7 @@ impl<const W: usize> Lanes<W> {
     /// The sum of all lanes: not finite if one of them is not.
     #[inline(always)]
     pub(crate) fn sum(self) -> f64 {
+        // One by one: in pairs, a compiler would take pairs for the vectors that everything before is arranged in.
         let mut sum = 0.0;
         for entry in self.0 {
             sum += entry;
@@ -67,7 +68,7 @@ impl<const W: usize> Lanes<W> {
     }
 }
 
-impl<const W: usize> Add for Lanes<W> {
+impl<const W: usize, const FUSED: bool> Add for Lanes<W, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -76,7 +77,7 @@ impl<const W: usize> Add for Lanes<W> {
     }
 }
 
-impl<const W: usize> Sub for Lanes<W> {
+impl<const W: usize, const FUSED: bool> Sub for Lanes<W, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -85,7 +86,7 @@ impl<const W: usize> Sub for Lanes<W> {
     }
 }
 
-impl<const W: usize> Mul for Lanes<W> {
+impl<const W: usize, const FUSED: bool> Mul for Lanes<W, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -94,7 +95,7 @@ impl<const W: usize> Mul for Lanes<W> {
     }
 }
 
-impl<const W: usize> Div for Lanes<W> {
+impl<const W: usize, const FUSED: bool> Div for Lanes<W, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -103,7 +104,7 @@ impl<const W: usize> Div for Lanes<W> {
     }
 }
 
-impl<const W: usize> Neg for Lanes<W> {
+impl<const W: usize, const FUSED: bool> Neg for Lanes<W, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -112,8 +113,11 @@ impl<const W: usize> Neg for Lanes<W> {
     }
 }
 
-impl<const W: usize> Scalar for Lanes<W> {
+impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     const EPSILON: f64 = f64::EPSILON;
+    // A little more than that of one number: a comparison with the smallest normal number is taken for a test of bits, and done lane
+    // by lane.
+    const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {
@@ -144,7 +148,7 @@ impl<const W: usize> Scalar for Lanes<W> {
             let angle = self.0[lane];
             // NaN where the polynomials do not hold.
             let angle = if is_near(angle) { angle } else { f64::NAN };
-            (sine.0[lane], cosine.0[lane]) = near_sine_cosine(angle);
+            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED>(angle);
         }
         (sine, cosine)
     }
@@ -168,7 +172,7 @@ impl<const W: usize> Scalar for Lanes<W> {
     fn atan2(self, x: Self) -> Self {
         let mut angles = self;
         for lane in 0..W {
-            let (angle, holds) = ordinary_arc_tangent(self.0[lane], x.0[lane]);
+            let (angle, holds) = ordinary_arc_tangent::<FUSED>(self.0[lane], x.0[lane]);
             angles.0[lane] = if holds { angle } else { f64::NAN };
         }
         angles
@@ -185,14 +189,19 @@ impl<const W: usize> Scalar for Lanes<W> {
     }
 
     #[inline(always)]
-    fn provided<const N: usize>(self, judges: [Self; N], test: impl Fn([f64; N]) -> bool) -> Option<Self> {
-        Some(Self::from_fn(|lane| {
-            if test(Self::at(&judges, lane)) {
-                self.0[lane]
-            } else {
-                f64::NAN
+    fn provided<const N: usize, const K: usize>(
+        self,
+        judges: [Self; N],
+        conditions: impl Fn([f64; N]) -> [bool; K],
+    ) -> Option<Self> {
+        let mut kept = self;
+        for lane in 0..W {
+            // One after the other: a comparison and a selection are arranged in vectors, a conjunction is not.
+            for holds in conditions(Self::at(&judges, lane)) {
+                kept.0[lane] = if holds { kept.0[lane] } else { f64::NAN };
             }
-        }))
+        }
+        Some(kept)
     }
 
     #[inline(always)]
@@ -243,7 +252,7 @@ impl<const W: usize> Scalar for Lanes<W> {
 
 /// The other leg of a right triangle with a hypotenuse of 1.
 #[inline(always)]
-fn leg<const W: usize>(known: Lanes<W>) -> Lanes<W> {
+fn leg<const W: usize, const FUSED: bool>(known: Lanes<W, FUSED>) -> Lanes<W, FUSED> {
     let one = Lanes::constant(1.0);
     ((one - known) * (one + known)).sqrt()
 }

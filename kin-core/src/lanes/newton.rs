@@ -11,12 +11,12 @@ use crate::{Failure, Scalar};
 const ITERATIONS: u32 = 12;
 
 #[inline(always)]
-pub(super) fn root<const W: usize, const N: usize>(
-    guess: [Lanes<W>; N],
-    sizes: [Lanes<W>; N],
-    mut evaluate: impl FnMut([Lanes<W>; N]) -> ([Lanes<W>; N], [[Lanes<W>; N]; N]),
-) -> Result<[Lanes<W>; N], Failure> {
-    let mut evaluate = |unknowns: [Lanes<W>; N]| {
+pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
+    guess: [Lanes<W, FUSED>; N],
+    sizes: [Lanes<W, FUSED>; N],
+    mut evaluate: impl FnMut([Lanes<W, FUSED>; N]) -> ([Lanes<W, FUSED>; N], [[Lanes<W, FUSED>; N]; N]),
+) -> Result<[Lanes<W, FUSED>; N], Failure> {
+    let mut evaluate = |unknowns: [Lanes<W, FUSED>; N]| {
         let (residuals, mut jacobian) = evaluate(unknowns);
         for row in &mut jacobian {
             for (entry, size) in row.iter_mut().zip(sizes) {
@@ -31,7 +31,7 @@ pub(super) fn root<const W: usize, const N: usize>(
     let (mut residuals, jacobian) = evaluate(point);
     let mut factors = factor(jacobian)?;
     // Of the step before: its length, the correction foreseen after it, and by what the determinant has changed.
-    let mut before: Option<(Lanes<W>, [Lanes<W>; N])> = None;
+    let mut before: Option<(Lanes<W, FUSED>, [Lanes<W, FUSED>; N])> = None;
     let mut ratio = Lanes::constant(1.0);
     for _ in 0..ITERATIONS {
         let correction = negated(factors.solve(residuals));
@@ -102,7 +102,7 @@ pub(super) fn root<const W: usize, const N: usize>(
 }
 
 #[inline(always)]
-fn negated<const W: usize, const N: usize>(vector: [Lanes<W>; N]) -> [Lanes<W>; N] {
+fn negated<const W: usize, const FUSED: bool, const N: usize>(vector: [Lanes<W, FUSED>; N]) -> [Lanes<W, FUSED>; N] {
     let mut negated = vector;
     for entry in &mut negated {
         *entry = -*entry;
@@ -112,7 +112,7 @@ fn negated<const W: usize, const N: usize>(vector: [Lanes<W>; N]) -> [Lanes<W>; 
 
 /// The largest magnitude; NaN if there is a NaN.
 #[inline(always)]
-fn largest<const W: usize, const N: usize>(vector: &[Lanes<W>; N]) -> Lanes<W> {
+fn largest<const W: usize, const FUSED: bool, const N: usize>(vector: &[Lanes<W, FUSED>; N]) -> Lanes<W, FUSED> {
     let mut largest = Lanes::constant(0.0);
     for entry in vector {
         largest = largest.with(*entry, |largest, entry| {

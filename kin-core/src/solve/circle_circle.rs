@@ -1,6 +1,6 @@
 //! Two links of known length between two known points: the intersection of two circles.
 
-use super::diagnosis::{is_ordinary, length, refusal, root};
+use super::diagnosis::{length, ordinary, refusal, root};
 use crate::{Assembly, Failure, Plane, Scalar};
 
 const QUANTITY: &str = "link lengths or the distance they span";
@@ -40,7 +40,8 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     // The product is the same if one of the lengths is negative and sum and difference change places.
     let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
     let Some(four_q2) = four_q2.provided([four_q2, d2], |[q2, d2]| {
-        is_ordinary(q2, T::SMALLEST) & (d2 >= T::SMALLEST)
+        let [low, high] = ordinary(q2, T::SMALLEST);
+        [low, high, d2 >= T::SMALLEST]
     }) else {
         return Err(lengths_do_not_close(
             a.real(),
@@ -68,7 +69,8 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
     let twice_p = d2 + a2 - b2;
     let four_q2 = T::constant(4.0) * a2 * d2 - twice_p * twice_p;
     let Some(four_q2) = four_q2.provided([four_q2, d2], |[q2, d2]| {
-        is_ordinary(q2, T::SMALLEST) & (d2 >= T::SMALLEST)
+        let [low, high] = ordinary(q2, T::SMALLEST);
+        [low, high, d2 >= T::SMALLEST]
     }) else {
         return Err(squares_do_not_close(
             a2.real(),

@@ -1,6 +1,6 @@
 //! A link of known length whose end slides along a line: the intersection of a circle and a line.
 
-use super::diagnosis::{is_ordinary, length, refusal, root};
+use super::diagnosis::{length, ordinary, refusal, root};
 use crate::{Assembly, Failure, Plane, Scalar};
 
 const QUANTITY: &str = "link length, direction of the slide or distance spanned";
@@ -37,11 +37,14 @@ pub fn circle_line<T: Scalar>(
     let along = direction.dot(c);
     let beside = direction.cross(c);
     let q2 = a2 * u2 - beside * beside;
-    let Some(q2) = q2.provided([q2, u2], |[q2, u2]| is_ordinary(q2, T::SMALLEST) & (u2 >= T::SMALLEST)) else {
+    let Some(q2) = q2.provided([q2, u2], |[q2, u2]| {
+        let [low, high] = ordinary(q2, T::SMALLEST);
+        [low, high, u2 >= T::SMALLEST]
+    }) else {
         return Err(does_not_reach(a2, direction, c));
     };
     let travel = either(along, q2.sqrt(), assembly) / u2;
-    let Some(travel) = travel.provided([travel], |[travel]| travel.is_finite()) else {
+    let Some(travel) = travel.provided([travel], |[travel]| [travel.is_finite()]) else {
         return Err(does_not_reach(a2, direction, c));
     };
     Ok((c - direction.scale(travel), travel))
@@ -56,7 +59,10 @@ pub fn circle_line<T: Scalar>(
 #[inline(always)]
 pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, T), Failure> {
     let q2 = a2 - c.y * c.y;
-    let Some(q2) = q2.provided([q2, c.x], |[q2, x]| is_ordinary(q2, T::SMALLEST) & x.is_finite()) else {
+    let Some(q2) = q2.provided([q2, c.x], |[q2, x]| {
+        let [low, high] = ordinary(q2, T::SMALLEST);
+        [low, high, x.is_finite()]
+    }) else {
         let axis = Plane::new(T::constant(1.0), T::constant(0.0));
         return Err(does_not_reach(a2, axis, c));
     };
@@ -73,7 +79,10 @@ pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
 #[inline(always)]
 pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, T), Failure> {
     let q2 = a2 - c.x * c.x;
-    let Some(q2) = q2.provided([q2, c.y], |[q2, y]| is_ordinary(q2, T::SMALLEST) & y.is_finite()) else {
+    let Some(q2) = q2.provided([q2, c.y], |[q2, y]| {
+        let [low, high] = ordinary(q2, T::SMALLEST);
+        [low, high, y.is_finite()]
+    }) else {
         let axis = Plane::new(T::constant(0.0), T::constant(1.0));
         return Err(does_not_reach(a2, axis, c));
     };

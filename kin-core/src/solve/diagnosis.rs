@@ -4,11 +4,10 @@ use num_traits::Float;
 
 use crate::Failure;
 
-/// Whether the number under a square root admits a root with full precision. NaN does not.
+/// Whether the number under a square root admits a root with full precision: both, or there is none. NaN does not.
 #[inline(always)]
-pub(super) fn is_ordinary(radicand: f64, smallest: f64) -> bool {
-    // Both, and not the second if the first: for lanes there must be no branch.
-    (radicand >= smallest) & (radicand < f64::INFINITY)
+pub(super) fn ordinary(radicand: f64, smallest: f64) -> [bool; 2] {
+    [radicand >= smallest, radicand < f64::INFINITY]
 }
 
 /// The length of a vector, without overflow on the way.

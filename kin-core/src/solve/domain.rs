@@ -98,7 +98,7 @@ fn within<T: Scalar>(
     result: T,
     function: &'static str,
 ) -> Result<T, Failure> {
-    match result.provided([argument], |[argument]| inside(argument)) {
+    match result.provided([argument], |[argument]| [inside(argument)]) {
         Some(result) if result.is_finite() => Ok(result),
         _ => {
             let argument = argument.real();

@@ -152,7 +152,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
             let entries = &mut row.as_mut()[step..count];
             let multiplier = entries[0] / pivot;
             let multiplier = multiplier
-                .provided([multiplier], |[multiplier]| multiplier.abs() <= LARGEST_MULTIPLIER)
+                .provided([multiplier], |[multiplier]| [multiplier.abs() <= LARGEST_MULTIPLIER])
                 .unwrap_or(multiplier);
             entries[0] = multiplier;
             for (entry, above) in entries[1..].iter_mut().zip(&pivot_row[step + 1..]) {

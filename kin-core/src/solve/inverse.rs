@@ -1,6 +1,6 @@
 //! One angle by its cosine or its sine.
 
-use super::diagnosis::{is_ordinary, refusal};
+use super::diagnosis::{ordinary, refusal};
 use crate::{Assembly, Failure, Plane, Scalar};
 
 /// The unit vector (cos x, sin x) with the given cosine. [`Assembly::Open`] has a positive sine.
@@ -41,7 +41,7 @@ fn other<T: Scalar>(known: T, assembly: Assembly, quantity: &'static str) -> Res
     let one = T::constant(1.0);
     // In factors, for the sake of the angles near which the known coordinate is 1.
     let square = (one - known) * (one + known);
-    let Some(square) = square.provided([square], |[square]| is_ordinary(square, T::SMALLEST)) else {
+    let Some(square) = square.provided([square], |[square]| ordinary(square, T::SMALLEST)) else {
         return Err(beyond_one(known.real(), T::EPSILON, quantity));
     };
     Ok(assembly.signed(square.sqrt()))

@@ -20,7 +20,7 @@ const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
     let x = b / a;
     // Division by an infinite coefficient gives zero and passes for a solution.
-    x.provided([x, a], |[x, a]| x.is_finite() & a.is_finite())
+    x.provided([x, a], |[x, a]| [x.is_finite(), a.is_finite()])
         .ok_or_else(|| no_solution(a.real(), b.real().is_finite()))
 }
 
@@ -47,7 +47,12 @@ pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failu
     let noise = |product: f64| 2.0 * T::EPSILON * product.abs();
     let meet = |[determinant, product, x, y]: [f64; 4]| {
         let size = determinant.abs();
-        (size > noise(product)) & (size < f64::INFINITY) & x.is_finite() & y.is_finite()
+        [
+            size > noise(product),
+            size < f64::INFINITY,
+            x.is_finite(),
+            y.is_finite(),
+        ]
     };
     let judges = [determinant, product, x, y];
     let (Some(x), Some(y)) = (x.provided(judges, meet), y.provided(judges, meet)) else {

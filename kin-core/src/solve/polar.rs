@@ -1,6 +1,6 @@
 //! A length along a direction, both sought: a slide on a link that turns.
 
-use super::diagnosis::{is_ordinary, length, refusal};
+use super::diagnosis::{length, ordinary, refusal};
 use crate::{Assembly, Failure, Plane, Scalar};
 
 const QUANTITY: &str = "offset of the slide or distance spanned";
@@ -27,7 +27,7 @@ const QUANTITY: &str = "offset of the slide or distance spanned";
 #[inline(always)]
 pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<T, Failure> {
     let d2 = c.norm_squared();
-    let Some(d2) = d2.provided([d2], |[d2]| is_ordinary(d2, T::SMALLEST)) else {
+    let Some(d2) = d2.provided([d2], |[d2]| ordinary(d2, T::SMALLEST)) else {
         return Err(no_length(c.x.real(), c.y.real()));
     };
     Ok(assembly.signed(d2.sqrt()))
@@ -48,7 +48,8 @@ pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly
     let d2 = c.norm_squared();
     let q2 = d2 - offset.y * offset.y;
     let Some(q2) = q2.provided([q2, offset.x], |[q2, shift]| {
-        is_ordinary(q2, T::SMALLEST) & shift.is_finite()
+        let [low, high] = ordinary(q2, T::SMALLEST);
+        [low, high, shift.is_finite()]
     }) else {
         return Err(does_not_pass(
             Plane::new(offset.x.real(), offset.y.real()),

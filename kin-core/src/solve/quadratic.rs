@@ -1,6 +1,6 @@
 //! One unknown of which the square occurs.
 
-use super::diagnosis::{is_ordinary, root};
+use super::diagnosis::{ordinary, root};
 use crate::{Assembly, Failure, Scalar};
 
 const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
@@ -29,7 +29,10 @@ pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, F
     let q2 = g * g - a * c;
     let fails = || no_root(a.real(), b.real(), c.real(), T::EPSILON);
     let q2 = q2
-        .provided([q2, a], |[q2, a]| is_ordinary(q2, T::SMALLEST) & (a != 0.0))
+        .provided([q2, a], |[q2, a]| {
+            let [low, high] = ordinary(q2, T::SMALLEST);
+            [low, high, a != 0.0]
+        })
         .ok_or_else(fails)?;
     let q = q2.sqrt();
     // g and q are added with the same sign, and the root is that sum by a, or c by it.
@@ -40,7 +43,7 @@ pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, F
     let above = T::either([a, g], direct, || sum, || c);
     let below = T::either([a, g], direct, || a, || sum);
     let x = above / below;
-    x.provided([x], |[x]| x.is_finite()).ok_or_else(fails)
+    x.provided([x], |[x]| [x.is_finite()]).ok_or_else(fails)
 }
 
 #[cold]

@@ -174,7 +174,7 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
         let strictly = real >= low && real <= high;
         real.is_finite() && (strictly || Range::new(low, high, real, T::EPSILON).holds(real))
     };
-    value.provided([value], |[real]| holds(real)).ok_or_else(|| {
+    value.provided([value], |[real]| [holds(real)]).ok_or_else(|| {
         let real = value.real();
         if real.is_finite() {
             out_of_range(unknown, real, low, high)
@@ -203,7 +203,7 @@ pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
         let range = range(real);
         real.is_finite() && (strictly(real) || range.holds(range.representative(real)))
     };
-    let Some(value) = value.provided([value], |[real]| holds(real)) else {
+    let Some(value) = value.provided([value], |[real]| [holds(real)]) else {
         let real = value.real();
         return Err(if real.is_finite() {
             out_of_range(unknown, range(real).representative(real), low, high)

@@ -17,7 +17,7 @@ use crate::{Assembly, Failure, Scalar};
 /// ```
 #[inline(always)]
 pub fn square_root<T: Scalar>(w: T, assembly: Assembly) -> Result<T, Failure> {
-    match w.provided([w], |[square]| (square > 0.0) & (square < f64::INFINITY)) {
+    match w.provided([w], |[square]| [square > 0.0, square < f64::INFINITY]) {
         Some(square) => Ok(assembly.signed(square.sqrt())),
         None => Err(no_root(w.real())),
     }

@@ -49,7 +49,7 @@ pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orienta
     near.map(|value| {
         value
             .provided(orientations, |orientations| {
-                orientations.map(|orientation| orientation >= 0.0) == first
+                [orientations.map(|orientation| orientation >= 0.0) == first]
             })
             .unwrap_or(value)
     })

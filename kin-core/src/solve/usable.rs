@@ -1,6 +1,6 @@
 //! Whether a number can be worked with further.
 
-use super::diagnosis::is_ordinary;
+use super::diagnosis::ordinary;
 use crate::{Failure, Scalar};
 
 /// The determinant itself if one may divide by it: if its magnitude is neither zero, nor so small that it has lost digits,
@@ -18,9 +18,7 @@ use crate::{Failure, Scalar};
 #[inline(always)]
 pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
     determinant
-        .provided([determinant], |[determinant]| {
-            is_ordinary(determinant.abs(), T::SMALLEST)
-        })
+        .provided([determinant], |[determinant]| ordinary(determinant.abs(), T::SMALLEST))
         .ok_or_else(|| irregular(determinant.real()))
 }
 
