@@ -292,6 +292,8 @@ impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
 /// Stores what has been found in lanes.
 struct Storing<'r, R, const W: usize, const FUSED: bool> {
     start: usize,
+    /// How many of the first of them are there already.
+    known: usize,
     inputs: &'r [R],
     unknowns: &'r [R],
     outputs: &'r [R],
@@ -312,8 +314,22 @@ impl<R: Row<Lanes<W, FUSED>>, C: Target, const W: usize, const FUSED: bool> Visi
         };
         // All targets are long enough, and the compiler does not know.
         if let Some(slice) = slice.get_mut(self.start..).and_then(<[f64]>::first_chunk_mut) {
-            *slice = motions[index].as_ref()[order].0;
+            let lanes = &motions[index].as_ref()[order].0;
+            if self.known == 0 {
+                *slice = *lanes;
+            } else {
+                store_rest(slice, lanes, self.known);
+            }
         }
+    }
+}
+
+/// Stores all but the first lanes, which are known.
+#[cold]
+#[inline(never)]
+fn store_rest(slice: &mut [f64], lanes: &[f64], known: usize) {
+    for (entry, lane) in slice.iter_mut().zip(lanes).skip(known) {
+        *entry = *lane;
     }
 }
 
@@ -358,7 +374,7 @@ where
         let mut next = 0;
         // Fewer than there are lanes are solved one by one.
         while next < count && count >= W {
-            // The last poses of all go with some that have been solved before, and come to the same once more.
+            // The last poses of all go with some that have been solved before.
             let start = next.min(count - W);
             if varies || start == 0 {
                 for (dimension, column) in dimensions.as_mut().iter_mut().zip(parameters) {
@@ -391,6 +407,7 @@ where
                 }
                 poses.each(&mut Storing::<_, W, FUSED> {
                     start,
+                    known: next - start,
                     inputs: inputs.as_ref(),
                     unknowns: unknowns.as_ref(),
                     outputs: outputs.as_ref(),

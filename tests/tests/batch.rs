@@ -1,0 +1,426 @@
+//! Batches: what they find is what one pose after the other finds, in every kind of vectors, for every mechanism.
+
+use kin_core::batch::{self, Column, Columns, LengthMismatch, Outcome, Place, Summary, Vectors, Visitor};
+use kin_core::library::{FourBar, FourBarBatch};
+use kin_core::prelude::*;
+use kin_tests::mechanisms::cases::{self, Case, Inputs, ThroughSnap};
+use kin_tests::mechanisms::coupled::{Built, Kepler, SixCoupled, SixInChain, StephensonThree, Triad};
+use kin_tests::oracles::Gauge;
+use kin_tests::random::Random;
+
+/// Poses in a batch: more than lanes, and no multiple of them.
+const POSES: usize = 101;
+
+/// What of the scalar solver's error bound the lanes may differ by.
+const UNITS: f64 = 4.0;
+
+/// Columns for the motions of any mechanism.
+struct Table {
+    inputs: Vec<Vec<Vec<f64>>>,
+    unknowns: Vec<Vec<Vec<f64>>>,
+    outputs: Vec<Vec<Vec<f64>>>,
+}
+
+impl Table {
+    fn new<M: ThroughSnap>(poses: usize) -> Self {
+        let columns = |count: usize| vec![vec![vec![-1.0; poses]; 5]; count];
+        Self {
+            inputs: columns(M::DESCRIPTION.inputs.len()),
+            unknowns: columns(M::DESCRIPTION.unknowns.len()),
+            outputs: columns(M::DESCRIPTION.outputs.len()),
+        }
+    }
+
+    /// The numbers of a pose, bit by bit.
+    fn bits(&self, index: usize) -> Vec<u64> {
+        [&self.inputs, &self.unknowns, &self.outputs]
+            .into_iter()
+            .flatten()
+            .flatten()
+            .map(|column| column[index].to_bits())
+            .collect()
+    }
+}
+
+impl Columns<Vec<f64>> for Table {
+    fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Vec<f64>>) {
+        let kinds: [(&mut Vec<Vec<Vec<f64>>>, fn(usize, usize) -> Place); 3] = [
+            (&mut self.inputs, Place::Input),
+            (&mut self.unknowns, Place::Unknown),
+            (&mut self.outputs, Place::Output),
+        ];
+        for (motions, place) in kinds {
+            for (index, motion) in motions.iter_mut().enumerate() {
+                for (order, column) in motion.iter_mut().enumerate() {
+                    visitor.visit(place(index, order), column);
+                }
+            }
+        }
+    }
+}
+
+/// Poses of a mechanism, each with dimensions and inputs of its own.
+struct Poses<M: ThroughSnap> {
+    mechanisms: Vec<M>,
+    inputs: Vec<Inputs<M>>,
+    /// Values of the unknowns near by, where there are no assemblies.
+    near: Vec<M::Unknowns<f64>>,
+}
+
+impl<M: ThroughSnap> Poses<M> {
+    /// Solves them as one batch. An assembly, or else the values near by.
+    fn solve(&self, assembly: Option<M::Assembly>, vectors: Vectors) -> (Table, Vec<Outcome>, Summary) {
+        let count = self.mechanisms.len();
+        let column = |number: &dyn Fn(usize) -> f64| -> Vec<f64> { (0..count).map(number).collect() };
+        let parameters: Vec<Vec<f64>> = (0..M::DESCRIPTION.parameters.len())
+            .map(|place| column(&|pose| self.mechanisms[pose].parameters().as_ref()[place]))
+            .collect();
+        let inputs: Vec<Vec<Vec<f64>>> = (0..M::DESCRIPTION.inputs.len())
+            .map(|input| {
+                (0..5)
+                    .map(|order| column(&|pose| self.inputs[pose].as_ref()[input].as_ref()[order]))
+                    .collect()
+            })
+            .collect();
+        let near: Vec<Vec<f64>> = (0..M::DESCRIPTION.unknowns.len())
+            .map(|place| column(&|pose| self.near.get(pose).map_or(0.0, |near| near.as_ref()[place])))
+            .collect();
+        let mut table = Table::new::<M>(count);
+        let mut outcomes = vec![Outcome::Unsolved; count];
+        let parameters = Row::from_fn(|place| Column::Each(&parameters[place]));
+        let inputs = M::Inputs::from_fn(|input| {
+            <M::Motion<Column<'_>> as Row<Column<'_>>>::from_fn(|order| Column::Each(&inputs[input][order]))
+        });
+        let summary = match assembly {
+            Some(assembly) => {
+                batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors)
+            }
+            None => {
+                let near = Row::from_fn(|place| Column::Each(&near[place]));
+                batch::solve_near::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
+            }
+        };
+        (table, outcomes, summary.expect("all columns are of one length"))
+    }
+
+    fn solve_one(&self, index: usize, assembly: Option<M::Assembly>) -> Result<M::Pose, SolveError> {
+        match assembly {
+            Some(assembly) => self.mechanisms[index].solve_motion(self.inputs[index], assembly),
+            None => self.mechanisms[index].solve_motion_near(self.inputs[index], self.near[index]),
+        }
+    }
+}
+
+fn vectors() -> impl Iterator<Item = Vectors> {
+    [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512]
+        .into_iter()
+        .filter(|vectors| vectors.are_there())
+}
+
+/// Compares batches with one pose after the other, and prints how far they are apart.
+#[derive(Default)]
+struct Compare {
+    worst: [f64; 5],
+    poses: usize,
+    failures: usize,
+    alone: usize,
+}
+
+impl Compare {
+    fn check<M: ThroughSnap>(&mut self, poses: &Poses<M>, assembly: Option<M::Assembly>) {
+        let name = M::DESCRIPTION.name;
+        for vectors in vectors() {
+            let (table, outcomes, summary) = poses.solve(assembly, vectors);
+            self.alone += summary.alone;
+            assert_eq!(summary.solved + summary.failed, outcomes.len(), "{name}");
+            let mut first_failure = None;
+            for (index, outcome) in outcomes.iter().enumerate() {
+                self.poses += 1;
+                match poses.solve_one(index, assembly) {
+                    Ok(pose) => {
+                        assert_eq!(*outcome, Outcome::Solved, "{name}, pose {index}");
+                        self.compare(poses, index, &pose, &table);
+                    }
+                    Err(error) => {
+                        self.failures += 1;
+                        first_failure = first_failure.or(Some((index, error)));
+                        assert_eq!(*outcome, Outcome::from(&error), "{name}, pose {index}: {error}");
+                        for motion in table.unknowns.iter().chain(&table.outputs) {
+                            assert!(motion.iter().all(|column| column[index].is_nan()), "{name}, pose {index}");
+                        }
+                    }
+                }
+            }
+            assert_eq!(summary.first_failure, first_failure, "{name}");
+        }
+    }
+
+    fn compare<M: ThroughSnap>(&mut self, poses: &Poses<M>, index: usize, pose: &M::Pose, table: &Table) {
+        let unknowns = pose.unknown_motions();
+        let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
+        for order in 0..5 {
+            for (input, motion) in poses.inputs[index].as_ref().iter().enumerate() {
+                assert_eq!(table.inputs[input][order][index].to_bits(), motion.as_ref()[order].to_bits());
+            }
+            let mut note = |found: f64, expected: f64, unit: f64| {
+                let error = (found - expected).abs() / unit;
+                assert!(
+                    error <= UNITS,
+                    "{}, pose {index}, order {order}: {found:e} for {expected:e}, {error} units of {unit:e}",
+                    M::DESCRIPTION.name
+                );
+                self.worst[order] = self.worst[order].max(error);
+            };
+            for (place, motion) in unknowns.as_ref().iter().enumerate() {
+                let unit = gauge.unknown(place, order);
+                note(table.unknowns[place][order][index], motion.as_ref()[order], unit);
+            }
+            for (place, motion) in pose.output_motions().as_ref().iter().enumerate() {
+                let unit = gauge.output(&M::DESCRIPTION.outputs[place], motion.as_ref(), order);
+                note(table.outputs[place][order][index], motion.as_ref()[order], unit);
+            }
+        }
+    }
+}
+
+impl cases::Visitor for Compare {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        let mut random = Random::new(M::DESCRIPTION.name.len() as u64);
+        let mechanisms: Vec<M> = (0..POSES).map(|_| case.varied(&mut random)).collect();
+        let inputs = (0..POSES)
+            .map(|index| case.inputs::<M>((index as f64 + 0.5) / POSES as f64, &mut random))
+            .collect();
+        let poses = Poses {
+            mechanisms,
+            inputs,
+            near: Vec::new(),
+        };
+        for assembly in M::assemblies() {
+            self.check(&poses, Some(assembly));
+        }
+    }
+}
+
+/// Mechanisms with coupled blocks, no two alike, from values of the unknowns a little off the positions they were built around.
+fn coupled<M: ThroughSnap, const UNKNOWNS: usize>(
+    compare: &mut Compare,
+    seed: u64,
+    built: impl Fn(&mut Random) -> Built<M, UNKNOWNS>,
+) {
+    let mut random = Random::new(seed);
+    let mut poses = Poses {
+        mechanisms: Vec::new(),
+        inputs: Vec::new(),
+        near: Vec::new(),
+    };
+    for _ in 0..POSES {
+        let built = built(&mut random);
+        let motion = random.motion(built.input);
+        poses.mechanisms.push(built.mechanism);
+        poses.inputs.push(M::Inputs::from_fn(|_| Motion::new(motion)));
+        poses
+            .near
+            .push(M::Unknowns::from_fn(|index| built.unknowns[index] + random.between(-0.02, 0.02)));
+    }
+    compare.check(&poses, None);
+}
+
+#[test]
+fn coupled_blocks_in_lanes() {
+    let print = |name: &str, compare: &Compare| {
+        let Compare {
+            worst,
+            poses,
+            failures,
+            alone,
+        } = compare;
+        println!("{name}: {poses} poses, {failures} failures, {alone} solved alone, differences in units: {worst:.2?}");
+    };
+    let mut compare = Compare::default();
+    coupled(&mut compare, 1, Kepler::built);
+    print("Kepler", &compare);
+    let mut compare = Compare::default();
+    coupled(&mut compare, 2, Triad::built);
+    print("Triad", &compare);
+    assert!(compare.alone < compare.poses / 4, "{}", compare.alone);
+    let mut compare = Compare::default();
+    coupled(&mut compare, 3, StephensonThree::built);
+    print("StephensonThree", &compare);
+    let mut compare = Compare::default();
+    coupled(&mut compare, 4, SixCoupled::built);
+    print("SixCoupled", &compare);
+    let mut compare = Compare::default();
+    coupled(&mut compare, 5, SixInChain::built);
+    print("SixInChain", &compare);
+}
+
+#[test]
+fn mechanisms_of_all_kinds_in_every_assembly() {
+    let mut compare = Compare::default();
+    cases::library(&mut compare);
+    cases::ranges(&mut compare);
+    cases::with_outputs(&mut compare);
+    let Compare {
+        worst,
+        poses,
+        failures,
+        alone,
+    } = compare;
+    println!("{poses} poses, {failures} of them out of reach; {alone} solved alone; differences in units: {worst:.2?}");
+    assert!(poses > 10_000 && failures > 100, "{poses} {failures}");
+    assert!(alone < poses / 50, "{alone} of {poses}");
+}
+
+fn linkage() -> FourBar {
+    FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    }
+}
+
+#[test]
+fn a_pose_does_not_depend_on_its_neighbours() {
+    let mut random = Random::new(7);
+    let poses = Poses {
+        mechanisms: vec![linkage(); POSES],
+        inputs: (0..POSES)
+            .map(|index| [Motion::new(random.motion(-1.9 + 3.8 * index as f64 / POSES as f64))])
+            .collect(),
+        near: Vec::new(),
+    };
+    for vectors in vectors() {
+        let (table, outcomes, _) = poses.solve(Some(Assembly::Open), vectors);
+        assert!(outcomes.iter().all(Outcome::is_solved));
+        // some of them out of reach, far away, or no numbers at all
+        let spoilt = |index: usize| index % 3 == 0;
+        let mut disturbed = Poses {
+            mechanisms: poses.mechanisms.clone(),
+            inputs: poses.inputs.clone(),
+            near: Vec::new(),
+        };
+        for index in (0..POSES).filter(|index| spoilt(*index)) {
+            match index % 4 {
+                0 => disturbed.mechanisms[index].r3 = 10.0,
+                1 => disturbed.inputs[index][0] = Motion::at_constant_speed(1e9, 1.0),
+                2 => disturbed.inputs[index][0] = Motion::at_constant_speed(f64::NAN, 1.0),
+                _ => disturbed.mechanisms[index].r1 = f64::INFINITY,
+            }
+        }
+        let (other, outcomes, _) = disturbed.solve(Some(Assembly::Open), vectors);
+        for index in (0..POSES).filter(|index| !spoilt(*index)) {
+            assert!(outcomes[index].is_solved());
+            assert_eq!(table.bits(index), other.bits(index), "{vectors:?}, pose {index}");
+        }
+        Compare::default().check(&disturbed, Some(Assembly::Open));
+    }
+}
+
+#[test]
+fn a_pose_out_of_reach_has_a_margin() {
+    let angles = [0.1, 0.2, 0.3];
+    let mut poses = FourBarBatch::filled(|| vec![0.0; 3]);
+    let mut outcomes = [Outcome::Unsolved; 3];
+    let rocker = [45.0, 10.0, 45.0];
+    let linkage = FourBar {
+        r1: Column::Same(90.0),
+        r2: Column::Same(30.0),
+        r3: Column::Same(40.0),
+        r4: Column::Each(&rocker),
+    };
+    let theta2 = Motion::new([
+        Column::Each(&angles),
+        Column::Same(1.0),
+        Column::Same(0.0),
+        Column::Same(0.0),
+        Column::Same(0.0),
+    ]);
+    let summary = linkage
+        .solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+        .expect("lengths");
+    assert_eq!((summary.solved, summary.failed), (2, 1));
+    let error = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 40.0,
+        r4: 10.0,
+    }
+    .position(0.2, Assembly::Open)
+    .expect_err("too short");
+    assert_eq!(outcomes[1].margin(), error.margin());
+    assert!(error.margin().is_some_and(|margin| margin < -10.0));
+    assert_eq!(summary.first_failure.map(|(index, error)| (index, error.failure)), Some((1, error.failure)));
+    assert!(poses.theta4[0][1].is_nan() && poses.theta4[4][2].is_finite());
+    assert_eq!(poses.theta2[0], angles);
+}
+
+#[test]
+fn batches_of_any_size() {
+    let linkage = linkage();
+    for count in [0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33, 100] {
+        let angles: Vec<f64> = (0..count).map(|index| 0.01 * f64::from(index) - 0.5).collect();
+        let mut poses = FourBarBatch::filled(|| vec![0.0; angles.len()]);
+        let mut outcomes = vec![Outcome::Unsolved; angles.len()];
+        let theta2 = Motion::from([Column::Each(&angles), 2.0.into(), 0.0.into(), 0.0.into(), 0.0.into()]);
+        let summary = linkage
+            .solve_batch(theta2, Assembly::Crossed, &mut poses, &mut outcomes)
+            .expect("lengths");
+        assert_eq!(summary.solved, angles.len());
+        for (index, angle) in angles.iter().enumerate() {
+            let pose = linkage
+                .solve(Motion::at_constant_speed(*angle, 2.0), Assembly::Crossed)
+                .expect("it closes");
+            for order in 0..5 {
+                let (found, expected) = (poses.theta3[order][index], pose.theta3[order]);
+                assert!((found - expected).abs() <= 1e-13 * expected.abs().max(1.0), "{count} {index} {order}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_not_wanted_is_left_out() {
+    let angles: Vec<f64> = (0..40).map(|index| 0.02 * f64::from(index)).collect();
+    let mut wanted = vec![0.0; 40];
+    let mut poses = FourBarBatch::filled(|| None);
+    poses.theta4[2] = Some(wanted.as_mut_slice());
+    let mut outcomes = [Outcome::Unsolved; 40];
+    let theta2 = Motion::from([Column::Each(&angles), 2.0.into(), 0.0.into(), 0.0.into(), 0.0.into()]);
+    linkage()
+        .solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+        .expect("lengths");
+    let pose = linkage()
+        .solve(Motion::at_constant_speed(angles[33], 2.0), Assembly::Open)
+        .expect("it closes");
+    assert!((wanted[33] - pose.theta4.acceleration()).abs() <= 1e-12);
+}
+
+#[test]
+fn columns_of_other_lengths_are_named() {
+    let angles = [0.1; 5];
+    let theta2 = |length: usize| {
+        Motion::from([Column::Each(&angles[..length]), 2.0.into(), 0.0.into(), 0.0.into(), 0.0.into()])
+    };
+    let mut outcomes = [Outcome::Unsolved; 5];
+    let mut poses = FourBarBatch::filled(|| vec![0.0; 5]);
+    let error = linkage()
+        .solve_batch(theta2(4), Assembly::Open, &mut poses, &mut outcomes)
+        .expect_err("too short");
+    let expected = LengthMismatch {
+        quantity: "theta2",
+        poses: 5,
+        length: 4,
+    };
+    assert_eq!(error, expected);
+    assert_eq!(
+        error.to_string(),
+        "a column of `theta2` has 4 entries, but there are 5 outcomes: give one entry and one outcome for each pose"
+    );
+    poses.theta4[3] = vec![0.0; 6];
+    let error = linkage()
+        .solve_batch(theta2(5), Assembly::Open, &mut poses, &mut outcomes)
+        .expect_err("too long");
+    assert_eq!((error.quantity, error.length), ("theta4", 6));
+    assert_eq!(outcomes, [Outcome::Unsolved; 5]);
+}
