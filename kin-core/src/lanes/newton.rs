@@ -79,6 +79,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
             break;
         }
         // Lanes that have ended stay where they are.
+        let here = point;
         for (entry, end) in point.iter_mut().zip(end) {
             for lane in 0..W {
                 if pending[lane] {
@@ -88,14 +89,24 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
         }
         let (next, jacobian) = evaluate(point);
         let expected = negated(factors.solve(next));
-        let fall = largest(&expected);
-        for lane in 0..W {
-            pending[lane] &= fall.0[lane] < 0.75 * length.0[lane];
-        }
         residuals = next;
         let there = factor(jacobian)?;
         ratio = there.determinant_relative_to(&factors);
         factors = there;
+        let fall = largest(&expected);
+        for lane in 0..W {
+            let (length, fall) = (length.0[lane], fall.0[lane]);
+            let falls = fall < 0.75 * length;
+            // What does not fall and is small is rounding.
+            let ends = !falls && length * length <= LINEAR_STEP * f64::EPSILON;
+            if pending[lane] && ends && (0.75..=1.25).contains(&ratio.0[lane]) {
+                let place = if fall < length { &point } else { &here };
+                for (root, place) in root.iter_mut().zip(place) {
+                    root.0[lane] = place.0[lane];
+                }
+            }
+            pending[lane] &= falls;
+        }
         before = Some((length, expected));
     }
     Ok(root)
