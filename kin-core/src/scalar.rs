@@ -176,7 +176,8 @@ macro_rules! primitive_scalar {
                 Float::sqrt(self)
             }
 
-            #[inline]
+            #[expect(clippy::inline_always, reason = "a call saves and restores all that is at hand, and takes as long again")]
+            #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 $sine_cosine(self)
             }
@@ -196,7 +197,8 @@ macro_rules! primitive_scalar {
                 Float::atan(self)
             }
 
-            #[inline]
+            #[expect(clippy::inline_always, reason = "a call saves and restores all that is at hand, and takes as long again")]
+            #[inline(always)]
             fn atan2(self, x: Self) -> Self {
                 $arc_tangent(self, x)
             }

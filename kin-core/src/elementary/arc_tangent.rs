@@ -44,7 +44,8 @@ const ARC_TANGENT_SINGLE: [f64; 6] = [
 ];
 
 /// The angle from the x axis to (`x`, `y`), in -π ..= π, with the signs of zeros of IEEE 754.
-#[inline]
+#[expect(clippy::inline_always, reason = "a call saves and restores all that is at hand, and takes as long again")]
+#[inline(always)]
 pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
     let (angle, ordinary) = ordinary_arc_tangent::<FUSED>(y, x);
     if ordinary { angle } else { beyond(y, x) }

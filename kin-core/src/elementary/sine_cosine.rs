@@ -61,7 +61,8 @@ const COSINE_SINGLE: [f64; 3] = [
 ];
 
 /// Sine and cosine of an angle in radians, in this order.
-#[inline]
+#[expect(clippy::inline_always, reason = "a call saves and restores all that is at hand, and takes as long again")]
+#[inline(always)]
 pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
     if is_near(angle) {
         near_sine_cosine::<FUSED>(angle)

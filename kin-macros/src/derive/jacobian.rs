@@ -6,7 +6,8 @@
 //! solved by Cramer's rule up to three unknowns, and beyond by the factors that the position has left.
 
 use super::Rate;
-use crate::expr::{Graph, Node, Symbol};
+use crate::expr::{Graph, Node, Symbol, Term};
+use crate::function::Function;
 use crate::structure::Block;
 
 /// Up to so many unknowns are solved by Cramer's rule.
@@ -400,7 +401,8 @@ fn determinant(graph: &mut Graph, matrix: &[Vec<Node>]) -> Node {
         [row] => row[0],
         [first, second] => {
             let (main, other) = (graph.multiply(first[0], second[1]), graph.multiply(first[1], second[0]));
-            graph.subtract(main, other)
+            let determinant = graph.subtract(main, other);
+            radius(graph, determinant).unwrap_or(determinant)
         }
         [first, second, third] => {
             let cofactors = cross(graph, second, third);
@@ -413,6 +415,35 @@ fn determinant(graph: &mut Graph, matrix: &[Vec<Node>]) -> Node {
         }
         _ => unreachable!("larger systems are factored at run time"),
     }
+}
+
+/// What m cos² x + m sin² x is: the determinant of a length and its own direction is that length.
+fn radius(graph: &mut Graph, determinant: Node) -> Option<Node> {
+    let Term::Sum(constant, terms) = graph.term(determinant).clone() else {
+        return None;
+    };
+    let &[(first, coefficient), (second, other)] = terms.as_slice() else {
+        return None;
+    };
+    if constant.get() != 0.0 || coefficient != other {
+        return None;
+    }
+    [(first, second), (second, first)].into_iter().find_map(|(by_cosine, by_sine)| {
+        let angles: Vec<Node> = graph
+            .operands(by_cosine)
+            .into_iter()
+            .filter_map(|factor| match graph.term(factor) {
+                Term::Call(Function::Cos, arguments) => Some(arguments[0]),
+                _ => None,
+            })
+            .collect();
+        angles.into_iter().find_map(|angle| {
+            let (cosine, sine) = (graph.cosine(angle), graph.sine(angle));
+            let radius = graph.product(&[(by_cosine, 1), (cosine, -2)]);
+            let expected = graph.product(&[(radius, 1), (sine, 2)]);
+            (expected == by_sine).then(|| graph.scale(coefficient.get(), radius))
+        })
+    })
 }
 
 /// The rates of up to three unknowns by Cramer's rule.
