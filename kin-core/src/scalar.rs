@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::Float;
 
 use crate::Failure;
-use crate::elementary::{arc_tangent, arc_tangent_single, sine_cosine};
+use crate::elementary::{arc_tangent, arc_tangent_single, sine_cosine, sine_cosine_single};
 use crate::solve::damped_root;
 
 /// A number that a mechanism can be solved with.
@@ -176,8 +176,7 @@ macro_rules! primitive_scalar {
                 Float::sqrt(self)
             }
 
-            #[expect(clippy::inline_always, reason = "a call saves and restores all that is at hand, and takes as long again")]
-            #[inline(always)]
+            #[inline]
             fn sin_cos(self) -> (Self, Self) {
                 $sine_cosine(self)
             }
@@ -197,8 +196,7 @@ macro_rules! primitive_scalar {
                 Float::atan(self)
             }
 
-            #[expect(clippy::inline_always, reason = "a call saves and restores all that is at hand, and takes as long again")]
-            #[inline(always)]
+            #[inline]
             fn atan2(self, x: Self) -> Self {
                 $arc_tangent(self, x)
             }
@@ -217,7 +215,7 @@ macro_rules! primitive_scalar {
 }
 
 primitive_scalar!(f64, core::convert::identity, sine_cosine, arc_tangent);
-primitive_scalar!(f32, single, Float::sin_cos, arc_tangent_single);
+primitive_scalar!(f32, single, sine_cosine_single, arc_tangent_single);
 
 #[expect(
     clippy::cast_possible_truncation,
