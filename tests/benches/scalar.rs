@@ -173,9 +173,17 @@ fn four_bar() {
         black_box(lifted).position(Series::from_derivatives(motion), Assembly::Open)
     });
     race.enter("four_bar.sine_cosine_and_two_arctangents", values(), |angle| {
-        let (sine, cosine) = black_box(angle).sin_cos();
-        [sine.atan2(cosine + 0.5), sine.atan2(cosine - 0.5)]
+        let (sine, cosine) = Scalar::sin_cos(black_box(angle));
+        [Scalar::atan2(sine, cosine + 0.5), Scalar::atan2(sine, cosine - 0.5)]
     });
+    race.enter(
+        "four_bar.the_library_s_sine_cosine_and_two_arctangents",
+        values(),
+        |angle| {
+            let (sine, cosine) = black_box(angle).sin_cos();
+            [sine.atan2(cosine + 0.5), sine.atan2(cosine - 0.5)]
+        },
+    );
 
     race.enter("four_bar.position", typed(), |motion| {
         black_box(linkage).position(motion.value(), Assembly::Open)
@@ -220,6 +228,10 @@ fn four_bar() {
         ("generated_without_arctangents", "notes"),
         ("generated_without_arctangents", "by_hand_without_arctangents"),
         ("sine_cosine_and_two_arctangents", "generated"),
+        (
+            "sine_cosine_and_two_arctangents",
+            "the_library_s_sine_cosine_and_two_arctangents",
+        ),
         ("single_precision", "generated"),
         ("position", "generated"),
         ("through_velocity", "generated"),
@@ -258,14 +270,38 @@ fn slider_cranks() {
         &generated.iter().map(|pose| pose.s.derivatives()).collect::<Vec<_>>(),
     );
 
+    let by_hand = floor::SliderCrank {
+        r: dimensions.r,
+        l: dimensions.l,
+    };
+    let hand: Vec<[[f64; 5]; 2]> = motions
+        .iter()
+        .map(|motion| by_hand.solve(*motion).expect("it closes"))
+        .collect();
+    assert_same(
+        "slider-crank by hand, phi",
+        &hand.iter().map(|pose| pose[0]).collect::<Vec<_>>(),
+        &generated.iter().map(|pose| pose.phi.derivatives()).collect::<Vec<_>>(),
+    );
+    assert_same(
+        "slider-crank by hand, s",
+        &hand.iter().map(|pose| pose[1]).collect::<Vec<_>>(),
+        &generated.iter().map(|pose| pose.s.derivatives()).collect::<Vec<_>>(),
+    );
+
     let mut race = Race::new(POSES);
+    race.enter("slider_crank.by_hand", motions.clone(), move |motion| {
+        black_box(by_hand).solve(motion)
+    });
     race.enter("slider_crank.notes", motions, |motion| {
         slider_crank::solve(black_box(dimensions), motion, slider_crank::Rod::Forward)
     });
     race.enter("slider_crank.generated", typed, |motion| {
         black_box(mechanism).solve(motion, Assembly::Open)
     });
-    race.run().ratio("slider_crank.generated", "slider_crank.notes");
+    let times = race.run();
+    times.ratio("slider_crank.generated", "slider_crank.notes");
+    times.ratio("slider_crank.generated", "slider_crank.by_hand");
 }
 
 fn inverted_slider_cranks() {
@@ -301,15 +337,41 @@ fn inverted_slider_cranks() {
             .collect::<Vec<_>>(),
     );
 
+    let by_hand = floor::InvertedSliderCrank {
+        r1: dimensions.r1,
+        r2: dimensions.r2,
+    };
+    let hand: Vec<[[f64; 5]; 2]> = motions
+        .iter()
+        .map(|motion| by_hand.solve(*motion).expect("it closes"))
+        .collect();
+    assert_same(
+        "inverted slider-crank by hand, r4",
+        &hand.iter().map(|pose| pose[0]).collect::<Vec<_>>(),
+        &generated.iter().map(|pose| pose.r4.derivatives()).collect::<Vec<_>>(),
+    );
+    assert_same(
+        "inverted slider-crank by hand, theta4",
+        &hand.iter().map(|pose| pose[1]).collect::<Vec<_>>(),
+        &generated
+            .iter()
+            .map(|pose| pose.theta4.derivatives())
+            .collect::<Vec<_>>(),
+    );
+
     let mut race = Race::new(POSES);
+    race.enter("inverted_slider_crank.by_hand", motions.clone(), move |motion| {
+        black_box(by_hand).solve(motion)
+    });
     race.enter("inverted_slider_crank.notes", motions, move |motion| {
         solve(black_box(dimensions), motion)
     });
     race.enter("inverted_slider_crank.generated", typed, |motion| {
         black_box(mechanism).solve(motion)
     });
-    race.run()
-        .ratio("inverted_slider_crank.generated", "inverted_slider_crank.notes");
+    let times = race.run();
+    times.ratio("inverted_slider_crank.generated", "inverted_slider_crank.notes");
+    times.ratio("inverted_slider_crank.generated", "inverted_slider_crank.by_hand");
 }
 
 fn main() {

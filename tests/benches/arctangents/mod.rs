@@ -57,7 +57,7 @@ impl Scalar for Without {
 
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = self.0.sin_cos();
+        let (sine, cosine) = Scalar::sin_cos(self.0);
         (Self(sine), Self(cosine))
     }
 

@@ -1,8 +1,10 @@
-//! The four-bar linkage through snap as one would write it by hand who has a day for it: what generated code is measured by.
+//! Linkages through snap as one would write them by hand who has a day for it: what generated code is measured by.
 //!
-//! One sine-cosine, the intersection of two circles, the Bell polynomials P and Q of each link's rates shared by both
-//! coordinates, one reciprocal of the determinant, one arctangent for each angle. No NaN comes out of a position that is out of
-//! reach; beyond that nothing is asked and nothing is explained.
+//! One sine-cosine, the closed form of the position, the Bell polynomials P and Q of each link's rates shared by both
+//! coordinates, one reciprocal of the determinant, one arctangent for each angle: the functions that kin has. No NaN comes out of a
+//! position that is out of reach; beyond that nothing is asked and nothing is explained.
+
+use kin_core::Scalar;
 
 /// Of coupler and rocker.
 pub(crate) type Pair<T> = [T; 2];
@@ -26,8 +28,8 @@ impl FourBar {
         let ([[x3, y3], [x4, y4]], [rates3, rates4]) = self.solve_to_vectors(theta2)?;
         let [w3, a3, j3, s3] = rates3;
         let [w4, a4, j4, s4] = rates4;
-        let theta3 = y3.atan2(x3);
-        let theta4 = y4.atan2(x4);
+        let theta3 = Scalar::atan2(y3, x3);
+        let theta4 = Scalar::atan2(y4, x4);
         Some([[theta3, w3, a3, j3, s3], [theta4, w4, a4, j4, s4]])
     }
 
@@ -37,7 +39,7 @@ impl FourBar {
         let Self { r1, r2, r3, r4 } = *self;
         let [theta2, w2, a2, j2, s2] = theta2;
 
-        let (sine, cosine) = theta2.sin_cos();
+        let (sine, cosine) = Scalar::sin_cos(theta2);
         let (x2, y2) = (r2 * cosine, r2 * sine);
         let (dx, dy) = (r1 - x2, -y2);
         let d2 = dx * dx + dy * dy;
@@ -70,7 +72,6 @@ impl FourBar {
         let j3 = inverse * (kx * x4 + ky * y4);
         let j4 = inverse * (kx * x3 + ky * y3);
 
-        let bell = |w: f64, w_2: f64, a: f64, j: f64| (w_2 * w_2 - 4.0 * w * j - 3.0 * a * a, 6.0 * w_2 * a);
         let (p2, q2) = bell(w2, w2_2, a2, j2);
         let (p3, q3) = bell(w3, w3_2, a3, j3);
         let (p4, q4) = bell(w4, w4_2, a4, j4);
@@ -81,5 +82,105 @@ impl FourBar {
         let s4 = inverse * (kx * x3 + ky * y3);
 
         Some(([[x3, y3], [x4, y4]], [[w3, a3, j3, s3], [w4, a4, j4, s4]]))
+    }
+}
+
+/// P₄ and Q₄ without the snap, from the rates and the square of the first.
+#[inline]
+fn bell(w: f64, w_2: f64, a: f64, j: f64) -> (f64, f64) {
+    (w_2 * w_2 - 4.0 * w * j - 3.0 * a * a, 6.0 * w_2 * a)
+}
+
+/// The centric slider-crank: crank, connecting rod.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SliderCrank {
+    pub(crate) r: f64,
+    pub(crate) l: f64,
+}
+
+impl SliderCrank {
+    /// The rod's angle and the slider's place, the slider beyond the pin, through snap.
+    #[inline]
+    pub(crate) fn solve(&self, theta: [f64; 5]) -> Option<Pair<[f64; 5]>> {
+        let [theta, w, a, j, s] = theta;
+        let (sine, cosine) = Scalar::sin_cos(theta);
+        let (x, y) = (self.r * cosine, self.r * sine);
+        // the rod's vector is (u, -y), with phi clockwise
+        let u2 = (self.l - y) * (self.l + y);
+        if u2.is_nan() || u2 <= 0.0 {
+            return None;
+        }
+        let u = u2.sqrt();
+        let inverse = 1.0 / u;
+        let phi = Scalar::atan2(y, u);
+
+        // x Q - y (-P) = u Qφ + y Pφ across the line; along it lies what remains
+        let w_2 = w * w;
+        let phi_1 = x * w * inverse;
+        let phi_1_2 = phi_1 * phi_1;
+        let phi_2 = (x * a - y * (w_2 - phi_1_2)) * inverse;
+        let (p, q) = (3.0 * w * a, j - w * w_2);
+        let (p_phi, q_phi) = (3.0 * phi_1 * phi_2, phi_1 * phi_1_2);
+        let phi_3 = (x * q - y * (p - p_phi)) * inverse + q_phi;
+        let (p4, q4) = bell(w, w_2, a, j);
+        let (p4_phi, q4_phi) = bell(phi_1, phi_1_2, phi_2, phi_3);
+        let q4 = s - q4;
+        let phi_4 = (x * q4 + y * (p4 - p4_phi)) * inverse + q4_phi;
+        Some([
+            [phi, phi_1, phi_2, phi_3, phi_4],
+            [
+                x + u,
+                -y * (w + phi_1),
+                -y * (a + phi_2) - x * w_2 - u * phi_1_2,
+                -y * (q + phi_3 - q_phi) - x * p - u * p_phi,
+                -y * (q4 + phi_4 - q4_phi) + x * p4 + u * p4_phi,
+            ],
+        ])
+    }
+}
+
+/// The inverted slider-crank: ground, crank.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct InvertedSliderCrank {
+    pub(crate) r1: f64,
+    pub(crate) r2: f64,
+}
+
+impl InvertedSliderCrank {
+    /// The length along the lever and the lever's angle, through snap.
+    #[inline]
+    pub(crate) fn solve(&self, theta2: [f64; 5]) -> Option<Pair<[f64; 5]>> {
+        let [theta2, w, a, j, s] = theta2;
+        let (sine, cosine) = Scalar::sin_cos(theta2);
+        let (x2, y2) = (self.r2 * cosine, self.r2 * sine);
+        let x = self.r1 + x2;
+        let r_2 = x * x + y2 * y2;
+        if r_2.is_nan() || r_2 <= 0.0 {
+            return None;
+        }
+        let r = r_2.sqrt();
+        let inverse = 1.0 / r;
+        let theta4 = Scalar::atan2(y2, x);
+        // the crank as seen from the lever
+        let (c, d) = (x * inverse, y2 * inverse);
+        let (along, across) = (c * x2 + d * y2, c * y2 - d * x2);
+
+        // in the lever's directions z₂⁽ⁿ⁾ = (along + i across) (P + i Q), and z₄⁽ⁿ⁾ by Leibniz's rule
+        let w_2 = w * w;
+        let r_1 = -across * w;
+        let v = along * w * inverse;
+        let v_2 = v * v;
+        let r_2 = r * v_2 - along * w_2 - across * a;
+        let b = (along * a - across * w_2 - 2.0 * r_1 * v) * inverse;
+        let (p, q) = (3.0 * w * a, j - w * w_2);
+        let (vb, v_3) = (3.0 * v * b, v * v_2);
+        let r_3 = r * vb + 3.0 * r_1 * v_2 - along * p - across * q;
+        let k = (along * q - across * p - 3.0 * (r_2 * v + r_1 * b)) * inverse + v_3;
+        let (p4, q4) = bell(w, w_2, a, j);
+        let (p4_v, q4_v) = bell(v, v_2, b, k);
+        let q4 = s - q4;
+        let r_4 = along * p4 - across * q4 - r * p4_v + 4.0 * r_1 * vb + 6.0 * r_2 * v_2;
+        let m = (along * q4 + across * p4 - 4.0 * (r_3 * v + r_1 * (k - v_3)) - 6.0 * r_2 * b) * inverse + q4_v;
+        Some([[r, r_1, r_2, r_3, r_4], [theta4, v, b, k, m]])
     }
 }
