@@ -6,10 +6,13 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::assemble::{Limits, Names};
-use crate::expr::{Node, Symbol};
+use crate::expr::{Graph, Node, Symbol};
 use crate::model::{Model, Request, Requested, Shape};
+use crate::passes::Passes;
 use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests};
 use crate::report::Report;
+use crate::structure::Block;
+use crate::syntax::Declaration;
 use crate::{emit, fallback, model, plan, structure, syntax};
 
 /// Expands `(path::to::kin) declaration`. Mistakes are told after the pass that finds them; after the last check nothing can fail.
@@ -20,46 +23,86 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let Some(declaration) = syntax::parse(tokens, &mut report) else {
         return fallback::tokens(None, report, &runtime);
     };
-    let Some(model) = model::build(&declaration, &mut report) else {
+    let Some(solvable) = solvable(&declaration, &mut report) else {
         return fallback::tokens(Some(&declaration), report, &runtime);
     };
+    let plan = plan::plan(&solvable.task(Passes::ALL));
+    emit::tokens(&emit::Mechanism {
+        declaration: &declaration,
+        model: &solvable.model,
+        graph: &plan.graph,
+        blocks: &solvable.blocks,
+        ranges: &solvable.ranges,
+        plan: &plan,
+        runtime: &runtime,
+        goes_through_all: false,
+    })
+}
+
+/// A declaration without mistakes, and how its equations can be solved.
+pub(crate) struct Solvable {
+    model: Model,
+    graph: Graph,
+    residuals: Vec<Node>,
+    blocks: Vec<Block>,
+    ranges: BTreeMap<usize, Limits>,
+    outputs: Vec<Node>,
+    names: Names,
+}
+
+/// What a declaration comes to, or nothing if there are mistakes in it.
+pub(crate) fn solvable(declaration: &Declaration, report: &mut Report) -> Option<Solvable> {
+    let model = model::build(declaration, report)?;
     let mut graph = model.graph.clone();
     let (residuals, origins) = scalar_equations(&model);
     let blocks = match structure::analyse(&mut graph, &residuals, model.unknowns.len()) {
         Ok(blocks) => blocks,
         Err(faults) => {
-            refuse(&model, &origins, &faults, &mut report);
-            return fallback::tokens(Some(&declaration), report, &runtime);
+            refuse(&model, &origins, &faults, report);
+            return None;
         }
     };
-    refuse_ranges(&model, &blocks, &mut report);
-    refuse_requests(&model, &graph, &residuals, &blocks, &mut report);
+    refuse_ranges(&model, &blocks, report);
+    refuse_requests(&model, &graph, &residuals, &blocks, report);
     if !report.is_empty() {
-        return fallback::tokens(Some(&declaration), report, &runtime);
+        return None;
     }
-    let ranges = ranges(&model);
-    let outputs: Vec<Node> = model.outputs.iter().flat_map(|output| output.value.nodes()).collect();
-    let plan = plan::plan(&plan::Task {
-        graph: &graph,
-        residuals: &residuals,
-        blocks: &blocks,
-        ranges: &ranges,
-        outputs: &outputs,
-        inputs: model.inputs.len(),
-        order: model.order,
-        parameters: sensitive_parameters(&model),
-        names: &names(&model),
-    });
-    emit::tokens(&emit::Mechanism {
-        declaration: &declaration,
-        model: &model,
-        graph: &plan.graph,
-        blocks: &blocks,
-        ranges: &ranges,
-        plan: &plan,
-        runtime: &runtime,
-        goes_through_all: false,
+    Some(Solvable {
+        ranges: ranges(&model),
+        outputs: model.outputs.iter().flat_map(|output| output.value.nodes()).collect(),
+        names: names(&model),
+        model,
+        graph,
+        residuals,
+        blocks,
     })
+}
+
+impl Solvable {
+    /// What is to be planned, and what is done to make it cheaper.
+    pub(crate) fn task(&self, passes: Passes) -> plan::Task<'_> {
+        plan::Task {
+            graph: &self.graph,
+            residuals: &self.residuals,
+            blocks: &self.blocks,
+            ranges: &self.ranges,
+            outputs: &self.outputs,
+            inputs: self.model.inputs.len(),
+            order: self.model.order,
+            parameters: sensitive_parameters(&self.model),
+            names: &self.names,
+            passes,
+        }
+    }
+}
+
+/// The same of a declaration that is known to have no mistakes.
+#[cfg(test)]
+pub(crate) fn sound(declaration: TokenStream) -> Solvable {
+    let mut report = Report::new();
+    let solvable = syntax::parse(declaration, &mut report).and_then(|declaration| solvable(&declaration, &mut report));
+    assert!(report.is_empty(), "the declaration has mistakes");
+    solvable.expect("there are no mistakes")
 }
 
 /// The path to what generated code calls, and the declaration behind it. `mechanism!` passes its own crate, under whatever name
@@ -91,7 +134,7 @@ fn sensitive_parameters(model: &Model) -> usize {
 }
 
 /// The parts of the equations, and where each comes from.
-pub(crate) fn scalar_equations(model: &Model) -> (Vec<Node>, Vec<Origin>) {
+fn scalar_equations(model: &Model) -> (Vec<Node>, Vec<Origin>) {
     let (mut residuals, mut origins) = (Vec::new(), Vec::new());
     for (equation, declared) in model.equations.iter().enumerate() {
         let axes = declared.residual.shape().axes();
@@ -125,7 +168,7 @@ fn ranges(model: &Model) -> BTreeMap<usize, Limits> {
 }
 
 /// The names that the declaration gives, and those that generated code needs for itself.
-pub(crate) fn names(model: &Model) -> Names {
+fn names(model: &Model) -> Names {
     let mut names = Names::default();
     for reserved in [
         "assembly",

@@ -76,6 +76,9 @@ mod function;
 #[cfg(test)]
 mod growth_tests;
 mod model;
+#[cfg(test)]
+mod optimiser_tests;
+mod passes;
 mod plan;
 mod refuse;
 mod report;

@@ -9,6 +9,7 @@ use std::rc::Rc;
 use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Stage, Step};
 use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
+use crate::passes::{Pass, Passes};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
 use crate::structure::Block;
 
@@ -39,6 +40,8 @@ pub(crate) struct Task<'a> {
     pub(crate) parameters: usize,
     /// Names of parameters, inputs, unknowns and outputs.
     pub(crate) names: &'a Names,
+    /// What is done to make it cheaper.
+    pub(crate) passes: Passes,
 }
 
 /// The program that was kept.
@@ -64,19 +67,29 @@ struct Form {
 
 /// Tries the ways, order by order, and keeps the cheapest.
 pub(crate) fn plan(task: &Task<'_>) -> Plan {
-    with_last(task, &WAYS)
+    with_last(task, &ways(task.passes))
+}
+
+/// The ways that are tried.
+fn ways(passes: Passes) -> Vec<Way> {
+    let is_tried = |way: &Way| match way {
+        Way::Envelope => passes.include(Pass::LinkVectors),
+        Way::Recurrence => passes.include(Pass::Recurrences),
+    };
+    WAYS.into_iter().filter(is_tried).collect()
 }
 
 /// The same with the last order differentiated in one of the ways given.
 fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
     let mut best: Option<(Candidate, Derived)> = None;
+    let all_ways = ways(task.passes);
     for form in forms(task) {
         let mut derived = Derived::new(task, form);
         let mut last: Option<Candidate> = None;
         let mut differ = false;
         for order in 1..=task.order {
             last = None;
-            let ways = if order < task.order { &WAYS } else { last_ways };
+            let ways = if order < task.order { &all_ways } else { last_ways };
             let mut cheapest = derived.next(task, ways[0]);
             let others: Vec<Derived> = ways[1..].iter().map(|&way| derived.next(task, way)).collect();
             differ = differ || others.iter().any(|other| !other.is_like(&cheapest));
@@ -93,7 +106,7 @@ fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
             derived = cheapest;
         }
         let mut own = last.unwrap_or_else(|| candidate(task, &derived, &[]));
-        own.factor_out();
+        own.factor_out(task.passes);
         if best.as_ref().is_none_or(|(kept, _)| own.cost() < kept.cost()) {
             best = Some((own, derived));
         }
@@ -115,6 +128,9 @@ struct Derived {
 impl Derived {
     fn new(task: &Task<'_>, form: Form) -> Self {
         let mut graph = form.graph.clone();
+        if !task.passes.include(Pass::ConstantFolding) {
+            graph.keep_numbers();
+        }
         let derivatives = Derivatives::new(&mut graph, form.task(task));
         Self {
             form: Rc::new(form),
@@ -157,6 +173,7 @@ impl Form {
             residuals: &self.residuals,
             blocks: task.blocks,
             outputs: &self.outputs,
+            passes: task.passes,
         }
     }
 }
@@ -168,7 +185,7 @@ fn sensitive(task: &Task<'_>, mut derived: Derived) -> Candidate {
         .derivatives
         .sensitivities(&mut derived.graph, own, task.parameters);
     let mut candidate = candidate(task, &derived, &definitions);
-    candidate.factor_out();
+    candidate.factor_out(task.passes);
     candidate
 }
 
@@ -178,7 +195,7 @@ fn every(task: &Task<'_>) -> Option<ScheduledStage> {
         return None;
     }
     let (mut graph, mut names) = (task.graph.clone(), task.names.clone());
-    let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, task.ranges)?;
+    let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, task.ranges, task.passes)?;
     let mut stages = vec![stage];
     Stage::prune(&mut stages, &graph);
     let program = Program {
@@ -189,6 +206,7 @@ fn every(task: &Task<'_>) -> Option<ScheduledStage> {
     let style = Style {
         factor_out: false,
         check_domains: true,
+        passes: task.passes,
     };
     Some(schedule(&graph, &program, &[], style).stages.swap_remove(0))
 }
@@ -205,8 +223,13 @@ fn forms(task: &Task<'_>) -> Vec<Form> {
         }
     };
     let (expanded, typed) = (form(true), form(false));
-    if (&expanded.residuals, &expanded.outputs) == (&typed.residuals, &typed.outputs) {
+    if (&expanded.residuals, &expanded.outputs) == (&typed.residuals, &typed.outputs)
+        || !task.passes.include(Pass::AsTyped)
+    {
         return vec![expanded];
+    }
+    if !task.passes.include(Pass::MultipliedOut) {
+        return vec![typed];
     }
     vec![expanded, typed]
 }
@@ -222,16 +245,18 @@ struct Candidate {
 
 impl Candidate {
     fn cost(&self) -> usize {
-        let cost = self.scheduled.cost();
-        // a function is worth many operations
-        cost.arithmetic() + 20 * (cost.square_roots + cost.sine_cosines + cost.arc_tangents + cost.others)
+        self.scheduled.cost().total()
     }
 
     /// Takes out factors that terms share, if that is cheaper.
-    fn factor_out(&mut self) {
+    fn factor_out(&mut self, passes: Passes) {
+        if !passes.include(Pass::SharedFactors) {
+            return;
+        }
         let style = Style {
             factor_out: true,
             check_domains: true,
+            passes,
         };
         let other = schedule(&self.graph, &self.program, &self.hints, style);
         if other.cost().arithmetic() < self.scheduled.cost().arithmetic() {
@@ -293,6 +318,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
         task.blocks,
         task.ranges,
         &derivatives.regularity,
+        task.passes,
     );
     let mut units = assembled.units;
     let mut stages = vec![assembled.stage];
@@ -373,7 +399,9 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     stages[0]
         .steps
         .extend(checks.into_iter().map(|node| Step::Regular { node }));
-    Stage::prune(&mut stages, &graph);
+    if task.passes.include(Pass::UnreadDefinitions) {
+        Stage::prune(&mut stages, &graph);
+    }
 
     let program = Program {
         stages,
@@ -383,6 +411,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     let style = Style {
         factor_out: false,
         check_domains: true,
+        passes: task.passes,
     };
     let scheduled = schedule(&graph, &program, &hints, style);
     Candidate {
@@ -455,6 +484,7 @@ fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> Schedul
         Style {
             factor_out: false,
             check_domains: false,
+            passes: Passes::ALL,
         },
     );
     scheduled.stages.swap_remove(0)
@@ -516,11 +546,10 @@ mod tests {
     use proc_macro2::TokenStream;
     use quote::quote;
 
-    use super::{Task, WAYS, with_last};
+    use super::{WAYS, with_last};
     use crate::derive::Way;
-    use crate::expand::{names, scalar_equations};
-    use crate::report::Report;
-    use crate::{model, structure, syntax};
+    use crate::expand::sound;
+    use crate::passes::Passes;
 
     fn four_bar(order: usize) -> TokenStream {
         let order = proc_macro2::Literal::usize_unsuffixed(order);
@@ -535,25 +564,11 @@ mod tests {
 
     /// From the position through an order, which is differentiated in a given way.
     fn operations(order: usize, way: Way) -> usize {
-        let mut report = Report::new();
-        let declaration = syntax::parse(four_bar(order), &mut report).expect("it is well formed");
-        let model = model::build(&declaration, &mut report).expect("it is sound");
-        let mut graph = model.graph.clone();
-        let (residuals, _) = scalar_equations(&model);
-        let blocks =
-            structure::analyse(&mut graph, &residuals, model.unknowns.len()).unwrap_or_else(|_| panic!("it closes"));
-        let task = Task {
-            graph: &graph,
-            residuals: &residuals,
-            blocks: &blocks,
-            ranges: &std::collections::BTreeMap::new(),
-            outputs: &[],
-            inputs: model.inputs.len(),
-            parameters: 0,
-            order: model.order,
-            names: &names(&model),
-        };
-        with_last(&task, &[way]).scheduled.cost().arithmetic()
+        let solvable = sound(four_bar(order));
+        with_last(&solvable.task(Passes::ALL), &[way])
+            .scheduled
+            .cost()
+            .arithmetic()
     }
 
     /// The architecture shows what the ways cost for the four-bar linkage.

@@ -10,6 +10,7 @@ use super::units::Units;
 use crate::derive::Regularity;
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
+use crate::passes::Passes;
 use crate::structure::{Block, ClosedForm, Complex, Part, Solution};
 
 /// The steps that find the position, what they teach about directions, and the choices they leave.
@@ -34,8 +35,9 @@ pub(crate) fn assemble(
     blocks: &[Block],
     ranges: &BTreeMap<usize, Limits>,
     jacobians: &[Regularity],
+    passes: Passes,
 ) -> Assembled {
-    steps(graph, names, blocks, ranges, Some(jacobians))
+    steps(graph, names, blocks, ranges, Some(jacobians), passes)
 }
 
 /// Turns blocks into steps that go through all positions; `None` if a block's equations are not algebraic.
@@ -44,9 +46,10 @@ pub(crate) fn assemble_every(
     names: &mut Names,
     blocks: &[Block],
     ranges: &BTreeMap<usize, Limits>,
+    passes: Passes,
 ) -> Option<Stage> {
     let is_algebraic = blocks.iter().all(|block| !block.is_coupled() || block.all.is_some());
-    is_algebraic.then(|| steps(graph, names, blocks, ranges, None).stage)
+    is_algebraic.then(|| steps(graph, names, blocks, ranges, None, passes).stage)
 }
 
 /// The steps for one position, or for all if there is no use for the Jacobians.
@@ -56,12 +59,13 @@ fn steps(
     blocks: &[Block],
     ranges: &BTreeMap<usize, Limits>,
     jacobians: Option<&[Regularity]>,
+    passes: Passes,
 ) -> Assembled {
     let mut builder = Builder {
         graph,
         names,
         steps: Vec::new(),
-        units: Units::default(),
+        units: Units::new(passes),
     };
     let mut choices = Vec::new();
     let mut assemblies = 0;

@@ -22,6 +22,11 @@ impl Cost {
     pub(crate) const fn arithmetic(self) -> usize {
         self.additions + self.multiplications + self.divisions + self.negations
     }
+
+    /// All of it in operations, of which a function is worth many.
+    pub(crate) const fn total(self) -> usize {
+        self.arithmetic() + 20 * (self.square_roots + self.sine_cosines + self.arc_tangents + self.others)
+    }
 }
 
 impl Cost {

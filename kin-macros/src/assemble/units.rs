@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use super::program::Step;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
+use crate::passes::{Pass, Passes};
 use crate::structure::Complex;
 
 /// What is known of the directions of unknown angles.
-#[derive(Default)]
 pub(crate) struct Units {
+    passes: Passes,
     /// cos and sin of an angle, by the angle's expression.
     directions: BTreeMap<Node, Complex>,
     /// Unknown angles that are linear expressions of others.
@@ -18,10 +19,22 @@ pub(crate) struct Units {
 }
 
 impl Units {
+    /// Nothing is known yet.
+    pub(crate) const fn new(passes: Passes) -> Self {
+        Self {
+            passes,
+            directions: BTreeMap::new(),
+            combinations: BTreeMap::new(),
+            rewritten: BTreeMap::new(),
+        }
+    }
+
     /// From now on cos and sin of `angle` are these.
     pub(crate) fn learn_direction(&mut self, angle: Node, direction: Complex) {
-        self.directions.insert(angle, direction);
-        self.rewritten.clear();
+        if self.passes.include(Pass::UnitVectors) {
+            self.directions.insert(angle, direction);
+            self.rewritten.clear();
+        }
     }
 
     /// From now on an unknown is known to be this expression.

@@ -8,6 +8,7 @@
 use super::Rate;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
+use crate::passes::{Pass, Passes};
 use crate::structure::Block;
 
 /// Up to so many unknowns are solved by Cramer's rule.
@@ -74,7 +75,7 @@ fn partials(graph: &mut Graph, residuals: &[Node], block: &Block) -> Vec<Vec<Nod
 }
 
 impl Jacobian {
-    pub(super) fn new(graph: &mut Graph, residuals: &[Node], block: &Block) -> Self {
+    pub(super) fn new(graph: &mut Graph, residuals: &[Node], block: &Block, passes: Passes) -> Self {
         let core = partials(graph, residuals, block);
         let mut jacobian = Self {
             pivots: Vec::new(),
@@ -83,7 +84,7 @@ impl Jacobian {
             core,
             factors: None,
         };
-        while jacobian.core.len() > 2 && jacobian.reduce(graph) {}
+        while passes.include(Pass::ReducedJacobians) && jacobian.core.len() > 2 && jacobian.reduce(graph) {}
         if jacobian.core.len() > CRAMER {
             jacobian.factors = Some(graph.new_step().0);
         }

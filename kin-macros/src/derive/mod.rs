@@ -17,6 +17,7 @@ use jacobian::Jacobian;
 use rates::Rates;
 
 use crate::expr::{Expansion, Graph, Node, Symbol};
+use crate::passes::Passes;
 use crate::structure::Block;
 
 /// The rates of the unknowns, order by order, as expressions of positions and lower rates.
@@ -84,6 +85,7 @@ pub(crate) struct Task<'a> {
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
     pub(crate) outputs: &'a [Node],
+    pub(crate) passes: Passes,
 }
 
 /// Equations and outputs in the form in which they are differentiated: as typed or multiplied out, and in any case
@@ -121,7 +123,7 @@ impl Derivatives {
         let jacobians: Rc<[Jacobian]> = task
             .blocks
             .iter()
-            .map(|block| Jacobian::new(graph, task.residuals, block))
+            .map(|block| Jacobian::new(graph, task.residuals, block, task.passes))
             .collect();
         Self {
             orders: Vec::new(),

@@ -8,6 +8,7 @@ use quote::quote;
 use super::{Mechanism, attributes, local, values};
 use crate::assemble::{Dyad, Program, Stage, Step, dyads};
 use crate::expr::{Node, Symbol};
+use crate::passes::Passes;
 use crate::schedule::{ScheduledStage, Statement, Style, schedule};
 
 /// The method `transmission_angles`.
@@ -85,6 +86,7 @@ fn program(mechanism: &Mechanism<'_>) -> (Vec<(Dyad, [String; 2])>, ScheduledSta
     let style = Style {
         factor_out: false,
         check_domains: false,
+        passes: Passes::ALL,
     };
     let stage = schedule(&graph, &program, &[], style).stages.swap_remove(0);
     (dyads, stage)

@@ -55,7 +55,7 @@ impl Graph {
         let mut collected: BTreeMap<Node, f64> = BTreeMap::new();
         for &(node, coefficient) in terms {
             match self.term(node) {
-                Term::Number(value) => constant += coefficient * value.get(),
+                Term::Number(value) if !self.keeps_numbers => constant += coefficient * value.get(),
                 Term::Sum(inner, inner_terms) => {
                     constant += coefficient * inner.get();
                     for &(part, factor) in inner_terms {
@@ -135,6 +135,10 @@ impl Graph {
         collected: &mut BTreeMap<Node, i32>,
     ) {
         if exponent == 0 {
+            return;
+        }
+        if self.keeps_numbers && matches!(self.term(node), Term::Number(_)) {
+            *collected.entry(node).or_insert(0) += exponent;
             return;
         }
         let (factor, mut bare) = self.split_coefficient(node);

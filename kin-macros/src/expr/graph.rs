@@ -95,6 +95,8 @@ pub(crate) struct Graph {
     terms: Vec<Term>,
     known: HashMap<Term, Node>,
     steps: usize,
+    /// Whether numbers stay as they are, as terms and factors like others.
+    pub(super) keeps_numbers: bool,
 }
 
 #[cfg(test)]
@@ -107,6 +109,12 @@ thread_local! {
 impl Graph {
     pub(crate) fn new() -> Self {
         Self::default()
+    }
+
+    /// From now on numbers are not folded into the sums and products that they are part of. These still mean the same, but are not
+    /// in normal form: zeros and equal expressions are no longer found.
+    pub(crate) const fn keep_numbers(&mut self) {
+        self.keeps_numbers = true;
     }
 
     /// A symbol for a value that the program computes in a step of its own.

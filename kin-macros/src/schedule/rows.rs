@@ -2,8 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::scheduler::Style;
 use crate::expr::{Graph, HashMap, Node, Number, Symbol, Term};
 use crate::function::Function;
+use crate::passes::Pass;
 
 /// A row's number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -29,11 +31,12 @@ pub(super) struct Rows {
     by_node: BTreeMap<Node, RowId>,
     /// What more than one product divides by: its reciprocal is computed once.
     shared_divisors: BTreeSet<Node>,
+    pub(super) style: Style,
 }
 
 impl Rows {
     /// No rows yet; what the expressions given divide by more than once will be inverted once.
-    pub(super) fn new(graph: &Graph, roots: &[Node]) -> Self {
+    pub(super) fn new(graph: &Graph, roots: &[Node], style: Style) -> Self {
         let reachable = graph.reachable(roots);
         let mut divisions: BTreeMap<Node, usize> = BTreeMap::new();
         for &node in &reachable {
@@ -45,7 +48,7 @@ impl Rows {
         }
         let shared_divisors = divisions
             .into_iter()
-            .filter(|&(_, count)| count > 1)
+            .filter(|&(_, count)| count > 1 && style.passes.include(Pass::SharedReciprocals))
             .map(|(base, _)| base)
             .collect();
         Self {
@@ -53,14 +56,15 @@ impl Rows {
             known: HashMap::default(),
             by_node: BTreeMap::new(),
             shared_divisors,
+            style,
         }
     }
 
     /// Adds the rows of expressions.
-    pub(super) fn extend(&mut self, graph: &Graph, roots: &[Node], factor_out: bool) {
+    pub(super) fn extend(&mut self, graph: &Graph, roots: &[Node]) {
         for node in graph.reachable(roots) {
             if !self.by_node.contains_key(&node) {
-                let row = self.lower(graph, node, factor_out);
+                let row = self.lower(graph, node);
                 self.by_node.insert(node, row);
             }
         }
@@ -107,7 +111,7 @@ impl Rows {
         }
     }
 
-    fn lower(&mut self, graph: &Graph, node: Node, factor_out: bool) -> RowId {
+    fn lower(&mut self, graph: &Graph, node: Node) -> RowId {
         match graph.term(node) {
             Term::Number(value) => self.intern(Row::Number(*value)),
             Term::Pi => self.intern(Row::Pi),
@@ -139,22 +143,21 @@ impl Rows {
             }
             Term::Sum(constant, terms) => {
                 // terms with the same number in front share its multiplication
-                let mut groups: BTreeMap<u64, Vec<(bool, RowId)>> = BTreeMap::new();
-                let mut order: Vec<f64> = Vec::new();
+                let mut groups: Vec<(f64, Vec<(bool, RowId)>)> = Vec::new();
                 for &(part, coefficient) in terms {
                     let (value, row) = (coefficient.get(), self.by_node[&part]);
                     let size = value.abs();
-                    if !order.contains(&size) {
-                        order.push(size);
+                    let shares = size == 1.0 || self.style.passes.include(Pass::SharedNumbers);
+                    match groups.iter_mut().find(|(own, _)| shares && *own == size) {
+                        Some((_, group)) => group.push((value < 0.0, row)),
+                        None => groups.push((size, vec![(value < 0.0, row)])),
                     }
-                    groups.entry(size.to_bits()).or_default().push((value < 0.0, row));
                 }
                 let mut result = Vec::new();
                 if constant.get() != 0.0 {
                     result.push((constant.get() < 0.0, self.number(constant.get().abs())));
                 }
-                for size in order {
-                    let mut group = groups.remove(&size.to_bits()).expect("it was put there");
+                for (size, mut group) in groups {
                     if size == 1.0 {
                         result.extend(group);
                         continue;
@@ -165,18 +168,18 @@ impl Rows {
                             *negative = false;
                         }
                     }
-                    let inner = self.factored_sum(group, factor_out);
+                    let inner = self.factored_sum(group);
                     let number = self.number(size);
                     result.push((is_negative, self.product(vec![number, inner])));
                 }
-                self.factored_sum(result, factor_out)
+                self.factored_sum(result)
             }
         }
     }
 
     /// A sum, with a factor that several of its terms share taken out if that is asked for.
-    fn factored_sum(&mut self, terms: Vec<(bool, RowId)>, factor_out: bool) -> RowId {
-        if !factor_out || terms.len() < 2 {
+    fn factored_sum(&mut self, terms: Vec<(bool, RowId)>) -> RowId {
+        if !self.style.factor_out || terms.len() < 2 {
             return self.sum(terms);
         }
         let factors_of = |rows: &Self, id: RowId| match rows.row(id) {
@@ -213,10 +216,10 @@ impl Rows {
                 *negative = false;
             }
         }
-        let inner = self.factored_sum(inside, factor_out);
+        let inner = self.factored_sum(inside);
         let mut factors = factors_of(self, inner);
         factors.push(factor);
         outside.insert(0, (is_negative, self.product(factors)));
-        self.factored_sum(outside, factor_out)
+        self.factored_sum(outside)
     }
 }

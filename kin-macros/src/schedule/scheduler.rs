@@ -10,6 +10,7 @@ use super::statement::{Expression, Scheduled, ScheduledStage, Statement};
 use crate::assemble::{Argument, Cost, Mode, Names, Program, Solver, Stage, Step};
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
+use crate::passes::{Pass, Passes};
 
 /// Expressions with more operations than this are broken up.
 const READABLE: usize = 10;
@@ -31,7 +32,7 @@ pub(super) struct Scheduler<'a> {
     /// Values that have a name, and it.
     pub(super) bound: BTreeMap<Value, String>,
     program: &'a Program,
-    check_domains: bool,
+    style: Style,
     stage: usize,
     statements: Vec<Statement>,
     cost: Cost,
@@ -49,7 +50,7 @@ struct Iteration {
 }
 
 /// Schedules the iterations of Newton's method, each a program of its own.
-fn iterations(graph: &Graph, program: &Program) -> BTreeMap<usize, Iteration> {
+fn iterations(graph: &Graph, program: &Program, passes: Passes) -> BTreeMap<usize, Iteration> {
     let mut iterations = BTreeMap::new();
     for step in program.stages.iter().flat_map(|stage| &stage.steps) {
         let Step::Newton {
@@ -83,6 +84,7 @@ fn iterations(graph: &Graph, program: &Program) -> BTreeMap<usize, Iteration> {
             Style {
                 factor_out: false,
                 check_domains: false,
+                passes,
             },
         );
         let ScheduledStage {
@@ -120,6 +122,7 @@ pub(crate) struct Style {
     pub(crate) factor_out: bool,
     /// Whether functions that are not defined everywhere are checked, in the first stage.
     pub(crate) check_domains: bool,
+    pub(crate) passes: Passes,
 }
 
 /// Schedules a program. `hints` are names for expressions that get one.
@@ -132,14 +135,14 @@ pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)
             .collect()
     };
     let roots = roots_of(&program.stages);
-    let mut rows = Rows::new(graph, &roots);
+    let mut rows = Rows::new(graph, &roots, style);
     let reachable: BTreeSet<Node> = graph.reachable(&roots);
     if let (true, Some((_, motion))) = (program.has_sensitivities, program.stages.split_last()) {
         // the motion comes first: what it shares is not to be torn apart for what comes after it
-        rows.extend(graph, &roots_of(motion), style.factor_out);
+        rows.extend(graph, &roots_of(motion));
         share::share(&mut rows);
     }
-    rows.extend(graph, &roots, style.factor_out);
+    rows.extend(graph, &roots);
     share::share(&mut rows);
     let mut operations = Operations::default();
     for &root in &roots {
@@ -158,12 +161,12 @@ pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)
         usage: Vec::new(),
         bound: BTreeMap::new(),
         program,
-        check_domains: style.check_domains,
+        style,
         stage: 0,
         statements: Vec::new(),
         cost: Cost::default(),
         mode: Mode::Only,
-        iterations: iterations(graph, program),
+        iterations: iterations(graph, program, style.passes),
     };
     scheduler.survey(&rows);
     scheduler.write(&rows)
@@ -204,6 +207,16 @@ impl Scheduler<'_> {
         }
     }
 
+    fn includes(&self, pass: Pass) -> bool {
+        self.style.passes.include(pass)
+    }
+
+    /// The name of a value that has been computed.
+    fn known(&self, value: Value) -> Option<&str> {
+        let name = self.bound.get(&value).map(String::as_str);
+        name.filter(|_| self.includes(Pass::CommonSubexpressions))
+    }
+
     fn is_circular(&self, value: Value) -> bool {
         matches!(
             self.operations.operation(value),
@@ -222,7 +235,7 @@ impl Scheduler<'_> {
             Function::Sin
         };
         let partner = self.operations.find(&Operation::Call(other, arguments.clone()))?;
-        (self.usage(partner).count > 0).then_some(partner)
+        (self.usage(partner).count > 0 && self.includes(Pass::SineCosinePairs)).then_some(partner)
     }
 
     /// Second pass: the statements.
@@ -231,6 +244,9 @@ impl Scheduler<'_> {
         let mut scheduled = Scheduled::default();
         for (stage, steps) in program.stages.iter().enumerate() {
             self.stage = stage;
+            if !self.includes(Pass::Carrying) {
+                self.bound.clear();
+            }
             for step in &steps.steps {
                 self.step(rows, step);
             }
@@ -420,11 +436,11 @@ impl Scheduler<'_> {
 
     /// A function with a partner or a check cannot stand within an expression.
     fn must_be_separate(&self, value: Value) -> bool {
-        self.bound.contains_key(&value) || self.is_circular(value) || self.is_checked(value)
+        self.known(value).is_some() || self.is_circular(value) || self.is_checked(value)
     }
 
     fn is_checked(&self, value: Value) -> bool {
-        self.check_domains
+        self.style.check_domains
             && self.stage == 0
             && matches!(
                 self.operations.operation(value),
@@ -434,12 +450,11 @@ impl Scheduler<'_> {
 
     /// A value by its name if it has or deserves one, else written out.
     fn expression(&mut self, value: Value) -> Expression {
-        if let Some(name) = self.bound.get(&value) {
-            return Expression::Name(name.clone());
+        if let Some(name) = self.known(value) {
+            return Expression::Name(name.to_owned());
         }
         if self.is_circular(value) {
-            self.bind_circular(value);
-            return Expression::Name(self.bound[&value].clone());
+            return Expression::Name(self.bind_circular(value));
         }
         if self.is_checked(value) {
             let Operation::Call(function, arguments) = self.operations.operation(value).clone() else {
@@ -460,7 +475,8 @@ impl Scheduler<'_> {
             _ => {}
         }
         let usage = self.usage(value);
-        if usage.count > 1 || usage.last_stage > self.stage || self.size(value) > READABLE {
+        let is_shared = usage.count > 1 && self.includes(Pass::CommonSubexpressions);
+        if is_shared || usage.last_stage > self.stage || self.size(value) > READABLE {
             let expression = self.unfold(value);
             let name = self.bind(value);
             self.statements.push(Statement::Let {
@@ -515,7 +531,8 @@ impl Scheduler<'_> {
         }
     }
 
-    fn bind_circular(&mut self, value: Value) {
+    /// Names a sine or cosine, and its partner with it.
+    fn bind_circular(&mut self, value: Value) -> String {
         let Operation::Call(_, arguments) = self.operations.operation(value).clone() else {
             unreachable!("sines and cosines are calls");
         };
@@ -525,14 +542,15 @@ impl Scheduler<'_> {
         let other = partner.map(|partner| self.bind(partner));
         let is_sine = matches!(self.operations.operation(value), Operation::Call(Function::Sin, _));
         let (sine, cosine) = if is_sine {
-            (Some(name), other)
+            (Some(name.clone()), other)
         } else {
-            (other, Some(name))
+            (other, Some(name.clone()))
         };
         self.charge(Cost {
             sine_cosines: 1,
             ..Cost::default()
         });
         self.statements.push(Statement::SinCos { sine, cosine, argument });
+        name
     }
 }

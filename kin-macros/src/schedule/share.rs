@@ -8,6 +8,7 @@ use std::mem;
 
 use super::rows::{Row, RowId, Rows};
 use crate::expr::HashMap;
+use crate::passes::Pass;
 
 /// Two factors, or two terms and whether their signs differ.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -60,6 +61,9 @@ impl Occurrences {
 
 /// Rewrites the rows until no pair occurs twice.
 pub(super) fn share(rows: &mut Rows) {
+    if !rows.style.passes.include(Pass::SharedPairs) {
+        return;
+    }
     let mut occurrences = Occurrences::default();
     let mut changed: BTreeSet<usize> = (0..rows.list.len()).collect();
     while !changed.is_empty() {

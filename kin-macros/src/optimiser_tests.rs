@@ -1,0 +1,271 @@
+//! What each pass saves, over the whole library.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+
+use proc_macro2::{TokenStream, TokenTree};
+
+use crate::assemble::Cost;
+use crate::expand::{Solvable, sound};
+use crate::passes::{Pass, Passes};
+use crate::plan::{Plan, plan};
+use crate::schedule::{Expression, ScheduledStage, Statement};
+
+/// What is left out in turn, and what the book calls it.
+const PASSES: [(Pass, &str); 15] = [
+    (Pass::CommonSubexpressions, "common subexpressions"),
+    (Pass::Carrying, "carrying from one order to the next"),
+    (Pass::ConstantFolding, "constant folding"),
+    (Pass::LinkVectors, "shared P and Q"),
+    (Pass::Recurrences, "recurrences"),
+    (Pass::UnitVectors, "unit vectors"),
+    (Pass::SineCosinePairs, "sine-cosine pairs"),
+    (Pass::AsTyped, "equations as typed"),
+    (Pass::MultipliedOut, "equations multiplied out"),
+    (Pass::SharedNumbers, "shared numbers"),
+    (Pass::SharedPairs, "shared pairs"),
+    (Pass::SharedFactors, "shared factors"),
+    (Pass::SharedReciprocals, "reciprocals"),
+    (Pass::ReducedJacobians, "reduced Jacobians"),
+    (Pass::UnreadDefinitions, "unread definitions"),
+];
+
+/// A mechanism of the library.
+struct Declared {
+    name: String,
+    solvable: Solvable,
+}
+
+impl Declared {
+    fn new(declaration: TokenStream) -> Self {
+        let mut tokens = declaration.clone().into_iter();
+        let is_struct = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "struct");
+        assert!(
+            tokens.any(|token| is_struct(&token)),
+            "a declaration declares a structure"
+        );
+        Self {
+            name: tokens.next().expect("it has a name").to_string(),
+            solvable: sound(declaration),
+        }
+    }
+
+    fn plan(&self, passes: Passes) -> Plan {
+        plan(&self.solvable.task(passes))
+    }
+
+    /// From the position to the snap; of Newton's method, a single iteration.
+    fn cost(&self, passes: Passes) -> Cost {
+        self.plan(passes).scheduled.cost()
+    }
+}
+
+/// The mechanisms of the library, in the order of its files.
+fn library() -> Vec<Declared> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/library");
+    let mut paths: Vec<_> = fs::read_dir(folder)
+        .expect("there is a library")
+        .map(|entry| entry.expect("it can be read").path())
+        .collect();
+    paths.sort_unstable();
+    let mut library = Vec::new();
+    for path in paths {
+        let text = fs::read_to_string(path).expect("it is text");
+        for item in syn::parse_file(&text).expect("it is Rust").items {
+            if let syn::Item::Macro(item) = item
+                && item
+                    .mac
+                    .path
+                    .segments
+                    .last()
+                    .is_some_and(|last| last.ident == "mechanism")
+            {
+                library.push(Declared::new(item.mac.tokens));
+            }
+        }
+    }
+    library
+}
+
+/// A line of the book's table.
+fn row(name: &str, cost: Cost, further: &str) -> String {
+    let Cost {
+        additions,
+        multiplications,
+        divisions,
+        negations,
+        square_roots,
+        sine_cosines,
+        arc_tangents,
+        ..
+    } = cost;
+    format!(
+        "| {name} | {additions} | {multiplications} | {divisions} | {negations} | {square_roots} | {sine_cosines} | {arc_tangents} | {further} |"
+    )
+}
+
+/// Each pass saves at least half a percent of what the whole library costs, or it does not pay for itself.
+#[test]
+fn every_pass_pays() {
+    let library = library();
+    let all: Vec<Cost> = library.iter().map(|declared| declared.cost(Passes::ALL)).collect();
+    let sum = |costs: &[Cost]| costs.iter().fold(Cost::default(), |sum, &cost| sum + cost);
+    let whole = sum(&all);
+
+    let mut rows = vec![row("nothing", whole, &format!("{} | |", whole.total()))];
+    let mut lines: Vec<String> = library
+        .iter()
+        .zip(&all)
+        .map(|(declared, cost)| format!("{:30} {:5}", declared.name, cost.total()))
+        .collect();
+    for (pass, name) in PASSES {
+        let costs: Vec<Cost> = library
+            .iter()
+            .map(|declared| declared.cost(Passes::without(pass)))
+            .collect();
+        let without = sum(&costs);
+        let cheaper = costs
+            .iter()
+            .zip(&all)
+            .filter(|(without, with)| without.total() > with.total())
+            .count();
+        let share = percent(without.total().saturating_sub(whole.total()), whole.total());
+        rows.push(row(
+            name,
+            without,
+            &format!("{} | {share} | {cheaper}", without.total()),
+        ));
+        for ((line, cost), own) in lines.iter_mut().zip(&costs).zip(&all) {
+            write!(
+                line,
+                " {:>6}",
+                format!("{:+}", cost.total().cast_signed() - own.total().cast_signed())
+            )
+            .expect("writing to a string succeeds");
+        }
+    }
+    insta::assert_snapshot!(format!("{}\n\n{}", rows.join("\n"), lines.join("\n")));
+}
+
+/// With one digit behind the point.
+fn percent(part: usize, whole: usize) -> String {
+    let tenths = (1000 * part + whole / 2) / whole;
+    format!("{}.{} %", tenths / 10, tenths % 10)
+}
+
+/// Products that are added or subtracted and needed for nothing else: with what they are added to, each could be one fused
+/// operation.
+#[test]
+fn products_that_could_be_fused() {
+    let (mut fusable, mut additions) = (0, 0);
+    for declared in library() {
+        let plan = declared.plan(Passes::ALL);
+        let stages = &plan.scheduled.stages;
+        let mut uses: BTreeMap<String, usize> = BTreeMap::new();
+        for name in stages
+            .iter()
+            .flat_map(|stage| &stage.statements)
+            .flat_map(Statement::uses)
+        {
+            *uses.entry(name).or_insert(0) += 1;
+        }
+        for stage in stages {
+            let mut counter = Fusable {
+                products: products(stage, &uses),
+                fusable: 0,
+                additions: 0,
+            };
+            stage
+                .statements
+                .iter()
+                .for_each(|statement| counter.statement(statement));
+            fusable += counter.fusable;
+            additions += counter.additions;
+        }
+    }
+    insta::assert_snapshot!(format!("{fusable} of {additions} additions"), @"3273 of 4081 additions");
+}
+
+/// The products of a stage that have a name and a single use.
+fn products(stage: &ScheduledStage, uses: &BTreeMap<String, usize>) -> Vec<String> {
+    let single = stage.statements.iter().filter_map(|statement| match statement {
+        Statement::Let {
+            name,
+            value: Expression::Multiply(..),
+        } if uses.get(name) == Some(&1) => Some(name.clone()),
+        _ => None,
+    });
+    single.collect()
+}
+
+struct Fusable {
+    products: Vec<String>,
+    fusable: usize,
+    additions: usize,
+}
+
+impl Fusable {
+    fn is_product(&self, expression: &Expression) -> bool {
+        match expression {
+            Expression::Multiply(..) => true,
+            Expression::Name(name) => self.products.contains(name),
+            _ => false,
+        }
+    }
+
+    fn expression(&mut self, expression: &Expression) {
+        match expression {
+            Expression::Name(_) | Expression::Number(_) | Expression::Pi => {}
+            Expression::Add(a, b) | Expression::Subtract(a, b) => {
+                self.additions += 1;
+                if self.is_product(a) || self.is_product(b) {
+                    self.fusable += 1;
+                }
+                self.expression(a);
+                self.expression(b);
+            }
+            Expression::Multiply(a, b) | Expression::Divide(a, b) => {
+                self.expression(a);
+                self.expression(b);
+            }
+            Expression::Negate(a) => self.expression(a),
+            Expression::Call(_, arguments) => arguments.iter().for_each(|argument| self.expression(argument)),
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Let { value, .. } | Statement::Regular { value } => self.expression(value),
+            Statement::Checked { argument, .. } | Statement::SinCos { argument, .. } => self.expression(argument),
+            Statement::Solve { arguments, .. } => {
+                arguments
+                    .iter()
+                    .flat_map(|(_, parts)| parts)
+                    .for_each(|part| self.expression(part));
+            }
+            Statement::Angle { y, x, length, .. } => {
+                [Some(y), Some(x), length.as_ref()]
+                    .into_iter()
+                    .flatten()
+                    .for_each(|part| self.expression(part));
+            }
+            Statement::Newton {
+                body,
+                residuals,
+                jacobian,
+                ..
+            } => {
+                body.iter().for_each(|statement| self.statement(statement));
+                residuals
+                    .iter()
+                    .chain(jacobian.iter().flatten())
+                    .for_each(|part| self.expression(part));
+            }
+            Statement::Every { coefficients, .. } => coefficients.iter().for_each(|part| self.expression(part)),
+            Statement::Factor { matrix, .. } => matrix.iter().flatten().for_each(|part| self.expression(part)),
+            Statement::Substitute { right, .. } => right.iter().for_each(|part| self.expression(part)),
+            Statement::Bound { .. } | Statement::Open { .. } | Statement::Close { .. } => {}
+        }
+    }
+}
