@@ -12,10 +12,8 @@ pub(crate) enum Pass {
     MultipliedOut,
     /// Equations are differentiated as they were typed, if that is cheaper than multiplied out.
     AsTyped,
-    /// Everything that turns with one angle shares the P and Q of its rates, at the orders at which that is cheaper.
+    /// Everything that turns with one angle shares the P and Q of its rates.
     LinkVectors,
-    /// Rates of vectors that turn follow from those of lower orders, at the orders at which that is cheaper.
-    Recurrences,
     /// A large Jacobian is reduced as far as that cannot fail.
     ReducedJacobians,
     /// Sines and cosines of unknown angles are read off vectors that the closed forms return.
@@ -34,8 +32,6 @@ pub(crate) enum Pass {
     SharedFactors,
     /// What is divided by more than once is inverted once.
     SharedReciprocals,
-    /// Definitions that nothing reads are dropped.
-    UnreadDefinitions,
 }
 
 /// The passes that run: all, or all but one.

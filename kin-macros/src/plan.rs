@@ -1,13 +1,12 @@
-//! The whole program, by the cheapest of the ways to derive it.
+//! The whole program, by the cheaper of two ways to derive it.
 //!
-//! Every order may be differentiated by envelopes or by recurrences, the equations as typed or multiplied out. Each way
-//! is carried through to the scheduled program and its operations are counted; the cheapest is kept.
+//! The equations are differentiated as typed and multiplied out. Either way is carried through to the scheduled program and its
+//! operations are counted; the cheaper one is kept.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::rc::Rc;
 
 use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Stage, Step};
-use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
+use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::passes::{Pass, Passes};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
@@ -15,9 +14,6 @@ use crate::structure::Block;
 
 /// Position, velocity, acceleration, jerk, snap, ….
 const ORDER_NAMES: [&str; 7] = ["position", "velocity", "acceleration", "jerk", "snap", "crackle", "pop"];
-
-/// The ways to differentiate sines and cosines. Of two that cost the same the first is kept.
-const WAYS: [Way; 2] = [Way::Envelope, Way::Recurrence];
 
 /// What the n-th time derivative is called.
 pub(crate) fn order_name(order: usize) -> String {
@@ -65,47 +61,12 @@ struct Form {
     outputs: Vec<Node>,
 }
 
-/// Tries the ways, order by order, and keeps the cheapest.
+/// Tries both forms and keeps the cheaper one.
 pub(crate) fn plan(task: &Task<'_>) -> Plan {
-    with_last(task, &ways(task.passes))
-}
-
-/// The ways that are tried.
-fn ways(passes: Passes) -> Vec<Way> {
-    let is_tried = |way: &Way| match way {
-        Way::Envelope => passes.include(Pass::LinkVectors),
-        Way::Recurrence => passes.include(Pass::Recurrences),
-    };
-    WAYS.into_iter().filter(is_tried).collect()
-}
-
-/// The same with the last order differentiated in one of the ways given.
-fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
     let mut best: Option<(Candidate, Derived)> = None;
-    let all_ways = ways(task.passes);
     for form in forms(task) {
-        let mut derived = Derived::new(task, form);
-        let mut last: Option<Candidate> = None;
-        let mut differ = false;
-        for order in 1..=task.order {
-            last = None;
-            let ways = if order < task.order { &all_ways } else { last_ways };
-            let mut cheapest = derived.next(task, ways[0]);
-            let others: Vec<Derived> = ways[1..].iter().map(|&way| derived.next(task, way)).collect();
-            differ = differ || others.iter().any(|other| !other.is_like(&cheapest));
-            if differ {
-                let mut least = candidate(task, &cheapest, &[]);
-                for other in others {
-                    let trial = candidate(task, &other, &[]);
-                    if trial.cost() < least.cost() {
-                        (cheapest, least) = (other, trial);
-                    }
-                }
-                last = Some(least);
-            }
-            derived = cheapest;
-        }
-        let mut own = last.unwrap_or_else(|| candidate(task, &derived, &[]));
+        let derived = Derived::new(task, form);
+        let mut own = candidate(task, &derived, &[]);
         own.factor_out(task.passes);
         if best.as_ref().is_none_or(|(kept, _)| own.cost() < kept.cost()) {
             best = Some((own, derived));
@@ -118,9 +79,9 @@ fn with_last(task: &Task<'_>, last_ways: &[Way]) -> Plan {
     best.finish(every(task))
 }
 
-/// Equations and outputs in one form, with their derivatives through some order.
+/// Equations and outputs in one form, with their derivatives.
 struct Derived {
-    form: Rc<Form>,
+    form: Form,
     graph: Graph,
     derivatives: Derivatives,
 }
@@ -131,39 +92,12 @@ impl Derived {
         if !task.passes.include(Pass::ConstantFolding) {
             graph.keep_numbers();
         }
-        let derivatives = Derivatives::new(&mut graph, form.task(task));
+        let derivatives = Derivatives::new(&mut graph, form.task(task), task.order);
         Self {
-            form: Rc::new(form),
+            form,
             graph,
             derivatives,
         }
-    }
-
-    /// With one order more.
-    fn next(&self, task: &Task<'_>, way: Way) -> Self {
-        let mut next = Self {
-            form: Rc::clone(&self.form),
-            graph: self.graph.clone(),
-            derivatives: self.derivatives.clone(),
-        };
-        next.derivatives.derive_next(&mut next.graph, self.form.task(task), way);
-        next
-    }
-
-    /// Whether both hold the same expressions, made in the same order: then the same program follows.
-    fn is_like(&self, other: &Self) -> bool {
-        let nodes = |derived: &Self| -> BTreeSet<Node> {
-            let derivatives = &derived.derivatives;
-            let rates = derivatives.orders.iter().flatten().flat_map(Rate::nodes);
-            let roots: Vec<Node> = rates.chain(derivatives.outputs.iter().flatten()).copied().collect();
-            derived.graph.reachable(&roots)
-        };
-        let (own, others) = (nodes(self), nodes(other));
-        let counterparts: BTreeMap<Node, Node> = own.iter().copied().zip(others.iter().copied()).collect();
-        own.len() == others.len()
-            && counterparts.iter().all(|(&own, &counterpart)| {
-                self.graph.term(own).with_operands(&|operand| counterparts[&operand]) == *other.graph.term(counterpart)
-            })
     }
 }
 
@@ -196,10 +130,8 @@ fn every(task: &Task<'_>) -> Option<ScheduledStage> {
     }
     let (mut graph, mut names) = (task.graph.clone(), task.names.clone());
     let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, task.ranges, task.passes)?;
-    let mut stages = vec![stage];
-    Stage::prune(&mut stages, &graph);
     let program = Program {
-        stages,
+        stages: vec![stage],
         names,
         has_sensitivities: false,
     };
@@ -399,10 +331,6 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     stages[0]
         .steps
         .extend(checks.into_iter().map(|node| Step::Regular { node }));
-    if task.passes.include(Pass::UnreadDefinitions) {
-        Stage::prune(&mut stages, &graph);
-    }
-
     let program = Program {
         stages,
         names,
@@ -546,10 +474,9 @@ mod tests {
     use proc_macro2::TokenStream;
     use quote::quote;
 
-    use super::{WAYS, with_last};
-    use crate::derive::Way;
+    use super::plan;
     use crate::expand::sound;
-    use crate::passes::Passes;
+    use crate::passes::{Pass, Passes};
 
     fn four_bar(order: usize) -> TokenStream {
         let order = proc_macro2::Literal::usize_unsuffixed(order);
@@ -562,21 +489,23 @@ mod tests {
         }
     }
 
-    /// From the position through an order, which is differentiated in a given way.
-    fn operations(order: usize, way: Way) -> usize {
-        let solvable = sound(four_bar(order));
-        with_last(&solvable.task(Passes::ALL), &[way])
-            .scheduled
-            .cost()
-            .arithmetic()
-    }
-
-    /// The architecture shows what the ways cost for the four-bar linkage.
+    /// The architecture shows what link vectors save for the four-bar linkage, from the position through each order.
     #[test]
-    fn the_table_of_ways_is_up_to_date() {
+    fn the_table_of_link_vectors_is_up_to_date() {
         let book = include_str!("../../docs/architecture.md");
-        for (way, name) in WAYS.into_iter().zip(["link vectors", "recurrence"]) {
-            let cells: Vec<String> = (1..=4).map(|order| operations(order, way).to_string()).collect();
+        for (name, passes) in [
+            ("link vectors", Passes::ALL),
+            ("Leibniz's rule", Passes::without(Pass::LinkVectors)),
+        ] {
+            let cells: Vec<String> = (1..=4)
+                .map(|order| {
+                    plan(&sound(four_bar(order)).task(passes))
+                        .scheduled
+                        .cost()
+                        .arithmetic()
+                        .to_string()
+                })
+                .collect();
             let row = format!("| {name} | {} |", cells.join(" | "));
             assert!(
                 book.lines().any(|line| line == row),

@@ -23,6 +23,7 @@ chapters! {
     accuracy: "../../docs/accuracy.md";
     library: "../../docs/library.md";
     performance: "../../docs/performance.md";
+    optimiser: "../../docs/optimiser.md";
     architecture: "../../docs/architecture.md";
     decisions: "../../docs/decisions.md";
 }

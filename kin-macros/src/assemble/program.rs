@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::solver::{Argument, Solver};
-use crate::expr::{Graph, Node, Symbol};
+use crate::expr::{Node, Symbol};
 
 /// How one of two solutions is chosen.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -169,35 +169,5 @@ impl Names {
     /// The name of a symbol that has been named.
     pub(crate) fn of(&self, symbol: Symbol) -> &str {
         self.by_symbol.get(&symbol).map_or("unnamed", String::as_str)
-    }
-}
-
-impl Stage {
-    /// Drops the definitions that nothing reads, in this stage or in the later ones.
-    pub(crate) fn prune(stages: &mut [Self], graph: &Graph) {
-        loop {
-            let needs: Vec<Node> = stages
-                .iter()
-                .flat_map(|stage| &stage.steps)
-                .flat_map(Step::needs)
-                .collect();
-            let read: BTreeSet<Symbol> = graph
-                .reachable(&needs)
-                .into_iter()
-                .filter_map(|node| graph.as_symbol(node))
-                .collect();
-            let mut dropped = false;
-            for stage in &mut *stages {
-                stage.steps.retain(|step| {
-                    let is_idle =
-                        matches!(step, Step::Define { symbol: symbol @ Symbol::Step(_), .. } if !read.contains(symbol));
-                    dropped |= is_idle;
-                    !is_idle
-                });
-            }
-            if !dropped {
-                return;
-            }
-        }
     }
 }

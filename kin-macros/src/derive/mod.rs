@@ -8,9 +8,7 @@ mod rates;
 mod sensitivity;
 
 use std::collections::BTreeMap;
-use std::rc::Rc;
 
-pub(crate) use rates::Way;
 pub(crate) use sensitivity::{Definition, Row};
 
 use jacobian::Jacobian;
@@ -21,7 +19,6 @@ use crate::passes::Passes;
 use crate::structure::Block;
 
 /// The rates of the unknowns, order by order, as expressions of positions and lower rates.
-#[derive(Clone)]
 pub(crate) struct Derivatives {
     /// `orders[n - 1]` holds the rates of order n, in the order in which they can be computed.
     pub(crate) orders: Vec<Vec<Rate>>,
@@ -33,11 +30,10 @@ pub(crate) struct Derivatives {
     pub(crate) guaranteed: Vec<Node>,
     rights: Vec<(Node, Hint)>,
     rates: Rates,
-    jacobians: Rc<[Jacobian]>,
+    jacobians: Vec<Jacobian>,
 }
 
 /// What is asked of a block's Jacobian.
-#[derive(Clone)]
 pub(crate) struct Regularity {
     /// What must not vanish: the factors of its determinant.
     pub(crate) regular: Vec<Node>,
@@ -57,7 +53,6 @@ pub(crate) enum Hint {
 }
 
 /// How time derivatives of unknowns are found.
-#[derive(Clone)]
 pub(crate) enum Rate {
     /// One by itself.
     Value { unknown: usize, value: Node },
@@ -67,16 +62,6 @@ pub(crate) enum Rate {
         unknowns: Vec<usize>,
         right: Vec<Node>,
     },
-}
-
-impl Rate {
-    /// The expressions that it is found from.
-    pub(crate) fn nodes(&self) -> &[Node] {
-        match self {
-            Self::Value { value, .. } => std::slice::from_ref(value),
-            Self::System { right, .. } => right,
-        }
-    }
 }
 
 /// What is differentiated.
@@ -118,14 +103,14 @@ pub(crate) fn forms(graph: &mut Graph, residuals: &[Node], outputs: &[Node], exp
 }
 
 impl Derivatives {
-    /// What is known before any order is derived.
-    pub(crate) fn new(graph: &mut Graph, task: Task<'_>) -> Self {
-        let jacobians: Rc<[Jacobian]> = task
+    /// All orders through the one given.
+    pub(crate) fn new(graph: &mut Graph, task: Task<'_>, order: usize) -> Self {
+        let jacobians: Vec<Jacobian> = task
             .blocks
             .iter()
             .map(|block| Jacobian::new(graph, task.residuals, block, task.passes))
             .collect();
-        Self {
+        let mut derivatives = Self {
             orders: Vec::new(),
             outputs: Vec::new(),
             regularity: jacobians
@@ -140,9 +125,13 @@ impl Derivatives {
                 .flat_map(|jacobian| jacobian.guaranteed(graph))
                 .collect(),
             rights: Vec::new(),
-            rates: Rates::new(),
+            rates: Rates::new(task.passes),
             jacobians,
+        };
+        for _ in 0..order {
+            derivatives.derive_next(graph, task);
         }
+        derivatives
     }
 
     /// What must not vanish, in all blocks.
@@ -150,12 +139,10 @@ impl Derivatives {
         self.regularity.iter().flat_map(|block| &block.regular)
     }
 
-    /// Derives the next order; `way` is how sines and cosines are differentiated to it.
-    pub(crate) fn derive_next(&mut self, graph: &mut Graph, task: Task<'_>, way: Way) {
+    fn derive_next(&mut self, graph: &mut Graph, task: Task<'_>) {
         let order = self.orders.len() + 1;
-        self.rates.push_way(way);
         let mut found = Vec::new();
-        for (block, jacobian) in task.blocks.iter().zip(&*self.jacobians) {
+        for (block, jacobian) in task.blocks.iter().zip(&self.jacobians) {
             let zero = graph.zero();
             let mut without_own: BTreeMap<Node, Node> = block
                 .unknowns

@@ -8,21 +8,11 @@ use std::collections::BTreeMap;
 use super::Hint;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
-
-/// How the n-th derivative of a rotating vector z = m cis(φ) is formed.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Way {
-    /// z⁽ⁿ⁾ = (Aₙ + i Bₙ) cis(φ), where A and B are shared by everything that turns with φ.
-    Envelope,
-    /// z⁽ⁿ⁾ from lower derivatives of z by Leibniz's rule for z′ = i φ′ z.
-    Recurrence,
-}
+use crate::passes::{Pass, Passes};
 
 /// The derivatives found so far.
-#[derive(Clone, Default)]
 pub(super) struct Rates {
-    /// How sines and cosines are differentiated, by order, the last one for all higher orders.
-    ways: Vec<Way>,
+    passes: Passes,
     known: BTreeMap<(Node, usize), Node>,
     envelopes: BTreeMap<(Node, Node, usize), (Node, Node)>,
 }
@@ -37,13 +27,12 @@ pub(super) fn binomial(n: usize, k: usize) -> f64 {
 }
 
 impl Rates {
-    pub(super) fn new() -> Self {
-        Self::default()
-    }
-
-    /// Decides on the way to the next order.
-    pub(super) fn push_way(&mut self, way: Way) {
-        self.ways.push(way);
+    pub(super) const fn new(passes: Passes) -> Self {
+        Self {
+            passes,
+            known: BTreeMap::new(),
+            envelopes: BTreeMap::new(),
+        }
     }
 
     /// The shared parts of rotating vectors that have a name: P and Q by angle and order.
@@ -58,14 +47,6 @@ impl Rates {
             }
         }
         hints
-    }
-
-    fn way(&self, order: usize) -> Way {
-        self.ways
-            .get(order - 1)
-            .or(self.ways.last())
-            .copied()
-            .unwrap_or(Way::Envelope)
     }
 
     /// The total time derivative of the order given.
@@ -96,7 +77,9 @@ impl Rates {
                 graph.linear(0.0, &terms)
             }
             Term::Product(factors) => self.product(graph, &factors, order),
-            Term::Call(Function::Sin | Function::Cos, _) => self.product(graph, &[(node, 1)], order),
+            Term::Call(Function::Sin | Function::Cos, _) if self.passes.include(Pass::LinkVectors) => {
+                self.product(graph, &[(node, 1)], order)
+            }
             Term::Call(function, arguments) => self.composite(graph, function, &arguments, node, order),
         };
         self.known.insert((node, order), derivative);
@@ -119,13 +102,10 @@ impl Rates {
         let circular = varying.iter().position(|&(factor, exponent)| {
             exponent == 1 && matches!(graph.term(factor), Term::Call(Function::Sin | Function::Cos, _))
         });
-        if let Some(position) = circular {
+        if let Some(position) = circular.filter(|_| self.passes.include(Pass::LinkVectors)) {
             let mut amplitude = varying;
             let (turning, _) = amplitude.remove(position);
-            return match self.way(order) {
-                Way::Envelope => self.by_envelope(graph, &constant, &amplitude, turning, order),
-                Way::Recurrence => self.by_recurrence(graph, &constant, &amplitude, turning, order),
-            };
+            return self.turning(graph, &constant, &amplitude, turning, order);
         }
         let derivative = match varying[..] {
             [] => graph.zero(),
@@ -208,7 +188,8 @@ impl Rates {
         (arguments[0], other, function == Function::Cos)
     }
 
-    fn by_envelope(
+    /// A link vector's part: z⁽ⁿ⁾ = (Aₙ + i Bₙ) cis(φ) for z = m cis(φ), with A and B shared by everything that turns with φ.
+    fn turning(
         &mut self,
         graph: &mut Graph,
         constant: &[(Node, i32)],
@@ -265,43 +246,13 @@ impl Rates {
         self.envelopes.insert((amplitude, angle, order), result);
         result
     }
-
-    fn by_recurrence(
-        &mut self,
-        graph: &mut Graph,
-        constant: &[(Node, i32)],
-        amplitude: &[(Node, i32)],
-        turning: Node,
-        order: usize,
-    ) -> Node {
-        let vector = |graph: &mut Graph, circular: Node| {
-            let mut factors = constant.to_vec();
-            factors.push((circular, 1));
-            graph.product(&factors)
-        };
-        if !amplitude.is_empty() {
-            let (left, right) = (graph.product(amplitude), vector(graph, turning));
-            return self.leibniz(graph, left, right, order);
-        }
-        let (angle, other, is_cosine) = Self::pair(graph, turning);
-        let turned = vector(graph, other);
-        let sign = if is_cosine { -1.0 } else { 1.0 };
-        let terms: Vec<(Node, f64)> = (0..order)
-            .map(|k| {
-                let rate = self.total(graph, angle, k + 1);
-                let lower = self.total(graph, turned, order - 1 - k);
-                (graph.multiply(rate, lower), sign * binomial(order - 1, k))
-            })
-            .collect();
-        graph.linear(0.0, &terms)
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Both ways, and Leibniz's rule on anything else, agree with a difference quotient of the order below.
+    /// With link vectors and by Leibniz's rule alone, all agree with a difference quotient of the order below.
     #[test]
     fn each_order_is_the_derivative_of_the_one_below() {
         let mut graph = Graph::new();
@@ -339,9 +290,8 @@ mod tests {
                 value * time.exp()
             }
         };
-        for way in [Way::Envelope, Way::Recurrence] {
-            let mut rates = Rates::new();
-            rates.push_way(way);
+        for passes in [Passes::ALL, Passes::without(Pass::LinkVectors)] {
+            let mut rates = Rates::new(passes);
             for node in [cosine, sine, link, quotient, exponential, root, arc] {
                 for order in 1..=6 {
                     let derivative = rates.total(&mut graph, node, order);
@@ -352,7 +302,7 @@ mod tests {
                         (graph.evaluate(below, &at(step)) - graph.evaluate(below, &at(-step))) / (2.0 * step);
                     assert!(
                         (exact - difference).abs() < 1e-6 * (1.0 + exact.abs()),
-                        "{way:?}, order {order}: {exact} against {difference}"
+                        "{passes:?}, order {order}: {exact} against {difference}"
                     );
                 }
             }

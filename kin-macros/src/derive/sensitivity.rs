@@ -61,7 +61,7 @@ impl Derivatives {
         for order in 0..=highest {
             for parameter in 0..parameters {
                 let mut known = Vec::new();
-                for (block, jacobian) in task.blocks.iter().zip(&*self.jacobians) {
+                for (block, jacobian) in task.blocks.iter().zip(&self.jacobians) {
                     known.extend(&block.unknowns);
                     let right: Vec<Node> = block
                         .equations

@@ -67,28 +67,6 @@ pub(crate) enum Term {
     Call(Function, Vec<Node>),
 }
 
-impl Term {
-    /// The same of other operands; the order in which it lists them is kept.
-    pub(crate) fn with_operands(&self, counterpart: &impl Fn(Node) -> Node) -> Self {
-        match self {
-            Self::Number(_) | Self::Pi | Self::Symbol(_) => self.clone(),
-            Self::Sum(constant, terms) => {
-                let terms = terms
-                    .iter()
-                    .map(|&(node, coefficient)| (counterpart(node), coefficient));
-                Self::Sum(*constant, terms.collect())
-            }
-            Self::Product(factors) => {
-                let factors = factors.iter().map(|&(node, exponent)| (counterpart(node), exponent));
-                Self::Product(factors.collect())
-            }
-            Self::Call(function, arguments) => {
-                Self::Call(*function, arguments.iter().map(|&node| counterpart(node)).collect())
-            }
-        }
-    }
-}
-
 /// The expressions of one declaration.
 #[derive(Clone, Default)]
 pub(crate) struct Graph {
