@@ -1,78 +1,36 @@
 //! What time grows with: the order, and the number of loops; beside automatic differentiation of the position solution.
 //!
 //! `cargo bench -p kin-tests --bench growth` prints lines `ratio NAME VALUE`, from times taken in one run, and the counts of
-//! operations. Nothing is asserted: the counts are, in the test of the same name.
+//! operations. Nothing is asserted: the counts are, in the test of the same name. With `-- --plot` it draws the figures of the book
+//! from what it has measured.
 #![allow(missing_docs, reason = "a program")]
 
 mod measure;
+mod plot;
 
 use core::hint::black_box;
 
-use kin_core::Operations;
 use kin_core::prelude::*;
 use kin_core::series::Series;
+use kin_tests::carrier::Carrier;
+use kin_tests::growth::{
+    self, Counts, FourBar1, FourBar2, FourBar3, FourBar4, FourBar5, FourBar6, FourBar7, FourBar8, FourBar9, FourBar10,
+    four_bar,
+};
 use kin_tests::mechanisms::chains::{self, Chain1, Chain2, Chain4, Chain8, Chain16};
 use kin_tests::random::Random;
-use measure::Race;
-use num_dual::{Dual, DualNum};
+use measure::{Race, Times};
+use num_dual::Dual;
+use plot::{Curve, Panel, Scale};
 
 const POSES: usize = 64;
 
-/// Four-bar linkages through every order.
-macro_rules! four_bars {
-    ($($name:ident through $order:tt;)+) => {
-        $(kin_core::mechanism! {
-            pub struct $name { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
-            input theta2: Angle;
-            unknown theta3: Angle, theta4: Angle;
-            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
-            order = $order;
-        })+
-    };
-}
-
-four_bars! {
-    FourBar1 through 1;
-    FourBar2 through 2;
-    FourBar3 through 3;
-    FourBar4 through 4;
-    FourBar5 through 5;
-    FourBar6 through 6;
-    FourBar7 through 7;
-    FourBar8 through 8;
-    FourBar9 through 9;
-    FourBar10 through 10;
-}
-
-/// A number that carries time derivatives, made of a value and as many of them.
-trait Carrier: Scalar {
-    fn carry(derivatives: &[f64]) -> Self;
-}
-
-impl<const N: usize> Carrier for Series<N> {
-    fn carry(derivatives: &[f64]) -> Self {
-        Self::from_derivatives(core::array::from_fn(|order| derivatives[order]))
-    }
-}
-
-impl Carrier for f64 {
-    fn carry(derivatives: &[f64]) -> Self {
-        derivatives[0]
-    }
-}
-
-impl<T: Carrier + DualNum<Primitive = f64>> Carrier for Dual<T> {
-    fn carry(derivatives: &[f64]) -> Self {
-        Self::new(T::carry(derivatives), T::carry(&derivatives[1..]))
-    }
-}
-
-type Nested1 = Dual<f64>;
-type Nested2 = Dual<Nested1>;
-type Nested3 = Dual<Nested2>;
-type Nested4 = Dual<Nested3>;
-type Nested5 = Dual<Nested4>;
-type Nested6 = Dual<Nested5>;
+type Dual1 = Dual<f64>;
+type Dual2 = Dual<Dual1>;
+type Dual3 = Dual<Dual2>;
+type Dual4 = Dual<Dual3>;
+type Dual5 = Dual<Dual4>;
+type Dual6 = Dual<Dual5>;
 
 /// Motions of the only input through the mechanism's order, all around, where it closes.
 fn motions<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> Vec<M::Motion<f64>> {
@@ -86,12 +44,6 @@ fn motions<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> 
         }
     }
     motions
-}
-
-/// A crank-rocker.
-fn four_bar<M: Mechanism<Scalar = f64>>() -> M {
-    let dimensions = [4.0, 1.0, 3.0, 2.5];
-    M::from_parameters(M::Parameters::from_fn(|index| dimensions[index]))
 }
 
 /// Enters the generated solvers.
@@ -115,96 +67,150 @@ fn enter_carried<M: Mechanism<Scalar = f64> + 'static, S: Carrier>(race: &mut Ra
     });
 }
 
-fn operations<M: Mechanism>() -> usize {
-    M::DESCRIPTION.operations.iter().map(Operations::arithmetic).sum()
+/// What is counted and timed along an axis: the orders, or the numbers of loops.
+struct Growth {
+    axis: &'static str,
+    counts: Vec<Counts>,
+    times: Times,
 }
 
-fn orders() {
+impl Growth {
+    fn name(&self, step: usize, contender: &str) -> String {
+        format!("{}_{step}.{contender}", self.axis)
+    }
+
+    fn print(&self) {
+        for &Counts {
+            step,
+            generated,
+            nested,
+        } in &self.counts
+        {
+            println!("operations {} {generated}", self.name(step, "generated"));
+            println!("operations {} {nested}", self.name(step, "nested_dual_numbers"));
+        }
+        let steps = || self.counts.iter().map(|counts| counts.step);
+        for step in steps().skip(1) {
+            self.times
+                .ratio(&self.name(step, "generated"), &self.name(1, "generated"));
+        }
+        for other in ["series", "nested_dual_numbers"] {
+            for name in steps().map(|step| (self.name(step, other), self.name(step, "generated"))) {
+                if self.times.of(&name.0).is_some() {
+                    self.times.ratio(&name.0, &name.1);
+                }
+            }
+        }
+    }
+
+    /// Operations to the left, times to the right.
+    fn panels(&self, title: &str, across: &'static str, scale: Scale) -> [Panel; 2] {
+        #[allow(clippy::cast_precision_loss, reason = "there are millions at most")]
+        let counts = |name, of: fn(&Counts) -> usize| Curve {
+            name,
+            points: self
+                .counts
+                .iter()
+                .map(|counts| (counts.step, of(counts) as f64))
+                .collect(),
+        };
+        let times = |name, contender| {
+            let point = |counts: &Counts| Some((counts.step, self.times.of(&self.name(counts.step, contender))?));
+            Curve {
+                name,
+                points: self.counts.iter().filter_map(point).collect(),
+            }
+        };
+        let operations = vec![
+            counts(plot::GENERATED, |counts| counts.generated),
+            counts(plot::NESTED, |counts| counts.nested),
+        ];
+        let durations = vec![
+            times(plot::GENERATED, "generated"),
+            times(plot::SERIES, "series"),
+            times(plot::NESTED, "nested_dual_numbers"),
+        ];
+        [("operations", operations), ("nanoseconds", durations)].map(|(up, curves)| Panel {
+            title: title.to_owned(),
+            across,
+            up,
+            scale,
+            curves,
+        })
+    }
+}
+
+fn orders() -> Growth {
     let mut race = Race::new(POSES);
-    macro_rules! generated {
-        ($($mechanism:ident $order:literal $length:literal;)+) => {
+    macro_rules! contenders {
+        ($($mechanism:ident $order:literal $length:literal $($dual:ident)?;)+) => {
             $(
                 enter(&mut race, format!("order_{}.generated", $order), four_bar::<$mechanism>());
                 enter_carried::<_, Series<$length>>(
                     &mut race, format!("order_{}.series", $order), four_bar::<$mechanism>());
-                println!("operations order_{} {}", $order, operations::<$mechanism>());
+                $(enter_carried::<_, $dual>(
+                    &mut race, format!("order_{}.nested_dual_numbers", $order), four_bar::<$mechanism>());)?
             )+
         };
     }
-    macro_rules! nested {
-        ($($mechanism:ident $order:literal $number:ident;)+) => {
-            $(enter_carried::<_, $number>(
-                &mut race, format!("order_{}.nested_dual_numbers", $order), four_bar::<$mechanism>());)+
-        };
-    }
-    generated! {
-        FourBar1 1 2;
-        FourBar2 2 3;
-        FourBar3 3 4;
-        FourBar4 4 5;
-        FourBar5 5 6;
-        FourBar6 6 7;
+    contenders! {
+        FourBar1 1 2 Dual1;
+        FourBar2 2 3 Dual2;
+        FourBar3 3 4 Dual3;
+        FourBar4 4 5 Dual4;
+        FourBar5 5 6 Dual5;
+        FourBar6 6 7 Dual6;
         FourBar7 7 8;
         FourBar8 8 9;
         FourBar9 9 10;
         FourBar10 10 11;
     }
-    nested! {
-        FourBar1 1 Nested1;
-        FourBar2 2 Nested2;
-        FourBar3 3 Nested3;
-        FourBar4 4 Nested4;
-        FourBar5 5 Nested5;
-        FourBar6 6 Nested6;
-    }
-    let times = race.run();
-    for order in 2..=10 {
-        times.ratio(&format!("order_{order}.generated"), "order_1.generated");
-    }
-    for order in 1..=10 {
-        times.ratio(&format!("order_{order}.series"), &format!("order_{order}.generated"));
-    }
-    for order in 1..=6 {
-        times.ratio(
-            &format!("order_{order}.nested_dual_numbers"),
-            &format!("order_{order}.generated"),
-        );
+    Growth {
+        axis: "order",
+        counts: growth::by_order(),
+        times: race.run(),
     }
 }
 
-fn loops() {
+fn loops() -> Growth {
     let mut race = Race::new(POSES);
-    macro_rules! chains {
+    macro_rules! contenders {
         ($($mechanism:ident $loops:literal;)+) => {
             $(
                 enter(&mut race, format!("loops_{}.generated", $loops), chains::chain::<$mechanism>());
                 enter_carried::<_, Series<5>>(
                     &mut race, format!("loops_{}.series", $loops), chains::chain::<$mechanism>());
-                enter_carried::<_, Nested4>(
+                enter_carried::<_, Dual4>(
                     &mut race, format!("loops_{}.nested_dual_numbers", $loops), chains::chain::<$mechanism>());
-                println!("operations loops_{} {}", $loops, operations::<$mechanism>());
             )+
         };
     }
-    chains! {
+    contenders! {
         Chain1 1;
         Chain2 2;
         Chain4 4;
         Chain8 8;
         Chain16 16;
     }
-    let times = race.run();
-    for loops in [2, 4, 8, 16] {
-        times.ratio(&format!("loops_{loops}.generated"), "loops_1.generated");
-    }
-    for loops in [1, 2, 4, 8, 16] {
-        for other in ["series", "nested_dual_numbers"] {
-            times.ratio(&format!("loops_{loops}.{other}"), &format!("loops_{loops}.generated"));
-        }
+    Growth {
+        axis: "loops",
+        counts: growth::by_loops(),
+        times: race.run(),
     }
 }
 
 fn main() {
-    orders();
-    loops();
+    let (orders, loops) = (orders(), loops());
+    orders.print();
+    loops.print();
+    if std::env::args().any(|argument| argument == "--plot") {
+        plot::figure(
+            "growth-by-order.svg",
+            &orders.panels("Four-bar linkage", "highest order of the derivatives", Scale::Linear),
+        );
+        plot::figure(
+            "growth-by-loops.svg",
+            &loops.panels("Four-bar linkages in series, through snap", "loops", Scale::PowersOfTwo),
+        );
+    }
 }

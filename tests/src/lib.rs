@@ -1,8 +1,11 @@
 //! Proof of kin.
 
 mod book;
+pub mod carrier;
 pub mod compare;
+pub mod growth;
 pub mod mechanisms;
+pub mod nested;
 pub mod notes;
 pub mod oracles;
 pub mod random;

@@ -91,6 +91,30 @@ fn all_code_is_run() {
     }
 }
 
+/// Every picture is there, and every one is shown.
+#[test]
+fn figures_are_shown() {
+    let text: String = chapters().iter().map(|name| read(&format!("docs/{name}"))).collect();
+    let mut shown: Vec<&str> = text
+        .split("](figures/")
+        .skip(1)
+        .filter_map(|rest| rest.split(')').next())
+        .collect();
+    let mut there: Vec<String> = fs::read_dir(root().join("docs/figures"))
+        .expect("there are figures")
+        .map(|entry| {
+            entry
+                .expect("it can be listed")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    shown.sort_unstable();
+    there.sort_unstable();
+    assert_eq!(shown, there);
+}
+
 /// Without white space, and without the commas that formatting sets at the ends of lines.
 fn bare(code: &str) -> String {
     let dense: String = code.chars().filter(|character| !character.is_whitespace()).collect();

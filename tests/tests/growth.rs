@@ -5,6 +5,7 @@
 
 use kin_core::prelude::*;
 use kin_core::series::Series;
+use kin_tests::growth;
 use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::chains;
 use kin_tests::oracles::{ALLOWED, Gauge};
@@ -268,5 +269,23 @@ fn chains_cost_what_their_loops_cost() {
         let two_loops = added(order, 1, 2);
         assert_eq!(added(order, 2, 3), 2 * two_loops, "order {order}");
         assert_eq!(added(order, 3, 4), 4 * two_loops, "order {order}");
+    }
+}
+
+/// The book has what is counted here.
+#[test]
+fn the_book_has_the_counts() {
+    let book = include_str!("../../docs/performance.md");
+    for counts in [growth::by_order(), growth::by_loops()] {
+        let generated: Vec<usize> = counts.iter().map(|counts| counts.generated).collect();
+        let nested: Vec<usize> = counts.iter().map(|counts| counts.nested).collect();
+        for (name, counts) in [("operations", generated), ("operations of nested dual numbers", nested)] {
+            let cells: Vec<String> = counts.iter().map(ToString::to_string).collect();
+            let row = format!("| {name} | {} |", cells.join(" | "));
+            assert!(
+                book.lines().any(|line| line == row),
+                "docs/performance.md should say\n{row}"
+            );
+        }
     }
 }

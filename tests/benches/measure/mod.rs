@@ -77,14 +77,17 @@ impl<'a> Race<'a> {
 pub(crate) struct Times(Vec<(String, f64)>);
 
 impl Times {
-    fn of(&self, name: &str) -> f64 {
+    /// That of one of them, if it ran.
+    pub(crate) fn of(&self, name: &str) -> Option<f64> {
         let found = self.0.iter().find(|(contender, _)| contender == name);
-        found.unwrap_or_else(|| panic!("{name} was not timed")).1
+        found.map(|&(_, time)| time)
     }
 
     /// Prints how many times as long as the other one a contender takes.
     pub(crate) fn ratio(&self, name: &str, other: &str) {
-        ratio(&format!("{name}/{other}"), self.of(name) / self.of(other));
+        let [time, other_time] =
+            [name, other].map(|name| self.of(name).unwrap_or_else(|| panic!("{name} was not timed")));
+        ratio(&format!("{name}/{other}"), time / other_time);
     }
 }
 

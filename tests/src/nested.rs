@@ -1,0 +1,200 @@
+//! Dual numbers nested in each other, as nested differentiation is done by hand and by most libraries: of any number, so that what
+//! they cost can be counted.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use kin_core::Scalar;
+
+/// A number and its time derivative. Nested n times it carries the derivatives through the n-th, most of them several times.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nested<T> {
+    /// The number.
+    pub value: T,
+    /// Its derivative.
+    pub rate: T,
+}
+
+impl<T: Scalar> Nested<T> {
+    /// A number with its derivative.
+    #[must_use]
+    pub const fn new(value: T, rate: T) -> Self {
+        Self { value, rate }
+    }
+
+    /// A function's value, and its derivative by the number.
+    fn chain(self, value: T, slope: T) -> Self {
+        Self::new(value, slope * self.rate)
+    }
+
+    fn one() -> T {
+        T::constant(1.0)
+    }
+}
+
+impl<T: Scalar> Add for Nested<T> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::new(self.value + other.value, self.rate + other.rate)
+    }
+}
+
+impl<T: Scalar> Sub for Nested<T> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.value - other.value, self.rate - other.rate)
+    }
+}
+
+impl<T: Scalar> Neg for Nested<T> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self::new(-self.value, -self.rate)
+    }
+}
+
+impl<T: Scalar> Mul for Nested<T> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::new(
+            self.value * other.value,
+            self.rate * other.value + self.value * other.rate,
+        )
+    }
+}
+
+impl<T: Scalar> Div for Nested<T> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let quotient = self.value / other.value;
+        Self::new(quotient, (self.rate - quotient * other.rate) / other.value)
+    }
+}
+
+impl<T: Scalar> Scalar for Nested<T> {
+    const EPSILON: f64 = T::EPSILON;
+    const SMALLEST: f64 = T::SMALLEST;
+    const ORDER: usize = T::ORDER + 1;
+
+    fn constant(value: f64) -> Self {
+        Self::new(T::constant(value), T::constant(0.0))
+    }
+
+    fn real(self) -> f64 {
+        self.value.real()
+    }
+
+    fn is_finite(self) -> bool {
+        self.value.is_finite() && self.rate.is_finite()
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        Self::new(root, self.rate / (root + root))
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.sin_cos();
+        (self.chain(sine, cosine), self.chain(cosine, -sine))
+    }
+
+    fn asin(self) -> Self {
+        let slope = Self::one() / (Self::one() - self.value * self.value).sqrt();
+        self.chain(self.value.asin(), slope)
+    }
+
+    fn acos(self) -> Self {
+        let slope = -(Self::one() / (Self::one() - self.value * self.value).sqrt());
+        self.chain(self.value.acos(), slope)
+    }
+
+    fn atan(self) -> Self {
+        let slope = Self::one() / (Self::one() + self.value * self.value);
+        self.chain(self.value.atan(), slope)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let square = x.value * x.value + self.value * self.value;
+        let rate = (x.value * self.rate - self.value * x.rate) / square;
+        Self::new(self.value.atan2(x.value), rate)
+    }
+
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        self.chain(value, value)
+    }
+
+    fn ln(self) -> Self {
+        Self::new(self.value.ln(), self.rate / self.value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kin_core::Scalar;
+    use kin_core::series::Series;
+
+    use super::Nested;
+    use crate::carrier::Carrier;
+
+    type Fourth = Nested<Nested<Nested<Nested<f64>>>>;
+
+    fn derivatives(number: Fourth) -> [f64; 5] {
+        [
+            number.value.value.value.value,
+            number.rate.value.value.value,
+            number.rate.rate.value.value,
+            number.rate.rate.rate.value,
+            number.rate.rate.rate.rate,
+        ]
+    }
+
+    /// Every operation, and every function, against Taylor series.
+    fn check(
+        name: &str,
+        nested: impl Fn(Fourth, Fourth) -> Fourth,
+        series: impl Fn(Series<5>, Series<5>) -> Series<5>,
+    ) {
+        let (x, y) = ([0.4, -0.7, 1.3, 0.2, -2.1], [0.9, 0.3, -0.4, 1.1, 0.5]);
+        let own = derivatives(nested(Fourth::carry(&x), Fourth::carry(&y)));
+        let expected = series(Series::carry(&x), Series::carry(&y)).derivatives();
+        // both come by the highest derivative through sums of products that are about as large
+        let size = expected
+            .iter()
+            .fold(0.0_f64, |size, derivative| size.max(derivative.abs()));
+        for (own, expected) in own.into_iter().zip(expected) {
+            let error = (own - expected).abs() / (f64::EPSILON * size);
+            assert!(error <= 32.0, "{name}: {own} instead of {expected}");
+        }
+    }
+
+    macro_rules! check {
+        ($($name:literal $function:expr;)+) => {
+            $(check($name, $function, $function);)+
+        };
+    }
+
+    #[test]
+    fn they_agree_with_series() {
+        check! {
+            "sum" |x, y| x + y;
+            "difference" |x, y| -(x - y);
+            "product" |x, y| x * y;
+            "quotient" |x, y| x / y;
+            "root" |x, _| x.sqrt();
+            "sine" |x, _| x.sin_cos().0;
+            "cosine" |x, _| x.sin_cos().1;
+            "arc sine" |x, _| x.asin();
+            "arc cosine" |x, _| x.acos();
+            "arctangent" |x, _| x.atan();
+            "arctangent of two" Scalar::atan2;
+            "exponential" |x, _| x.exp();
+            "logarithm" |_, y| y.ln();
+        }
+        assert_eq!(<Fourth as Scalar>::ORDER, 4);
+    }
+}
