@@ -51,7 +51,7 @@ pub(crate) struct Solvable {
 }
 
 /// What a declaration comes to, or nothing if there are mistakes in it.
-pub(crate) fn solvable(declaration: &Declaration, report: &mut Report) -> Option<Solvable> {
+fn solvable(declaration: &Declaration, report: &mut Report) -> Option<Solvable> {
     let model = model::build(declaration, report)?;
     let mut graph = model.graph.clone();
     let (residuals, origins) = scalar_equations(&model);
