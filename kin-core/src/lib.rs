@@ -50,7 +50,7 @@
 //! | why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | how the motion depends on the dimensions | [`Sensitive`] |
-//! | mechanisms ready to use | [`library`] |
+//! | mechanisms ready to use | `library` (feature `library`) |
 //! | the closed forms, with their costs | [`solve`] |
 //! | verification of a mechanism of your own | `verify` (feature `num-dual`) |
 //! | all solutions where there is no closed form | [`continuation`], [`Positions`], [`Assemblies`] |
@@ -63,8 +63,8 @@
 //! # Features
 //!
 //! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm` supplies the
-//! floating-point functions. `num-dual` makes that crate's dual numbers a [`Scalar`] and brings `verify`, `nalgebra` converts to and
-//! from its points and vectors.
+//! floating-point functions. `library` brings declared mechanisms, `num-dual` makes that crate's dual numbers a [`Scalar`] and brings
+//! `verify`, `nalgebra` converts to and from its points and vectors.
 #![no_std]
 #![cfg_attr(
     test,
@@ -89,6 +89,7 @@ mod figures;
 mod inputs;
 mod interop;
 mod lanes;
+#[cfg(feature = "library")]
 pub mod library;
 mod link;
 mod mechanism;
