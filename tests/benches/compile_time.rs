@@ -32,7 +32,7 @@ struct Times {
 }
 
 impl User {
-    fn new(name: &str, profile: &str) -> Self {
+    fn new(name: &str, features: &[&str], profile: &str) -> Self {
         let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         if directory.exists() {
             fs::remove_dir_all(&directory).expect("the directory is ours");
@@ -43,7 +43,7 @@ impl User {
             .expect("the tests are within the repository");
         let core = repository.join("kin-core").display().to_string();
         let manifest = format!(
-            "[package]\nname = \"user\"\nedition = \"2024\"\n\n[dependencies]\nkin-core = {{ path = '{core}' }}\n\n\
+            "[package]\nname = \"user\"\nedition = \"2024\"\n\n[dependencies]\nkin-core = {{ path = '{core}', features = {features:?} }}\n\n\
              [workspace]\n\n{profile}"
         );
         fs::write(directory.join("Cargo.toml"), manifest).expect("the directory can be written");
@@ -204,9 +204,11 @@ fn measure(kind: &str, user: &User) {
 }
 
 fn main() {
-    measure("compile_time", &User::new("user-default", ""));
+    measure("compile_time", &User::new("user-default", &[], ""));
+    let with_library = User::new("user-with-library", &["library"], "").cold();
+    println!("time compile_time_with_library.cold_build {with_library:.1} s");
     measure(
         "compile_time_with_optimised_macro",
-        &User::new("user-optimised", "[profile.dev.build-override]\nopt-level = 3\n"),
+        &User::new("user-optimised", &[], "[profile.dev.build-override]\nopt-level = 3\n"),
     );
 }
