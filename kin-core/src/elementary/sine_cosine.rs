@@ -45,6 +45,9 @@ const COSINE: [f64; 6] = [
 /// The bit of the sign.
 const SIGN: u64 = 1 << 63;
 
+/// The bits of 1.
+const ONE: u64 = 1.0_f64.to_bits();
+
 /// As [`SINE`], with a relative error of 2⁻³⁷·⁵.
 const SINE_SINGLE: [f64; 4] = [
     0.166_666_666_407_964_6,
@@ -145,7 +148,6 @@ fn near_single(angle: f64) -> (f64, f64) {
 )]
 #[inline(always)]
 fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
-    const ONE: u64 = 1.0_f64.to_bits();
     let quarters = shifted.to_bits();
     let odd = (quarters & 1).wrapping_neg();
     let along = f64::from_bits((!odd & ONE) | (quarters << 62 & SIGN));
