@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::Float;
 
 use crate::Failure;
-use crate::elementary::{arc_tangent, arc_tangent_single, sine_cosine, sine_cosine_single};
+use crate::elementary::{FUSED, arc_tangent, arc_tangent_single, sine_cosine, sine_cosine_single};
 use crate::solve::damped_root;
 
 /// A number that a mechanism can be solved with.
@@ -91,6 +91,20 @@ pub trait Scalar:
     /// The natural logarithm.
     #[must_use]
     fn ln(self) -> Self;
+
+    /// This number and the product of two others: `self + a b`, rounded once instead of twice where the machine can.
+    #[must_use]
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+
+    /// This number less the product of two others: `self - a b`, rounded once instead of twice where the machine can.
+    #[must_use]
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
 
     /// The number itself if all conditions on the real parts of the judges hold, and none if they do not.
     ///
@@ -179,6 +193,24 @@ macro_rules! primitive_scalar {
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
                 $sine_cosine(self)
+            }
+
+            #[inline(always)]
+            fn plus_product(self, a: Self, b: Self) -> Self {
+                if FUSED {
+                    Float::mul_add(a, b, self)
+                } else {
+                    self + a * b
+                }
+            }
+
+            #[inline(always)]
+            fn minus_product(self, a: Self, b: Self) -> Self {
+                if FUSED {
+                    Float::mul_add(-a, b, self)
+                } else {
+                    self - a * b
+                }
             }
 
             #[inline]

@@ -92,9 +92,7 @@ impl<M: ThroughSnap> Poses<M> {
             <M::Motion<Column<'_>> as Row<Column<'_>>>::from_fn(|order| Column::Each(&inputs[input][order]))
         });
         let summary = match assembly {
-            Some(assembly) => {
-                batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors)
-            }
+            Some(assembly) => batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors),
             None => {
                 let near = Row::from_fn(|place| Column::Each(&near[place]));
                 batch::solve_near::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
@@ -146,7 +144,10 @@ impl Compare {
                         first_failure = first_failure.or(Some((index, error)));
                         assert_eq!(*outcome, Outcome::from(&error), "{name}, pose {index}: {error}");
                         for motion in table.unknowns.iter().chain(&table.outputs) {
-                            assert!(motion.iter().all(|column| column[index].is_nan()), "{name}, pose {index}");
+                            assert!(
+                                motion.iter().all(|column| column[index].is_nan()),
+                                "{name}, pose {index}"
+                            );
                         }
                     }
                 }
@@ -160,7 +161,10 @@ impl Compare {
         let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
         for order in 0..5 {
             for (input, motion) in poses.inputs[index].as_ref().iter().enumerate() {
-                assert_eq!(table.inputs[input][order][index].to_bits(), motion.as_ref()[order].to_bits());
+                assert_eq!(
+                    table.inputs[input][order][index].to_bits(),
+                    motion.as_ref()[order].to_bits()
+                );
             }
             let mut note = |found: f64, expected: f64, unit: f64| {
                 let error = (found - expected).abs() / unit;
@@ -218,9 +222,9 @@ fn coupled<M: ThroughSnap, const UNKNOWNS: usize>(
         let motion = random.motion(built.input);
         poses.mechanisms.push(built.mechanism);
         poses.inputs.push(M::Inputs::from_fn(|_| Motion::new(motion)));
-        poses
-            .near
-            .push(M::Unknowns::from_fn(|index| built.unknowns[index] + random.between(-0.02, 0.02)));
+        poses.near.push(M::Unknowns::from_fn(|index| {
+            built.unknowns[index] + random.between(-0.02, 0.02)
+        }));
     }
     compare.check(&poses, None);
 }
@@ -350,7 +354,10 @@ fn a_pose_out_of_reach_has_a_margin() {
     .expect_err("too short");
     assert_eq!(outcomes[1].margin(), error.margin());
     assert!(error.margin().is_some_and(|margin| margin < -10.0));
-    assert_eq!(summary.first_failure.map(|(index, error)| (index, error.failure)), Some((1, error.failure)));
+    assert_eq!(
+        summary.first_failure.map(|(index, error)| (index, error.failure)),
+        Some((1, error.failure))
+    );
     assert!(poses.theta4[0][1].is_nan() && poses.theta4[4][2].is_finite());
     assert_eq!(poses.theta2[0], angles);
 }
@@ -373,7 +380,10 @@ fn batches_of_any_size() {
                 .expect("it closes");
             for order in 0..5 {
                 let (found, expected) = (poses.theta3[order][index], pose.theta3[order]);
-                assert!((found - expected).abs() <= 1e-13 * expected.abs().max(1.0), "{count} {index} {order}");
+                assert!(
+                    (found - expected).abs() <= 1e-13 * expected.abs().max(1.0),
+                    "{count} {index} {order}"
+                );
             }
         }
     }
@@ -400,7 +410,13 @@ fn what_is_not_wanted_is_left_out() {
 fn columns_of_other_lengths_are_named() {
     let angles = [0.1; 5];
     let theta2 = |length: usize| {
-        Motion::from([Column::Each(&angles[..length]), 2.0.into(), 0.0.into(), 0.0.into(), 0.0.into()])
+        Motion::from([
+            Column::Each(&angles[..length]),
+            2.0.into(),
+            0.0.into(),
+            0.0.into(),
+            0.0.into(),
+        ])
     };
     let mut outcomes = [Outcome::Unsolved; 5];
     let mut poses = FourBarBatch::filled(|| vec![0.0; 5]);

@@ -158,6 +158,8 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
         vectors: Vectors,
     ) -> Result<Summary, LengthMismatch> {
         self.check_lengths(poses, outcomes.len())?;
+        // Those that are not will say so.
+        outcomes.fill(Outcome::Solved);
         let kernel = Sweep {
             problem: self,
             poses,
@@ -292,8 +294,6 @@ impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
 /// Stores what has been found in lanes.
 struct Storing<'r, R, const W: usize, const FUSED: bool> {
     start: usize,
-    /// How many of the first of them are there already.
-    known: usize,
     inputs: &'r [R],
     unknowns: &'r [R],
     outputs: &'r [R],
@@ -314,22 +314,8 @@ impl<R: Row<Lanes<W, FUSED>>, C: Target, const W: usize, const FUSED: bool> Visi
         };
         // All targets are long enough, and the compiler does not know.
         if let Some(slice) = slice.get_mut(self.start..).and_then(<[f64]>::first_chunk_mut) {
-            let lanes = &motions[index].as_ref()[order].0;
-            if self.known == 0 {
-                *slice = *lanes;
-            } else {
-                store_rest(slice, lanes, self.known);
-            }
+            *slice = motions[index].as_ref()[order].0;
         }
-    }
-}
-
-/// Stores all but the first lanes, which are known.
-#[cold]
-#[inline(never)]
-fn store_rest(slice: &mut [f64], lanes: &[f64], known: usize) {
-    for (entry, lane) in slice.iter_mut().zip(lanes).skip(known) {
-        *entry = *lane;
     }
 }
 
@@ -363,7 +349,6 @@ where
             solved: count,
             ..Summary::default()
         };
-        outcomes.fill(Outcome::Solved);
         let parameters = problem.parameters.as_ref();
         let columns = problem.inputs.as_ref();
         let mut dimensions: <M::With<Lanes<W, FUSED>> as Mechanism>::Parameters<Lanes<W, FUSED>> =
@@ -374,7 +359,7 @@ where
         let mut next = 0;
         // Fewer than there are lanes are solved one by one.
         while next < count && count >= W {
-            // The last poses of all go with some that have been solved before.
+            // The last poses of all go with some that have been solved before, and come to the same once more.
             let start = next.min(count - W);
             if varies || start == 0 {
                 for (dimension, column) in dimensions.as_mut().iter_mut().zip(parameters) {
@@ -407,16 +392,17 @@ where
                 }
                 poses.each(&mut Storing::<_, W, FUSED> {
                     start,
-                    known: next - start,
                     inputs: inputs.as_ref(),
                     unknowns: unknowns.as_ref(),
                     outputs: outputs.as_ref(),
                 });
             }
             if !sum.sum().is_finite() {
-                for index in next..start + W {
-                    if !sum.0[index - start].is_finite() {
-                        problem.settle(index, poses, &mut outcomes[index], &mut summary);
+                let mut again = summary;
+                for (lane, index) in (start..start + W).enumerate() {
+                    if !sum.0[lane].is_finite() {
+                        let summary = if index < next { &mut again } else { &mut summary };
+                        problem.settle(index, poses, &mut outcomes[index], summary);
                     }
                 }
             }

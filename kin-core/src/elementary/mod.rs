@@ -21,4 +21,5 @@ mod reference;
 mod sine_cosine;
 
 pub(crate) use arc_tangent::{arc_tangent, arc_tangent_single, ordinary_arc_tangent};
+pub(crate) use polynomial::FUSED;
 pub(crate) use sine_cosine::{is_near, near_sine_cosine, sine_cosine, sine_cosine_single};

@@ -31,6 +31,9 @@ pub(super) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
 )]
 #[inline(always)]
 pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
+    if FUSED {
+        return by_halves(coefficients, z);
+    }
     let mut terms = coefficients;
     let mut power = z;
     let mut count = N;
@@ -46,4 +49,23 @@ pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; 
         power = power * power;
     }
     terms[0]
+}
+
+/// The even and the odd powers, each by Horner's scheme in z²: one instruction for each coefficient, where a product and a sum are one.
+#[expect(clippy::inline_always, reason = "it has to be compiled for the machine of its caller")]
+#[inline(always)]
+fn by_halves<const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
+    let square = z * z;
+    let (mut even, mut odd) = if N.is_multiple_of(2) {
+        (coefficients[N - 2], coefficients[N - 1])
+    } else {
+        (coefficients[N - 1], 0.0)
+    };
+    let mut index = if N.is_multiple_of(2) { N - 2 } else { N - 1 };
+    while index >= 2 {
+        odd = multiply_add::<true>(odd, square, coefficients[index - 1]);
+        even = multiply_add::<true>(even, square, coefficients[index - 2]);
+        index -= 2;
+    }
+    multiply_add::<true>(odd, z, even)
 }

@@ -189,6 +189,24 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     }
 
     #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        if FUSED {
+            Self::from_fn(|lane| Float::mul_add(a.0[lane], b.0[lane], self.0[lane]))
+        } else {
+            self + a * b
+        }
+    }
+
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        if FUSED {
+            Self::from_fn(|lane| Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]))
+        } else {
+            self - a * b
+        }
+    }
+
+    #[inline(always)]
     fn provided<const N: usize, const K: usize>(
         self,
         judges: [Self; N],

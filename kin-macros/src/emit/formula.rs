@@ -15,8 +15,9 @@ enum Binding {
     Atom,
 }
 
-const fn binding(expression: &Expression) -> Binding {
+fn binding(expression: &Expression) -> Binding {
     match expression {
+        _ if sum_with_product(expression).is_some() => Binding::Atom,
         Expression::Add(..) | Expression::Subtract(..) => Binding::Sum,
         Expression::Multiply(..) | Expression::Divide(..) => Binding::Product,
         Expression::Negate(_) => Binding::Sign,
@@ -24,8 +25,31 @@ const fn binding(expression: &Expression) -> Binding {
     }
 }
 
+/// What a product is added to or subtracted from, by which method, and its factors: one rounding less where the machine can.
+fn sum_with_product<'a>(
+    expression: &'a Expression,
+) -> Option<(&'a Expression, &'static str, &'a Expression, &'a Expression)> {
+    let factors = |expression: &'a Expression| match expression {
+        Expression::Multiply(a, b) => Some((&**a, &**b)),
+        _ => None,
+    };
+    match expression {
+        Expression::Subtract(rest, product) => factors(product).map(|(a, b)| (&**rest, "minus_product", a, b)),
+        Expression::Add(one, other) => {
+            let last = factors(other).map(|(a, b)| (&**one, "plus_product", a, b));
+            last.or_else(|| factors(one).map(|(a, b)| (&**other, "plus_product", a, b)))
+        }
+        _ => None,
+    }
+}
+
 /// An expression in the number type `T`.
 pub(super) fn tokens(expression: &Expression) -> TokenStream {
+    if let Some((rest, method, a, b)) = sum_with_product(expression) {
+        let (rest, method) = (within(rest, Binding::Atom), local(method));
+        let (a, b) = (tokens(a), tokens(b));
+        return quote!(#rest.#method(#a, #b));
+    }
     match expression {
         Expression::Name(name) => {
             let name = local(name);
