@@ -52,7 +52,10 @@ pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; 
 }
 
 /// The even and the odd powers, each by Horner's scheme in z²: one instruction for each coefficient, where a product and a sum are one.
-#[expect(clippy::inline_always, reason = "it has to be compiled for the machine of its caller")]
+#[expect(
+    clippy::inline_always,
+    reason = "it has to be compiled for the machine of its caller"
+)]
 #[inline(always)]
 fn by_halves<const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
     let square = z * z;
