@@ -250,6 +250,22 @@ macro_rules! mechanism {
     };
 }
 
+/// What a mechanism has with the feature `rayon` alone.
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __in_parallel {
+    ($($tokens:tt)*) => { $($tokens)* };
+}
+
+/// What a mechanism has with the feature `rayon` alone.
+#[cfg(not(feature = "rayon"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __in_parallel {
+    ($($tokens:tt)*) => {};
+}
+
 /// The body of the test that a declaration asks for.
 #[cfg(feature = "num-dual")]
 #[doc(hidden)]
@@ -286,6 +302,7 @@ pub mod prelude {
 #[doc(hidden)]
 pub mod __private {
     pub use crate::__assert_verified as assert_verified;
+    pub use crate::__in_parallel as in_parallel;
     pub use crate::assemblies::every;
     pub use crate::{
         Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Failure, Guess, InputValues, Mechanism,

@@ -1,41 +1,81 @@
-//! Many poses in one call.
+//! Many poses in one call: the four-bar linkage through snap in every kind of vectors that the machine has, against the notes'
+//! formulas one pose after the other; other mechanisms against their own solver of one pose.
+//!
+//! `cargo bench -p kin-tests --bench batch` prints lines `ratio NAME VALUE`, from times taken in one run.
 #![allow(missing_docs, reason = "a program")]
+#![allow(clippy::cast_precision_loss, reason = "there are hundreds of poses")]
 
 mod measure;
 
 use core::hint::black_box;
 
 use kin_core::batch::{self, Column, Outcome, Vectors};
-use kin_core::library::{FourBar, FourBarBatch};
+use kin_core::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, SliderCrank, SliderCrankBatch};
 use kin_core::prelude::*;
 use kin_tests::notes::{self, four_bar_geometric, sample};
 use kin_tests::random::Random;
-use measure::Race;
+use measure::{Race, ratio};
 
-/// Poses in each turn.
-const POSES: usize = 1024;
+/// Poses in each turn: their columns fit into the first cache, as those of a sweep do that is looked at piece by piece.
+const POSES: usize = 256;
 
-fn main() {
+/// Poses of a turn on all cores.
+const MANY: usize = 1 << 16;
+
+fn kinds() -> impl Iterator<Item = (Vectors, &'static str)> {
+    [
+        (Vectors::Compiled, "compiled"),
+        (Vectors::Avx2, "avx2"),
+        (Vectors::Avx512, "avx512"),
+    ]
+    .into_iter()
+    .filter(|(vectors, _)| vectors.are_there())
+}
+
+fn motions(low: f64, high: f64, count: usize) -> Vec<[f64; 5]> {
+    let mut random = Random::new(1);
+    let step = (high - low) / count as f64;
+    (0..count)
+        .map(|index| random.motion(low + step * (index as f64 + 0.5)))
+        .collect()
+}
+
+fn columns(motions: &[[f64; 5]]) -> [Vec<f64>; 5] {
+    [0, 1, 2, 3, 4].map(|order| motions.iter().map(|motion| motion[order]).collect())
+}
+
+fn each(columns: &[Vec<f64>; 5]) -> Motion<Column<'_>, 5> {
+    Motion::new([0, 1, 2, 3, 4].map(|order| Column::Each(black_box(&columns[order]))))
+}
+
+fn linkage() -> FourBar {
     let r = sample::DIMENSIONS;
-    let linkage = FourBar {
+    FourBar {
         r1: r.r1,
         r2: r.r2,
         r3: r.r3,
         r4: r.r4,
-    };
-    let mut random = Random::new(1);
-    let motions: Vec<[f64; 5]> = (0..POSES)
-        .map(|index| random.motion(-1.8 + 3.6 * (index as f64 + 0.5) / POSES as f64))
-        .collect();
+    }
+}
+
+/// Places for what is unknown; the inputs are there already.
+fn places(count: usize) -> FourBarBatch<Option<Vec<f64>>> {
+    let mut poses = FourBarBatch::filled(|| Some(vec![0.0; count]));
+    poses.theta2.as_mut().fill(None);
+    poses
+}
+
+fn four_bar() {
+    let r = sample::DIMENSIONS;
+    let linkage = linkage();
+    let motions = motions(-1.8, 1.8, POSES);
+    let columns = columns(&motions);
     let with_branches: Vec<_> = motions
         .iter()
         .map(|motion| {
             let branch = four_bar_geometric::Branch::closing(r, motion[0], notes::Assembly::Open);
             (*motion, branch)
         })
-        .collect();
-    let columns: Vec<Vec<f64>> = (0..5)
-        .map(|order| motions.iter().map(|motion| motion[order]).collect())
         .collect();
     let mut race = Race::new(POSES);
     race.enter("four_bar.notes", with_branches, |(motion, branch)| {
@@ -46,34 +86,132 @@ fn main() {
     race.enter("four_bar.generated", typed, |motion| {
         black_box(linkage).solve(motion, Assembly::Open)
     });
-    for vectors in [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512] {
-        if !vectors.are_there() {
-            continue;
-        }
-        let mut poses = FourBarBatch::filled(|| vec![0.0; POSES]);
-        // the inputs are there already
-        let mut poses = FourBarBatch::filled(|| Some(vec![0.0; POSES]));
-        poses.theta2.as_mut().fill(None);
-        let mut outcomes = vec![Outcome::Unsolved; POSES];
+    for (vectors, name) in kinds() {
+        let (mut poses, mut outcomes) = (places(POSES), vec![Outcome::Unsolved; POSES]);
         let columns = &columns;
-        race.enter_batch(format!("four_bar.batch.{vectors:?}"), move || {
-            let inputs = Motion::new([0, 1, 2, 3, 4].map(|order| Column::Each(black_box(&columns[order]))));
-            let summary = batch::solve::<FourBar, _, _>(
-                linkage.parameters().map(Column::Same),
-                [inputs],
-                Assembly::Open,
-                &mut poses,
-                &mut outcomes,
-                vectors,
-            )
-            .expect("lengths");
-            assert_eq!(summary.solved, POSES);
-            black_box(&mut poses);
+        race.enter_batch(format!("four_bar.batch.{name}"), move || {
+            let parameters = black_box(linkage).parameters().map(Column::Same);
+            let (inputs, assembly) = ([each(columns)], Assembly::Open);
+            let summary =
+                batch::solve::<FourBar, _, _>(parameters, inputs, assembly, &mut poses, &mut outcomes, vectors)
+                    .expect("the columns are of one length");
+            assert_eq!((summary.solved, summary.alone), (POSES, 0));
+            black_box((&mut poses, &mut outcomes));
+        });
+    }
+    let varying = columns[0].iter().map(|angle| 60.0 + angle.sin()).collect::<Vec<_>>();
+    let (mut poses, mut outcomes) = (places(POSES), vec![Outcome::Unsolved; POSES]);
+    let columns = &columns;
+    race.enter_batch("four_bar.batch.varying", move || {
+        let linkage = linkage.parameters().map(Column::Same);
+        let linkage = FourBar {
+            r1: linkage[0],
+            r2: linkage[1],
+            r3: Column::Each(black_box(&varying)),
+            r4: linkage[3],
+        };
+        let summary = linkage
+            .solve_batch(each(columns), Assembly::Open, &mut poses, &mut outcomes)
+            .expect("the columns are of one length");
+        assert_eq!(summary.solved, POSES);
+        black_box((&mut poses, &mut outcomes));
+    });
+    let times = race.run();
+    times.ratio("four_bar.generated", "four_bar.notes");
+    for (_, name) in kinds() {
+        times.ratio(&format!("four_bar.batch.{name}"), "four_bar.notes");
+    }
+    times.ratio("four_bar.batch.varying", "four_bar.notes");
+}
+
+fn slider_crank() {
+    let crank = SliderCrank { r: 1.0, l: 3.0 };
+    let motions = motions(-3.1, 3.1, POSES);
+    let columns = columns(&motions);
+    let mut race = Race::new(POSES);
+    let typed = motions.iter().map(|motion| Motion::new(*motion)).collect::<Vec<_>>();
+    race.enter("slider_crank.generated", typed, |motion| {
+        black_box(crank).solve(motion, Assembly::Open)
+    });
+    let mut poses = SliderCrankBatch::filled(|| vec![0.0; POSES]);
+    let mut outcomes = vec![Outcome::Unsolved; POSES];
+    race.enter_batch("slider_crank.batch", move || {
+        let summary = black_box(crank)
+            .solve_batch(each(&columns), Assembly::Open, &mut poses, &mut outcomes)
+            .expect("the columns are of one length");
+        assert_eq!(summary.solved, POSES);
+        black_box((&mut poses, &mut outcomes));
+    });
+    let times = race.run();
+    times.ratio("slider_crank.batch", "slider_crank.generated");
+}
+
+/// A block without a closed form: Newton's method, from one guess for all poses.
+fn coupled() {
+    let root = 3.0_f64.sqrt();
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(2.0 * root, 0.0),
+        base_c: Plane::new(root, 3.0),
+        platform_b: Plane::new(root, 0.0),
+        platform_c: Plane::new(root / 2.0, 1.5),
+    };
+    let near = [0.1, 2.2, -2.0, 1.6];
+    let legs: Vec<[f64; 5]> = motions(-0.02, 0.02, POSES)
+        .into_iter()
+        .map(|[change, rates @ ..]| [5.0_f64.sqrt() + change, rates[0], rates[1], rates[2], rates[3]])
+        .collect();
+    let leg = columns(&legs);
+    let mut race = Race::new(POSES);
+    let typed = legs.iter().map(|motion| Motion::new(*motion)).collect::<Vec<_>>();
+    race.enter("triad.generated", typed, |leg| {
+        black_box(triad).solve_near(leg, leg, leg, near)
+    });
+    let mut poses = ClassThreeTriadBatch::filled(|| vec![0.0; POSES]);
+    let mut outcomes = vec![Outcome::Unsolved; POSES];
+    race.enter_batch("triad.batch", move || {
+        let near = near.map(Column::Same);
+        let summary = black_box(triad)
+            .solve_batch(each(&leg), each(&leg), each(&leg), near, &mut poses, &mut outcomes)
+            .expect("the columns are of one length");
+        assert_eq!(summary.solved, POSES);
+        black_box((&mut poses, &mut outcomes));
+    });
+    let times = race.run();
+    times.ratio("triad.batch", "triad.generated");
+}
+
+/// All cores against one, far more poses than a cache holds.
+fn all_cores() {
+    let linkage = linkage();
+    let columns = columns(&motions(-1.8, 1.8, MANY));
+    let mut race = Race::new(MANY);
+    for parallel in [false, true] {
+        let (mut poses, mut outcomes) = (places(MANY), vec![Outcome::Unsolved; MANY]);
+        let columns = &columns;
+        let name = if parallel {
+            "four_bar.all_cores"
+        } else {
+            "four_bar.one_core"
+        };
+        race.enter_batch(name, move || {
+            let summary = if parallel {
+                linkage.solve_batch_in_parallel(each(columns), Assembly::Open, &mut poses, &mut outcomes)
+            } else {
+                linkage.solve_batch(each(columns), Assembly::Open, &mut poses, &mut outcomes)
+            };
+            assert_eq!(summary.expect("the columns are of one length").solved, MANY);
+            black_box((&mut poses, &mut outcomes));
         });
     }
     let times = race.run();
-    times.ratio("four_bar.generated", "four_bar.notes");
-    times.ratio("four_bar.batch.Compiled", "four_bar.notes");
-    times.ratio("four_bar.batch.Avx2", "four_bar.notes");
-    times.ratio("four_bar.batch.Avx512", "four_bar.notes");
+    times.ratio("four_bar.all_cores", "four_bar.one_core");
+    let cores = std::thread::available_parallelism().map_or(1, core::num::NonZero::get);
+    ratio("four_bar.one_core/cores", 1.0 / cores as f64);
+}
+
+fn main() {
+    four_bar();
+    slider_crank();
+    coupled();
+    all_cores();
 }

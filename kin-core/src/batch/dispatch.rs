@@ -74,7 +74,7 @@ pub(super) trait Kernel {
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2,fma")]
 fn avx2<K: Kernel>(kernel: K) -> K::Result {
-    kernel.run::<16, true>()
+    kernel.run::<8, true>()
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]

@@ -69,6 +69,21 @@ pub struct Summary {
 }
 
 impl Summary {
+    /// That of two parts of a batch.
+    #[cfg(feature = "rayon")]
+    pub(super) fn and(self, other: Self) -> Self {
+        let first_failure = match (self.first_failure, other.first_failure) {
+            (Some(one), Some(other)) if other.0 < one.0 => Some(other),
+            (one, other) => one.or(other),
+        };
+        Self {
+            solved: self.solved + other.solved,
+            alone: self.alone + other.alone,
+            failed: self.failed + other.failed,
+            first_failure,
+        }
+    }
+
     /// Notes an outcome of the pose with an index.
     pub(super) fn note_failure(&mut self, index: usize, error: SolveError) {
         self.failed += 1;

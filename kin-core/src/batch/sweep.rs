@@ -64,14 +64,18 @@ where
 }
 
 /// The columns of a batch, by index.
-struct Problem<'a, M: Mechanism, G> {
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
-    guide: G,
+pub(super) struct Problem<'a, M: Mechanism, G> {
+    pub(super) parameters: M::Parameters<Column<'a>>,
+    pub(super) inputs: M::Inputs<M::Motion<Column<'a>>>,
+    pub(super) guide: G,
 }
 
 /// Which of several positions of each pose.
-trait Guide<M: Mechanism<Scalar = f64>> {
+pub(super) trait Guide<M: Mechanism<Scalar = f64>>: Sized {
+    /// That of some of the poses.
+    #[cfg(feature = "rayon")]
+    fn part(&self, range: core::ops::Range<usize>) -> Self;
+
     /// The columns that it consists of.
     fn columns(&self) -> &[Column<'_>];
 
@@ -86,17 +90,22 @@ trait Guide<M: Mechanism<Scalar = f64>> {
     fn solve_one(&self, mechanism: &M, inputs: M::Inputs<M::Motion<f64>>, index: usize) -> Result<M::Pose, SolveError>;
 }
 
-struct InAssembly<A>(A);
+pub(super) struct InAssembly<A>(pub(super) A);
 
-struct NearColumns<'a, M: Mechanism>(M::Unknowns<Column<'a>>);
+pub(super) struct NearColumns<'a, M: Mechanism>(pub(super) M::Unknowns<Column<'a>>);
 
 /// The mechanisms and inputs of some poses.
-struct Chunk<'a, M: Mechanism<Scalar = f64>, const W: usize, const FUSED: bool> {
+pub(super) struct Chunk<'a, M: Mechanism<Scalar = f64>, const W: usize, const FUSED: bool> {
     mechanism: M::With<Lanes<W, FUSED>>,
     inputs: &'a <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Guide<M> for InAssembly<M::Assembly> {
+    #[cfg(feature = "rayon")]
+    fn part(&self, _: core::ops::Range<usize>) -> Self {
+        Self(self.0)
+    }
+
     fn columns(&self) -> &[Column<'_>] {
         &[]
     }
@@ -116,6 +125,12 @@ impl<M: Mechanism<Scalar = f64>> Guide<M> for InAssembly<M::Assembly> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Guide<M> for NearColumns<'_, M> {
+    #[cfg(feature = "rayon")]
+    fn part(&self, range: core::ops::Range<usize>) -> Self {
+        let near = self.0.as_ref();
+        Self(Row::from_fn(|unknown| near[unknown].part(range.clone())))
+    }
+
     fn columns(&self) -> &[Column<'_>] {
         self.0.as_ref()
     }
@@ -151,7 +166,7 @@ fn gathered<const W: usize, const FUSED: bool>(column: Column<'_>, start: usize)
 }
 
 impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
-    fn solve<P: Columns<C>, C: Target>(
+    pub(super) fn solve<P: Columns<C>, C: Target>(
         &self,
         poses: &mut P,
         outcomes: &mut [Outcome],
@@ -169,7 +184,11 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
         Ok(vectors.run(kernel))
     }
 
-    fn check_lengths<P: Columns<C>, C: Target>(&self, poses: &mut P, count: usize) -> Result<(), LengthMismatch> {
+    pub(super) fn check_lengths<P: Columns<C>, C: Target>(
+        &self,
+        poses: &mut P,
+        count: usize,
+    ) -> Result<(), LengthMismatch> {
         let description = M::DESCRIPTION;
         let check = |quantity: &'static str, length: Option<usize>| match length {
             Some(length) if length != count => Err(LengthMismatch {

@@ -4,11 +4,18 @@
 //! method, with its damping, decides about it. So a lane that arrives has come by the steps of the ordinary method, and at the same root.
 
 use super::Lanes;
-use crate::solve::{FIRST_STEP, LINEAR_STEP, factor};
+use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
 use crate::{Failure, Scalar};
 
 /// Full steps from a good guess double the digits; who needs more than this is better damped.
 const ITERATIONS: u32 = 12;
+
+/// A step that has been taken.
+struct Step<const W: usize, const FUSED: bool, const N: usize> {
+    from: [Lanes<W, FUSED>; N],
+    length: Lanes<W, FUSED>,
+    factors: Factors<Lanes<W, FUSED>, N>,
+}
 
 #[inline(always)]
 pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
@@ -16,41 +23,50 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
     sizes: [Lanes<W, FUSED>; N],
     mut evaluate: impl FnMut([Lanes<W, FUSED>; N]) -> ([Lanes<W, FUSED>; N], [[Lanes<W, FUSED>; N]; N]),
 ) -> Result<[Lanes<W, FUSED>; N], Failure> {
-    let mut evaluate = |unknowns: [Lanes<W, FUSED>; N]| {
-        let (residuals, mut jacobian) = evaluate(unknowns);
+    let mut point = guess;
+    let mut root = [Lanes([f64::NAN; W]); N];
+    let mut pending = [true; W];
+    let mut last: Option<Step<W, FUSED, N>> = None;
+    for _ in 0..ITERATIONS {
+        // In one place only: called from two, it would be no part of this function, and know nothing of the machine's vectors.
+        let (residuals, mut jacobian) = evaluate(point);
         for row in &mut jacobian {
             for (entry, size) in row.iter_mut().zip(sizes) {
                 *entry = *entry * size;
             }
         }
-        (residuals, jacobian)
-    };
-    let mut point = guess;
-    let mut root = [Lanes([f64::NAN; W]); N];
-    let mut pending = [true; W];
-    let (mut residuals, jacobian) = evaluate(point);
-    let mut factors = factor(jacobian)?;
-    // Of the step before: its length, the correction foreseen after it, and by what the determinant has changed.
-    let mut before: Option<(Lanes<W, FUSED>, [Lanes<W, FUSED>; N])> = None;
-    let mut ratio = Lanes::constant(1.0);
-    for _ in 0..ITERATIONS {
+        let factors = factor(jacobian)?;
         let correction = negated(factors.solve(residuals));
         let length = largest(&correction);
         let mut end = point;
         for (index, entry) in end.iter_mut().enumerate() {
             *entry = *entry + correction[index] * sizes[index];
         }
-        let (previous, foreseen) = match before {
-            Some((previous, expected)) => {
-                let difference: [_; N] = core::array::from_fn(|index| expected[index] - correction[index]);
-                let forecast = (previous * largest(&expected), largest(&difference) * length);
-                (previous, forecast)
+        let mut previous = Lanes::constant(f64::INFINITY);
+        let mut ratio = Lanes::constant(1.0);
+        // A forecast of the length of the next full step is a quotient of these two.
+        let mut forecast = [Lanes::constant(1.0), Lanes::constant(0.0)];
+        if let Some(step) = &last {
+            let expected = negated(step.factors.solve(residuals));
+            let mut difference = expected;
+            for (entry, correction) in difference.iter_mut().zip(correction) {
+                *entry = *entry - correction;
             }
-            None => (
-                Lanes::constant(f64::INFINITY),
-                (Lanes::constant(1.0), Lanes::constant(0.0)),
-            ),
-        };
+            let fall = largest(&expected);
+            previous = step.length;
+            forecast = [previous * fall, largest(&difference) * length];
+            ratio = factors.determinant_relative_to(&step.factors);
+            for lane in 0..W {
+                let (previous, fall) = (previous.0[lane], fall.0[lane]);
+                let falls = fall < 0.75 * previous;
+                // What does not fall and is small is rounding.
+                let ends = !falls && previous * previous <= LINEAR_STEP * f64::EPSILON;
+                if pending[lane] && ends && is_distinct(ratio.0[lane]) {
+                    arrive(&mut root, if fall < previous { &point } else { &step.from }, lane);
+                }
+                pending[lane] &= falls;
+            }
+        }
         for lane in 0..W {
             let lost = (0..N).all(|index| {
                 let size = point[index].0[lane].abs() / sizes[index].0[lane];
@@ -58,28 +74,24 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
             });
             let (length, previous) = (length.0[lane], previous.0[lane]);
             let stalled = length >= 0.5 * previous && length * length <= LINEAR_STEP * f64::EPSILON;
-            let distinct = (0.75..=1.25).contains(&ratio.0[lane]);
             if pending[lane] && (lost || stalled) {
                 pending[lane] = false;
-                if distinct {
-                    let place = if lost { &end } else { &point };
-                    for (root, place) in root.iter_mut().zip(place) {
-                        root.0[lane] = place.0[lane];
-                    }
+                if is_distinct(ratio.0[lane]) {
+                    arrive(&mut root, if lost { &end } else { &point }, lane);
                 }
             }
-            let full = if before.is_some() {
-                foreseen.0.0[lane] >= foreseen.1.0[lane]
+            let is_full = if last.is_some() {
+                forecast[0].0[lane] >= forecast[1].0[lane]
             } else {
                 length <= FIRST_STEP
             };
-            pending[lane] &= full;
+            pending[lane] &= is_full;
         }
         if !pending.contains(&true) {
             break;
         }
+        let from = point;
         // Lanes that have ended stay where they are.
-        let here = point;
         for (entry, end) in point.iter_mut().zip(end) {
             for lane in 0..W {
                 if pending[lane] {
@@ -87,29 +99,26 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
                 }
             }
         }
-        let (next, jacobian) = evaluate(point);
-        let expected = negated(factors.solve(next));
-        residuals = next;
-        let there = factor(jacobian)?;
-        ratio = there.determinant_relative_to(&factors);
-        factors = there;
-        let fall = largest(&expected);
-        for lane in 0..W {
-            let (length, fall) = (length.0[lane], fall.0[lane]);
-            let falls = fall < 0.75 * length;
-            // What does not fall and is small is rounding.
-            let ends = !falls && length * length <= LINEAR_STEP * f64::EPSILON;
-            if pending[lane] && ends && (0.75..=1.25).contains(&ratio.0[lane]) {
-                let place = if fall < length { &point } else { &here };
-                for (root, place) in root.iter_mut().zip(place) {
-                    root.0[lane] = place.0[lane];
-                }
-            }
-            pending[lane] &= falls;
-        }
-        before = Some((length, expected));
+        last = Some(Step { from, length, factors });
     }
     Ok(root)
+}
+
+/// Whether rounding errors do not alter the determinant so much that there might be a second root.
+#[inline(always)]
+fn is_distinct(ratio: f64) -> bool {
+    (0.75..=1.25).contains(&ratio)
+}
+
+#[inline(always)]
+fn arrive<const W: usize, const FUSED: bool, const N: usize>(
+    root: &mut [Lanes<W, FUSED>; N],
+    place: &[Lanes<W, FUSED>; N],
+    lane: usize,
+) {
+    for (root, place) in root.iter_mut().zip(place) {
+        root.0[lane] = place.0[lane];
+    }
 }
 
 #[inline(always)]

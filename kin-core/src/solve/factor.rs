@@ -54,15 +54,21 @@ pub struct Factors<T, const N: usize> {
 /// assert!(solve::factor([[0.1, 0.2], [0.3, 0.6]]).is_err());
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
+#[inline(always)]
 pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<T, N>, Failure> {
-    factor_to(matrix, T::EPSILON)
+    factor_here(matrix, T::EPSILON)
 }
 
 /// [`factor`] for entries that are known to a relative `epsilon`, which may be less than their type could hold.
 pub(super) fn factor_to<T: Scalar, const N: usize>(
-    mut entries: [[T; N]; N],
+    entries: [[T; N]; N],
     epsilon: f64,
 ) -> Result<Factors<T, N>, Failure> {
+    factor_here(entries, epsilon)
+}
+
+#[inline(always)]
+fn factor_here<T: Scalar, const N: usize>(mut entries: [[T; N]; N], epsilon: f64) -> Result<Factors<T, N>, Failure> {
     if !entries.iter().flatten().all(|entry| entry.is_finite()) {
         return Err(Failure::NotFinite { quantity: QUANTITY });
     }
@@ -92,6 +98,7 @@ pub(super) fn factor_to<T: Scalar, const N: usize>(
 /// Multiplies rows and then columns by powers of two until the largest entry of each lies between 1 and 2.
 ///
 /// As everything below, of a square matrix: as many leading columns as there are rows.
+#[inline(always)]
 pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i32], column_exponents: &mut [i32]) {
     let count = rows.len();
     for (row, exponent) in rows.iter_mut().zip(row_exponents) {
@@ -120,6 +127,7 @@ pub(crate) struct Elimination {
 
 /// Makes a levelled matrix into its triangular factors, and notes which row each row came from. If a pivot is exactly
 /// zero, the elimination ends there.
+#[inline(always)]
 pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
     let count = rows.len();
     for (row, origin) in origins.iter_mut().enumerate() {
@@ -165,6 +173,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
 }
 
 /// The solution for a right-hand side in the order of the original rows.
+#[inline(always)]
 pub(crate) fn substitute<T: Scalar, R: Row<T>>(
     rows: &[R],
     origins: &[usize],
@@ -199,6 +208,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     /// The solution of `matrix · x = right`: N² + N multiplications, 2 N of them by powers of two, N² - N additions and N divisions.
     ///
     /// Not finite if `right` is not, or if the solution is beyond the range of the number type.
+    #[inline(always)]
     #[must_use]
     pub fn solve(&self, right: [T; N]) -> [T; N] {
         let mut solution = right;
@@ -251,6 +261,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     }
 
     /// The product of the pivots, with the sign of the exchanges: the determinant of the scaled matrix.
+    #[inline(always)]
     fn pivots(&self) -> T {
         let sign = T::constant(if self.odd { -1.0 } else { 1.0 });
         (0..N).fold(sign, |product, step| product * self.entries[step][step])
@@ -264,6 +275,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
     /// The determinant as a multiple of that of another matrix, without overflow on the way.
+    #[inline(always)]
     pub(crate) fn determinant_relative_to(&self, other: &Self) -> T {
         let exponent = (self.exponent() - other.exponent()).clamp(-range::<T>(), range::<T>());
         self.pivots() / other.pivots() * power_of_two(exponent)

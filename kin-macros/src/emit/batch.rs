@@ -67,13 +67,13 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
         (
             quote!(#near: [#runtime::batch::Column<'_>; #count],),
             quote!(#near),
-            local("solve_near"),
+            "solve_near",
         )
     } else if mechanism.choices().is_empty() {
-        (TokenStream::new(), quote!(()), local("solve"))
+        (TokenStream::new(), quote!(()), "solve")
     } else {
         let (argument, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
-        (quote!(#argument,), value, local("solve"))
+        (quote!(#argument,), value, "solve")
     };
     let same = quote!(#name<::core::primitive::f64>);
     let summary = format!(
@@ -85,7 +85,8 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
         .into_iter()
         .map(|(_, value, ..)| value)
         .collect();
-    let method = |parameters: TokenStream, sentence: &str| {
+    let method = |name: &str, solve: &str, parameters: &TokenStream, sentence: &str| {
+        let (name, solve) = (local(name), local(solve));
         quote! {
             #[doc = #summary]
             ///
@@ -94,7 +95,7 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
             /// # Errors
             /// If a column is not as long as there are outcomes. What becomes of each pose is told by its outcome.
             #[inline]
-            pub fn solve_batch<Place: #runtime::batch::Target>(
+            pub fn #name<Place: #runtime::batch::Target>(
                 &self,
                 #(#inputs: #runtime::Motion<#runtime::batch::Column<'_>, #length>,)*
                 #choice
@@ -112,12 +113,26 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
             }
         }
     };
-    let fixed = method(
-        quote!([#(#runtime::batch::Column::Same(#scalars)),*]),
+    let methods = |parameters: &TokenStream, sentence: &str| {
+        let one = method("solve_batch", solve, parameters, sentence);
+        let sentence = format!("{sentence} On all cores.");
+        let all = method(
+            "solve_batch_in_parallel",
+            &format!("{solve}_in_parallel"),
+            parameters,
+            &sentence,
+        );
+        quote! {
+            #one
+            #runtime::in_parallel! { #all }
+        }
+    };
+    let fixed = methods(
+        &quote!([#(#runtime::batch::Column::Same(#scalars)),*]),
         " All of them are poses of this mechanism; inputs are the same for all of them, or a column with one for each.",
     );
-    let varying = method(
-        quote!([#(#scalars),*]),
+    let varying = methods(
+        &quote!([#(#scalars),*]),
         " Parameters and inputs are the same for all of them, or a column with one for each.",
     );
     quote! {

@@ -1,0 +1,159 @@
+//! A batch on all cores.
+
+use core::ops::Range;
+use std::vec::Vec;
+
+use rayon::prelude::*;
+
+use super::Column;
+use super::dispatch::Vectors;
+use super::outcome::{LengthMismatch, Outcome, Summary};
+use super::sweep::{Guide, InAssembly, NearColumns, Problem};
+use super::target::{Columns, Place, Target, Visitor};
+use crate::{Mechanism, Row};
+
+/// Poses that are solved in one go: long enough to hand over, short enough for the first of the caches.
+const PIECE: usize = 512;
+
+/// [`solve`](super::solve) on all cores, in the thread pool of rayon.
+///
+/// # Errors
+/// As for [`solve`](super::solve).
+pub fn solve_in_parallel<'a, M, P, C>(
+    parameters: M::Parameters<Column<'a>>,
+    inputs: M::Inputs<M::Motion<Column<'a>>>,
+    assembly: M::Assembly,
+    poses: &mut P,
+    outcomes: &mut [Outcome],
+    vectors: Vectors,
+) -> Result<Summary, LengthMismatch>
+where
+    M: Mechanism<Scalar = f64, Assembly: Sync>,
+    M::Parameters<Column<'a>>: Sync,
+    M::Inputs<M::Motion<Column<'a>>>: Sync,
+    P: Columns<C>,
+    C: Target,
+{
+    let problem = Problem::<M, _> {
+        parameters,
+        inputs,
+        guide: InAssembly(assembly),
+    };
+    solve_pieces(&problem, poses, outcomes, vectors)
+}
+
+/// [`solve_near`](super::solve_near) on all cores, in the thread pool of rayon.
+///
+/// # Errors
+/// As for [`solve`](super::solve).
+pub fn solve_near_in_parallel<'a, M, P, C>(
+    parameters: M::Parameters<Column<'a>>,
+    inputs: M::Inputs<M::Motion<Column<'a>>>,
+    near: M::Unknowns<Column<'a>>,
+    poses: &mut P,
+    outcomes: &mut [Outcome],
+    vectors: Vectors,
+) -> Result<Summary, LengthMismatch>
+where
+    M: Mechanism<Scalar = f64>,
+    M::Parameters<Column<'a>>: Sync,
+    M::Inputs<M::Motion<Column<'a>>>: Sync,
+    M::Unknowns<Column<'a>>: Sync,
+    P: Columns<C>,
+    C: Target,
+{
+    let problem = Problem::<M, _> {
+        parameters,
+        inputs,
+        guide: NearColumns::<M>(near),
+    };
+    solve_pieces(&problem, poses, outcomes, vectors)
+}
+
+fn solve_pieces<'a, M, G, P, C>(
+    problem: &Problem<'a, M, G>,
+    poses: &mut P,
+    outcomes: &mut [Outcome],
+    vectors: Vectors,
+) -> Result<Summary, LengthMismatch>
+where
+    M: Mechanism<Scalar = f64>,
+    G: Guide<M>,
+    Problem<'a, M, G>: Sync,
+    P: Columns<C>,
+    C: Target,
+{
+    problem.check_lengths(poses, outcomes.len())?;
+    let mut targets = Targets(Vec::new());
+    poses.each(&mut targets);
+    let mut start = 0;
+    let pieces: Vec<_> = outcomes
+        .chunks_mut(PIECE)
+        .map(|outcomes| {
+            let range = start..start + outcomes.len();
+            start = range.end;
+            (targets.split_off(outcomes.len()), outcomes, range)
+        })
+        .collect();
+    pieces
+        .into_par_iter()
+        .map(|(mut targets, outcomes, range)| {
+            let first = range.start;
+            let mut summary = problem.part(range).solve(&mut targets, outcomes, vectors)?;
+            if let Some((index, _)) = &mut summary.first_failure {
+                *index += first;
+            }
+            Ok(summary)
+        })
+        .try_reduce(Summary::default, |one, other| Ok(one.and(other)))
+}
+
+/// The targets that are wanted, one after the other.
+struct Targets<'a>(Vec<(Place, &'a mut [f64])>);
+
+impl<'a, C: Target> Visitor<'a, C> for Targets<'a> {
+    fn visit(&mut self, place: Place, there: &'a mut C) {
+        if let Some(slice) = there.slice() {
+            self.0.push((place, slice));
+        }
+    }
+}
+
+impl<'a> Targets<'a> {
+    /// Takes away the places for the next poses.
+    fn split_off(&mut self, count: usize) -> Self {
+        let split = |(place, slice): &mut (Place, &'a mut [f64])| {
+            let (next, rest) = core::mem::take(slice).split_at_mut(count);
+            *slice = rest;
+            (*place, next)
+        };
+        Self(self.0.iter_mut().map(split).collect())
+    }
+}
+
+impl<'a> Columns<&'a mut [f64]> for Targets<'a> {
+    #[inline]
+    fn each<'b>(&'b mut self, visitor: &mut impl Visitor<'b, &'a mut [f64]>)
+    where
+        &'a mut [f64]: 'b,
+    {
+        for (place, slice) in &mut self.0 {
+            visitor.visit(*place, slice);
+        }
+    }
+}
+
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
+    /// The columns of some of the poses.
+    fn part(&self, range: Range<usize>) -> Problem<'a, M, G> {
+        let (parameters, inputs) = (self.parameters.as_ref(), self.inputs.as_ref());
+        Problem {
+            parameters: Row::from_fn(|parameter| parameters[parameter].part(range.clone())),
+            inputs: M::Inputs::from_fn(|input| {
+                let motion = inputs[input].as_ref();
+                <M::Motion<Column<'a>> as Row<Column<'a>>>::from_fn(|order| motion[order].part(range.clone()))
+            }),
+            guide: self.guide.part(range.clone()),
+        }
+    }
+}
