@@ -1,4 +1,5 @@
 //! Batches: what they find is what one pose after the other finds, in every kind of vectors, for every mechanism.
+#![allow(clippy::cast_precision_loss, reason = "there are hundreds of poses")]
 
 use kin_core::batch::{self, Column, Columns, LengthMismatch, Outcome, Place, Summary, Vectors, Visitor};
 use kin_core::library::{FourBar, FourBarBatch};
@@ -46,20 +47,23 @@ impl Table {
     }
 }
 
+fn visit<'a>(
+    motions: &'a mut [Vec<Vec<f64>>],
+    place: impl Fn(usize, usize) -> Place,
+    visitor: &mut impl Visitor<'a, Vec<f64>>,
+) {
+    for (index, motion) in motions.iter_mut().enumerate() {
+        for (order, column) in motion.iter_mut().enumerate() {
+            visitor.visit(place(index, order), column);
+        }
+    }
+}
+
 impl Columns<Vec<f64>> for Table {
     fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Vec<f64>>) {
-        let kinds: [(&mut Vec<Vec<Vec<f64>>>, fn(usize, usize) -> Place); 3] = [
-            (&mut self.inputs, Place::Input),
-            (&mut self.unknowns, Place::Unknown),
-            (&mut self.outputs, Place::Output),
-        ];
-        for (motions, place) in kinds {
-            for (index, motion) in motions.iter_mut().enumerate() {
-                for (order, column) in motion.iter_mut().enumerate() {
-                    visitor.visit(place(index, order), column);
-                }
-            }
-        }
+        visit(&mut self.inputs, Place::Input, visitor);
+        visit(&mut self.unknowns, Place::Unknown, visitor);
+        visit(&mut self.outputs, Place::Output, visitor);
     }
 }
 
@@ -95,12 +99,11 @@ impl<M: ThroughSnap> Poses<M> {
         let inputs = M::Inputs::from_fn(|input| {
             <M::Motion<Column<'_>> as Row<Column<'_>>>::from_fn(|order| Column::Each(&inputs[input][order]))
         });
-        let summary = match assembly {
-            Some(assembly) => batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors),
-            None => {
-                let near = Row::from_fn(|place| Column::Each(&near[place]));
-                batch::solve_near::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
-            }
+        let summary = if let Some(assembly) = assembly {
+            batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors)
+        } else {
+            let near = Row::from_fn(|place| Column::Each(&near[place]));
+            batch::solve_near::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
         };
         (table, outcomes, summary.expect("all columns are of one length"))
     }
@@ -163,7 +166,7 @@ impl Compare {
     fn compare<M: ThroughSnap>(&mut self, poses: &Poses<M>, index: usize, pose: &M::Pose, table: &Table) {
         let unknowns = pose.unknown_motions();
         let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
-        let reference = (index % SAMPLE == 0).then(|| {
+        let reference = index.is_multiple_of(SAMPLE).then(|| {
             let position: Vec<f64> = unknowns.as_ref().iter().map(|motion| motion.as_ref()[0]).collect();
             let inputs = poses.inputs[index].as_ref().iter();
             let given = Given {
@@ -172,7 +175,7 @@ impl Compare {
             };
             solution::<M>(&given, &position).expect("there is a reference")
         });
-        for order in 0..5 {
+        for (order, allowed) in ALLOWED.into_iter().enumerate() {
             for (input, motion) in poses.inputs[index].as_ref().iter().enumerate() {
                 assert_eq!(
                     table.inputs[input][order][index].to_bits(),
@@ -195,7 +198,7 @@ impl Compare {
             };
             for (place, motion) in unknowns.as_ref().iter().enumerate() {
                 let (found, expected) = (table.unknowns[place][order][index], motion.as_ref()[order]);
-                note(found, expected, gauge.unknown(place, order), ALLOWED[order]);
+                note(found, expected, gauge.unknown(place, order), allowed);
                 if let Some(reference) = &reference {
                     let unit = f64::EPSILON * reference.conditions[place][order];
                     let error = note(found, expected, unit, UNITS);
@@ -208,7 +211,7 @@ impl Compare {
                     table.outputs[place][order][index],
                     motion.as_ref()[order],
                     unit,
-                    ALLOWED[order],
+                    allowed,
                 );
             }
         }
@@ -326,7 +329,7 @@ fn a_pose_does_not_depend_on_its_neighbours() {
         let (table, outcomes, _) = poses.solve(Some(Assembly::Open), vectors);
         assert!(outcomes.iter().all(Outcome::is_solved));
         // some of them out of reach, far away, or no numbers at all
-        let spoilt = |index: usize| index % 3 == 0;
+        let spoilt = |index: usize| index.is_multiple_of(3);
         let mut disturbed = Poses {
             mechanisms: poses.mechanisms.clone(),
             inputs: poses.inputs.clone(),

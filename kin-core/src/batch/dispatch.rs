@@ -1,7 +1,10 @@
 //! The widest vectors of the machine.
-#![expect(
-    unsafe_code,
-    reason = "a function for some instructions may be called where the machine has been found to have them"
+#![cfg_attr(
+    all(feature = "std", target_arch = "x86_64"),
+    expect(
+        unsafe_code,
+        reason = "a function for some instructions may be called where the machine has been found to have them"
+    )
 )]
 
 /// Which vector instructions a batch is calculated with.
@@ -59,6 +62,8 @@ impl Vectors {
                 Self::Avx512 => return unsafe { avx512(kernel) },
             }
         }
+        #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+        let _ = self;
         kernel.run::<4, false>()
     }
 }

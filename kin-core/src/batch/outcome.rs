@@ -84,12 +84,19 @@ impl Summary {
         }
     }
 
-    /// Notes an outcome of the pose with an index.
-    pub(super) fn note_failure(&mut self, index: usize, error: SolveError) {
+    /// Notes what became of a pose that was solved alone, and had been taken for solved.
+    pub(super) fn note(&mut self, index: usize, result: Result<(), SolveError>) -> Outcome {
+        let Err(error) = result else {
+            self.alone += 1;
+            return Outcome::Solved;
+        };
+        self.solved -= 1;
         self.failed += 1;
-        if self.first_failure.as_ref().is_none_or(|(first, _)| index < *first) {
+        let outcome = Outcome::from(&error);
+        if self.first_failure.is_none_or(|(first, _)| index < first) {
             self.first_failure = Some((index, error));
         }
+        outcome
     }
 }
 

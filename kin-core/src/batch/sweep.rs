@@ -1,8 +1,4 @@
 //! Chunk by chunk through a batch.
-#![allow(
-    clippy::inline_always,
-    reason = "what is called, and not inlined, is compiled for the narrowest vectors"
-)]
 
 use core::marker::PhantomData;
 
@@ -165,7 +161,7 @@ fn gathered<const W: usize, const FUSED: bool>(column: Column<'_>, start: usize)
     }
 }
 
-impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
+impl<M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'_, M, G> {
     pub(super) fn solve<P: Columns<C>, C: Target>(
         &self,
         poses: &mut P,
@@ -221,7 +217,7 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
     /// The pose with an index, by itself.
     #[cold]
     #[inline(never)]
-    fn solve_one(&self, index: usize) -> (M::Inputs<M::Motion<f64>>, Result<M::Pose, SolveError>) {
+    fn solve_one(&self, index: usize) -> Alone<M> {
         let parameters = self.parameters.as_ref();
         let mechanism = M::from_parameters(Row::from_fn(|parameter| parameters[parameter].at(index)));
         let columns = self.inputs.as_ref();
@@ -232,33 +228,18 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
     /// Solves a pose that the lanes could not solve, and files it.
     #[cold]
     #[inline(never)]
-    fn settle<P: Columns<C>, C: Target>(
-        &self,
-        index: usize,
-        poses: &mut P,
-        outcome: &mut Outcome,
-        summary: &mut Summary,
-    ) {
+    fn settle<P: Columns<C>, C: Target>(&self, index: usize, poses: &mut P) -> Result<(), SolveError> {
         let (inputs, result) = self.solve_one(index);
-        let numbers = match result {
-            Ok(pose) => {
-                summary.alone += 1;
-                Some((pose.unknown_motions(), pose.output_motions()))
-            }
-            Err(error) => {
-                *outcome = Outcome::from(&error);
-                summary.solved -= 1;
-                summary.note_failure(index, error);
-                None
-            }
-        };
+        let numbers = result.map(|pose| (pose.unknown_motions(), pose.output_motions()));
         poses.each(&mut Filing {
             index,
             inputs: inputs.as_ref(),
             numbers: numbers
                 .as_ref()
-                .map(|(unknowns, outputs)| (unknowns.as_ref(), outputs.as_ref())),
+                .map(|(unknowns, outputs)| (unknowns.as_ref(), outputs.as_ref()))
+                .ok(),
         });
+        numbers.map(|_| ())
     }
 }
 
@@ -337,6 +318,12 @@ impl<R: Row<Lanes<W, FUSED>>, C: Target, const W: usize, const FUSED: bool> Visi
         }
     }
 }
+
+/// The inputs of one pose, and what became of it.
+type Alone<M> = (
+    <M as Mechanism>::Inputs<<M as Mechanism>::Motion<f64>>,
+    Result<<M as Mechanism>::Pose, SolveError>,
+);
 
 /// A problem with the places for its results.
 struct Sweep<'p, 'a, M: Mechanism<Scalar = f64>, G, P, C> {
@@ -417,18 +404,19 @@ where
                 });
             }
             if !sum.sum().is_finite() {
-                let mut again = summary;
                 for (lane, index) in (start..start + W).enumerate() {
                     if !sum.0[lane].is_finite() {
-                        let summary = if index < next { &mut again } else { &mut summary };
-                        problem.settle(index, poses, &mut outcomes[index], summary);
+                        let result = problem.settle(index, poses);
+                        if index >= next {
+                            outcomes[index] = summary.note(index, result);
+                        }
                     }
                 }
             }
             next = start + W;
         }
-        for index in next..count {
-            problem.settle(index, poses, &mut outcomes[index], &mut summary);
+        for (index, outcome) in outcomes.iter_mut().enumerate().skip(next) {
+            *outcome = summary.note(index, problem.settle(index, poses));
         }
         summary
     }

@@ -1,8 +1,4 @@
 //! Where the motions of a batch go.
-#![expect(
-    clippy::inline_always,
-    reason = "what is called, and not inlined, is compiled for the narrowest vectors"
-)]
 
 use crate::{Motion, Plane, Space};
 

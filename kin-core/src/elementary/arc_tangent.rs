@@ -52,14 +52,10 @@ pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
 
 /// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and
 /// for what is so far out or so near to the origin that it is next to them. Of what is not a number there is no angle that is one.
-#[expect(
-    clippy::inline_always,
-    reason = "it has to be compiled for the machine of its caller"
-)]
 #[inline(always)]
 pub(crate) fn ordinary_arc_tangent<const FUSED: bool>(y: f64, x: f64) -> (f64, bool) {
     let turned = Turned::of::<FUSED>(y, x);
-    let ordinary = (turned.along >= ORDINARY[0]) & (turned.along <= ORDINARY[1]);
+    let ordinary = (ORDINARY[0]..=ORDINARY[1]).contains(&turned.along);
     let fraction = turned.across / turned.along;
     let z = fraction * fraction;
     let fraction = turned.sense * fraction;
@@ -105,10 +101,6 @@ struct Turned {
 }
 
 impl Turned {
-    #[expect(
-        clippy::inline_always,
-        reason = "it has to be compiled for the machine of its caller"
-    )]
     #[inline(always)]
     fn of<const FUSED: bool>(y: f64, x: f64) -> Self {
         let (height, width) = (y.abs(), x.abs());

@@ -9,10 +9,6 @@ pub(crate) const FUSED: bool = cfg!(all(
 ));
 
 /// a b + c, rounded once if it is to be fused.
-#[expect(
-    clippy::inline_always,
-    reason = "it has to be compiled for the machine of its caller"
-)]
 #[inline(always)]
 pub(super) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
     if FUSED {
@@ -25,10 +21,6 @@ pub(super) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
 /// The value at `z` of the polynomial with these coefficients, that of the lowest power first.
 ///
 /// Estrin's scheme: neighbours are joined, then the pairs by z², then the fours by z⁴.
-#[expect(
-    clippy::inline_always,
-    reason = "it has to be compiled for the machine of its caller"
-)]
 #[inline(always)]
 pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
     if FUSED {
@@ -52,10 +44,6 @@ pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; 
 }
 
 /// The even and the odd powers, each by Horner's scheme in z²: one instruction for each coefficient, where a product and a sum are one.
-#[expect(
-    clippy::inline_always,
-    reason = "it has to be compiled for the machine of its caller"
-)]
 #[inline(always)]
 fn by_halves<const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
     let square = z * z;

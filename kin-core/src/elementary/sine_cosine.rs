@@ -92,20 +92,12 @@ fn far<T: Float>(angle: T) -> (T, T) {
 }
 
 /// Whether [`near_sine_cosine`] holds for this angle: it is finite and not large.
-#[expect(
-    clippy::inline_always,
-    reason = "it has to be compiled for the machine of its caller"
-)]
 #[inline(always)]
 pub(crate) fn is_near(angle: f64) -> bool {
     angle.abs() <= LIMIT
 }
 
 /// [`sine_cosine`] of an angle that [is near](is_near), without a branch. Of what is not a number both are none.
-#[expect(
-    clippy::inline_always,
-    reason = "it has to be compiled for the machine of its caller"
-)]
 #[inline(always)]
 pub(crate) fn near_sine_cosine<const FUSED: bool>(angle: f64) -> (f64, f64) {
     let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
@@ -142,10 +134,6 @@ fn near_single(angle: f64) -> (f64, f64) {
 ///
 /// It is turned by a product with the sine and cosine of these quarter turns, 0 or ±1, so that nothing is rounded; exchanging the two
 /// would take them out of the registers of floating-point numbers and back.
-#[expect(
-    clippy::inline_always,
-    reason = "it has to be compiled for the machine of its caller"
-)]
 #[inline(always)]
 fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
     let quarters = shifted.to_bits();

@@ -7,10 +7,6 @@
 //! in whatever is calculated with it, while the others go on. So a lane that is finite to the end has passed every test. What
 //! the lanes cannot do (huge angles, an iteration that must be damped) makes NaN of them as well; whoever solves in lanes
 //! asks the ordinary solver about these poses.
-#![allow(
-    clippy::inline_always,
-    reason = "what is called, and not inlined, is compiled for the narrowest vectors"
-)]
 
 mod newton;
 

@@ -3,6 +3,8 @@
 //! A lane whose first step is too long, or whose corrections do not fall as they must for a full step, becomes NaN; the ordinary
 //! method, with its damping, decides about it. So a lane that arrives has come by the steps of the ordinary method, and at the same root.
 
+#![expect(clippy::needless_range_loop, reason = "lanes are an index into several arrays")]
+
 use super::Lanes;
 use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
 use crate::{Failure, Scalar};

@@ -31,10 +31,6 @@
 //! The way to a solution is straight: it is decided once, on the real part of the number under the square root,
 //! whether there is one. If there is not, the diagnosis is made out of line, in double precision. What is returned
 //! as `Ok` is finite.
-#![expect(
-    clippy::inline_always,
-    reason = "what a batch calls, and is not inlined, is compiled for the narrowest vectors"
-)]
 
 mod circle_circle;
 mod circle_line;

@@ -44,6 +44,7 @@ impl<'a> Race<'a> {
     }
 
     /// Enters a contender that does all poses of a turn in one call.
+    #[allow(dead_code, reason = "of the benchmarks, one is about batches")]
     pub(crate) fn enter_batch(&mut self, name: impl Into<String>, turn: impl FnMut() + 'a) {
         self.contenders.push((name.into(), Box::new(turn)));
     }
