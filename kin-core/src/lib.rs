@@ -63,8 +63,8 @@
 //! # Features
 //!
 //! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm` supplies the
-//! floating-point functions. `library` brings declared mechanisms, `num-dual` makes that crate's dual numbers a [`Scalar`] and brings
-//! `verify`, `nalgebra` converts to and from its points and vectors.
+//! floating-point functions. `library` brings declared mechanisms, `rayon` solves batches on all cores, `num-dual` makes that crate's
+//! dual numbers a [`Scalar`] and brings `verify`, `nalgebra` converts to and from its points and vectors.
 #![no_std]
 #![cfg_attr(
     test,

@@ -18,6 +18,7 @@ chapters! {
     outputs: "../../docs/outputs.md";
     closed_forms: "../../docs/closed-forms.md";
     coupled: "../../docs/coupled.md";
+    batches: "../../docs/batches.md";
     errors: "../../docs/errors.md";
     verification: "../../docs/verification.md";
     accuracy: "../../docs/accuracy.md";

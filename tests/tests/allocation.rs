@@ -1,12 +1,16 @@
 //! No solver allocates, and the sizes of what they return.
 //!
 //! The sizes are printed: `cargo test -p kin-tests --test allocation -- --nocapture`.
+#![allow(clippy::cast_precision_loss, reason = "there are a hundred poses")]
 
 use core::any::type_name;
 use core::hint::black_box;
 
 use allocation_counter::measure;
-use kin_core::library::{self, ClassThreeTriad, StephensonII, WattIByDyad};
+use kin_core::batch::{Column, Outcome};
+use kin_core::library::{
+    self, ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, StephensonII, WattIByDyad,
+};
 use kin_core::prelude::*;
 use kin_core::track;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
@@ -118,6 +122,46 @@ fn no_solver_allocates() {
     cases::all(&mut all);
     cases::coupled_library(&mut all);
     all.report();
+}
+
+/// Neither where poses are found together, nor where they are refused, nor where there is an iteration.
+#[test]
+fn batches_do_not_allocate() {
+    let angles: [f64; 100] = core::array::from_fn(|index| 0.05 * index as f64 - 2.5);
+    let theta2 = Motion::from([Column::Each(&angles), 2.0.into(), 0.0.into(), 0.0.into(), 0.0.into()]);
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let mut poses = FourBarBatch::filled(|| [0.0; 100]);
+    let mut outcomes = [Outcome::Unsolved; 100];
+    let summary = without_allocation::<FourBar, _>("solve_batch", || {
+        linkage.solve_batch(theta2, Assembly::Open, &mut poses, &mut outcomes)
+    });
+    let summary = summary.expect("the columns are of one length");
+    assert!(summary.solved > 50 && summary.failed > 10, "{summary:?}");
+
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(3.4, 0.2),
+        base_c: Plane::new(1.7, 3.1),
+        platform_b: Plane::new(1.6, 0.1),
+        platform_c: Plane::new(0.8, 1.4),
+    };
+    let leg = Motion::at_constant_speed(2.1, 1.0);
+    let near = [0.5, 2.0, 4.5, 0.5];
+    let near = triad
+        .solve_near(leg, leg, leg, near)
+        .map_or(near, |pose| pose.unknowns());
+    let lengths: [f64; 100] = core::array::from_fn(|index| 2.1 + 1e-3 * index as f64);
+    let leg = Motion::from([Column::Each(&lengths), 1.0.into(), 0.0.into(), 0.0.into(), 0.0.into()]);
+    let mut poses = ClassThreeTriadBatch::filled(|| [0.0; 100]);
+    let summary = without_allocation::<ClassThreeTriad, _>("solve_batch", || {
+        triad.solve_batch(leg, leg, leg, near.map(Column::Same), &mut poses, &mut outcomes)
+    });
+    let summary = summary.expect("the columns are of one length");
+    assert!(summary.solved > 50, "{summary:?}");
 }
 
 #[test]
