@@ -68,6 +68,32 @@ impl Assembly {
     }
 }
 
+/// What a function gives for both assemblies, the open one first.
+///
+/// It is called in one place, so that it can become a part of its caller.
+///
+/// # Errors
+/// Its own.
+///
+/// ```
+/// use kin_core::{Assembly, Failure, solve};
+///
+/// let both = solve::both(|assembly| solve::square_root(9.0, assembly))?;
+/// assert_eq!(both, (3.0, -3.0));
+/// # Ok::<(), Failure>(())
+/// ```
+#[inline(always)]
+pub fn both<R, E>(mut candidate: impl FnMut(Assembly) -> Result<R, E>) -> Result<(R, R), E> {
+    let (mut assembly, mut open) = (Assembly::Open, None);
+    loop {
+        let found = candidate(assembly)?;
+        match open {
+            None => (open, assembly) = (Some(found), Assembly::Crossed),
+            Some(open) => return Ok((open, found)),
+        }
+    }
+}
+
 impl fmt::Display for Assembly {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.pad(match self {

@@ -50,6 +50,7 @@ mod square_root;
 mod turn;
 mod usable;
 
+pub use crate::assembly::both;
 pub use circle_circle::{circle_circle, circle_circle_squared};
 pub use circle_line::{circle_line, circle_line_x, circle_line_y};
 pub use cosine_sine::cosine_sine;

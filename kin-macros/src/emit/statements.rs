@@ -144,8 +144,7 @@ impl Mechanism<'_> {
                 #(#body)*
                 ::core::result::Result::Ok((#(#names,)*))
             };
-            let #first = #candidate(#runtime::Assembly::Open)?;
-            let #second = #candidate(#runtime::Assembly::Crossed)?;
+            let (#first, #second) = #runtime::solve::both(#candidate)?;
             let (#(#names,)*) =
                 match #choice #failed {
                     #runtime::Assembly::Open => #first,
