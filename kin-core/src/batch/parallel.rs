@@ -95,17 +95,18 @@ where
             (targets.split_off(outcomes.len()), outcomes, range)
         })
         .collect();
-    pieces
+    let summary = pieces
         .into_par_iter()
         .map(|(mut targets, outcomes, range)| {
             let first = range.start;
-            let mut summary = problem.part(range).solve(&mut targets, outcomes, vectors)?;
+            let mut summary = problem.part(range).sweep(&mut targets, outcomes, vectors);
             if let Some((index, _)) = &mut summary.first_failure {
                 *index += first;
             }
-            Ok(summary)
+            summary
         })
-        .try_reduce(Summary::default, |one, other| Ok(one.and(other)))
+        .reduce(Summary::default, Summary::and);
+    Ok(summary)
 }
 
 /// The targets that are wanted, one after the other.

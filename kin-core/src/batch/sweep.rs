@@ -169,6 +169,16 @@ impl<M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'_, M, G> {
         vectors: Vectors,
     ) -> Result<Summary, LengthMismatch> {
         self.check_lengths(poses, outcomes.len())?;
+        Ok(self.sweep(poses, outcomes, vectors))
+    }
+
+    /// [`solve`](Self::solve) where all columns are known to be of one length.
+    pub(super) fn sweep<P: Columns<C>, C: Target>(
+        &self,
+        poses: &mut P,
+        outcomes: &mut [Outcome],
+        vectors: Vectors,
+    ) -> Summary {
         // Those that are not will say so.
         outcomes.fill(Outcome::Solved);
         let kernel = Sweep {
@@ -177,7 +187,7 @@ impl<M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'_, M, G> {
             outcomes,
             target: PhantomData,
         };
-        Ok(vectors.run(kernel))
+        vectors.run(kernel)
     }
 
     pub(super) fn check_lengths<P: Columns<C>, C: Target>(
