@@ -12,11 +12,13 @@ use crate::plan::{Plan, plan};
 use crate::schedule::{Expression, Statement};
 
 /// What is left out in turn, and what the book calls it.
-const PASSES: [(Pass, &str); 13] = [
+const PASSES: [(Pass, &str); 15] = [
     (Pass::CommonSubexpressions, "common subexpressions"),
     (Pass::Carrying, "carrying from one order to the next"),
     (Pass::ConstantFolding, "constant folding"),
     (Pass::LinkVectors, "shared P and Q"),
+    (Pass::WholeTurnings, "whole Q"),
+    (Pass::Influences, "influence coefficients"),
     (Pass::UnitVectors, "unit vectors"),
     (Pass::SineCosinePairs, "sine-cosine pairs"),
     (Pass::AsTyped, "equations as typed"),

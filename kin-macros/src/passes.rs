@@ -14,6 +14,10 @@ pub(crate) enum Pass {
     AsTyped,
     /// Everything that turns with one angle shares the P and Q of its rates.
     LinkVectors,
+    /// A turning link is solved for its whole Q, from which lower rates are taken afterwards.
+    WholeTurnings,
+    /// What rates add to other rates is collected in coefficients that depend on the position alone, if that is cheaper.
+    Influences,
     /// A large Jacobian is reduced as far as that cannot fail.
     ReducedJacobians,
     /// Sines and cosines of unknown angles are read off vectors that the closed forms return.

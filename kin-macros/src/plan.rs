@@ -1,12 +1,12 @@
-//! The whole program, by the cheaper of two ways to derive it.
+//! The whole program, by the cheapest of several ways to derive it.
 //!
-//! The equations are differentiated as typed and multiplied out. Either way is carried through to the scheduled program and its
-//! operations are counted; the cheaper one is kept.
+//! The equations are differentiated as typed and multiplied out, and the better of the two with influence coefficients. Each way is
+//! carried through to the scheduled program and its operations are counted; the cheapest one is kept.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Stage, Step};
-use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row};
+use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::passes::{Pass, Passes};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
@@ -55,24 +55,33 @@ pub(crate) struct Plan {
 }
 
 /// Equations and outputs in one form, and the graph that has it.
+#[derive(Clone)]
 struct Form {
     graph: Graph,
     residuals: Vec<Node>,
     outputs: Vec<Node>,
 }
 
-/// Tries both forms and keeps the cheaper one.
+/// Tries both forms, and the cheaper one with influence coefficients, and keeps the cheapest.
 pub(crate) fn plan(task: &Task<'_>) -> Plan {
-    let mut best: Option<(Candidate, Derived)> = None;
-    for form in forms(task) {
-        let derived = Derived::new(task, form);
+    let attempt = |form: Form, way: Way| {
+        let derived = Derived::new(task, form, way);
         let mut own = candidate(task, &derived, &[]);
         own.factor_out(task.passes);
-        if best.as_ref().is_none_or(|(kept, _)| own.cost() < kept.cost()) {
-            best = Some((own, derived));
+        (own, derived)
+    };
+    let mut best = forms(task)
+        .into_iter()
+        .map(|form| attempt(form, Way::Whole))
+        .min_by_key(|(own, _)| own.cost())
+        .expect("there is at least one form");
+    if task.passes.include(Pass::Influences) {
+        let other = attempt(best.1.form.clone(), Way::Collected);
+        if other.0.cost() < best.0.cost() {
+            best = other;
         }
     }
-    let (mut best, derived) = best.expect("there is at least one form");
+    let (mut best, derived) = best;
     if task.parameters > 0 {
         best = sensitive(task, derived);
     }
@@ -82,19 +91,21 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
 /// Equations and outputs in one form, with their derivatives.
 struct Derived {
     form: Form,
+    way: Way,
     graph: Graph,
     derivatives: Derivatives,
 }
 
 impl Derived {
-    fn new(task: &Task<'_>, form: Form) -> Self {
+    fn new(task: &Task<'_>, form: Form, way: Way) -> Self {
         let mut graph = form.graph.clone();
         if !task.passes.include(Pass::ConstantFolding) {
             graph.keep_numbers();
         }
-        let derivatives = Derivatives::new(&mut graph, form.task(task), task.order);
+        let derivatives = Derivatives::new(&mut graph, form.task(task, way), task.order);
         Self {
             form,
+            way,
             graph,
             derivatives,
         }
@@ -102,11 +113,12 @@ impl Derived {
 }
 
 impl Form {
-    fn task<'a>(&'a self, task: &Task<'a>) -> derive::Task<'a> {
+    fn task<'a>(&'a self, task: &Task<'a>, way: Way) -> derive::Task<'a> {
         derive::Task {
             residuals: &self.residuals,
             blocks: task.blocks,
             outputs: &self.outputs,
+            way,
             passes: task.passes,
         }
     }
@@ -114,7 +126,7 @@ impl Form {
 
 /// The program for what is derived, with the sensitivities after it.
 fn sensitive(task: &Task<'_>, mut derived: Derived) -> Candidate {
-    let own = derived.form.task(task);
+    let own = derived.form.task(task, derived.way);
     let definitions = derived
         .derivatives
         .sensitivities(&mut derived.graph, own, task.parameters);
@@ -241,6 +253,12 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
             names.name(rate, &wish);
         }
     }
+    for symbol in derivatives.orders.iter().flatten().flat_map(Rate::symbols) {
+        if let Symbol::Turning(unknown, order) = *symbol {
+            let wish = format!("{}_q{order}", names.of(Symbol::Unknown(unknown)));
+            names.name(*symbol, &wish);
+        }
+    }
     for (symbol, _) in derivatives.regularity.iter().filter_map(|block| block.system.as_ref()) {
         names.name(*symbol, "factors");
     }
@@ -265,18 +283,15 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
         let mut steps = Vec::new();
         for rate in &derivatives.orders[order - 1] {
             steps.push(match rate {
-                Rate::Value { unknown, value } => Step::Define {
-                    symbol: Symbol::UnknownRate(*unknown, order),
+                Rate::Value { symbol, value } => Step::Define {
+                    symbol: *symbol,
                     node: units.rewrite(&mut graph, *value),
                 },
                 Rate::System {
                     factors,
-                    unknowns,
+                    symbols,
                     right,
-                } => {
-                    let results = unknowns.iter().map(|&unknown| Symbol::UnknownRate(unknown, order));
-                    units.substitution(&mut graph, *factors, right, results.collect())
-                }
+                } => units.substitution(&mut graph, *factors, right, symbols.clone()),
             });
         }
         for (index, &output) in derivatives.outputs[order - 1].iter().enumerate() {
@@ -314,6 +329,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     for (node, hint) in derivatives.hints(&derived.graph) {
         let name = match hint {
             Hint::Right { equation, order } => format!("right_{}_{}", equation + 1, order_name(order)),
+            Hint::Influence => "influence".to_owned(),
             Hint::P { angle, order } => format!("{}_p{order}", names.of(angle)),
             Hint::Q { angle, order } => format!("{}_q{order}", names.of(angle)),
         };
@@ -325,6 +341,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
         .guaranteed
         .iter()
         .chain(derivatives.regular())
+        .chain(&assembled.nonzero)
         .map(|&node| units.rewrite(&mut graph, node))
         .collect();
     let checks = unguarded_divisors(&graph, &stages, &guaranteed);

@@ -76,8 +76,20 @@ type Nested9 = Nested<Nested8>;
 type Nested10 = Nested<Nested9>;
 
 /// Of the four-bar linkage, by its order.
+///
+/// # Panics
+/// If there is no memory for the stack: the numbers of the highest orders have a thousand parts.
 #[must_use]
 pub fn by_order() -> Vec<Counts> {
+    std::thread::Builder::new()
+        .stack_size(1 << 26)
+        .spawn(through_each_order)
+        .expect("a thread")
+        .join()
+        .expect("nothing panics")
+}
+
+fn through_each_order() -> Vec<Counts> {
     vec![
         Counts::of::<_, Nested1>(1, &four_bar::<FourBar1>()),
         Counts::of::<_, Nested2>(2, &four_bar::<FourBar2>()),

@@ -1,56 +1,58 @@
 //! One angle by its cosine or its sine.
 
 use super::diagnosis::{ordinary, refusal};
-use crate::{Assembly, Failure, Plane, Scalar};
+use crate::{Assembly, Failure, Scalar};
 
-/// The unit vector (cos x, sin x) with the given cosine. [`Assembly::Open`] has a positive sine.
+/// The height of a link of the given radius and width: y of (x, y) = `radius` (cos φ, sin φ), given x.
+///
+/// All have one and the same unit. [`Assembly::Open`] has a positive sine, and so a height of the sign of the radius.
 ///
 /// 4 operations: 2 additions, 1 multiplication, 1 square root; a change of sign more in the crossed assembly.
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin 1 - |cosine|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
+/// [`Failure::OutOfReach`] with the margin |radius| - |width|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::{Assembly, solve};
 ///
-/// let u = solve::inverse_cosine(0.6, Assembly::Open)?;
-/// assert!((u.y - 0.8f64).abs() < 1e-15);
+/// let height = solve::inverse_cosine(3.0_f64, 5.0, Assembly::Open)?;
+/// assert!((height - 4.0).abs() < 1e-15);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
 #[inline(always)]
-pub fn inverse_cosine<T: Scalar>(cosine: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
-    let sine = other(cosine, assembly, "cosine of the unknown angle")?;
-    Ok(Plane::new(cosine, sine))
+pub fn inverse_cosine<T: Scalar>(width: T, radius: T, assembly: Assembly) -> Result<T, Failure> {
+    other(width, radius, assembly, "length of a link or its given width")
 }
 
-/// The unit vector (cos x, sin x) with the given sine. [`Assembly::Open`] has a positive cosine.
+/// The width of a link of the given radius and height: x of (x, y) = `radius` (cos φ, sin φ), given y.
+///
+/// All have one and the same unit. [`Assembly::Open`] has a positive cosine, and so a width of the sign of the radius.
 ///
 /// 4 operations, as for [`inverse_cosine`].
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin 1 - |sine|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
+/// [`Failure::OutOfReach`] with the margin |radius| - |height|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
 #[inline(always)]
-pub fn inverse_sine<T: Scalar>(sine: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
-    let cosine = other(sine, assembly, "sine of the unknown angle")?;
-    Ok(Plane::new(cosine, sine))
+pub fn inverse_sine<T: Scalar>(height: T, radius: T, assembly: Assembly) -> Result<T, Failure> {
+    other(height, radius, assembly, "length of a link or its given height")
 }
 
-/// The other coordinate of a unit vector.
+/// The other leg of the right-angled triangle over the radius.
 #[inline(always)]
-fn other<T: Scalar>(known: T, assembly: Assembly, quantity: &'static str) -> Result<T, Failure> {
-    let one = T::constant(1.0);
-    // In factors, for the sake of the angles near which the known coordinate is 1.
-    let square = (one - known) * (one + known);
+fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static str) -> Result<T, Failure> {
+    // In factors, for the sake of the angles near which the known leg is as long as the radius.
+    let square = (radius - known) * (radius + known);
     let Some(square) = square.provided([square], |[square]| ordinary(square, T::SMALLEST)) else {
-        return Err(beyond_one(known.real(), T::EPSILON, quantity));
+        return Err(too_short(known.real(), radius.real(), T::EPSILON, quantity));
     };
-    Ok(assembly.signed(square.sqrt()))
+    let leg = assembly.signed(square.sqrt());
+    Ok(T::either([radius], |[radius]| radius < 0.0, || -leg, || leg))
 }
 
 #[cold]
 #[inline(never)]
-fn beyond_one(known: f64, epsilon: f64, quantity: &'static str) -> Failure {
-    refusal(1.0 - known.abs(), 1.0, epsilon, 0.0, quantity)
+fn too_short(known: f64, radius: f64, epsilon: f64, quantity: &'static str) -> Failure {
+    refusal(radius.abs() - known.abs(), radius.abs(), epsilon, 0.0, quantity)
 }
 
 #[cfg(test)]
@@ -59,14 +61,17 @@ mod tests {
     use crate::{Assembly, Failure};
 
     #[test]
-    fn the_other_coordinate_has_the_sign_of_the_assembly() {
+    fn the_other_leg_has_the_sign_of_the_assembly_and_of_the_radius() {
         for assembly in Assembly::BOTH {
-            for known in [-0.999_f64, -0.6, 0.0, 0.3, 1.0 - 1e-15] {
-                let by_cosine = inverse_cosine(known, assembly).unwrap();
-                let by_sine = inverse_sine(known, assembly).unwrap();
-                assert_eq!((by_cosine.x, by_cosine.y), (by_sine.y, by_sine.x));
-                assert!((by_cosine.norm_squared() - 1.0).abs() < 4.0 * f64::EPSILON);
-                assert_eq!(Assembly::from_sign(by_cosine.y), assembly);
+            for radius in [3.0_f64, -3.0, 1e-100, -1e100] {
+                for known in [-0.999_f64, -0.6, 0.0, 0.3, 1.0 - 1e-15] {
+                    let by_cosine = inverse_cosine(known * radius, radius, assembly).unwrap();
+                    let by_sine = inverse_sine(known * radius, radius, assembly).unwrap();
+                    assert_eq!(by_cosine, by_sine);
+                    let other = by_sine / radius;
+                    assert!((other * other + known * known - 1.0).abs() < 4.0 * f64::EPSILON);
+                    assert_eq!(Assembly::from_sign(other), assembly);
+                }
             }
         }
     }
@@ -74,17 +79,33 @@ mod tests {
     #[test]
     fn limits_and_what_lies_beyond() {
         for solve in [inverse_cosine::<f64>, inverse_sine::<f64>] {
-            for known in [1.0, -1.0, 1.0 + f64::EPSILON] {
+            for radius in [2.0, -2.0] {
+                for known in [1.0, -1.0, 1.0 + f64::EPSILON] {
+                    assert_eq!(
+                        solve(2.0 * known, radius, Assembly::Open),
+                        Err(Failure::Singular { determinant: 0.0 })
+                    );
+                }
                 assert_eq!(
-                    solve(known, Assembly::Open),
-                    Err(Failure::Singular { determinant: 0.0 })
+                    solve(-2.5, radius, Assembly::Open),
+                    Err(Failure::OutOfReach { margin: -0.5 })
                 );
             }
-            assert_eq!(solve(-1.5, Assembly::Open), Err(Failure::OutOfReach { margin: -0.5 }));
-            assert!(matches!(
-                solve(f64::NAN, Assembly::Open),
-                Err(Failure::NotFinite { .. })
-            ));
+            assert_eq!(
+                solve(0.0, 0.0, Assembly::Open),
+                Err(Failure::Singular { determinant: 0.0 })
+            );
+            for (known, radius) in [
+                (f64::NAN, 1.0),
+                (0.5, f64::NAN),
+                (0.5, f64::INFINITY),
+                (f64::INFINITY, 1.0),
+            ] {
+                assert!(matches!(
+                    solve(known, radius, Assembly::Open),
+                    Err(Failure::NotFinite { .. })
+                ));
+            }
         }
     }
 }

@@ -60,9 +60,9 @@ counts! {
         => "5a 9m 1d 0n 1r", "5a 9m 1d 1n 1r";
     cosine_sine: |assembly| solve::cosine_sine(number(3.0), number(4.0), number(2.0), assembly)
         => "4a 9m 1d 0n 1r", "4a 9m 1d 0n 1r";
-    inverse_cosine: |assembly| solve::inverse_cosine(number(0.6), assembly)
+    inverse_cosine: |assembly| solve::inverse_cosine(number(0.6), number(1.0), assembly)
         => "2a 1m 0d 0n 1r", "2a 1m 0d 1n 1r";
-    inverse_sine: |assembly| solve::inverse_sine(number(0.6), assembly)
+    inverse_sine: |assembly| solve::inverse_sine(number(0.6), number(1.0), assembly)
         => "2a 1m 0d 0n 1r", "2a 1m 0d 1n 1r";
     linear: |_| solve::linear(number(0.6), number(3.0))
         => "0a 0m 1d 0n 0r", "0a 0m 1d 0n 0r";

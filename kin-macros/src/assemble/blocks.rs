@@ -8,7 +8,7 @@ use super::program::{Choice, Limits, Mode, Names, Stage, Step};
 use super::solver::{Argument, Solver};
 use super::units::Units;
 use crate::derive::Regularity;
-use crate::expr::{Graph, Node, Symbol};
+use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 use crate::passes::Passes;
 use crate::structure::{Block, ClosedForm, Complex, Part, Solution};
@@ -17,6 +17,8 @@ use crate::structure::{Block, ClosedForm, Complex, Part, Solution};
 pub(crate) struct Assembled {
     pub(crate) stage: Stage,
     pub(crate) units: Units,
+    /// What has been found not to be zero on the way to the position.
+    pub(crate) nonzero: Vec<Node>,
     pub(crate) choices: Vec<Choice>,
 }
 
@@ -26,6 +28,8 @@ pub(super) struct Builder<'a> {
     pub(super) names: &'a mut Names,
     pub(super) steps: Vec<Step>,
     pub(super) units: Units,
+    /// What closed forms divide by, and have found not to be zero.
+    pub(super) nonzero: Vec<Node>,
 }
 
 /// Turns blocks into steps that find a position.
@@ -66,6 +70,7 @@ fn steps(
         names,
         steps: Vec::new(),
         units: Units::new(passes),
+        nonzero: Vec::new(),
     };
     let mut choices = Vec::new();
     let mut assemblies = 0;
@@ -102,6 +107,7 @@ fn steps(
     Assembled {
         stage: Stage { steps: builder.steps },
         units: builder.units,
+        nonzero: builder.nonzero,
         choices,
     }
 }
@@ -210,11 +216,17 @@ impl Builder<'_> {
                 let arguments = [*a, *b, *c].map(|node| Argument::Scalar(self.known(node))).to_vec();
                 self.solve(Solver::Quadratic, arguments, vec![Symbol::Unknown(*unknown)]);
             }
-            ClosedForm::InverseCosine { unknown, cosine } => {
-                self.inverse_circular(Solver::InverseCosine, *unknown, *cosine);
+            ClosedForm::InverseCosine { unknown, radius, width } => {
+                let (known, found) = self.inverse_circular(Solver::InverseCosine, *unknown, *radius, *width);
+                self.turn_vector(*unknown, *radius, Complex::new(known, found));
             }
-            ClosedForm::InverseSine { unknown, sine } => {
-                self.inverse_circular(Solver::InverseSine, *unknown, *sine);
+            ClosedForm::InverseSine {
+                unknown,
+                radius,
+                height,
+            } => {
+                let (known, found) = self.inverse_circular(Solver::InverseSine, *unknown, *radius, *height);
+                self.turn_vector(*unknown, *radius, Complex::new(found, known));
             }
             ClosedForm::CosineSine { unknown, a, b, c } => {
                 let arguments = [*a, *b, *c].map(|node| Argument::Scalar(self.known(node))).to_vec();
@@ -284,19 +296,33 @@ impl Builder<'_> {
         }
     }
 
-    fn inverse_circular(&mut self, solver: Solver, unknown: usize, value: Node) {
-        let value = self.known(value);
-        let name = self.unknown_name(unknown);
-        let is_cosine = solver == Solver::InverseCosine;
-        let given = self.define(&format!("{}_{name}", if is_cosine { "cos" } else { "sin" }), value);
-        let ([x, y], mut unit) = self.fresh_plane(&name);
-        self.solve(solver, vec![Argument::Scalar(given)], vec![x, y]);
-        if is_cosine {
-            unit.re = given;
-        } else {
-            unit.im = given;
+    /// The coordinate of a link that is known, and the other one, which is found.
+    fn inverse_circular(&mut self, solver: Solver, unknown: usize, radius: Node, coordinate: Node) -> (Node, Node) {
+        let (radius, mut given) = (self.known(radius), self.known(coordinate));
+        let wish = self.link_name(radius, &self.unknown_name(unknown));
+        let [own, other] = match solver {
+            Solver::InverseCosine => ["x", "y"],
+            _ => ["y", "x"],
+        };
+        // a product stays what it is: its factors may cancel, or occur elsewhere
+        if matches!(self.graph.term(given), Term::Sum(..)) {
+            given = self.define(&format!("{wish}_{own}"), given);
         }
-        self.turn(unknown, unit);
+        let (symbol, found) = self.fresh(&format!("{wish}_{other}"));
+        let arguments = vec![Argument::Scalar(given), Argument::Scalar(radius)];
+        self.solve(solver, arguments, vec![symbol]);
+        (given, found)
+    }
+
+    /// The unknown angle of a link that is known as a vector.
+    fn turn_vector(&mut self, unknown: usize, length: Node, vector: Complex) {
+        let length = self.known(length);
+        self.nonzero.push(length);
+        let angle = self.graph.symbol(Symbol::Unknown(unknown));
+        let divisor = Complex::new(length, self.graph.zero());
+        let unit = vector.over(self.graph, divisor);
+        self.units.learn_direction(angle, unit);
+        self.push_angle(unknown, vector, length);
     }
 
     /// The unknown angle of a unit vector.

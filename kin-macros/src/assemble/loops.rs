@@ -8,7 +8,7 @@ use crate::structure::{Arm, Complex};
 
 impl Builder<'_> {
     /// What a link's components are called: after its length, if that has a name.
-    fn link_name(&mut self, length: Node, angle: &str) -> String {
+    pub(super) fn link_name(&mut self, length: Node, angle: &str) -> String {
         match self.graph.as_symbol(length) {
             Some(symbol @ Symbol::Parameter(_)) => self.names.of(symbol).to_owned(),
             _ => format!("link_{angle}"),
@@ -241,7 +241,7 @@ impl Builder<'_> {
     }
 
     /// The angle of a vector, a number's sign in front of the length being moved into the vector.
-    fn push_angle(&mut self, unknown: usize, vector: Complex, length: Node) {
+    pub(super) fn push_angle(&mut self, unknown: usize, vector: Complex, length: Node) {
         let (coefficient, bare) = self.graph.split_coefficient(length);
         let sign = self.graph.number(coefficient.signum());
         let vector = vector.scaled(self.graph, sign);

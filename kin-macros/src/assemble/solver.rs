@@ -199,11 +199,7 @@ impl Solver {
 
     pub(crate) const fn returns(self) -> Returns {
         match self {
-            Self::CircleCircle
-            | Self::CircleCircleSquared
-            | Self::CosineSine
-            | Self::InverseCosine
-            | Self::InverseSine => Returns::Plane,
+            Self::CircleCircle | Self::CircleCircleSquared | Self::CosineSine => Returns::Plane,
             Self::CircleLine | Self::CircleLineX | Self::CircleLineY => Returns::PlaneAndScalar,
             Self::PolarOffset => Returns::ScalarAndPlane,
             Self::LinearPair => Returns::Pair,

@@ -6,6 +6,7 @@
 //! solved by Cramer's rule up to three unknowns, and beyond by the factors that the position has left.
 
 use super::Rate;
+use super::influence::Way;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 use crate::passes::{Pass, Passes};
@@ -273,7 +274,13 @@ impl Jacobian {
 
     /// The x of J x = right, one for each unknown, in the order in which they can be computed; `symbol` is what later ones
     /// know earlier ones by.
-    pub(super) fn solve(&self, graph: &mut Graph, right: &[Node], symbol: &impl Fn(usize) -> Symbol) -> Vec<Rate> {
+    pub(super) fn solve(
+        &self,
+        graph: &mut Graph,
+        way: Way,
+        right: &[Node],
+        symbol: &impl Fn(usize) -> Symbol,
+    ) -> Vec<Rate> {
         let mut right = right.to_vec();
         let mut rates: Vec<Rate> = Vec::new();
         for pivot in &self.pivots {
@@ -286,7 +293,7 @@ impl Jacobian {
                 } => {
                     let value = graph.divide(right[*row], *entry);
                     rates.push(Rate::Value {
-                        unknown: *unknown,
+                        symbol: symbol(*unknown),
                         value,
                     });
                     for &(other, entry) in column {
@@ -300,9 +307,11 @@ impl Jacobian {
                     }
                 }
                 Pivot::Turn { rows, entries, .. } => {
-                    let (along, across) = turned(graph, *entries, rows.map(|row| right[row]));
-                    right[rows[0]] = along;
-                    right[rows[1]] = across;
+                    let [p, q] = *entries;
+                    let opposite = graph.negate(p);
+                    let own = rows.map(|row| right[row]);
+                    right[rows[0]] = way.combined(graph, &[p, q], &own);
+                    right[rows[1]] = way.combined(graph, &[q, opposite], &own);
                 }
                 Pivot::Last { .. } => {}
             }
@@ -311,19 +320,17 @@ impl Jacobian {
         match self.factors {
             // nothing to be solved for
             Some(_) if own.iter().all(|&node| graph.is_zero(node)) => {
-                rates.extend(
-                    self.unknowns
-                        .iter()
-                        .zip(&own)
-                        .map(|(&unknown, &value)| Rate::Value { unknown, value }),
-                );
+                rates.extend(self.unknowns.iter().zip(&own).map(|(&unknown, &value)| Rate::Value {
+                    symbol: symbol(unknown),
+                    value,
+                }));
             }
             Some(factors) => rates.push(Rate::System {
                 factors,
-                unknowns: self.unknowns.clone(),
+                symbols: self.unknowns.iter().map(|&unknown| symbol(unknown)).collect(),
                 right: own,
             }),
-            None => rates.extend(cramer(graph, &self.core, &own, &self.unknowns, symbol)),
+            None => rates.extend(self.cramer(graph, way, &own, symbol)),
         }
         for pivot in self.pivots.iter().rev() {
             let (row, unknown, entry, others) = match pivot {
@@ -350,9 +357,71 @@ impl Jacobian {
             };
             let rest = without(graph, right[row], others, &rates, symbol);
             let value = graph.divide(rest, entry);
-            rates.push(Rate::Value { unknown, value });
+            rates.push(Rate::Value {
+                symbol: symbol(unknown),
+                value,
+            });
         }
         rates
+    }
+
+    /// The rates of what remains, up to three unknowns, by Cramer's rule.
+    fn cramer(&self, graph: &mut Graph, way: Way, right: &[Node], symbol: &impl Fn(usize) -> Symbol) -> Vec<Rate> {
+        let rate = |column: usize, value: Node| Rate::Value {
+            symbol: symbol(self.unknowns[column]),
+            value,
+        };
+        match self.core.as_slice() {
+            [] => Vec::new(),
+            [row] => vec![rate(0, graph.divide(right[0], row[0]))],
+            [first, second] => {
+                if let Some(rates) = self.triangular(graph, right, symbol) {
+                    return rates;
+                }
+                let determinant = determinant(graph, &self.core);
+                let weights = [[second[1], graph.negate(first[1])], [graph.negate(second[0]), first[0]]];
+                (0..2)
+                    .map(|column| rate(column, way.quotient(graph, &weights[column], right, determinant)))
+                    .collect()
+            }
+            matrix => {
+                // the columns of the adjugate are the cross products of the rows
+                let cofactors = [
+                    cross(graph, &matrix[1], &matrix[2]),
+                    cross(graph, &matrix[2], &matrix[0]),
+                    cross(graph, &matrix[0], &matrix[1]),
+                ];
+                let determinant = determinant(graph, matrix);
+                (0..3)
+                    .map(|column| {
+                        let weights = cofactors.map(|cofactor| cofactor[column]);
+                        rate(column, way.quotient(graph, &weights, right, determinant))
+                    })
+                    .collect()
+            }
+        }
+    }
+
+    /// The rates of two unknowns, if one of the two equations has only one of them: it first, the other from it.
+    fn triangular(&self, graph: &mut Graph, right: &[Node], symbol: &impl Fn(usize) -> Symbol) -> Option<Vec<Rate>> {
+        let places = [(0, 0), (0, 1), (1, 0), (1, 1)];
+        let (row, column) = places
+            .into_iter()
+            .find(|&(row, column)| graph.is_zero(self.core[row][column]))?;
+        let (other_row, first) = (1 - row, 1 - column);
+        let first_value = graph.divide(right[row], self.core[row][first]);
+        let mut rates = vec![Rate::Value {
+            symbol: symbol(self.unknowns[first]),
+            value: first_value,
+        }];
+        let known = [(self.unknowns[first], self.core[other_row][first])];
+        let rest = without(graph, right[other_row], &known, &rates, symbol);
+        let value = graph.divide(rest, self.core[other_row][column]);
+        rates.push(Rate::Value {
+            symbol: symbol(self.unknowns[column]),
+            value,
+        });
+        Some(rates)
     }
 }
 
@@ -378,11 +447,13 @@ fn without(
 ) -> Node {
     let mut rest = right;
     for &(unknown, entry) in others {
-        let is_zero = |rate: &Rate| matches!(rate, Rate::Value { unknown: own, value } if *own == unknown && graph.is_zero(*value));
+        let symbol = symbol(unknown);
+        let is_zero =
+            |rate: &Rate| matches!(rate, Rate::Value { symbol: own, value } if *own == symbol && graph.is_zero(*value));
         if found.iter().any(is_zero) {
             continue;
         }
-        let rate = graph.symbol(symbol(unknown));
+        let rate = graph.symbol(symbol);
         let product = graph.multiply(entry, rate);
         rest = graph.subtract(rest, product);
     }
@@ -419,7 +490,7 @@ fn determinant(graph: &mut Graph, matrix: &[Vec<Node>]) -> Node {
 }
 
 /// What m cos² x + m sin² x is: the determinant of a length and its own direction is that length.
-fn radius(graph: &mut Graph, determinant: Node) -> Option<Node> {
+pub(super) fn radius(graph: &mut Graph, determinant: Node) -> Option<Node> {
     let Term::Sum(constant, terms) = graph.term(determinant).clone() else {
         return None;
     };
@@ -447,95 +518,6 @@ fn radius(graph: &mut Graph, determinant: Node) -> Option<Node> {
                 (expected == by_sine).then(|| graph.scale(coefficient.get(), radius))
             })
         })
-}
-
-/// The rates of up to three unknowns by Cramer's rule.
-fn cramer(
-    graph: &mut Graph,
-    matrix: &[Vec<Node>],
-    right: &[Node],
-    unknowns: &[usize],
-    symbol: &impl Fn(usize) -> Symbol,
-) -> Vec<Rate> {
-    match matrix {
-        [] => Vec::new(),
-        [row] => {
-            let value = graph.divide(right[0], row[0]);
-            vec![Rate::Value {
-                unknown: unknowns[0],
-                value,
-            }]
-        }
-        [_, _] => pair(graph, matrix, right, unknowns, symbol),
-        _ => {
-            // the columns of the adjugate are the cross products of the rows
-            let cofactors = [
-                cross(graph, &matrix[1], &matrix[2]),
-                cross(graph, &matrix[2], &matrix[0]),
-                cross(graph, &matrix[0], &matrix[1]),
-            ];
-            let determinant = determinant(graph, matrix);
-            let reciprocal = graph.power(determinant, -1);
-            (0..3)
-                .map(|column| {
-                    let terms: Vec<Node> = (0..3)
-                        .map(|row| graph.multiply(right[row], cofactors[row][column]))
-                        .collect();
-                    let numerator = graph.sum(&terms);
-                    Rate::Value {
-                        unknown: unknowns[column],
-                        value: graph.multiply(numerator, reciprocal),
-                    }
-                })
-                .collect()
-        }
-    }
-}
-
-fn pair(
-    graph: &mut Graph,
-    matrix: &[Vec<Node>],
-    right: &[Node],
-    unknowns: &[usize],
-    symbol: &impl Fn(usize) -> Symbol,
-) -> Vec<Rate> {
-    // a zero in the matrix makes the system triangular: one unknown first, the other from it
-    for row in 0..2 {
-        for column in 0..2 {
-            if graph.is_zero(matrix[row][column]) {
-                let (other_row, first) = (1 - row, 1 - column);
-                let first_value = graph.divide(right[row], matrix[row][first]);
-                let known = [(unknowns[first], matrix[other_row][first])];
-                let mut rates = vec![Rate::Value {
-                    unknown: unknowns[first],
-                    value: first_value,
-                }];
-                let rest = without(graph, right[other_row], &known, &rates, symbol);
-                let value = graph.divide(rest, matrix[other_row][column]);
-                rates.push(Rate::Value {
-                    unknown: unknowns[column],
-                    value,
-                });
-                return rates;
-            }
-        }
-    }
-    let determinant = determinant(graph, matrix);
-    let reciprocal = graph.power(determinant, -1);
-    (0..2)
-        .map(|column| {
-            let other = 1 - column;
-            let (main, cross) = (
-                graph.multiply(matrix[other][other], right[column]),
-                graph.multiply(matrix[column][other], right[other]),
-            );
-            let numerator = graph.subtract(main, cross);
-            Rate::Value {
-                unknown: unknowns[column],
-                value: graph.multiply(numerator, reciprocal),
-            }
-        })
-        .collect()
 }
 
 #[cfg(test)]

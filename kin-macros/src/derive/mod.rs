@@ -3,12 +3,14 @@
 //! Differentiating a closed loop n times gives J q⁽ⁿ⁾ = -Rₙ: the Jacobian J is the same for every order n, and Rₙ is
 //! the n-th derivative of the closure with the block's own n-th rates left out.
 
+mod influence;
 mod jacobian;
 mod rates;
 mod sensitivity;
 
 use std::collections::BTreeMap;
 
+pub(crate) use influence::Way;
 pub(crate) use sensitivity::{Definition, Row};
 
 use jacobian::Jacobian;
@@ -46,6 +48,8 @@ pub(crate) struct Regularity {
 pub(crate) enum Hint {
     /// The right-hand side -Rₙ of a scalar equation.
     Right { equation: usize, order: usize },
+    /// What a rate adds to another one.
+    Influence,
     /// Pₙ of an angle.
     P { angle: Symbol, order: usize },
     /// Qₙ of an angle.
@@ -55,13 +59,23 @@ pub(crate) enum Hint {
 /// How time derivatives of unknowns are found.
 pub(crate) enum Rate {
     /// One by itself.
-    Value { unknown: usize, value: Node },
+    Value { symbol: Symbol, value: Node },
     /// Several together, by the factors of their Jacobian.
     System {
         factors: Symbol,
-        unknowns: Vec<usize>,
+        symbols: Vec<Symbol>,
         right: Vec<Node>,
     },
+}
+
+impl Rate {
+    /// What is found.
+    pub(crate) fn symbols(&self) -> &[Symbol] {
+        match self {
+            Self::Value { symbol, .. } => std::slice::from_ref(symbol),
+            Self::System { symbols, .. } => symbols,
+        }
+    }
 }
 
 /// What is differentiated.
@@ -70,6 +84,7 @@ pub(crate) struct Task<'a> {
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
     pub(crate) outputs: &'a [Node],
+    pub(crate) way: Way,
     pub(crate) passes: Passes,
 }
 
@@ -143,24 +158,53 @@ impl Derivatives {
         let order = self.orders.len() + 1;
         let mut found = Vec::new();
         for (block, jacobian) in task.blocks.iter().zip(&self.jacobians) {
-            let zero = graph.zero();
-            let mut without_own: BTreeMap<Node, Node> = block
-                .unknowns
-                .iter()
-                .map(|&unknown| (graph.symbol(Symbol::UnknownRate(unknown, order)), zero))
-                .collect();
-            let right: Vec<Node> = block
+            self.rates.seek(&block.unknowns, order);
+            let wholes: Vec<Node> = block
                 .equations
                 .iter()
-                .map(|&equation| {
-                    let whole = self.rates.total(graph, task.residuals[equation], order);
+                .map(|&equation| self.rates.total(graph, task.residuals[equation], order))
+                .collect();
+            self.rates.seek(&[], order);
+            let zero = graph.zero();
+            let mut without_own = BTreeMap::new();
+            for &unknown in &block.unknowns {
+                let rate = graph.symbol(Symbol::UnknownRate(unknown, order));
+                match self.rates.lower(unknown, order) {
+                    Some(lower) => {
+                        let turning = graph.symbol(Symbol::Turning(unknown, order));
+                        without_own.extend([(turning, zero), (rate, graph.negate(lower))]);
+                    }
+                    None => drop(without_own.insert(rate, zero)),
+                }
+            }
+            let right: Vec<Node> = wholes
+                .into_iter()
+                .zip(&block.equations)
+                .map(|(whole, &equation)| {
                     let rest = graph.substitute(whole, &mut without_own);
                     let right = graph.negate(rest);
                     self.rights.push((right, Hint::Right { equation, order }));
                     right
                 })
                 .collect();
-            found.extend(jacobian.solve(graph, &right, &|unknown| Symbol::UnknownRate(unknown, order)));
+            found.extend(jacobian.solve(
+                graph,
+                task.way,
+                &right,
+                &|unknown| match self.rates.lower(unknown, order) {
+                    Some(_) => Symbol::Turning(unknown, order),
+                    None => Symbol::UnknownRate(unknown, order),
+                },
+            ));
+            for &unknown in &block.unknowns {
+                if let Some(lower) = self.rates.lower(unknown, order) {
+                    let turning = graph.symbol(Symbol::Turning(unknown, order));
+                    found.push(Rate::Value {
+                        symbol: Symbol::UnknownRate(unknown, order),
+                        value: graph.subtract(turning, lower),
+                    });
+                }
+            }
         }
         self.orders.push(found);
         self.outputs.push(
@@ -175,6 +219,13 @@ impl Derivatives {
     pub(crate) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
         let mut hints = self.rights.clone();
         hints.extend(self.rates.hints(graph));
+        for rate in self.orders.iter().flatten() {
+            if let Rate::Value { value, .. } = *rate {
+                let mut found = Vec::new();
+                influence::influences(graph, value, &mut found);
+                hints.extend(found.into_iter().map(|node| (node, Hint::Influence)));
+            }
+        }
         hints
     }
 }

@@ -15,6 +15,10 @@ pub(super) struct Rates {
     passes: Passes,
     known: BTreeMap<(Node, usize), Node>,
     envelopes: BTreeMap<(Node, Node, usize), (Node, Node)>,
+    /// The unknowns whose rates of the order given are sought.
+    sought: (Vec<usize>, usize),
+    /// What lower rates add to the Q of a sought angle, by unknown and order.
+    lower: BTreeMap<(usize, usize), Node>,
 }
 
 /// n over k.
@@ -32,7 +36,24 @@ impl Rates {
             passes,
             known: BTreeMap::new(),
             envelopes: BTreeMap::new(),
+            sought: (Vec::new(), 0),
+            lower: BTreeMap::new(),
         }
+    }
+
+    /// From now on the rates of this order of these unknowns are sought: where one of them turns a vector, its whole Q is.
+    ///
+    /// Q is the rate itself and what lower rates add to it. As the vector is multiplied by nothing but the whole, this part does not
+    /// have to be multiplied by the vector to be brought to the right-hand side.
+    pub(super) fn seek(&mut self, unknowns: &[usize], order: usize) {
+        if self.passes.include(Pass::WholeTurnings) {
+            self.sought = (unknowns.to_vec(), order);
+        }
+    }
+
+    /// What lower rates add to the Q of an unknown angle, if it was sought.
+    pub(super) fn lower(&self, unknown: usize, order: usize) -> Option<Node> {
+        self.lower.get(&(unknown, order)).copied()
     }
 
     /// The shared parts of rotating vectors that have a name: P and Q by angle and order.
@@ -66,6 +87,7 @@ impl Rates {
             Term::Symbol(Symbol::Sensitivity(index, parameter, lower)) => {
                 graph.symbol(Symbol::Sensitivity(index, parameter, lower + order))
             }
+            Term::Symbol(Symbol::Turning(..)) => unreachable!("only what depends on positions alone is differentiated"),
             Term::Symbol(
                 Symbol::Parameter(_) | Symbol::OutputRate(..) | Symbol::OutputSensitivity(..) | Symbol::Step(_),
             ) => graph.zero(),
@@ -233,7 +255,7 @@ impl Rates {
                 along.push((graph.multiply(rate, q), -binomial(order - 1, k)));
                 across.push((graph.multiply(rate, p), binomial(order - 1, k)));
             }
-            (graph.linear(0.0, &along), graph.linear(0.0, &across))
+            (graph.linear(0.0, &along), self.across(graph, angle, &across))
         } else {
             for k in 0..=order {
                 let rate = self.total(graph, amplitude, k);
@@ -245,6 +267,23 @@ impl Rates {
         };
         self.envelopes.insert((amplitude, angle, order), result);
         result
+    }
+
+    /// Q as a sum, of which the last term is the highest rate; or as a symbol, where this rate is sought.
+    fn across(&mut self, graph: &mut Graph, angle: Node, terms: &[(Node, f64)]) -> Node {
+        let order = terms.len();
+        let (_, rest) = terms.split_last().expect("orders start at one");
+        if let Some(Symbol::Unknown(unknown)) = graph.as_symbol(angle)
+            && self.sought.1 == order
+            && self.sought.0.contains(&unknown)
+        {
+            let lower = graph.linear(0.0, rest);
+            if !graph.is_zero(lower) {
+                self.lower.insert((unknown, order), lower);
+                return graph.symbol(Symbol::Turning(unknown, order));
+            }
+        }
+        graph.linear(0.0, terms)
     }
 }
 
@@ -280,6 +319,7 @@ mod tests {
                     Symbol::OutputRate(..)
                     | Symbol::Sensitivity(..)
                     | Symbol::OutputSensitivity(..)
+                    | Symbol::Turning(..)
                     | Symbol::Step(_) => (f64::NAN, 0),
                 };
                 if matches!(symbol, Symbol::Parameter(_)) {

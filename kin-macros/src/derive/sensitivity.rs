@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use super::jacobian::Jacobian;
 use super::rates::{Rates, binomial};
-use super::{Derivatives, Rate, Task};
+use super::{Derivatives, Rate, Task, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 
 /// One step of the sensitivities' program.
@@ -94,8 +94,8 @@ struct Derivation<'a> {
     partials: BTreeMap<(Row, Symbol), Node>,
     /// The symbols under which the sums know the time derivatives of partial derivatives.
     entries: BTreeMap<Node, Node>,
-    /// The sensitivities found so far, by unknown, parameter and order: symbols, or zero.
-    found: BTreeMap<(usize, usize, usize), Node>,
+    /// The sensitivities of unknowns found so far: symbols, or zero.
+    found: BTreeMap<Symbol, Node>,
 }
 
 impl Derivation<'_> {
@@ -105,7 +105,7 @@ impl Derivation<'_> {
         let mut terms = vec![(own, 1.0)];
         for &unknown in unknowns {
             for k in 0..=order {
-                let Some(&sensitivity) = self.found.get(&(unknown, parameter, k)) else {
+                let Some(&sensitivity) = self.found.get(&Symbol::Sensitivity(unknown, parameter, k)) else {
                     continue;
                 };
                 if self.graph.is_zero(sensitivity) {
@@ -161,33 +161,31 @@ impl Derivation<'_> {
     /// S⁽ⁿ⁾ of a block from J S⁽ⁿ⁾ = right, by the solver that the rates use.
     fn solve(&mut self, jacobian: &Jacobian, right: &[Node], parameter: usize, order: usize) {
         let symbol = |unknown: usize| Symbol::Sensitivity(unknown, parameter, order);
-        for solution in jacobian.solve(self.graph, right, &symbol) {
+        // each of these right-hand sides has entries of its own order
+        for solution in jacobian.solve(self.graph, Way::Whole, right, &symbol) {
             match solution {
-                Rate::Value { unknown, value } => {
+                Rate::Value { symbol, value } => {
                     let node = if self.graph.is_zero(value) {
                         value
                     } else {
-                        self.graph.symbol(symbol(unknown))
+                        self.graph.symbol(symbol)
                     };
-                    self.found.insert((unknown, parameter, order), node);
-                    self.definitions.push(Definition::Value {
-                        symbol: symbol(unknown),
-                        node: value,
-                    });
+                    self.found.insert(symbol, node);
+                    self.definitions.push(Definition::Value { symbol, node: value });
                 }
                 Rate::System {
                     factors,
-                    unknowns,
+                    symbols,
                     right,
                 } => {
-                    for &unknown in &unknowns {
-                        let node = self.graph.symbol(symbol(unknown));
-                        self.found.insert((unknown, parameter, order), node);
+                    for &symbol in &symbols {
+                        let node = self.graph.symbol(symbol);
+                        self.found.insert(symbol, node);
                     }
                     self.definitions.push(Definition::System {
                         factors,
                         right,
-                        results: unknowns.into_iter().map(symbol).collect(),
+                        results: symbols,
                     });
                 }
             }

@@ -41,7 +41,11 @@ impl Mechanism<'_> {
             Symbol::InputRate(index, order) => (&self.model.inputs[index].name, order),
             Symbol::Unknown(index) => (&self.model.unknowns[index].name, 0),
             Symbol::UnknownRate(index, order) => (&self.model.unknowns[index].name, order),
-            Symbol::OutputRate(..) | Symbol::Sensitivity(..) | Symbol::OutputSensitivity(..) | Symbol::Step(_) => {
+            Symbol::Turning(..)
+            | Symbol::OutputRate(..)
+            | Symbol::Sensitivity(..)
+            | Symbol::OutputSensitivity(..)
+            | Symbol::Step(_) => {
                 unreachable!("they are carried under their names")
             }
         };

@@ -28,6 +28,8 @@ pub(crate) enum Symbol {
     InputRate(usize, usize),
     /// An unknown's time derivative of the order given second.
     UnknownRate(usize, usize),
+    /// Q of the order given second, of an unknown angle: its rate of this order and what the lower ones add to it.
+    Turning(usize, usize),
     /// A scalar part of an output's time derivative of the order given second.
     OutputRate(usize, usize),
     /// An unknown's partial derivative by the parameter given second, its time derivative of the order given third.
@@ -148,6 +150,14 @@ impl Graph {
             .into_iter()
             .filter_map(|part| self.as_symbol(part))
             .collect()
+    }
+
+    /// Whether there is nothing in an expression but parameters, inputs and unknowns: no time derivative, and nothing that the
+    /// program computes in a step of its own.
+    pub(crate) fn depends_on_position_alone(&self, node: Node) -> bool {
+        self.symbols(node)
+            .into_iter()
+            .all(|symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Unknown(_)))
     }
 
     /// Whether an expression contains a symbol.

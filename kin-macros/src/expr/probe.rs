@@ -32,6 +32,7 @@ impl Probe {
             Symbol::Unknown(index) => (3, index),
             Symbol::InputRate(index, order) => (4 + 16 * order, index),
             Symbol::UnknownRate(index, order) => (5 + 16 * order, index),
+            Symbol::Turning(index, order) => (11 + 16 * order, index),
             Symbol::Step(index) => (6, index),
             Symbol::OutputRate(index, order) => (7 + 16 * order, index),
             Symbol::Sensitivity(index, parameter, order) => (8 + 16 * order, index + (parameter << 12)),

@@ -121,7 +121,7 @@ impl Rows {
                 self.intern(Row::Call(*function, arguments))
             }
             Term::Product(factors) => {
-                let (mut above, mut below) = (Vec::new(), Vec::new());
+                let (mut above, mut still, mut below) = (Vec::new(), Vec::new(), Vec::new());
                 for &(base, exponent) in factors {
                     let row = self.by_node[&base];
                     let (list, factor) = if exponent > 0 {
@@ -132,7 +132,14 @@ impl Rows {
                     } else {
                         (&mut below, row)
                     };
+                    // what is computed once for all orders is not torn apart by a factor that some terms share
+                    let is_above = exponent > 0 || factor != row;
+                    let is_still = self.style.factor_out && is_above && graph.depends_on_position_alone(base);
+                    let list = if is_still { &mut still } else { list };
                     list.extend((0..exponent.abs()).map(|_| factor));
+                }
+                if !still.is_empty() {
+                    above.push(self.product(still));
                 }
                 let above = self.product(above);
                 if below.is_empty() {

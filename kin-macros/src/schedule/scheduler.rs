@@ -38,6 +38,8 @@ pub(super) struct Scheduler<'a> {
     cost: Cost,
     /// How the block that is being written chooses between its solutions.
     mode: Mode,
+    /// How the blocks that have been written did, by unknown.
+    modes: BTreeMap<usize, Mode>,
     /// What an iteration of Newton's method does, by part.
     iterations: BTreeMap<usize, Iteration>,
 }
@@ -118,7 +120,7 @@ const RESIDUALS: Symbol = Symbol::Step(usize::MAX);
 /// What may be decided about a schedule.
 #[derive(Clone, Copy)]
 pub(crate) struct Style {
-    /// Whether factors that terms of a sum share are taken out.
+    /// Whether factors that terms of a sum share are taken out, and factors of the position are multiplied by each other first.
     pub(crate) factor_out: bool,
     /// Whether functions that are not defined everywhere are checked, in the first stage.
     pub(crate) check_domains: bool,
@@ -166,6 +168,7 @@ pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)
         statements: Vec::new(),
         cost: Cost::default(),
         mode: Mode::Only,
+        modes: BTreeMap::new(),
         iterations: iterations(graph, program, style.passes),
     };
     scheduler.survey(&rows);
@@ -286,6 +289,11 @@ impl Scheduler<'_> {
                         (argument.shape(), parts)
                     })
                     .collect();
+                for &symbol in results {
+                    if let Symbol::Unknown(unknown) = symbol {
+                        self.modes.insert(unknown, self.mode);
+                    }
+                }
                 let results = results.iter().map(|&symbol| self.result_name(symbol)).collect();
                 self.charge_solver(*solver);
                 self.statements.push(Statement::Solve {
@@ -301,9 +309,10 @@ impl Scheduler<'_> {
                     self.operations.operation(length),
                     Operation::Number(number) if number.get() > 0.0
                 );
-                // an unknown length is negative in one of the two assemblies, and the vector is turned round there
-                let is_unknown = matches!(self.operations.operation(length), Operation::Leaf(Symbol::Unknown(_)));
-                if is_unknown && self.mode != (Mode::Fixed { is_open: true }) {
+                // an unknown length is negative in one of its two assemblies, and the vector is turned round there
+                if let Operation::Leaf(Symbol::Unknown(unknown)) = self.operations.operation(length)
+                    && self.modes.get(unknown) != Some(&(Mode::Fixed { is_open: true }))
+                {
                     self.cost.negations += 2;
                 }
                 let length = (!is_positive).then(|| self.argument(length));

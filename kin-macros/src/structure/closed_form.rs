@@ -79,10 +79,10 @@ pub(crate) enum ClosedForm {
     SquareRoot { unknown: usize, square: Node },
     /// a x² + b x + c = 0.
     Quadratic { unknown: usize, a: Node, b: Node, c: Node },
-    /// cos x = cosine.
-    InverseCosine { unknown: usize, cosine: Node },
-    /// sin x = sine.
-    InverseSine { unknown: usize, sine: Node },
+    /// radius · cos x = width.
+    InverseCosine { unknown: usize, radius: Node, width: Node },
+    /// radius · sin x = height.
+    InverseSine { unknown: usize, radius: Node, height: Node },
     /// a cos x + b sin x = c.
     CosineSine { unknown: usize, a: Node, b: Node, c: Node },
     /// f(argument) = value, where `then` solves argument = `result` for the unknown.

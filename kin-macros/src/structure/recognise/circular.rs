@@ -1,6 +1,6 @@
 //! a cos x + b sin x = c.
 
-use crate::expr::{Angle, Graph, Harmonic, Polynomial, Symbol};
+use crate::expr::{Angle, Graph, Harmonic, Node, Polynomial, Symbol, Term};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
@@ -21,12 +21,16 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
     let free = equation.free_term(graph);
     let c = graph.negate(free);
     if graph.is_zero(b) {
-        let cosine = graph.divide(c, a);
-        return Some(ClosedForm::InverseCosine { unknown, cosine });
+        let (width, radius) = quotient(graph, c, a);
+        return Some(ClosedForm::InverseCosine { unknown, radius, width });
     }
     if graph.is_zero(a) {
-        let sine = graph.divide(c, b);
-        return Some(ClosedForm::InverseSine { unknown, sine });
+        let (height, radius) = quotient(graph, c, b);
+        return Some(ClosedForm::InverseSine {
+            unknown,
+            radius,
+            height,
+        });
     }
     // the two solutions change places with the equation's sign, which must not depend on how it was typed
     if graph.probes_negative(a) {
@@ -34,4 +38,20 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
         return Some(ClosedForm::CosineSine { unknown, a, b, c });
     }
     Some(ClosedForm::CosineSine { unknown, a, b, c })
+}
+
+/// What is divided and what divides it, without what both have in common; numbers belong to the first.
+fn quotient(graph: &mut Graph, above: Node, below: Node) -> (Node, Node) {
+    let quotient = graph.divide(above, below);
+    let (_, bare) = graph.split_coefficient(quotient);
+    let divisors: Vec<(Node, i32)> = match graph.term(bare) {
+        Term::Product(factors) => factors.iter().filter(|&&(_, exponent)| exponent < 0).copied().collect(),
+        _ => Vec::new(),
+    };
+    let divisors: Vec<(Node, i32)> = divisors
+        .into_iter()
+        .map(|(factor, exponent)| (factor, -exponent))
+        .collect();
+    let below = graph.product(&divisors);
+    (graph.multiply(quotient, below), below)
 }

@@ -1,0 +1,150 @@
+//! Influence coefficients: what each rate of the right-hand sides adds to an unknown's.
+//!
+//! Of J x = R the solution is x = adj(J) R / det J, and R is a sum of rates of links, each multiplied by a part of a link's vector. The
+//! vectors depend on the position alone. So do the sums of their products with the adjugate: they are computed once, for all
+//! orders, where R would be multiplied by the adjugate at each. (For a four-bar linkage these are the dot and cross products of its
+//! links.)
+
+use std::collections::BTreeMap;
+
+use super::jacobian::radius;
+use crate::expr::{Graph, Node, Term};
+
+/// How right-hand sides are multiplied by an adjugate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Way {
+    /// As they are.
+    Whole,
+    /// With coefficients of the position collected, for all orders together.
+    Collected,
+}
+
+impl Way {
+    /// Σ weight · right.
+    pub(super) fn combined(self, graph: &mut Graph, weights: &[Node], rights: &[Node]) -> Node {
+        if self == Self::Collected {
+            return collected(graph, weights, rights);
+        }
+        let terms: Vec<Node> = weights
+            .iter()
+            .zip(rights)
+            .map(|(&weight, &right)| graph.multiply(right, weight))
+            .collect();
+        graph.sum(&terms)
+    }
+
+    /// Σ weight · right / determinant.
+    pub(super) fn quotient(self, graph: &mut Graph, weights: &[Node], rights: &[Node], determinant: Node) -> Node {
+        if self == Self::Collected {
+            let quotients: Vec<Node> = weights
+                .iter()
+                .map(|&weight| graph.divide(weight, determinant))
+                .collect();
+            // a length that is the determinant cancels in the row of its own rate; in the other row a division at each order is as
+            // cheap as one for each coefficient
+            let is_length = graph.as_symbol(determinant).is_some();
+            if !is_length || quotients.iter().any(|&quotient| !divides(graph, quotient)) {
+                return collected(graph, &quotients, rights);
+            }
+        }
+        let numerator = self.combined(graph, weights, rights);
+        graph.divide(numerator, determinant)
+    }
+}
+
+/// Whether something is divided, but for a number in front.
+fn divides(graph: &Graph, node: Node) -> bool {
+    match graph.term(node) {
+        Term::Product(factors) => factors.iter().any(|&(_, exponent)| exponent < 0),
+        Term::Sum(_, terms) => matches!(terms[..], [(only, _)] if divides(graph, only)),
+        _ => false,
+    }
+}
+
+/// Coefficients of the position, by what they are multiplied with.
+#[derive(Default)]
+struct Collected {
+    coefficients: BTreeMap<Node, Vec<(Node, f64)>>,
+}
+
+/// Σ weight · right, the rates outside and what depends on the position alone inside.
+fn collected(graph: &mut Graph, weights: &[Node], rights: &[Node]) -> Node {
+    let mut collected = Collected::default();
+    for (&weight, &right) in weights.iter().zip(rights) {
+        let (constant, terms) = match graph.term(right).clone() {
+            Term::Sum(constant, terms) => (constant.get(), terms),
+            _ => (0.0, Vec::new()),
+        };
+        if terms.is_empty() {
+            collected.add(graph, weight, right, 1.0);
+        }
+        for (term, coefficient) in terms {
+            collected.add(graph, weight, term, coefficient.get());
+        }
+        if constant != 0.0 {
+            let one = graph.one();
+            collected.add(graph, weight, one, constant);
+        }
+    }
+    let terms: Vec<(Node, f64)> = collected
+        .coefficients
+        .into_iter()
+        .map(|(rate, coefficients)| {
+            let (number, influence) = influence(graph, &coefficients);
+            (graph.multiply(rate, influence), number)
+        })
+        .collect();
+    graph.linear(0.0, &terms)
+}
+
+impl Collected {
+    /// A term of a right-hand side, with its weight.
+    fn add(&mut self, graph: &mut Graph, weight: Node, term: Node, coefficient: f64) {
+        let factors = match graph.term(term) {
+            Term::Product(factors) => factors.clone(),
+            _ => vec![(term, 1)],
+        };
+        let (mut position, rates): (Vec<_>, Vec<_>) = factors
+            .into_iter()
+            .partition(|&(factor, _)| graph.depends_on_position_alone(factor));
+        position.push((weight, 1));
+        let (influence, rate) = (graph.product(&position), graph.product(&rates));
+        // the sign and the number in front belong to the coefficient, that the rate be the same in every row
+        let (number, rate) = graph.split_coefficient(rate);
+        let own = self.coefficients.entry(rate).or_default();
+        own.push((influence, number * coefficient));
+    }
+}
+
+/// A coefficient and the number before it, the same for all orders whatever the numbers of their right-hand sides.
+fn influence(graph: &mut Graph, terms: &[(Node, f64)]) -> (f64, Node) {
+    let sum = graph.linear(0.0, terms);
+    let sum = radius(graph, sum).unwrap_or(sum);
+    let Term::Sum(constant, terms) = graph.term(sum).clone() else {
+        return (1.0, sum);
+    };
+    let number = terms[0].1.get();
+    let is_common = terms.iter().all(|(_, other)| other.get().abs() == number.abs());
+    if constant.get() != 0.0 || !is_common {
+        return (1.0, sum);
+    }
+    let terms: Vec<(Node, f64)> = terms
+        .into_iter()
+        .map(|(node, other)| (node, other.get() / number))
+        .collect();
+    (number, graph.linear(0.0, &terms))
+}
+
+/// The coefficients in an expression that was collected.
+pub(super) fn influences(graph: &Graph, node: Node, found: &mut Vec<Node>) {
+    match graph.term(node) {
+        Term::Sum(..) if graph.depends_on_position_alone(node) => found.push(node),
+        Term::Sum(_, terms) => terms.iter().for_each(|&(term, _)| influences(graph, term, found)),
+        Term::Product(factors) => {
+            for &(factor, _) in factors.iter().filter(|&&(_, exponent)| exponent > 0) {
+                influences(graph, factor, found);
+            }
+        }
+        _ => {}
+    }
+}
