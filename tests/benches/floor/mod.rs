@@ -55,31 +55,31 @@ impl FourBar {
         let (x4, y4) = (x3 - dx, y3 - dy);
         let inverse = 1.0 / (y3 * x4 - x3 * y4);
 
-        // z₂ (P₂ + i Q₂) + z₃ (P₃ + i Q₃) = z₄ (P₄ + i Q₄), where only Q₃ and Q₄ hold the rates that are sought
-        let w3 = inverse * (y2 * -w2 * x4 + x2 * w2 * y4);
-        let w4 = inverse * (y2 * -w2 * x3 + x2 * w2 * y3);
+        // z₂ (P₂ + i Q₂) + z₃ (P₃ + i Q₃) = z₄ (P₄ + i Q₄), where only Q₃ and Q₄ hold the rates that are sought: multiplied by z₄ and by z₃
+        let (x, y) = (x2 * inverse, y2 * inverse);
+        let (along3, across3) = (x3 * x + y3 * y, x3 * y - y3 * x);
+        let (along4, across4) = (x4 * x + y4 * y, x4 * y - y4 * x);
+        let between = (x3 * x4 + y3 * y4) * inverse;
+        let (own3, own4) = (r3 * r3 * inverse, r4 * r4 * inverse);
+
+        let w3 = -across4 * w2;
+        let w4 = -across3 * w2;
 
         let (w2_2, w3_2, w4_2) = (w2 * w2, w3 * w3, w4 * w4);
-        let kx = x4 * w4_2 - x3 * w3_2 - x2 * w2_2 - y2 * a2;
-        let ky = y4 * w4_2 - y3 * w3_2 - y2 * w2_2 + x2 * a2;
-        let a3 = inverse * (kx * x4 + ky * y4);
-        let a4 = inverse * (kx * x3 + ky * y3);
+        let a3 = own4 * w4_2 - between * w3_2 - along4 * w2_2 - across4 * a2;
+        let a4 = between * w4_2 - own3 * w3_2 - along3 * w2_2 - across3 * a2;
 
         let (p2, p3, p4) = (w2 * a2, w3 * a3, w4 * a4);
-        let (q2, q3, q4) = (j2 - w2 * w2_2, w3 * w3_2, w4 * w4_2);
-        let kx = 3.0 * (x4 * p4 - x3 * p3 - x2 * p2) - y2 * q2 + y3 * q3 - y4 * q4;
-        let ky = 3.0 * (y4 * p4 - y3 * p3 - y2 * p2) + x2 * q2 - x3 * q3 + x4 * q4;
-        let j3 = inverse * (kx * x4 + ky * y4);
-        let j4 = inverse * (kx * x3 + ky * y3);
+        let q2 = j2 - w2 * w2_2;
+        let j3 = 3.0 * (own4 * p4 - between * p3 - along4 * p2) - across4 * q2 + w3 * w3_2;
+        let j4 = 3.0 * (between * p4 - own3 * p3 - along3 * p2) - across3 * q2 + w4 * w4_2;
 
         let (p2, q2) = bell(w2, w2_2, a2, j2);
         let (p3, q3) = bell(w3, w3_2, a3, j3);
         let (p4, q4) = bell(w4, w4_2, a4, j4);
         let q2 = s2 - q2;
-        let kx = x2 * p2 + x3 * p3 - x4 * p4 - y2 * q2 + y3 * q3 - y4 * q4;
-        let ky = y2 * p2 + y3 * p3 - y4 * p4 + x2 * q2 - x3 * q3 + x4 * q4;
-        let s3 = inverse * (kx * x4 + ky * y4);
-        let s4 = inverse * (kx * x3 + ky * y3);
+        let s3 = along4 * p2 + between * p3 - own4 * p4 - across4 * q2 + q3;
+        let s4 = along3 * p2 + own3 * p3 - between * p4 - across3 * q2 + q4;
 
         Some(([[x3, y3], [x4, y4]], [[w3, a3, j3, s3], [w4, a4, j4, s4]]))
     }
