@@ -39,6 +39,7 @@
 //! |---|---|
 //! | the language of declarations | [`mechanism!`] |
 //! | a value with its time derivatives | [`Motion`] |
+//! | an angle as a unit vector, without an arctangent | [`Direction`] |
 //! | how the path of a point bends | [`Motion`], the methods of points |
 //! | the instant centre of a link | [`LinkMotion`] |
 //! | a picture of the mechanism | [`Skeleton`] |
@@ -83,6 +84,7 @@ pub mod batch;
 pub mod continuation;
 #[cfg(feature = "std")]
 pub mod count;
+mod direction;
 mod elementary;
 mod error;
 mod figures;
@@ -114,6 +116,7 @@ pub mod verify;
 
 pub use assemblies::{Assemblies, Choices};
 pub use assembly::Assembly;
+pub use direction::Direction;
 pub use error::{Failure, SolveError};
 pub use inputs::InputValues;
 pub use link::LinkMotion;
@@ -294,7 +297,8 @@ pub mod prelude {
     // Of this name only the macro is public, the module is not.
     pub use crate::mechanism;
     pub use crate::{
-        Assembly, Failure, Mechanism, Motion, Near, Partials, Plane, Pose, Row, Scalar, Sensitive, SolveError, Space,
+        Assembly, Direction, Failure, Mechanism, Motion, Near, Partials, Plane, Pose, Row, Scalar, Sensitive,
+        SolveError, Space,
     };
 }
 
@@ -305,9 +309,9 @@ pub mod __private {
     pub use crate::__in_parallel as in_parallel;
     pub use crate::assemblies::every;
     pub use crate::{
-        Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Failure, Guess, InputValues, Mechanism,
-        Motion, Near, Operations, Partials, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Sensitive, Skeleton,
-        SolveError, Space, TrackErrorOf, TransmissionAngle, batch, continuation, series, solve, track,
+        Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Direction, Failure, Guess, InputValues,
+        Mechanism, Motion, Near, Operations, Partials, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Sensitive,
+        Skeleton, SolveError, Space, TrackErrorOf, TransmissionAngle, batch, continuation, series, solve, track,
     };
     pub use core;
     pub use kin_macros::mechanism_in;

@@ -240,13 +240,13 @@ impl<M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'_, M, G> {
     #[inline(never)]
     fn settle<P: Columns<C>, C: Target>(&self, index: usize, poses: &mut P) -> Result<(), SolveError> {
         let (inputs, result) = self.solve_one(index);
-        let numbers = result.map(|pose| (pose.unknown_motions(), pose.output_motions()));
+        let numbers = result.map(|pose| (pose.unknown_columns(), pose.output_motions()));
         poses.each(&mut Filing {
             index,
             inputs: inputs.as_ref(),
             numbers: numbers
                 .as_ref()
-                .map(|(unknowns, outputs)| (unknowns.as_ref(), outputs.as_ref()))
+                .map(|((unknowns, sines), outputs)| (unknowns.as_ref(), sines.as_ref(), outputs.as_ref()))
                 .ok(),
         });
         numbers.map(|_| ())
@@ -265,7 +265,7 @@ impl<M: Mechanism, C: Target> Visitor<'_, C> for Lengths<M> {
         let description = M::DESCRIPTION;
         let quantity = match place {
             Place::Input(index, _) => &description.inputs[index],
-            Place::Unknown(index, _) => &description.unknowns[index],
+            Place::Unknown(index, _) | Place::Sine(index) => &description.unknowns[index],
             Place::Output(index, _) => &description.outputs[index],
         };
         let length = there.slice().map(|slice| slice.len());
@@ -283,8 +283,8 @@ impl<M: Mechanism, C: Target> Visitor<'_, C> for Lengths<M> {
 struct Filing<'r, R> {
     index: usize,
     inputs: &'r [R],
-    /// Unknowns and outputs.
-    numbers: Option<(&'r [R], &'r [R])>,
+    /// Unknowns, their sines where they are directions, and outputs.
+    numbers: Option<(&'r [R], &'r [Option<f64>], &'r [R])>,
 }
 
 impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
@@ -294,8 +294,9 @@ impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
         };
         *entry = match (place, self.numbers) {
             (Place::Input(input, order), _) => self.inputs[input].as_ref()[order],
-            (Place::Unknown(unknown, order), Some((unknowns, _))) => unknowns[unknown].as_ref()[order],
-            (Place::Output(output, order), Some((_, outputs))) => outputs[output].as_ref()[order],
+            (Place::Unknown(unknown, order), Some((unknowns, ..))) => unknowns[unknown].as_ref()[order],
+            (Place::Sine(unknown), Some((_, sines, _))) => sines[unknown].unwrap_or(f64::NAN),
+            (Place::Output(output, order), Some((.., outputs))) => outputs[output].as_ref()[order],
             (_, None) => f64::NAN,
         };
     }
@@ -306,6 +307,7 @@ struct Storing<'r, R, const W: usize, const FUSED: bool> {
     start: usize,
     inputs: &'r [R],
     unknowns: &'r [R],
+    sines: &'r [Option<Lanes<W, FUSED>>],
     outputs: &'r [R],
 }
 
@@ -317,14 +319,15 @@ impl<R: Row<Lanes<W, FUSED>>, C: Target, const W: usize, const FUSED: bool> Visi
         let Some(slice) = there.slice() else {
             return;
         };
-        let (motions, index, order) = match place {
-            Place::Input(index, order) => (self.inputs, index, order),
-            Place::Unknown(index, order) => (self.unknowns, index, order),
-            Place::Output(index, order) => (self.outputs, index, order),
+        let found = match place {
+            Place::Input(index, order) => self.inputs[index].as_ref()[order],
+            Place::Unknown(index, order) => self.unknowns[index].as_ref()[order],
+            Place::Sine(index) => self.sines[index].unwrap_or(Lanes([f64::NAN; W])),
+            Place::Output(index, order) => self.outputs[index].as_ref()[order],
         };
         // All targets are long enough, and the compiler does not know.
         if let Some(slice) = slice.get_mut(self.start..).and_then(<[f64]>::first_chunk_mut) {
-            *slice = motions[index].as_ref()[order].0;
+            *slice = found.0;
         }
     }
 }
@@ -393,13 +396,16 @@ where
             };
             let mut sum = Lanes([f64::NAN; W]);
             if let Ok(pose) = problem.guide.solve_chunk(&chunk, start) {
-                let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
+                let ((unknowns, sines), outputs) = (pose.unknown_columns(), pose.output_motions());
                 // Finite if, and only if, all of them are, unless the sum itself goes beyond the range.
                 sum = Lanes::constant(0.0);
                 for motion in unknowns.as_ref() {
                     for entry in motion.as_ref() {
                         sum = sum + *entry;
                     }
+                }
+                for sine in sines.as_ref().iter().flatten() {
+                    sum = sum + *sine;
                 }
                 for motion in outputs.as_ref() {
                     for entry in motion.as_ref() {
@@ -410,6 +416,7 @@ where
                     start,
                     inputs: inputs.as_ref(),
                     unknowns: unknowns.as_ref(),
+                    sines: sines.as_ref(),
                     outputs: outputs.as_ref(),
                 });
             }

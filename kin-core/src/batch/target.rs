@@ -1,6 +1,6 @@
 //! Where the motions of a batch go.
 
-use crate::{Motion, Plane, Space};
+use crate::{Direction, Motion, Plane, Space};
 
 /// A place for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
 pub trait Target {
@@ -42,8 +42,10 @@ impl<C: Target> Target for Option<C> {
 pub enum Place {
     /// The derivative of an order of an input.
     Input(usize, usize),
-    /// The derivative of an order of an unknown.
+    /// The derivative of an order of an unknown; of a direction, the cosine at order 0.
     Unknown(usize, usize),
+    /// The sine of an unknown that is a direction.
+    Sine(usize),
     /// The derivative of an order of a scalar output.
     Output(usize, usize),
 }
@@ -87,6 +89,26 @@ impl<C, const N: usize> MotionColumns<C> for Motion<C, N> {
     {
         for (order, entry) in self.as_mut().iter_mut().enumerate() {
             visitor.visit(place(first, order), entry);
+        }
+    }
+}
+
+/// Directions are of unknowns alone, which count as one each.
+impl<C, const N: usize> MotionColumns<C> for Direction<C, N> {
+    fn filled(fill: &mut impl FnMut() -> C) -> Self {
+        Self::new(Plane::new(fill(), fill()), core::array::from_fn(|_| fill()))
+    }
+
+    #[inline(always)]
+    fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
+    where
+        C: 'a,
+    {
+        let (unit, rates) = self.parts_mut();
+        visitor.visit(place(first, 0), &mut unit.x);
+        visitor.visit(Place::Sine(first), &mut unit.y);
+        for (below, entry) in rates.iter_mut().enumerate() {
+            visitor.visit(place(first, below + 1), entry);
         }
     }
 }

@@ -128,7 +128,8 @@ fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
 #[derive(Clone, Copy)]
 struct Station<M: Mechanism> {
     point: Point<M>,
-    pose: M::Pose,
+    /// The unknowns through all orders, angles on the turns that they have come to.
+    motions: M::Unknowns<M::Motion<f64>>,
     sides: Sides<M>,
 }
 
@@ -238,7 +239,8 @@ fn station<M: Mechanism<Scalar = f64>>(
         .mechanism
         .solve_motion_near(path.motions(travel), near)
         .map_err(Missing::Unsolved)?;
-    let motions = pose.unknown_motions();
+    let turns = Row::from_fn(|index| near.as_ref()[index]);
+    let motions = pose.unknown_motions_near(turns);
     let point = Point {
         unknowns: M::Unknowns::from_fn(|index| motions.as_ref()[index].as_ref()[0]),
         travel,
@@ -246,7 +248,7 @@ fn station<M: Mechanism<Scalar = f64>>(
     let linear: Linear<M> = path.linearise(&point).ok_or(Missing::Elsewhere)?;
     Ok(Station {
         point,
-        pose,
+        motions,
         sides: Sides::of(&linear),
     })
 }
@@ -298,7 +300,7 @@ fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, path: &Path<M>, there: &Statio
 
 /// The first derivatives by the travel, in sizes.
 fn rates<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> M::Unknowns<f64> {
-    let motions = here.pose.unknown_motions();
+    let motions = here.motions;
     M::Unknowns::from_fn(|index| {
         let rate = motions.as_ref()[index].as_ref().get(1).copied().unwrap_or(0.0);
         rate / path.sizes.as_ref()[index]
@@ -311,7 +313,7 @@ fn predicted<M: Mechanism<Scalar = f64>>(
     here: &Station<M>,
     step: f64,
 ) -> (M::Unknowns<f64>, M::Unknowns<f64>) {
-    let motions = here.pose.unknown_motions();
+    let motions = here.motions;
     let series = |index: usize, lowest: usize| {
         // Horner's scheme for the sum of derivative · stepⁿ / n!.
         let derivatives = &motions.as_ref()[index].as_ref()[lowest..];
@@ -331,7 +333,7 @@ fn predicted<M: Mechanism<Scalar = f64>>(
 /// The step at the end of which the last two terms of the series are small. The first order is straight and does not
 /// count; a series that has no other is left to the comparison with what is found.
 fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64 {
-    let motions = here.pose.unknown_motions();
+    let motions = here.motions;
     let mut step = f64::INFINITY;
     for (motion, size) in motions.as_ref().iter().zip(path.sizes.as_ref()) {
         let derivatives = motion.as_ref();
