@@ -1,13 +1,13 @@
 //! The whole way from a declaration to a solver, on one page.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::assemble::{Limits, Names};
 use crate::expr::{Graph, Node, Symbol};
-use crate::model::{Model, Request, Requested, Shape};
+use crate::model::{Dimension, Model, Request, Requested, Shape};
 use crate::passes::Passes;
 use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests};
 use crate::report::Report;
@@ -46,6 +46,7 @@ pub(crate) struct Solvable {
     residuals: Vec<Node>,
     blocks: Vec<Block>,
     ranges: BTreeMap<usize, Limits>,
+    directions: BTreeSet<usize>,
     outputs: Vec<Node>,
     names: Names,
 }
@@ -69,6 +70,7 @@ fn solvable(declaration: &Declaration, report: &mut Report) -> Option<Solvable> 
     }
     Some(Solvable {
         ranges: ranges(&model),
+        directions: directions(&model),
         outputs: model.outputs.iter().flat_map(|output| output.value.nodes()).collect(),
         names: names(&model),
         model,
@@ -86,6 +88,7 @@ impl Solvable {
             residuals: &self.residuals,
             blocks: &self.blocks,
             ranges: &self.ranges,
+            directions: &self.directions,
             outputs: &self.outputs,
             inputs: self.model.inputs.len(),
             order: self.model.order,
@@ -164,6 +167,13 @@ fn ranges(model: &Model) -> BTreeMap<usize, Limits> {
                 },
             ))
         })
+        .collect()
+}
+
+/// The unknowns that are found as unit vectors.
+fn directions(model: &Model) -> BTreeSet<usize> {
+    (0..model.unknowns.len())
+        .filter(|&unknown| model.unknowns[unknown].dimension == Dimension::Direction)
         .collect()
 }
 

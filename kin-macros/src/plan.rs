@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::assemble::{self, Choice, Limits, Mode, Names, Program, Stage, Step};
+use crate::assemble::{self, Choice, Directions, Limits, Mode, Names, Program, Stage, Step};
 use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::passes::{Pass, Passes};
@@ -28,6 +28,8 @@ pub(crate) struct Task<'a> {
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
     pub(crate) ranges: &'a BTreeMap<usize, Limits>,
+    /// The unknown angles that are handed out as unit vectors.
+    pub(crate) directions: &'a BTreeSet<usize>,
     /// The scalar parts of the outputs.
     pub(crate) outputs: &'a [Node],
     pub(crate) inputs: usize,
@@ -45,6 +47,8 @@ pub(crate) struct Plan {
     pub(crate) graph: Graph,
     pub(crate) choices: Vec<Choice>,
     pub(crate) names: Names,
+    /// The unknowns that are handed out as unit vectors.
+    pub(crate) directions: Directions,
     pub(crate) scheduled: Scheduled,
     /// The partial derivatives by the parameters, if they were asked for: what follows the highest order.
     pub(crate) sensitivities: Option<ScheduledStage>,
@@ -145,6 +149,7 @@ fn every(task: &Task<'_>) -> Option<ScheduledStage> {
     let program = Program {
         stages: vec![stage],
         names,
+        directions: Directions::default(),
         has_sensitivities: false,
     };
     let style = Style {
@@ -209,8 +214,13 @@ impl Candidate {
     }
 
     fn finish(mut self, every: Option<ScheduledStage>) -> Plan {
-        let names = self.program.names;
-        let sensitivities = if self.program.has_sensitivities {
+        let Program {
+            names,
+            directions,
+            has_sensitivities,
+            ..
+        } = self.program;
+        let sensitivities = if has_sensitivities {
             self.scheduled.stages.pop()
         } else {
             None
@@ -220,6 +230,7 @@ impl Candidate {
             graph: self.graph,
             choices: self.choices,
             names,
+            directions,
             scheduled: self.scheduled,
             sensitivities,
             orientations,
@@ -272,6 +283,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     );
     let mut units = assembled.units;
     let mut stages = vec![assembled.stage];
+    let directions = Directions::define(&mut graph, &mut names, &mut units, task.directions, &mut stages[0]);
     for (index, &output) in task.outputs.iter().enumerate() {
         let node = units.rewrite(&mut graph, output);
         stages[0].steps.push(Step::Define {
@@ -279,6 +291,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
             node,
         });
     }
+    directions.leave_angles(&mut graph, &mut units, &mut stages[0]);
     for order in 1..=order {
         let mut steps = Vec::new();
         for rate in &derivatives.orders[order - 1] {
@@ -348,9 +361,11 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     stages[0]
         .steps
         .extend(checks.into_iter().map(|node| Step::Regular { node }));
+    directions.drop_idle(&mut graph, &mut stages, task.ranges);
     let program = Program {
         stages,
         names,
+        directions,
         has_sensitivities: !sensitivities.is_empty(),
     };
     let style = Style {
@@ -420,6 +435,7 @@ fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> Schedul
     let program = Program {
         stages: vec![Stage { steps }],
         names,
+        directions: Directions::default(),
         has_sensitivities: false,
     };
     let mut scheduled = schedule(

@@ -5,6 +5,7 @@
 
 mod blocks;
 mod choice;
+mod directions;
 mod loops;
 mod newton;
 mod program;
@@ -13,6 +14,7 @@ mod transmission;
 mod units;
 
 pub(crate) use blocks::{assemble, assemble_every};
+pub(crate) use directions::{Directions, UnitPart};
 pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
 pub(crate) use solver::{Argument, Cost, Returns, Shape, Solver};
 pub(crate) use transmission::{Dyad, dyads};

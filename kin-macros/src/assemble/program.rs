@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::directions::Directions;
 use super::solver::{Argument, Solver};
 use crate::expr::{Node, Symbol};
 
@@ -112,6 +113,8 @@ pub(crate) struct Stage {
 pub(crate) struct Program {
     pub(crate) stages: Vec<Stage>,
     pub(crate) names: Names,
+    /// The unknowns that are handed out as unit vectors.
+    pub(crate) directions: Directions,
     /// Whether the last stage is that of the sensitivities, a method of the mechanism, as the position is.
     pub(crate) has_sensitivities: bool,
 }

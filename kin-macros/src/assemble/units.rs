@@ -15,6 +15,8 @@ pub(crate) struct Units {
     directions: BTreeMap<Node, Complex>,
     /// Unknown angles that are linear expressions of others.
     combinations: BTreeMap<Node, Node>,
+    /// Angles that are known by another name from here on.
+    renamed: BTreeMap<Node, Node>,
     rewritten: BTreeMap<Node, Node>,
 }
 
@@ -25,6 +27,7 @@ impl Units {
             passes,
             directions: BTreeMap::new(),
             combinations: BTreeMap::new(),
+            renamed: BTreeMap::new(),
             rewritten: BTreeMap::new(),
         }
     }
@@ -43,13 +46,20 @@ impl Units {
         self.rewritten.clear();
     }
 
+    /// From now on this value is read where that of an angle stands outside of sines and cosines.
+    pub(crate) fn rename(&mut self, angle: Node, value: Node) {
+        self.renamed.insert(angle, value);
+        self.rewritten.clear();
+    }
+
     /// An expression without a sine or cosine of an unknown whose direction is known.
     pub(crate) fn rewrite(&mut self, graph: &mut Graph, node: Node) -> Node {
         if let Some(&known) = self.rewritten.get(&node) {
             return known;
         }
         let result = match graph.term(node).clone() {
-            Term::Number(_) | Term::Pi | Term::Symbol(_) => node,
+            Term::Number(_) | Term::Pi => node,
+            Term::Symbol(_) => self.renamed.get(&node).copied().unwrap_or(node),
             Term::Sum(constant, terms) => {
                 let terms: Vec<(Node, f64)> = terms
                     .into_iter()

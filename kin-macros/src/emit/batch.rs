@@ -20,23 +20,25 @@ pub(super) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
         " The motions of many poses of a [`{}`], with a column in the place of each number.",
         model.name
     );
-    let scalars = model
+    let inputs = model
         .inputs
         .iter()
-        .map(|input| &input.name)
-        .chain(model.unknowns.iter().map(|unknown| &unknown.name))
-        .map(|name| (name, quote!(Place)));
-    let outputs = model.outputs.iter().map(|output| {
+        .map(|input| (&input.name, quote!(#runtime::Motion<Place, #length>)));
+    let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
         (
-            &output.name,
-            mechanism.output_type(output.value.shape(), &quote!(Place)),
+            &unknown.name,
+            mechanism.unknown_type(index, mechanism.order(), &quote!(Place)),
         )
     });
-    let fields = scalars.chain(outputs).map(|(name, kind)| {
+    let outputs = model.outputs.iter().map(|output| {
+        let kind = mechanism.output_type(output.value.shape(), &quote!(Place));
+        (&output.name, quote!(#runtime::Motion<#kind, #length>))
+    });
+    let fields = inputs.chain(unknowns).chain(outputs).map(|(name, kind)| {
         let line = format!(" As in [`{}`].", mechanism.pose(mechanism.order()));
         quote! {
             #[doc = #line]
-            pub #name: #runtime::Motion<#kind, #length>
+            pub #name: #kind
         }
     });
     quote! {

@@ -145,6 +145,7 @@ pub(super) const fn unit(dimension: Dimension) -> &'static str {
     match dimension {
         Dimension::Length => "length, in the mechanism's unit",
         Dimension::Angle => "angle, in radians",
+        Dimension::Direction => "angle as a unit vector, its rates in radians",
         Dimension::Scalar => "number",
         Dimension::Point | Dimension::Point3 => "point, in the mechanism's unit of length",
         Dimension::Vector | Dimension::Vector3 => "vector, in the mechanism's unit of length",

@@ -90,7 +90,21 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         quote!(self.assembly_at(#(#places,)* #near))
     };
     let description = description(mechanism);
-    let unknown_fields = model.unknowns.iter().map(|unknown| &unknown.name);
+    let unknown_motions = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let field = &unknown.name;
+        if mechanism.is_direction(index) {
+            quote!(self.#field.motion())
+        } else {
+            quote!(self.#field)
+        }
+    });
+    let directions = directions(mechanism);
+    let position_near = quote!(self.position_near(#(#places,)* #near));
+    let unknowns_near = if mechanism.has_directions() {
+        quote!(#position_near.map(|position| position.unknowns_near(#near)))
+    } else {
+        quote!(#position_near.map(|position| position.unknowns()))
+    };
     let output_fields = model.outputs.iter().map(|output| {
         let field = &output.name;
         let axes = output.value.shape().axes();
@@ -197,7 +211,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #inputs: [T; #input_count],
                 #near: [T; #unknown_count],
             ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
-                self.position_near(#(#places,)* #near).map(|position| position.unknowns())
+                #unknowns_near
             }
 
             fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
@@ -213,12 +227,49 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             type Outputs<Element: ::core::marker::Copy> = [Element; #output_count];
 
             fn unknown_motions(&self) -> [#runtime::Motion<T, #length>; #unknown_count] {
-                [#(self.#unknown_fields),*]
+                [#(#unknown_motions),*]
             }
+
+            #directions
 
             fn output_motions(&self) -> [#runtime::Motion<T, #length>; #output_count] {
                 [#(#output_fields),*]
             }
+        }
+    }
+}
+
+/// What a pose tells of unknowns that it holds as unit vectors.
+fn directions(mechanism: &Mechanism<'_>) -> TokenStream {
+    if !mechanism.has_directions() {
+        return TokenStream::new();
+    }
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let [length, count] = [mechanism.order() + 1, model.unknowns.len()].map(Literal::usize_unsuffixed);
+    let near = local("near");
+    let (mut motions_near, mut columns, mut sines) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, unknown) in model.unknowns.iter().enumerate() {
+        let (field, place) = (&unknown.name, Literal::usize_unsuffixed(index));
+        if mechanism.is_direction(index) {
+            motions_near.push(quote!(self.#field.motion_near(#near[#place])));
+            columns.push(quote!(self.#field.cosine_and_rates()));
+            sines.push(quote!(::core::option::Option::Some(self.#field.sine())));
+        } else {
+            motions_near.push(quote!(self.#field));
+            columns.push(quote!(self.#field));
+            sines.push(quote!(::core::option::Option::None));
+        }
+    }
+    quote! {
+        fn unknown_motions_near(&self, #near: [T; #count]) -> [#runtime::Motion<T, #length>; #count] {
+            [#(#motions_near),*]
+        }
+
+        #[inline(always)]
+        fn unknown_columns(
+            &self,
+        ) -> ([#runtime::Motion<T, #length>; #count], [::core::option::Option<T>; #count]) {
+            ([#(#columns),*], [#(#sines),*])
         }
     }
 }
@@ -291,7 +342,7 @@ fn quantity(runtime: &TokenStream, name: &str, dimension: Dimension, attributes:
         Dimension::Length | Dimension::Point | Dimension::Vector | Dimension::Point3 | Dimension::Vector3 => {
             local("Length").into_token_stream()
         }
-        Dimension::Angle => local("Angle").into_token_stream(),
+        Dimension::Angle | Dimension::Direction => local("Angle").into_token_stream(),
         Dimension::Scalar => local("Scalar").into_token_stream(),
     };
     let text = first_paragraph(attributes);

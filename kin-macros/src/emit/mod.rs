@@ -21,7 +21,7 @@ mod track;
 mod transmission;
 mod values;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::assemble::{Limits, Mode};
@@ -190,6 +190,28 @@ impl Mechanism<'_> {
             .iter()
             .map(|input| local(&input.name.to_string()))
             .collect()
+    }
+
+    /// Whether an unknown is handed out as a unit vector.
+    fn is_direction(&self, unknown: usize) -> bool {
+        self.model.unknowns[unknown].dimension == Dimension::Direction
+    }
+
+    /// Whether any is.
+    fn has_directions(&self) -> bool {
+        (0..self.model.unknowns.len()).any(|unknown| self.is_direction(unknown))
+    }
+
+    /// What holds an unknown through an order: `Motion<T, 5>`, or `Direction<T, 4>`.
+    fn unknown_type(&self, unknown: usize, order: usize, number: &TokenStream) -> TokenStream {
+        let runtime = self.runtime;
+        if self.is_direction(unknown) {
+            let rates = Literal::usize_unsuffixed(order);
+            quote!(#runtime::Direction<#number, #rates>)
+        } else {
+            let length = Literal::usize_unsuffixed(order + 1);
+            quote!(#runtime::Motion<#number, #length>)
+        }
     }
 
     /// For each output, its scalar parts' numbers.

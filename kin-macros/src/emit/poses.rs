@@ -53,9 +53,10 @@ fn structure(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
         let name = &unknown.name;
         let documentation = documented(&unknown.documentation, &mechanism.unknown_line(index));
+        let kind = mechanism.unknown_type(index, order, &quote!(T));
         quote! {
             #documentation
-            pub #name: #runtime::Motion<T, #length>
+            pub #name: #kind
         }
     });
     let outputs = model.outputs.iter().map(|output| {
@@ -100,10 +101,15 @@ fn methods(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let (name, attributes) = (mechanism.pose(order), attributes());
     let count = Literal::usize_unsuffixed(model.unknowns.len());
-    let values = model.unknowns.iter().map(|unknown| {
+    let values = model.unknowns.iter().enumerate().map(|(index, unknown)| {
         let name = &unknown.name;
-        quote!(self.#name.position())
+        if mechanism.is_direction(index) {
+            quote!(self.#name.angle())
+        } else {
+            quote!(self.#name.position())
+        }
     });
+    let values_near = values_near(mechanism);
     let unknown_line = format!(
         " The values of the unknowns, `[{}]`, as `position_near` takes them.",
         mechanism.unknown_order()
@@ -116,6 +122,34 @@ fn methods(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
             pub fn unknowns(&self) -> [T; #count] {
                 [#(#values),*]
             }
+
+            #values_near
+        }
+    }
+}
+
+/// `unknowns_near`: the angles of directions on the turns that are wanted.
+fn values_near(mechanism: &Mechanism<'_>) -> TokenStream {
+    if !mechanism.has_directions() {
+        return TokenStream::new();
+    }
+    let model = mechanism.model;
+    let count = Literal::usize_unsuffixed(model.unknowns.len());
+    let near = local("near");
+    let values = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let name = &unknown.name;
+        if mechanism.is_direction(index) {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(self.#name.angle_near(#near[#index]))
+        } else {
+            quote!(self.#name.position())
+        }
+    });
+    quote! {
+        /// As `unknowns`, the angles of directions on the turns nearest to given values of the unknowns.
+        #[must_use]
+        pub fn unknowns_near(&self, #near: [T; #count]) -> [T; #count] {
+            [#(#values),*]
         }
     }
 }

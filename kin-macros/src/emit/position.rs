@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::declaration::vector_type;
 use super::{Mechanism, attributes, local};
+use crate::assemble::UnitPart;
 use crate::expr::Symbol;
 use crate::model::Value;
 
@@ -132,7 +133,13 @@ fn result(mechanism: &Mechanism<'_>) -> TokenStream {
         quote!(#name: #runtime::Motion::new([#value]))
     });
     let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
-        let (name, value) = (&unknown.name, mechanism.name_of(Symbol::Unknown(index)));
+        let name = &unknown.name;
+        let part = |part| mechanism.plan.directions.part(index, part);
+        if let (Some(cosine), Some(sine)) = (part(UnitPart::Cosine), part(UnitPart::Sine)) {
+            let [cosine, sine] = [cosine, sine].map(|symbol| mechanism.name_of(symbol));
+            return quote!(#name: #runtime::Direction::new(#runtime::Plane::new(#cosine, #sine), []));
+        }
+        let value = mechanism.name_of(Symbol::Unknown(index));
         quote!(#name: #runtime::Motion::new([#value]))
     });
     let outputs = model

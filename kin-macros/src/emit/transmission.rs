@@ -6,7 +6,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{Mechanism, attributes, local, values};
-use crate::assemble::{Dyad, Program, Stage, Step, dyads};
+use crate::assemble::{Directions, Dyad, Program, Stage, Step, dyads};
 use crate::expr::{Node, Symbol};
 use crate::passes::Passes;
 use crate::schedule::{ScheduledStage, Statement, Style, schedule};
@@ -81,6 +81,7 @@ fn program(mechanism: &Mechanism<'_>) -> (Vec<(Dyad, [String; 2])>, ScheduledSta
     let program = Program {
         stages: vec![Stage { steps }],
         names,
+        directions: Directions::default(),
         has_sensitivities: false,
     };
     let style = Style {

@@ -130,7 +130,7 @@ impl Dimension {
     fn exponent(self) -> Exponent {
         match self {
             Self::Length | Self::Point | Self::Vector | Self::Point3 | Self::Vector3 => Exponent::LENGTH,
-            Self::Angle | Self::Scalar => Exponent::NUMBER,
+            Self::Angle | Self::Direction | Self::Scalar => Exponent::NUMBER,
         }
     }
 

@@ -35,6 +35,11 @@ pub(super) fn hand_on(scheduled: &mut Scheduled, program: &Program) {
                         symbols[stage].insert(symbol);
                         continue;
                     }
+                    // the pose tells cosine and sine of a direction as well
+                    Some(symbol @ Symbol::Step(_)) if stage > 0 && program.directions.meaning(symbol).is_some() => {
+                        symbols[stage].insert(symbol);
+                        continue;
+                    }
                     Some(symbol @ (Symbol::InputRate(_, order) | Symbol::UnknownRate(_, order))) => {
                         if stage > order || matches!(symbol, Symbol::InputRate(..)) {
                             symbols[stage].insert(symbol);

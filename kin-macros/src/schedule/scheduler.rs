@@ -7,7 +7,7 @@ use super::operation::{Operation, Operations, Value};
 use super::rows::Rows;
 use super::share;
 use super::statement::{Expression, Scheduled, ScheduledStage, Statement};
-use crate::assemble::{Argument, Cost, Mode, Names, Program, Solver, Stage, Step};
+use crate::assemble::{Argument, Cost, Directions, Mode, Names, Program, Solver, Stage, Step};
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
 use crate::passes::{Pass, Passes};
@@ -77,6 +77,7 @@ fn iterations(graph: &Graph, program: &Program, passes: Passes) -> BTreeMap<usiz
                 }],
             }],
             names: program.names.clone(),
+            directions: Directions::default(),
             has_sensitivities: false,
         };
         let mut scheduled = schedule(

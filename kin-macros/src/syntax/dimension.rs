@@ -13,6 +13,8 @@ use crate::syntax::Axis;
 pub(crate) enum Dimension {
     Length,
     Angle,
+    /// An angle that is handed out as a unit vector; unknowns alone are.
+    Direction,
     Scalar,
     Point,
     Vector,
@@ -55,9 +57,10 @@ impl Shape {
 }
 
 impl Dimension {
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 8] = [
         Self::Length,
         Self::Angle,
+        Self::Direction,
         Self::Scalar,
         Self::Point,
         Self::Vector,
@@ -70,6 +73,7 @@ impl Dimension {
         match self {
             Self::Length => "Length",
             Self::Angle => "Angle",
+            Self::Direction => "Direction",
             Self::Scalar => "Scalar",
             Self::Point => "Point",
             Self::Vector => "Vector",
@@ -81,10 +85,26 @@ impl Dimension {
     /// What a quantity of it is made of.
     pub(crate) fn shape(self) -> Shape {
         match self {
-            Self::Length | Self::Angle | Self::Scalar => Shape::Scalar,
+            Self::Length | Self::Angle | Self::Direction | Self::Scalar => Shape::Scalar,
             Self::Point | Self::Vector => Shape::Plane,
             Self::Point3 | Self::Vector3 => Shape::Space,
         }
+    }
+
+    /// Reads the dimension of something that is not an unknown: `an input`.
+    pub(crate) fn parse_of(input: ParseStream<'_>, what: &str, name: &Ident) -> Result<Self> {
+        let at = input.span();
+        let dimension = Self::parse(input)?;
+        if dimension == Self::Direction {
+            return Err(syn::Error::new(
+                at,
+                format!(
+                    "only an unknown can be a `Direction`, which is found as a unit vector instead of an angle: declare {what} `{name}` \
+                     an `Angle`"
+                ),
+            ));
+        }
+        Ok(dimension)
     }
 
     /// Reads a dimension, an error at the first token of anything else.
@@ -93,7 +113,7 @@ impl Dimension {
             syn::Error::new(
                 at.span(),
                 format!(
-                    "{word} is not a dimension: write `Length`, `Angle`, `Scalar`, `Point`, `Vector`, `Point3` or `Vector3`{near}"
+                    "{word} is not a dimension: write `Length`, `Angle`, `Direction`, `Scalar`, `Point`, `Vector`, `Point3` or `Vector3`{near}"
                 ),
             )
         };

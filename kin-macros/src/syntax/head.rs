@@ -172,7 +172,7 @@ fn parameter(input: ParseStream<'_>) -> Result<(ParameterField, Option<syn::Erro
 
 fn parameter_dimension(input: ParseStream<'_>, name: &Ident) -> Result<Dimension> {
     dimension_of(input, name, "parameter")?;
-    let dimension = Dimension::parse(input)?;
+    let dimension = Dimension::parse_of(input, "parameter", name)?;
     if input.peek(Token![=]) {
         return Err(input.error("a parameter takes no value here: it is given when the mechanism is made"));
     }

@@ -162,7 +162,11 @@ fn quantity(input: ParseStream<'_>, documentation: Vec<Attribute>, what: &str, s
     let name = name::parse(input, what, start)?;
     head::dimension_of(input, &name, what)?;
     let at = input.span();
-    let dimension = Dimension::parse(input)?;
+    let dimension = if what == "unknown" {
+        Dimension::parse(input)?
+    } else {
+        Dimension::parse_of(input, what, &name)?
+    };
     let parts = dimension.shape().part_names(&name.to_string(), "_");
     if let [first @ .., last] = parts.as_slice()
         && !first.is_empty()
@@ -329,7 +333,7 @@ fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<LetStatement> {
 fn output(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) -> Result<OutputStatement> {
     let name = name::parse(input, "output", start)?;
     head::dimension_of(input, &name, "output")?;
-    let dimension = Dimension::parse(input)?;
+    let dimension = Dimension::parse_of(input, "output", &name)?;
     let value = definition(input, &name, &format!("output {name}: {} = …", dimension.word()))?;
     Ok(OutputStatement {
         documentation,
