@@ -242,12 +242,12 @@ macro_rules! lengths {
     (motions $($length:literal -> $longer:literal: $($entry:ident)*;)+) => {
         $(
             impl<T: Copy> Direction<T, $length> {
-                /// The motion of the angle, where its value is known.
+                /// The motion of the angle, where its value is known: on whatever turn that is.
                 #[inline(always)]
                 #[must_use]
-                fn motion_from(&self, value: T) -> Motion<T, $longer> {
+                pub fn motion_from(&self, angle: T) -> Motion<T, $longer> {
                     let [$($entry),*] = self.rates;
-                    Motion::new([value, $($entry),*])
+                    Motion::new([angle, $($entry),*])
                 }
             }
 
@@ -257,21 +257,6 @@ macro_rules! lengths {
                 #[must_use]
                 pub fn motion(&self) -> Motion<T, $longer> {
                     self.motion_from(self.angle())
-                }
-
-                /// The motion of the angle, its value that which is nearest to a given one.
-                #[inline]
-                #[must_use]
-                pub fn motion_near(&self, near: T) -> Motion<T, $longer> {
-                    self.motion_from(self.angle_near(near))
-                }
-
-                /// The motion of the angle with the cosine in the place of its value.
-                #[doc(hidden)]
-                #[inline(always)]
-                #[must_use]
-                pub fn cosine_and_rates(&self) -> Motion<T, $longer> {
-                    self.motion_from(self.unit.x)
                 }
             }
         )+
@@ -335,7 +320,7 @@ mod tests {
         for order in 0..7 {
             assert_eq!(direction.derivative(order), motion.derivative(order));
         }
-        assert_eq!(direction.cosine_and_rates(), Motion::from([0.0, 1.0, 2.0, 3.0, 4.0]));
+        assert_eq!(direction.motion_from(7.0), Motion::from([7.0, 1.0, 2.0, 3.0, 4.0]));
     }
 
     #[test]
@@ -361,7 +346,7 @@ mod tests {
         let back = Direction::new(Plane::new(-1.0, 0.0), [2.0]);
         assert_eq!(back.angle(), PI);
         assert_eq!(back.angle_near(-2.0), -PI);
-        assert_eq!(back.motion_near(9.0), Motion::from([PI + TAU, 2.0]));
+        assert_eq!(back.motion_from(back.angle_near(9.0)), Motion::from([PI + TAU, 2.0]));
         // a guess that is none
         assert_eq!(back.angle_near(f64::NAN), PI);
     }

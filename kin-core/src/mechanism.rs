@@ -142,11 +142,12 @@ pub trait Pose: Copy + Debug {
 
     /// The unknowns, in the order in which they were declared.
     ///
-    /// The angle of a [`Direction`](crate::Direction) lies in -π ..= π, and is calculated here.
+    /// The angle of a [`Direction`](crate::Direction) is calculated here, in -π ..= π, unless something else in the mechanism
+    /// asked for it.
     fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
-    /// The same, with the angles of directions on the turns nearest to given values of the unknowns: as
-    /// [`solve_motion_near`](Mechanism::solve_motion_near) finds any other angle.
+    /// The same, with the angles that are calculated here on the turns nearest to given values of the unknowns: where
+    /// [`solve_motion_near`](Mechanism::solve_motion_near) brings all others.
     fn unknown_motions_near(&self, near: Self::Unknowns<Self::Scalar>) -> Self::Unknowns<Self::Motion> {
         let _ = near;
         self.unknown_motions()
@@ -154,7 +155,6 @@ pub trait Pose: Copy + Debug {
 
     /// The unknowns as the pose holds them: where one is a direction, its cosine stands in the place of its angle, and its sine
     /// in the second row.
-    #[doc(hidden)]
     #[inline(always)]
     fn unknown_columns(&self) -> (Self::Unknowns<Self::Motion>, Self::Unknowns<Option<Self::Scalar>>) {
         (self.unknown_motions(), Row::from_fn(|_| None))

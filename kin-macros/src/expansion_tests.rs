@@ -70,6 +70,23 @@ fn triad() -> TokenStream {
     }
 }
 
+/// A chain of directions: of two loops, of which one sees the other's, with a rack that asks for an angle.
+fn directions() -> TokenStream {
+    quote! {
+        pub struct Press { r1: Length, r2: Length, r3: Length, r4: Length, rod: Length, pinion: Length }
+        input theta2: Angle;
+        unknown theta3: Direction, theta4: Direction, phi: Direction, s: Length, rack: Length;
+        r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+        r4 * cis(theta4) + rod * cis(phi) == vec2(s, 0);
+        rack == pinion * phi;
+    }
+}
+
+#[test]
+fn directions_expansion() {
+    insta::assert_snapshot!(pretty(&directions()));
+}
+
 #[test]
 fn triad_expansion() {
     insta::assert_snapshot!(pretty(&triad()));
@@ -126,7 +143,13 @@ fn factors_are_shared() {
 fn expansion_is_deterministic() {
     let mut sensitive = quick_return();
     sensitive.extend(quote!(with sensitivities;));
-    for declaration in [four_bar(), geometric_four_bar(), quick_return(), sensitive] {
+    for declaration in [
+        four_bar(),
+        geometric_four_bar(),
+        quick_return(),
+        directions(),
+        sensitive,
+    ] {
         assert_eq!(expand(declaration.clone()).to_string(), expand(declaration).to_string());
     }
 }

@@ -283,7 +283,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
     );
     let mut units = assembled.units;
     let mut stages = vec![assembled.stage];
-    let directions = Directions::define(&mut graph, &mut names, &mut units, task.directions, &mut stages[0]);
+    let mut directions = Directions::define(&mut graph, &mut names, &mut units, task.directions, &mut stages[0]);
     for (index, &output) in task.outputs.iter().enumerate() {
         let node = units.rewrite(&mut graph, output);
         stages[0].steps.push(Step::Define {

@@ -22,7 +22,10 @@ const SAMPLE: usize = 8;
 /// Columns for the motions of any mechanism.
 struct Table {
     inputs: Vec<Vec<Vec<f64>>>,
+    /// With the cosine in the place of the angle where one is a direction.
     unknowns: Vec<Vec<Vec<f64>>>,
+    /// Of every unknown, for whatever is a direction.
+    sines: Vec<Vec<f64>>,
     outputs: Vec<Vec<Vec<f64>>>,
 }
 
@@ -32,6 +35,7 @@ impl Table {
         Self {
             inputs: columns(M::DESCRIPTION.inputs.len()),
             unknowns: columns(M::DESCRIPTION.unknowns.len()),
+            sines: vec![vec![-1.0; poses]; M::DESCRIPTION.unknowns.len()],
             outputs: columns(M::DESCRIPTION.outputs.len()),
         }
     }
@@ -42,6 +46,7 @@ impl Table {
             .into_iter()
             .flatten()
             .flatten()
+            .chain(&self.sines)
             .map(|column| column[index].to_bits())
             .collect()
     }
@@ -63,6 +68,9 @@ impl Columns<Vec<f64>> for Table {
     fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Vec<f64>>) {
         visit(&mut self.inputs, Place::Input, visitor);
         visit(&mut self.unknowns, Place::Unknown, visitor);
+        for (index, column) in self.sines.iter_mut().enumerate() {
+            visitor.visit(Place::Sine(index), column);
+        }
         visit(&mut self.outputs, Place::Output, visitor);
     }
 }
@@ -150,6 +158,9 @@ impl Compare {
                         self.failures += 1;
                         first_failure = first_failure.or(Some((index, error)));
                         assert_eq!(*outcome, Outcome::from(&error), "{name}, pose {index}: {error}");
+                        for column in &table.sines {
+                            assert!(column[index].is_nan(), "{name}, pose {index}");
+                        }
                         for motion in table.unknowns.iter().chain(&table.outputs) {
                             assert!(
                                 motion.iter().all(|column| column[index].is_nan()),
@@ -165,6 +176,7 @@ impl Compare {
 
     fn compare<M: ThroughSnap>(&mut self, poses: &Poses<M>, index: usize, pose: &M::Pose, table: &Table) {
         let unknowns = pose.unknown_motions();
+        let (columns, sines) = pose.unknown_columns();
         let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
         let reference = index.is_multiple_of(SAMPLE).then(|| {
             let position: Vec<f64> = unknowns.as_ref().iter().map(|motion| motion.as_ref()[0]).collect();
@@ -196,13 +208,21 @@ impl Compare {
                 );
                 error
             };
-            for (place, motion) in unknowns.as_ref().iter().enumerate() {
-                let (found, expected) = (table.unknowns[place][order][index], motion.as_ref()[order]);
-                note(found, expected, gauge.unknown(place, order), allowed);
-                if let Some(reference) = &reference {
-                    let unit = f64::EPSILON * reference.conditions[place][order];
-                    let error = note(found, expected, unit, UNITS);
-                    self.worst[order] = self.worst[order].max(error);
+            for (place, motion) in columns.as_ref().iter().enumerate() {
+                let sine = sines.as_ref()[place].filter(|_| order == 0);
+                let pairs = [
+                    Some((table.unknowns[place][order][index], motion.as_ref()[order])),
+                    sine.map(|sine| (table.sines[place][index], sine)),
+                ];
+                // cosine and sine move by no more than the angle, but are rounded where they are near 1
+                let least = if sine.is_some() { f64::EPSILON } else { 0.0 };
+                for (found, expected) in pairs.into_iter().flatten() {
+                    note(found, expected, gauge.unknown(place, order).max(least), allowed);
+                    if let Some(reference) = &reference {
+                        let unit = (f64::EPSILON * reference.conditions[place][order]).max(least);
+                        let error = note(found, expected, unit, UNITS);
+                        self.worst[order] = self.worst[order].max(error);
+                    }
                 }
             }
             for (place, motion) in pose.output_motions().as_ref().iter().enumerate() {

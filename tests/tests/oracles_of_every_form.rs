@@ -39,4 +39,4 @@ macro_rules! groups {
     };
 }
 
-groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges in_space with_outputs library }
+groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges in_space with_outputs as_directions library }

@@ -62,7 +62,7 @@ macro_rules! groups {
     };
 }
 
-groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges with_outputs }
+groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ranges with_outputs as_directions }
 
 /// The library, about the dimensions that are published.
 #[test]

@@ -15,8 +15,10 @@ pub(crate) struct Directions(BTreeMap<usize, Direction>);
 struct Direction {
     cosine: Symbol,
     sine: Symbol,
-    /// The angle itself as later stages know it: the position does not hand it out.
+    /// The angle itself as later stages know it.
     angle: Symbol,
+    /// Whether nothing asks for the angle, so that it is not found at all.
+    is_free: bool,
 }
 
 /// A part of a unit vector that is handed out.
@@ -49,6 +51,7 @@ impl Directions {
                 cosine: part(format!("cos_{name}")),
                 sine: part(format!("sin_{name}")),
                 angle: part(format!("{name}_angle")),
+                is_free: false,
             };
             for (symbol, node) in [(direction.cosine, unit.re), (direction.sine, unit.im)] {
                 position.steps.push(Step::Define { symbol, node });
@@ -70,46 +73,43 @@ impl Directions {
         }
     }
 
-    /// Leaves out the steps that find an angle which nothing asks for: no other step, and no range.
-    pub(crate) fn drop_idle(&self, graph: &mut Graph, stages: &mut [Stage], ranges: &BTreeMap<usize, Limits>) {
-        let mut candidates: BTreeMap<Symbol, Node> = BTreeMap::new();
-        for (&unknown, direction) in &self.0 {
-            candidates.insert(direction.angle, graph.symbol(direction.angle));
-            if !ranges.contains_key(&unknown) {
-                let own = Symbol::Unknown(unknown);
-                candidates.insert(own, graph.symbol(own));
-            }
-        }
-        // without one of them, what it was found from may be idle too
-        while !candidates.is_empty() {
+    /// Leaves out the steps that find an angle which nothing asks for: no range, and no other step. An angle that was not found as
+    /// a direction, but as a number, stays, for it stands as that number in its equation.
+    pub(crate) fn drop_idle(&mut self, graph: &mut Graph, stages: &mut [Stage], ranges: &BTreeMap<usize, Limits>) {
+        for (&unknown, direction) in &mut self.0 {
+            let own = Symbol::Unknown(unknown);
+            let is_own = |step: &Step| matches!(step, Step::Angle { symbol, .. } if *symbol == own);
+            let turns = stages.iter().flat_map(|stage| &stage.steps).any(is_own);
+            let of_angle = graph.symbol(direction.angle);
+            let of_own = graph.symbol(own);
+            let is_name = |step: &Step| matches!(step, Step::Define { symbol, .. } if *symbol == direction.angle);
             let needs: Vec<Node> = stages
                 .iter()
                 .flat_map(|stage| &stage.steps)
+                .filter(|step| !is_name(step))
                 .flat_map(Step::needs)
                 .collect();
             let used = graph.reachable(&needs);
-            let idle: BTreeSet<Symbol> = candidates
-                .iter()
-                .filter(|(_, node)| !used.contains(*node))
-                .map(|(&symbol, _)| symbol)
-                .collect();
-            if idle.is_empty() {
-                return;
+            direction.is_free =
+                turns && !ranges.contains_key(&unknown) && !used.contains(&of_own) && !used.contains(&of_angle);
+            if let (true, Some(position)) = (direction.is_free, stages.first_mut()) {
+                position.steps.retain(|step| {
+                    let is_bound = matches!(step, Step::Bound { unknown: bound, .. } if *bound == unknown);
+                    !(is_own(step) || is_name(step) || is_bound)
+                });
             }
-            candidates.retain(|symbol, _| !idle.contains(symbol));
-            let Some(position) = stages.first_mut() else {
-                return;
-            };
-            let mut dropped = BTreeSet::new();
-            position.steps.retain(|step| match step {
-                Step::Define { symbol, .. } | Step::Angle { symbol, .. } if idle.contains(symbol) => {
-                    dropped.insert(*symbol);
-                    false
-                }
-                Step::Bound { unknown, .. } => !dropped.contains(&Symbol::Unknown(*unknown)),
-                _ => true,
-            });
         }
+    }
+
+    /// The symbol of an angle that is found all the same, `None` if cosine and sine are all there is.
+    pub(crate) fn angle(&self, unknown: usize) -> Option<Symbol> {
+        let direction = self.0.get(&unknown)?;
+        (!direction.is_free).then_some(direction.angle)
+    }
+
+    /// All of them.
+    pub(crate) fn angles(&self) -> impl Iterator<Item = Symbol> + '_ {
+        self.0.keys().filter_map(|&unknown| self.angle(unknown))
     }
 
     /// The symbol of a part of an unknown's unit vector, `None` if it is no direction.

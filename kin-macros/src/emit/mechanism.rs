@@ -93,7 +93,8 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let unknown_motions = model.unknowns.iter().enumerate().map(|(index, unknown)| {
         let field = &unknown.name;
         if mechanism.is_direction(index) {
-            quote!(self.#field.motion())
+            let value = mechanism.unknown_value(index);
+            quote!(self.#field.motion_from(#value))
         } else {
             quote!(self.#field)
         }
@@ -251,8 +252,9 @@ fn directions(mechanism: &Mechanism<'_>) -> TokenStream {
     for (index, unknown) in model.unknowns.iter().enumerate() {
         let (field, place) = (&unknown.name, Literal::usize_unsuffixed(index));
         if mechanism.is_direction(index) {
-            motions_near.push(quote!(self.#field.motion_near(#near[#place])));
-            columns.push(quote!(self.#field.cosine_and_rates()));
+            let value = mechanism.unknown_value_near(index, &quote!(#near[#place]));
+            motions_near.push(quote!(self.#field.motion_from(#value)));
+            columns.push(quote!(self.#field.motion_from(self.#field.cosine())));
             sines.push(quote!(::core::option::Option::Some(self.#field.sine())));
         } else {
             motions_near.push(quote!(self.#field));

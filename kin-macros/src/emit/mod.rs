@@ -202,6 +202,29 @@ impl Mechanism<'_> {
         (0..self.model.unknowns.len()).any(|unknown| self.is_direction(unknown))
     }
 
+    /// An unknown's value, from a pose of any order. That of a direction is calculated, if the pose does not keep it.
+    fn unknown_value(&self, unknown: usize) -> TokenStream {
+        let name = &self.model.unknowns[unknown].name;
+        match (self.is_direction(unknown), self.plan.directions.angle(unknown)) {
+            (false, _) => quote!(self.#name.position()),
+            (true, None) => quote!(self.#name.angle()),
+            (true, Some(angle)) => {
+                let angle = self.name_of(angle);
+                quote!(self.#angle)
+            }
+        }
+    }
+
+    /// The same on the turn nearest to a value, if it is calculated.
+    fn unknown_value_near(&self, unknown: usize, near: &TokenStream) -> TokenStream {
+        let name = &self.model.unknowns[unknown].name;
+        if self.is_direction(unknown) && self.plan.directions.angle(unknown).is_none() {
+            quote!(self.#name.angle_near(#near))
+        } else {
+            self.unknown_value(unknown)
+        }
+    }
+
     /// What holds an unknown through an order: `Motion<T, 5>`, or `Direction<T, 4>`.
     fn unknown_type(&self, unknown: usize, order: usize, number: &TokenStream) -> TokenStream {
         let runtime = self.runtime;

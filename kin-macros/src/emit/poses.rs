@@ -101,14 +101,7 @@ fn methods(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let (name, attributes) = (mechanism.pose(order), attributes());
     let count = Literal::usize_unsuffixed(model.unknowns.len());
-    let values = model.unknowns.iter().enumerate().map(|(index, unknown)| {
-        let name = &unknown.name;
-        if mechanism.is_direction(index) {
-            quote!(self.#name.angle())
-        } else {
-            quote!(self.#name.position())
-        }
-    });
+    let values = (0..model.unknowns.len()).map(|index| mechanism.unknown_value(index));
     let values_near = values_near(mechanism);
     let unknown_line = format!(
         " The values of the unknowns, `[{}]`, as `position_near` takes them.",
@@ -136,17 +129,12 @@ fn values_near(mechanism: &Mechanism<'_>) -> TokenStream {
     let model = mechanism.model;
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let near = local("near");
-    let values = model.unknowns.iter().enumerate().map(|(index, unknown)| {
-        let name = &unknown.name;
-        if mechanism.is_direction(index) {
-            let index = Literal::usize_unsuffixed(index);
-            quote!(self.#name.angle_near(#near[#index]))
-        } else {
-            quote!(self.#name.position())
-        }
+    let values = (0..model.unknowns.len()).map(|index| {
+        let place = Literal::usize_unsuffixed(index);
+        mechanism.unknown_value_near(index, &quote!(#near[#place]))
     });
     quote! {
-        /// As `unknowns`, the angles of directions on the turns nearest to given values of the unknowns.
+        /// As `unknowns`, the angles that are calculated from unit vectors on the turns nearest to given values of the unknowns.
         #[must_use]
         pub fn unknowns_near(&self, #near: [T; #count]) -> [T; #count] {
             [#(#values),*]

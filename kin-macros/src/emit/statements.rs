@@ -9,7 +9,6 @@ use crate::expr::Symbol;
 use crate::function::Function;
 use crate::model::Dimension;
 use crate::schedule::{Expression, ScheduledStage, Statement};
-use crate::structure::{ClosedForm, Part, Solution};
 
 impl Mechanism<'_> {
     /// `let` for the values of earlier stages, positions and rates that a stage reads; `given` are arguments already.
@@ -394,7 +393,6 @@ impl Mechanism<'_> {
         let unknown = (0..self.model.unknowns.len())
             .find(|&index| self.plan.names.of(Symbol::Unknown(index)) == name)
             .map(|index| self.model.unknowns[index].name.to_string());
-        let unknown = unknown.or_else(|| self.guarded_direction(name));
         unknown.or_else(|| {
             self.output_parts()
                 .iter()
@@ -406,23 +404,6 @@ impl Mechanism<'_> {
                         .then(|| output.name.to_string())
                 })
         })
-    }
-
-    /// Where an angle follows from a linear equation and is not computed, cosine and sine are tested in its place. Of every other
-    /// direction a closed form has tested the vector.
-    fn guarded_direction(&self, name: &str) -> Option<String> {
-        let is_linear = |part: &&Part| matches!(part.solution, Solution::Closed(ClosedForm::Linear { .. }));
-        self.parts()
-            .into_iter()
-            .filter(is_linear)
-            .flat_map(|part| &part.unknowns)
-            .find(|&&unknown| {
-                [UnitPart::Cosine, UnitPart::Sine]
-                    .into_iter()
-                    .filter_map(|part| self.plan.directions.part(unknown, part))
-                    .any(|symbol| self.plan.names.of(symbol) == name)
-            })
-            .map(|&unknown| self.model.unknowns[unknown].name.to_string())
     }
 
     fn argument(&self, shape: Shape, parts: &[Expression]) -> TokenStream {

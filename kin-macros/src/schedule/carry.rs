@@ -71,6 +71,17 @@ pub(super) fn hand_on(scheduled: &mut Scheduled, program: &Program) {
             }
         }
     }
+    // an angle that is found beside its unit vector stays with every pose
+    let poses = if program.has_sensitivities { last - 1 } else { last };
+    for angle in program.directions.angles() {
+        for carried in &mut carries[..poses] {
+            carried.insert(Carried {
+                name: program.names.of(angle).to_owned(),
+                parameter: None,
+                factors: None,
+            });
+        }
+    }
     for (stage, scheduled_stage) in scheduled.stages.iter_mut().enumerate() {
         scheduled_stage.uses = std::mem::take(&mut uses[stage]).into_iter().collect();
         scheduled_stage.symbols = std::mem::take(&mut symbols[stage]).into_iter().collect();

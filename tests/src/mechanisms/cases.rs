@@ -4,7 +4,7 @@ use kin_core::library;
 use kin_core::prelude::*;
 
 use super::{
-    dyads, four_bar_typings, inverted_slider_crank_typings, multi_loop, outputs, ranged, scalar_forms,
+    directions, dyads, four_bar_typings, inverted_slider_crank_typings, multi_loop, outputs, ranged, scalar_forms,
     slider_crank_typings, space,
 };
 use crate::random::Random;
@@ -88,6 +88,7 @@ pub fn all(visitor: &mut impl Visitor) {
     ranges(visitor);
     in_space(visitor);
     with_outputs(visitor);
+    as_directions(visitor);
     library(visitor);
 }
 
@@ -246,6 +247,28 @@ groups! {
         FourBarOutputs [90.0, 30.0, 60.0, 45.0, 25.0, 15.0] at [-1.9, 1.9];
         OutputOutsideDomain [1.5] at [1.8, 5.0];
         ClosureOutsideDomain [1.5] at [0.3, 5.0];
+    }
+
+    /// Unknowns that are found as unit vectors.
+    as_directions of directions {
+        DirectedFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedRelative [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedFreudenstein [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedTriangles [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedWithinRange [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedRack [90.0, 30.0, 60.0, 45.0, 10.0] at [-1.9, 1.9];
+        DirectedSliderCrank [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        DirectedByInverseSine [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        DirectedAtSlider [1.0, 3.0, 0.4] at [1.9, 4.1];
+        DirectedLever [2.0, 0.8] at [-3.1, 3.1];
+        DirectedOffsetLever [2.0, 0.8, 0.5] at [-3.1, 3.1];
+        DirectedArm [1.2, 0.9] at [-1.4, 1.4] [-1.3, 1.4];
+        DirectedSeries [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] at [-3.1, 3.1];
+        DirectedGears [1.5, 2.0] at [-3.1, 3.1];
+        DirectedJoint [0.7] at [-3.1, 3.1];
+        DirectedSensitive [90.0, 30.0, 60.0, 45.0, 10.0] at [-1.9, 1.9];
+        DirectedDrive [90.0, 30.0, 60.0, 45.0] at [-3.1, 3.1];
     }
 
     /// The library's mechanisms, with published dimensions where there are any.

@@ -3,6 +3,7 @@
 pub mod cases;
 pub mod chains;
 pub mod coupled;
+pub mod directions;
 pub mod dyads;
 pub mod four_bar_typings;
 pub mod inverted_slider_crank_typings;

@@ -5,6 +5,7 @@ use kin_core::prelude::*;
 
 use super::cases::{Case, ThroughSnap};
 use super::coupled::RelativeDrive;
+use super::directions::{DirectedDrive, DirectedSensitive};
 
 /// A mechanism in double precision, through snap, that knows its sensitivities.
 pub trait SensitiveThroughSnap: ThroughSnap + Sensitive {}
@@ -53,6 +54,8 @@ all! {
     SensitiveRssr [1.0, 3.0, 0.5, 0.8, 0.6, 2.7, 0.9, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
     SensitiveRssp [1.0, 1.5, 0.4, 0.3, 0.6, -0.8, 2.4, 3.0] at [-3.1, 3.1];
     RelativeDrive [90.0, 30.0, 60.0, 45.0] at [-3.1, 3.1];
+    DirectedSensitive [90.0, 30.0, 60.0, 45.0, 10.0] at [-1.9, 1.9];
+    DirectedDrive [90.0, 30.0, 60.0, 45.0] at [-3.1, 3.1];
 }
 
 mechanism! {
