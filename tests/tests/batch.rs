@@ -6,6 +6,7 @@ use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::{self, Case, Inputs, ThroughSnap};
 use kin_tests::mechanisms::coupled::{Built, Kepler, SixCoupled, SixInChain, StephensonThree, Triad};
+use kin_tests::mechanisms::directions::{DirectedKepler, DirectedTriad};
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
 use kin_tests::reference::{Given, solution};
@@ -307,6 +308,12 @@ fn coupled_blocks_in_lanes() {
     let mut compare = Compare::default();
     coupled(&mut compare, 5, SixInChain::built);
     print("SixInChain", &compare);
+    let mut compare = Compare::default();
+    coupled(&mut compare, 6, DirectedTriad::built);
+    print("DirectedTriad", &compare);
+    let mut compare = Compare::default();
+    coupled(&mut compare, 7, DirectedKepler::built);
+    print("DirectedKepler", &compare);
 }
 
 #[test]
@@ -315,6 +322,7 @@ fn mechanisms_of_all_kinds_in_every_assembly() {
     cases::library(&mut compare);
     cases::ranges(&mut compare);
     cases::with_outputs(&mut compare);
+    cases::as_directions(&mut compare);
     let Compare {
         worst,
         poses,
