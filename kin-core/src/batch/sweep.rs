@@ -295,7 +295,7 @@ impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
         *entry = match (place, self.numbers) {
             (Place::Input(input, order), _) => self.inputs[input].as_ref()[order],
             (Place::Unknown(unknown, order), Some((unknowns, ..))) => unknowns[unknown].as_ref()[order],
-            (Place::Sine(unknown), Some((_, sines, _))) => sines[unknown].unwrap_or(f64::NAN),
+            (Place::Sine(unknown), Some((_, sines, _))) => sines[unknown].unwrap_or(*entry),
             (Place::Output(output, order), Some((.., outputs))) => outputs[output].as_ref()[order],
             (_, None) => f64::NAN,
         };
@@ -320,13 +320,14 @@ impl<R: Row<Lanes<W, FUSED>>, C: Target, const W: usize, const FUSED: bool> Visi
             return;
         };
         let found = match place {
-            Place::Input(index, order) => self.inputs[index].as_ref()[order],
-            Place::Unknown(index, order) => self.unknowns[index].as_ref()[order],
-            Place::Sine(index) => self.sines[index].unwrap_or(Lanes([f64::NAN; W])),
-            Place::Output(index, order) => self.outputs[index].as_ref()[order],
+            Place::Input(index, order) => self.inputs[index].as_ref().get(order),
+            Place::Unknown(index, order) => self.unknowns[index].as_ref().get(order),
+            Place::Sine(index) => self.sines[index].as_ref(),
+            Place::Output(index, order) => self.outputs[index].as_ref().get(order),
         };
         // All targets are long enough, and the compiler does not know.
-        if let Some(slice) = slice.get_mut(self.start..).and_then(<[f64]>::first_chunk_mut) {
+        let slice = slice.get_mut(self.start..).and_then(<[f64]>::first_chunk_mut);
+        if let (Some(slice), Some(found)) = (slice, found) {
             *slice = found.0;
         }
     }
