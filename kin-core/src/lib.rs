@@ -142,7 +142,7 @@ pub use transmission::TransmissionAngle;
 /// ```text
 /// declaration = struct statement*
 /// statement   = "input"   NAME ":" scalar ("," NAME ":" scalar)* ";"
-///             | "unknown" NAME ":" scalar range? ("," NAME ":" scalar range?)* ";"
+///             | "unknown" NAME ":" sought range? ("," NAME ":" sought range?)* ";"
 ///             | "let" NAME "=" expression ";"
 ///             | "output" NAME ":" dimension "=" expression ";"
 ///             | "order" "=" INTEGER ";"
@@ -150,6 +150,7 @@ pub use transmission::TransmissionAngle;
 ///             | "with" request ("," request)* ";"
 /// request     = "transmission_angles" | "sensitivities" | "test"
 /// scalar      = "Length" | "Angle" | "Scalar"
+/// sought      = scalar | "Direction"
 /// dimension   = scalar | "Point" | "Vector" | "Point3" | "Vector3"
 /// range       = "where" NAME ("<" | "<=" | ">" | ">=") constant
 ///             | "in" constant (".." | "..=") constant
@@ -159,6 +160,8 @@ pub use transmission::TransmissionAngle;
 ///   `f64` unless said otherwise. Documentation, other attributes and visibility are passed on.
 /// - An equation joins two scalars, or two plane vectors and so counts as two, or two space vectors and so counts as
 ///   three. There are as many scalar equations as unknowns.
+/// - An unknown that is a `Direction` is an angle of which cosine and sine are wanted: it is found as a [`Direction`], without an
+///   arctangent.
 /// - A range tells apart two solutions. Unknowns that have none are told apart by an [`Assembly`].
 /// - The order is that of the highest time derivative, from 1 to 12, and 4, which is snap, if none is given. After snap come
 ///   crackle and pop, then `derivative_7` and so on.

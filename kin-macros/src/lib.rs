@@ -19,7 +19,7 @@
 //!             | "with" request ("," request)* ";"
 //! request     = "transmission_angles" | "sensitivities" | "test"
 //! quantity    = NAME ":" ("Length" | "Angle" | "Scalar")
-//! unknown     = quantity range?
+//! unknown     = NAME ":" ("Length" | "Angle" | "Scalar" | "Direction") range?
 //! range       = "where" NAME ("<" | "<=" | ">" | ">=") constant
 //!             | "in" constant (".." | "..=") constant
 //!
@@ -40,7 +40,8 @@
 //! # Dimensions
 //!
 //! A formula is a scalar, a plane vector, a space vector or a rotation, and has a power of length. `+`, `-` and `==` join what
-//! has the same power; a literal zero fits everywhere. `Angle` and `Scalar` are plain numbers, so the product of a radius and an angle is a length. A scalar
+//! has the same power; a literal zero fits everywhere. `Angle`, `Direction` and `Scalar` are plain numbers, so the product of a radius and an angle is a length. A
+//! `Direction`, which only an unknown can be, is an angle that is handed out as a unit vector. A scalar
 //! added to a vector lies along x, as a real number does among complex ones; an equation of a vector and a scalar is a mistake.
 //! The product of two plane vectors is that of complex numbers: `v * cis(a)` is v, turned by a.
 //!

@@ -16,6 +16,14 @@ use kin_tests::notes::{self, four_bar_geometric, sample};
 use kin_tests::random::Random;
 use measure::{Race, ratio};
 
+mechanism! {
+    /// The library's four-bar linkage with unit vectors in the place of the angles.
+    pub struct ToUnitVectors { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
+    input theta2: Angle;
+    unknown theta3: Direction, theta4: Direction;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
 /// Poses in each turn: their columns fit into the first cache, as those of a sweep do that is looked at piece by piece.
 const POSES: usize = 256;
 
@@ -99,6 +107,22 @@ fn four_bar() {
             black_box((&mut poses, &mut outcomes));
         });
     }
+    let to_unit_vectors = ToUnitVectors::<f64>::from_parameters(linkage.parameters());
+    for (vectors, name) in kinds() {
+        let mut poses = ToUnitVectorsBatch::filled(|| Some(vec![0.0; POSES]));
+        poses.theta2.as_mut().fill(None);
+        let mut outcomes = vec![Outcome::Unsolved; POSES];
+        let columns = &columns;
+        race.enter_batch(format!("four_bar.batch_to_unit_vectors.{name}"), move || {
+            let parameters = black_box(to_unit_vectors).parameters().map(Column::Same);
+            let (inputs, assembly) = ([each(columns)], Assembly::Open);
+            let summary =
+                batch::solve::<ToUnitVectors, _, _>(parameters, inputs, assembly, &mut poses, &mut outcomes, vectors)
+                    .expect("the columns are of one length");
+            assert_eq!((summary.solved, summary.alone), (POSES, 0));
+            black_box((&mut poses, &mut outcomes));
+        });
+    }
     let varying = columns[0].iter().map(|angle| 60.0 + angle.sin()).collect::<Vec<_>>();
     let (mut poses, mut outcomes) = (places(POSES), vec![Outcome::Unsolved; POSES]);
     let columns = &columns;
@@ -120,6 +144,11 @@ fn four_bar() {
     times.ratio("four_bar.generated", "four_bar.notes");
     for (_, name) in kinds() {
         times.ratio(&format!("four_bar.batch.{name}"), "four_bar.notes");
+        times.ratio(&format!("four_bar.batch_to_unit_vectors.{name}"), "four_bar.notes");
+        times.ratio(
+            &format!("four_bar.batch_to_unit_vectors.{name}"),
+            &format!("four_bar.batch.{name}"),
+        );
     }
     times.ratio("four_bar.batch.varying", "four_bar.notes");
 }

@@ -9,13 +9,11 @@
     reason = "single precision is made from double precision, and there are hundreds of poses"
 )]
 
-mod arctangents;
 mod floor;
 mod measure;
 
 use core::hint::black_box;
 
-use arctangents::Without;
 use kin_core::library::{FourBar, InvertedSliderCrank, SliderCrank};
 use kin_core::prelude::*;
 use kin_core::series::Series;
@@ -59,6 +57,20 @@ mechanism! {
     input theta2: Angle;
     unknown theta3: Angle, theta4: Angle;
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+mechanism! {
+    /// The same with unit vectors in the place of the angles.
+    pub struct ToUnitVectors { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
+    input theta2: Angle;
+    unknown theta3: Direction, theta4: Direction;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+/// A motion with the angle of a unit vector.
+fn derivatives(unit: [f64; 2], rates: [f64; 4]) -> [f64; 5] {
+    let [a, b, c, d] = rates;
+    [Scalar::atan2(unit[1], unit[0]), a, b, c, d]
 }
 
 type Nested = HyperDual<HyperDual<f64>>;
@@ -106,6 +118,24 @@ fn four_bar() {
             [pose.theta3.derivatives(), pose.theta4.derivatives()]
         })
         .collect();
+    let to_unit_vectors = ToUnitVectors::from_parameters(linkage.parameters());
+    let unit_vectors: Vec<[[f64; 5]; 2]> = motions
+        .iter()
+        .map(|motion| {
+            let pose = to_unit_vectors
+                .solve(Motion::new(*motion), Assembly::Open)
+                .expect("it closes");
+            [pose.theta3, pose.theta4]
+                .map(|direction| derivatives([direction.cosine(), direction.sine()], direction.rates()))
+        })
+        .collect();
+    let vectors: Vec<[[f64; 5]; 2]> = motions
+        .iter()
+        .map(|motion| {
+            let (units, rates) = by_hand.solve_to_vectors(*motion).expect("it closes");
+            [derivatives(units[0], rates[0]), derivatives(units[1], rates[1])]
+        })
+        .collect();
     let hand: Vec<[[f64; 5]; 2]> = motions
         .iter()
         .map(|motion| by_hand.solve(*motion).expect("it closes"))
@@ -120,6 +150,8 @@ fn four_bar() {
     for unknown in 0..2 {
         let of = |poses: &[[[f64; 5]; 2]]| poses.iter().map(|pose| pose[unknown]).collect::<Vec<_>>();
         assert_same("by hand", &of(&hand), &of(&generated));
+        assert_same("unit vectors", &of(&unit_vectors), &of(&generated));
+        assert_same("vectors by hand", &of(&vectors), &of(&generated));
         // the notes give theta4 from 0 to a whole turn; and theta3 with it
         let mut notes = of(&notes);
         for (notes, generated) in notes.iter_mut().zip(of(&generated)) {
@@ -147,10 +179,8 @@ fn four_bar() {
     race.enter("four_bar.by_hand_without_arctangents", motions.clone(), |motion| {
         black_box(by_hand).solve_to_vectors(motion)
     });
-    let without = linkage.convert(Without);
-    let inputs = motions.iter().map(|motion| Motion::new(motion.map(Without))).collect();
-    race.enter("four_bar.generated_without_arctangents", inputs, move |motion| {
-        black_box(without).solve(motion, Assembly::Open)
+    race.enter("four_bar.generated_without_arctangents", typed(), move |motion| {
+        black_box(to_unit_vectors).solve(motion, Assembly::Open)
     });
     let single = linkage.convert(|length| length as f32);
     let inputs = motions

@@ -6,7 +6,7 @@ use core::f64::consts::{PI, TAU};
 use kin_core::batch::{Column, LengthMismatch, Outcome};
 use kin_core::prelude::*;
 use kin_core::series::Series;
-use kin_core::{Operations, PoseOf, TrackError, track};
+use kin_core::{Operations, PoseOf, TrackError, solve, track};
 use kin_tests::mechanisms::cases::ThroughSnap;
 use kin_tests::mechanisms::coupled::{Built, Kepler, Triad};
 use kin_tests::mechanisms::directions::{DirectedFarther, DirectedKepler, DirectedTriad};
@@ -448,6 +448,21 @@ fn coupled_blocks() {
             let unit = gauge.unknown(place, 0).max(f64::EPSILON);
             assert!((direction.cosine() - cosine).abs() <= UNITS * unit);
             assert!((direction.sine() - sine).abs() <= UNITS * unit);
+        }
+        if poses <= 10 {
+            let (all, same) = (
+                mechanism.assemblies_at(input).expect("it closes"),
+                directed.assemblies_at(input).expect("it closes"),
+            );
+            assert_eq!(
+                (all.len(), all.is_complete(), all.singular()),
+                (same.len(), same.is_complete(), same.singular())
+            );
+            for (Near(one), Near(other)) in all.iter().zip(same.iter()) {
+                for (one, other) in one.iter().zip(other) {
+                    assert!((one - solve::nearest_turn(*other, *one)).abs() <= 1e-9, "{one} {other}");
+                }
+            }
         }
         // along with the angles, as far as these come
         let to = [input + 2.0 * PI];

@@ -1,0 +1,13 @@
+use kin_core::mechanism;
+
+mechanism! {
+    pub struct SliderCrank {
+        pub crank: Length,
+        pub rod: Length,
+    }
+    input theta: Angle;
+    unknown phi: Directon, s: Length;
+    crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
+}
+
+fn main() {}
