@@ -153,11 +153,16 @@ pub trait Pose: Copy + Debug {
         self.unknown_motions()
     }
 
-    /// The unknowns as the pose holds them: where one is a direction, its cosine stands in the place of its angle, and its sine
-    /// in the second row.
+    /// The unknowns as the pose holds them: where one is a direction, its cosine stands in the place of its angle.
     #[inline(always)]
-    fn unknown_columns(&self) -> (Self::Unknowns<Self::Motion>, Self::Unknowns<Option<Self::Scalar>>) {
-        (self.unknown_motions(), Row::from_fn(|_| None))
+    fn unknown_columns(&self) -> Self::Unknowns<Self::Motion> {
+        self.unknown_motions()
+    }
+
+    /// The sines of those unknowns that are directions.
+    #[inline(always)]
+    fn unknown_sines(&self) -> Self::Unknowns<Option<Self::Scalar>> {
+        Row::from_fn(|_| None)
     }
 
     /// The outputs, in the order in which they were declared; a point is its x, its y and, in space, its z.

@@ -177,7 +177,7 @@ impl Compare {
 
     fn compare<M: ThroughSnap>(&mut self, poses: &Poses<M>, index: usize, pose: &M::Pose, table: &Table) {
         let unknowns = pose.unknown_motions();
-        let (columns, sines) = pose.unknown_columns();
+        let (columns, sines) = (pose.unknown_columns(), pose.unknown_sines());
         let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
         let reference = index.is_multiple_of(SAMPLE).then(|| {
             let position: Vec<f64> = unknowns.as_ref().iter().map(|motion| motion.as_ref()[0]).collect();

@@ -160,7 +160,7 @@ where
             poses += 1;
             let unknowns = one.unknown_motions();
             let gauge = Gauge::new(&angles, &inputs, &unknowns);
-            let (columns, sines) = other.unknown_columns();
+            let (columns, sines) = (other.unknown_columns(), other.unknown_sines());
             for (place, motion) in unknowns.as_ref().iter().enumerate() {
                 let found = columns.as_ref()[place];
                 let mut expected = motion.derivatives();

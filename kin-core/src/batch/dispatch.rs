@@ -64,7 +64,7 @@ impl Vectors {
         }
         #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
         let _ = self;
-        kernel.run::<4, false>()
+        compiled(kernel)
     }
 }
 
@@ -74,6 +74,12 @@ pub(super) trait Kernel {
 
     /// Runs in so many lanes.
     fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
+}
+
+/// Not inlined: without optimisation its stack, on which every result has a place of its own, would lie below that of the others.
+#[inline(never)]
+fn compiled<K: Kernel>(kernel: K) -> K::Result {
+    kernel.run::<4, false>()
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]

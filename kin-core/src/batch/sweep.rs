@@ -240,13 +240,17 @@ impl<M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'_, M, G> {
     #[inline(never)]
     fn settle<P: Columns<C>, C: Target>(&self, index: usize, poses: &mut P) -> Result<(), SolveError> {
         let (inputs, result) = self.solve_one(index);
-        let numbers = result.map(|pose| (pose.unknown_columns(), pose.output_motions()));
+        let numbers = result.map(|pose| (pose.unknown_columns(), pose.unknown_sines(), pose.output_motions()));
         poses.each(&mut Filing {
             index,
             inputs: inputs.as_ref(),
             numbers: numbers
                 .as_ref()
-                .map(|((unknowns, sines), outputs)| (unknowns.as_ref(), sines.as_ref(), outputs.as_ref()))
+                .map(|(unknowns, sines, outputs)| Numbers {
+                    unknowns: unknowns.as_ref(),
+                    sines: sines.as_ref(),
+                    outputs: outputs.as_ref(),
+                })
                 .ok(),
         });
         numbers.map(|_| ())
@@ -283,8 +287,15 @@ impl<M: Mechanism, C: Target> Visitor<'_, C> for Lengths<M> {
 struct Filing<'r, R> {
     index: usize,
     inputs: &'r [R],
-    /// Unknowns, their sines where they are directions, and outputs.
-    numbers: Option<(&'r [R], &'r [Option<f64>], &'r [R])>,
+    numbers: Option<Numbers<'r, R>>,
+}
+
+/// What has been found of one pose.
+struct Numbers<'r, R> {
+    unknowns: &'r [R],
+    /// Where they are directions.
+    sines: &'r [Option<f64>],
+    outputs: &'r [R],
 }
 
 impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
@@ -292,11 +303,11 @@ impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
         let Some(entry) = there.slice().and_then(|slice| slice.get_mut(self.index)) else {
             return;
         };
-        *entry = match (place, self.numbers) {
+        *entry = match (place, &self.numbers) {
             (Place::Input(input, order), _) => self.inputs[input].as_ref()[order],
-            (Place::Unknown(unknown, order), Some((unknowns, ..))) => unknowns[unknown].as_ref()[order],
-            (Place::Sine(unknown), Some((_, sines, _))) => sines[unknown].unwrap_or(*entry),
-            (Place::Output(output, order), Some((.., outputs))) => outputs[output].as_ref()[order],
+            (Place::Unknown(unknown, order), Some(found)) => found.unknowns[unknown].as_ref()[order],
+            (Place::Sine(unknown), Some(found)) => found.sines[unknown].unwrap_or(*entry),
+            (Place::Output(output, order), Some(found)) => found.outputs[output].as_ref()[order],
             (_, None) => f64::NAN,
         };
     }
@@ -397,7 +408,8 @@ where
             };
             let mut sum = Lanes([f64::NAN; W]);
             if let Ok(pose) = problem.guide.solve_chunk(&chunk, start) {
-                let ((unknowns, sines), outputs) = (pose.unknown_columns(), pose.output_motions());
+                let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
+                let sines = pose.unknown_sines();
                 // Finite if, and only if, all of them are, unless the sum itself goes beyond the range.
                 sum = Lanes::constant(0.0);
                 for motion in unknowns.as_ref() {

@@ -268,10 +268,13 @@ fn directions(mechanism: &Mechanism<'_>) -> TokenStream {
         }
 
         #[inline(always)]
-        fn unknown_columns(
-            &self,
-        ) -> ([#runtime::Motion<T, #length>; #count], [::core::option::Option<T>; #count]) {
-            ([#(#columns),*], [#(#sines),*])
+        fn unknown_columns(&self) -> [#runtime::Motion<T, #length>; #count] {
+            [#(#columns),*]
+        }
+
+        #[inline(always)]
+        fn unknown_sines(&self) -> [::core::option::Option<T>; #count] {
+            [#(#sines),*]
         }
     }
 }
