@@ -578,6 +578,10 @@ fn columns_of_unit_vectors() {
 
 /// Every number type, and every order.
 #[test]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the nearest numbers of single precision are meant"
+)]
 fn of_any_number_and_order() {
     let linkage = directions::FourBar::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0]);
     let pose = linkage
