@@ -25,7 +25,7 @@ use crate::{Motion, Plane, Scalar, solve};
 ///     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
 /// }
 ///
-/// let linkage = Linkage { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+/// let linkage: Linkage = Linkage { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
 /// let pose = linkage.solve(Motion::at_constant_speed(1.1, 10.0), Assembly::Open)?;
 ///
 /// // the coupler's pin by the rocker, and how fast it moves along x
