@@ -73,6 +73,7 @@ mod expand;
 mod expansion_tests;
 mod expr;
 mod fallback;
+mod finite;
 mod function;
 #[cfg(test)]
 mod growth_tests;

@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::assemble::{self, Choice, Directions, Limits, Mode, Names, Program, Stage, Step};
 use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
+use crate::finite;
 use crate::passes::{Pass, Passes};
 use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
 use crate::structure::Block;
@@ -50,6 +51,8 @@ pub(crate) struct Plan {
     /// The unknowns that are handed out as unit vectors.
     pub(crate) directions: Directions,
     pub(crate) scheduled: Scheduled,
+    /// The rates that are to be tested, by unknown and order, that all be known to be finite.
+    pub(crate) telltales: BTreeSet<(usize, usize)>,
     /// The partial derivatives by the parameters, if they were asked for: what follows the highest order.
     pub(crate) sensitivities: Option<ScheduledStage>,
     /// What tells the assembly of a guess: definitions in the order of the choices, each positive in the open assembly.
@@ -218,7 +221,7 @@ impl Candidate {
             names,
             directions,
             has_sensitivities,
-            ..
+            stages,
         } = self.program;
         let sensitivities = if has_sensitivities {
             self.scheduled.stages.pop()
@@ -226,12 +229,14 @@ impl Candidate {
             None
         };
         let orientations = orientations(&mut self.graph, &names, &self.choices);
+        let telltales = finite::telltales(&self.graph, &stages);
         Plan {
             graph: self.graph,
             choices: self.choices,
             names,
             directions,
             scheduled: self.scheduled,
+            telltales,
             sensitivities,
             orientations,
             every,

@@ -28,19 +28,34 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             quote!(.#method(#(#inputs.#method()),*))
         })
         .collect();
-    let finite = model
+    let tests: Vec<TokenStream> = mechanism
+        .plan
+        .telltales
+        .iter()
+        .map(|&(unknown, order)| {
+            let (field, rate) = (&model.unknowns[unknown].name, local(&order_name(order)));
+            quote!(#runtime::Scalar::is_finite(#result.#field.#rate()))
+        })
+        .chain(model.outputs.iter().map(|output| {
+            let field = &output.name;
+            quote!(#result.#field.is_finite())
+        }))
+        .collect();
+    let mut fields: Vec<_> = model
         .unknowns
         .iter()
         .map(|unknown| &unknown.name)
         .chain(model.outputs.iter().map(|output| &output.name))
-        .map(|field| {
-            let label = field.to_string();
-            quote! {
-                if !#result.#field.is_finite() {
-                    return ::core::result::Result::Err(self.__not_finite(#label, #(#inputs),*));
-                }
+        .collect();
+    let last = fields.pop().map(ToString::to_string);
+    let culprits = fields.into_iter().map(|field| {
+        let label = field.to_string();
+        quote! {
+            if !#result.#field.is_finite() {
+                return self.__not_finite(#label, #(#inputs),*);
             }
-        });
+        }
+    });
     let positions: Vec<TokenStream> = inputs.iter().map(|input| quote!(#input.position())).collect();
     let parameter_pairs: Vec<TokenStream> = mechanism
         .scalar_parameters()
@@ -106,8 +121,19 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                     -> ::core::result::Result<#pose<T>, #runtime::SolveError>
                 {
                     let #result = #position #steps;
-                    #(#finite)*
+                    // the other rates show in these: what is not finite makes no finite sum or product
+                    if !(#(#tests)&&*) {
+                        return ::core::result::Result::Err(self.__culprit(&#result, #(#inputs),*));
+                    }
                     ::core::result::Result::Ok(#result)
+                }
+
+                /// The error that names the first of the results that is not finite.
+                #[cold]
+                #[inline(never)]
+                fn __culprit(&self, #result: &#pose<T>, #(#inputs: #runtime::Motion<T, #length>),*) -> #runtime::SolveError {
+                    #(#culprits)*
+                    self.__not_finite(#last, #(#inputs),*)
                 }
 
                 /// An error with the place where it occurred, traced to the number that is to blame if one is not finite.

@@ -1,0 +1,102 @@
+//! Which rates have to be tested, that all be known to be finite.
+//!
+//! A sum or a product of floating-point numbers of which one is not finite is not finite, whatever the others are: ∞ · 0 and ∞ - ∞ are no
+//! numbers. (IEEE 754-2019, sections 6.1 and 6.2.) So what is not finite shows in all that is computed from it by additions and
+//! multiplications, or by dividing it. The lower rates of an angle, of which P and Q of its highest one are made, need no test of
+//! their own.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::assemble::{Stage, Step};
+use crate::expr::{Graph, Node, Symbol, Term};
+
+/// The rates of unknowns that show in no other one, by unknown and order: if they are finite, all are.
+pub(crate) fn telltales(graph: &Graph, stages: &[Stage]) -> BTreeSet<(usize, usize)> {
+    let steps = || stages.iter().flat_map(|stage| &stage.steps);
+    let definitions: BTreeMap<Symbol, Node> = steps()
+        .filter_map(|step| match step {
+            Step::Define { symbol, node } => Some((*symbol, *node)),
+            _ => None,
+        })
+        .collect();
+    let mut shown = BTreeSet::new();
+    let mut telltales = BTreeSet::new();
+    let reversed: Vec<&Step> = steps().collect();
+    for step in reversed.into_iter().rev() {
+        let symbols = match step {
+            Step::Define { symbol, .. } => std::slice::from_ref(symbol),
+            Step::Substitute { results, .. } => results,
+            _ => &[],
+        };
+        for &symbol in symbols {
+            if let Symbol::UnknownRate(unknown, order) = symbol
+                && !shown.contains(&symbol)
+            {
+                telltales.insert((unknown, order));
+                show(graph, &definitions, symbol, &mut shown);
+            }
+        }
+    }
+    telltales
+}
+
+/// Adds a symbol, and those that it shows.
+fn show(graph: &Graph, definitions: &BTreeMap<Symbol, Node>, symbol: Symbol, shown: &mut BTreeSet<Symbol>) {
+    if !shown.insert(symbol) {
+        return;
+    }
+    let mut open: Vec<Node> = definitions.get(&symbol).copied().into_iter().collect();
+    while let Some(node) = open.pop() {
+        match graph.term(node) {
+            Term::Symbol(symbol) => show(graph, definitions, *symbol, shown),
+            Term::Sum(_, terms) => open.extend(terms.iter().map(|&(term, _)| term)),
+            Term::Product(factors) => open.extend(
+                factors
+                    .iter()
+                    .filter(|&&(_, exponent)| exponent > 0)
+                    .map(|&(factor, _)| factor),
+            ),
+            Term::Number(_) | Term::Pi | Term::Call(..) => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenStream;
+    use quote::quote;
+
+    use crate::expand::sound;
+    use crate::passes::Passes;
+    use crate::plan::plan;
+
+    fn telltales(declaration: TokenStream) -> Vec<(usize, usize)> {
+        plan(&sound(declaration).task(Passes::ALL))
+            .telltales
+            .into_iter()
+            .collect()
+    }
+
+    #[test]
+    fn lower_rates_show_in_higher_ones_where_they_turn_something() {
+        let four_bar = quote! {
+            struct FourBar { r1: Length, r2: Length, r3: Length, r4: Length }
+            input theta2: Angle;
+            unknown theta3: Angle, theta4: Angle;
+            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+        };
+        assert_eq!(telltales(four_bar), [(0, 4), (1, 4)]);
+    }
+
+    #[test]
+    fn rates_that_nothing_is_made_of_are_tested_themselves() {
+        let slider_crank = quote! {
+            struct SliderCrank { r: Length, l: Length }
+            input theta: Angle;
+            unknown phi: Angle, s: Length;
+            r * sin(theta) == l * sin(phi);
+            s == r * cos(theta) + l * cos(phi);
+        };
+        assert_eq!(telltales(slider_crank), [(0, 4), (1, 1), (1, 2), (1, 3), (1, 4)]);
+    }
+}
