@@ -131,6 +131,13 @@ pub trait Scalar:
         if test(judges.map(Self::real)) { one() } else { other() }
     }
 
+    /// This number, or its negative if the real part of the other is negative; either if that is zero.
+    #[must_use]
+    #[inline(always)]
+    fn times_sign_of(self, other: Self) -> Self {
+        Self::either([other], |[other]| other < 0.0, || -self, || self)
+    }
+
     /// A constant that depends on the real parts of other numbers.
     #[must_use]
     #[inline(always)]

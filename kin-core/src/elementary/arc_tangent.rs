@@ -8,14 +8,12 @@ use core::f64::consts::FRAC_PI_4;
 
 use num_traits::Float;
 
+use super::bits::turned_round;
 use super::polynomial::{FUSED, multiply_add, polynomial};
 use crate::scalar::single;
 
 /// π/4 as a multiple of 2⁻²⁶, and the rest.
 const HALF_RIGHT_ANGLE: [f64; 2] = [0.785_398_155_450_820_9, 7.946_627_386_764_098e-9];
-
-/// The sizes for which no sum overflows, with room to spare: 2⁻¹⁰⁰⁰, 2¹⁰⁰⁰.
-const ORDINARY: [f64; 2] = [9.332_636_185_032_189e-302, 1.071_508_607_186_267_3e301];
 
 /// (t - atan t) / t³ in powers of t², |t| ≤ 1/2. The relative error of the arctangent is 2⁻⁵⁷·⁷.
 const ARC_TANGENT: [f64; 12] = [
@@ -46,25 +44,29 @@ const ARC_TANGENT_SINGLE: [f64; 6] = [
 /// The angle from the x axis to (`x`, `y`), in -π ..= π, with the signs of zeros of IEEE 754.
 #[inline]
 pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
-    let (angle, ordinary) = ordinary_arc_tangent::<FUSED>(y, x);
+    let (angle, ordinary) = ordinary_arc_tangent::<FUSED, false>(y, x);
     if ordinary { angle } else { beyond(y, x) }
 }
 
-/// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and
-/// for what is so far out or so near to the origin that it is next to them. Of what is not a number there is no angle that is one.
+/// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and for what is so
+/// far out that it is next to it.
+///
+/// In `LANES` a condition selects, a sign is a bit, and the angle is NaN where it does not hold.
+#[expect(clippy::eq_op, reason = "less itself, infinity is NaN")]
 #[inline(always)]
-pub(crate) fn ordinary_arc_tangent<const FUSED: bool>(y: f64, x: f64) -> (f64, bool) {
-    let turned = Turned::of::<FUSED>(y, x);
-    let ordinary = (ORDINARY[0]..=ORDINARY[1]).contains(&turned.along);
+pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const LANES: bool>(y: f64, x: f64) -> (f64, bool) {
+    let turned = Turned::<LANES>::of(y, x);
     let fraction = turned.across / turned.along;
+    let ordinary = turned.has(fraction);
     let z = fraction * fraction;
-    let fraction = turned.sense * fraction;
-    let cubed = fraction * z;
-    let rest = multiply_add::<FUSED>(
-        -cubed,
-        polynomial::<FUSED, 12>(ARC_TANGENT, z),
-        turned.multiple * HALF_RIGHT_ANGLE[1],
-    );
+    let fraction = turned.sense.on(fraction);
+    let low = if LANES {
+        // Nothing is added, or NaN.
+        multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[1], turned.along - turned.along)
+    } else {
+        turned.multiple * HALF_RIGHT_ANGLE[1]
+    };
+    let rest = multiply_add::<FUSED>(-(fraction * z), polynomial::<FUSED, 12>(ARC_TANGENT, z), low);
     let angle = multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[0], fraction + rest);
     (angle.copysign(y), ordinary)
 }
@@ -72,15 +74,14 @@ pub(crate) fn ordinary_arc_tangent<const FUSED: bool>(y: f64, x: f64) -> (f64, b
 /// [`arc_tangent`] in single precision, computed in double precision.
 #[inline]
 pub(crate) fn arc_tangent_single(y: f32, x: f32) -> f32 {
-    let turned = Turned::of::<FUSED>(f64::from(y), f64::from(x));
-    let ordinary = turned.along >= ORDINARY[0] && turned.along <= ORDINARY[1];
-    if !ordinary {
+    let turned = Turned::<false>::of(f64::from(y), f64::from(x));
+    let fraction = turned.across / turned.along;
+    if !turned.has(fraction) {
         return beyond(y, x);
     }
-    let fraction = turned.across / turned.along;
     let z = fraction * fraction;
     let angle = fraction - fraction * (z * polynomial::<FUSED, 6>(ARC_TANGENT_SINGLE, z));
-    let wide = turned.multiple * FRAC_PI_4 + turned.sense * angle;
+    let wide = turned.multiple * FRAC_PI_4 + turned.sense.on(angle);
     single(wide).copysign(y)
 }
 
@@ -91,31 +92,110 @@ fn beyond<T: Float>(y: T, x: T) -> T {
 }
 
 /// A point turned and mirrored to next to the positive x axis, and away from the origin by a factor that does not matter.
-struct Turned {
+struct Turned<const LANES: bool> {
     across: f64,
     along: f64,
-    /// 1 or, where the angle counts backwards, -1.
-    sense: f64,
+    /// Whether the angle counts forwards or backwards.
+    sense: Sign<LANES>,
     /// The multiple of π/4 from which it counts, if the point itself is above the x axis.
     multiple: f64,
 }
 
-impl Turned {
+impl<const LANES: bool> Turned<LANES> {
     #[inline(always)]
-    fn of<const FUSED: bool>(y: f64, x: f64) -> Self {
+    fn of(y: f64, x: f64) -> Self {
         let (height, width) = (y.abs(), x.abs());
         let greater = if height > width { height } else { width };
         let lesser = if height > width { width } else { height };
-        // A factor and not a selection: where one condition selects several numbers, it becomes a branch.
-        let slanting = if lesser > 0.5 * greater { 1.0 } else { 0.0 };
-        let side = 1.0_f64.copysign(x);
-        let sense = side * 1.0_f64.copysign(width - height);
+        let slanting = Condition::<LANES>::new(lesser > greater - lesser);
+        let (side, steepness) = (Sign::of(x), Sign::of(width - height));
+        let sense = side.times(steepness);
+        // 0, 2 or 4 from the nearest axis; and the diagonal before or after it
+        let multiple = if LANES {
+            2.0 - side.on(1.0 + slanting.unless(steepness.on(1.0)))
+        } else {
+            (2.0 - side.0) - slanting.unless(sense.0)
+        };
         Self {
-            across: multiply_add::<FUSED>(-slanting, greater, lesser),
-            along: multiply_add::<FUSED>(slanting, lesser, greater),
+            across: lesser - slanting.then(greater),
+            along: greater + slanting.then(lesser),
             sense,
-            // 0, 2 or 4 from the nearest axis; and the diagonal before or after it
-            multiple: (2.0 - side) - sense * (1.0 - slanting),
+            multiple,
+        }
+    }
+
+    /// Whether this fraction of the two is one: neither 0/0, nor of infinity.
+    #[inline(always)]
+    fn has(&self, fraction: f64) -> bool {
+        !(self.along * fraction).is_nan()
+    }
+}
+
+/// Selects between numbers and zero: in lanes as such, elsewhere by a factor, as a condition that selects several numbers would become a
+/// branch.
+#[derive(Clone, Copy)]
+struct Condition<const LANES: bool> {
+    holds: bool,
+    /// 1 if it holds, 0 if it does not.
+    factor: f64,
+}
+
+impl<const LANES: bool> Condition<LANES> {
+    #[inline(always)]
+    fn new(holds: bool) -> Self {
+        let factor = if holds { 1.0 } else { 0.0 };
+        Self { holds, factor }
+    }
+
+    #[inline(always)]
+    fn then(self, number: f64) -> f64 {
+        if !LANES {
+            self.factor * number
+        } else if self.holds {
+            number
+        } else {
+            0.0
+        }
+    }
+
+    #[inline(always)]
+    fn unless(self, number: f64) -> f64 {
+        if !LANES {
+            (1.0 - self.factor) * number
+        } else if self.holds {
+            0.0
+        } else {
+            number
+        }
+    }
+}
+
+/// A sign: in lanes that of the number which it has, elsewhere that number is ±1, and a factor, as bits would be taken out of the registers
+/// of floating-point numbers and back.
+#[derive(Clone, Copy)]
+struct Sign<const LANES: bool>(f64);
+
+impl<const LANES: bool> Sign<LANES> {
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        Self(if LANES { number } else { 1.0_f64.copysign(number) })
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        Self(if LANES {
+            f64::from_bits(self.0.to_bits() ^ other.0.to_bits())
+        } else {
+            self.0 * other.0
+        })
+    }
+
+    #[inline(always)]
+    fn on(self, number: f64) -> f64 {
+        if LANES {
+            turned_round(number, self.0.to_bits())
+        } else {
+            self.0 * number
         }
     }
 }
@@ -172,7 +252,8 @@ mod tests {
 
     #[test]
     fn errors_are_within_one_and_a_half_units_in_the_last_place() {
-        let fused = |y, x| ordinary_arc_tangent::<true>(y, x).0;
+        let fused = |y, x| ordinary_arc_tangent::<true, true>(y, x).0;
+        let unfused = |y, x| ordinary_arc_tangent::<false, true>(y, x).0;
         for error in [
             worst(around(), arc_tangent),
             worst(near_the_axes(), arc_tangent),
@@ -180,16 +261,28 @@ mod tests {
             worst(around(), fused),
             worst(near_the_axes(), fused),
             worst(slight(), fused),
+            worst(around(), unfused),
+            worst(near_the_axes(), unfused),
+            worst(slight(), unfused),
         ] {
             assert!(error <= 1.5, "{error}");
         }
+    }
+
+    /// Without fusion alone and in lanes, with fusion in lanes.
+    fn all(y: f64, x: f64) -> [(f64, bool); 3] {
+        [
+            ordinary_arc_tangent::<false, false>(y, x),
+            ordinary_arc_tangent::<false, true>(y, x),
+            ordinary_arc_tangent::<true, true>(y, x),
+        ]
     }
 
     #[test]
     fn without_a_branch_nothing_comes_of_what_is_no_number() {
         for other in [0.0, -1.0, 1e-320, f64::MAX, f64::INFINITY, f64::NAN] {
             for (y, x) in [(f64::NAN, other), (other, f64::NAN)] {
-                for (angle, ordinary) in [ordinary_arc_tangent::<false>(y, x), ordinary_arc_tangent::<true>(y, x)] {
+                for (angle, ordinary) in all(y, x) {
                     assert!(angle.is_nan() && !ordinary, "{y:e} {x:e}");
                 }
             }
@@ -197,13 +290,46 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_ordinary_is_told() {
-        for size in [0.0, 1e-320, 1e-305, 1e305, f64::MAX, f64::INFINITY] {
-            for (y, x) in [(size, size), (-size, size), (size, 0.0), (0.0, -size)] {
-                assert!(!ordinary_arc_tangent::<false>(y, x).1, "{y:e} {x:e}");
+    fn what_is_not_ordinary_is_told_and_is_nan_in_lanes() {
+        let max = f64::MAX;
+        let infinite = f64::INFINITY;
+        for (y, x) in [
+            (0.0, 0.0),
+            (max, max),
+            (-max, 0.6 * max),
+            (infinite, infinite),
+            (1.0, infinite),
+            (infinite, 1.0),
+            (0.0, infinite),
+        ] {
+            for (y, x) in [(y, x), (y, -x), (-y, x)] {
+                let [alone, lanes @ ..] = all(y, x);
+                assert!(!alone.1, "{y:e} {x:e}");
+                for (angle, ordinary) in lanes {
+                    assert!(angle.is_nan() && !ordinary, "{y:e} {x:e}");
+                }
             }
         }
-        assert!(ordinary_arc_tangent::<false>(1e-320, 1.0).1);
+    }
+
+    #[test]
+    fn the_smallest_and_the_largest_points_are_ordinary() {
+        for size in [5e-324, 3e-320, 1e-308, 1e-300, 1e300, 0.4 * f64::MAX] {
+            for (y, x) in [
+                (size, size),
+                (-size, size),
+                (size, 0.0),
+                (0.0, -size),
+                (size, -2.0 * size),
+            ] {
+                let scale = f64::exp2(if size < 1.0 { 600.0 } else { -600.0 });
+                let expected = reference::arc_tangent(scale * y, scale * x);
+                for (angle, ordinary) in all(y, x) {
+                    let error = units(angle, expected, 53, f64::from_bits(1));
+                    assert!(ordinary && error <= 1.5, "{y:e} {x:e}: {angle:e}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use num_traits::Float;
 
+use super::bits::{ONE, SIGN, turned_round};
 use super::polynomial::{FUSED, multiply_add, polynomial};
 use crate::scalar::single;
 
@@ -42,12 +43,6 @@ const COSINE: [f64; 6] = [
     -1.135_853_602_718_916_5e-11,
 ];
 
-/// The bit of the sign.
-const SIGN: u64 = 1 << 63;
-
-/// The bits of 1.
-const ONE: u64 = 1.0_f64.to_bits();
-
 /// As [`SINE`], with a relative error of 2⁻³⁷·⁵.
 const SINE_SINGLE: [f64; 4] = [
     0.166_666_666_407_964_6,
@@ -67,7 +62,7 @@ const COSINE_SINGLE: [f64; 3] = [
 #[inline]
 pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
     if is_near(angle) {
-        near_sine_cosine::<FUSED>(angle)
+        near_sine_cosine::<FUSED, false>(angle)
     } else {
         far(angle)
     }
@@ -97,26 +92,34 @@ pub(crate) fn is_near(angle: f64) -> bool {
     angle.abs() <= LIMIT
 }
 
-/// [`sine_cosine`] of an angle that [is near](is_near), without a branch. Of what is not a number both are none.
+/// [`sine_cosine`] of an angle that [is near](is_near), without a branch, alone or in `LANES`. Of what is not a number both are none.
 #[inline(always)]
-pub(crate) fn near_sine_cosine<const FUSED: bool>(angle: f64) -> (f64, f64) {
+pub(crate) fn near_sine_cosine<const FUSED: bool, const LANES: bool>(angle: f64) -> (f64, f64) {
     let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
     let turns = shifted - ROUNDING;
 
     // r - tail is the reduced angle: the first difference is exact, the second leaves what it loses to the tail.
     let first = multiply_add::<FUSED>(-turns, QUARTER_TURN[0], angle);
     let second = turns * QUARTER_TURN[1];
-    let third = turns * QUARTER_TURN[2];
     let r = first - second;
-    let tail = third - ((first - r) - second);
+    let tail = multiply_add::<FUSED>(turns, QUARTER_TURN[2], second - (first - r));
 
     let z = r * r;
-    let half = 0.5 * z;
     // What is subtracted is a positive zero where the angle is zero: so the sine has the angle's sign there. The tail is less
     // than half a unit in the last place of the angle, which the cosine does not feel.
     let sine = r - multiply_add::<FUSED>(r * z, polynomial::<FUSED, 6>(SINE, z), tail);
-    let cosine = 1.0 - multiply_add::<FUSED>(-(z * z), polynomial::<FUSED, 6>(COSINE, z), half);
-    in_quadrant::<FUSED>(shifted, sine, cosine)
+    let quartic = polynomial::<FUSED, 6>(COSINE, z);
+    let cosine = if FUSED {
+        multiply_add::<FUSED>(-z, multiply_add::<FUSED>(-z, quartic, 0.5), 1.0)
+    } else {
+        // Half of the square is exact; its product with a difference would be rounded once more.
+        1.0 - (0.5 * z - z * z * quartic)
+    };
+    if LANES {
+        in_quadrant_of_lanes(shifted, sine, cosine)
+    } else {
+        in_quadrant::<FUSED>(shifted, sine, cosine)
+    }
 }
 
 #[inline]
@@ -144,6 +147,17 @@ fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64,
     (
         multiply_add::<FUSED>(sine, along, cosine * across),
         multiply_add::<FUSED>(cosine, along, -(sine * across)),
+    )
+}
+
+/// [`in_quadrant`] in lanes, where two numbers change places by selection and signs are bits.
+#[inline(always)]
+fn in_quadrant_of_lanes(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
+    let quarters = shifted.to_bits();
+    let odd = quarters & 1 != 0;
+    (
+        turned_round(if odd { cosine } else { sine }, quarters << 62),
+        turned_round(if odd { sine } else { cosine }, quarters.wrapping_add(1) << 62),
     )
 }
 
@@ -198,7 +212,7 @@ mod tests {
         let quarter = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI / 4.0);
         let range = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * LIMIT);
         let tiny = || fractions(10_000).map(|f| f64::exp2(-1074.0 * f));
-        let fused = near_sine_cosine::<true>;
+        let fused = near_sine_cosine::<true, true>;
         for [sine, cosine] in [
             worst(turn(), sine_cosine),
             worst(quarter(), sine_cosine),
@@ -218,7 +232,10 @@ mod tests {
     fn without_a_branch_nothing_comes_of_what_is_no_number() {
         for angle in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert!(!is_near(angle));
-            for (sine, cosine) in [near_sine_cosine::<false>(angle), near_sine_cosine::<true>(angle)] {
+            for (sine, cosine) in [
+                near_sine_cosine::<false, true>(angle),
+                near_sine_cosine::<true, true>(angle),
+            ] {
                 assert!(sine.is_nan() && cosine.is_nan());
             }
         }

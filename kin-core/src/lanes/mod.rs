@@ -14,7 +14,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
 
-use crate::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent};
+use crate::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, turned_round};
 use crate::{Failure, Scalar};
 
 /// `W` numbers; multiplied and added in one step where functions say so, if they are `FUSED`.
@@ -144,7 +144,7 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
             let angle = self.0[lane];
             // NaN where the polynomials do not hold.
             let angle = if is_near(angle) { angle } else { f64::NAN };
-            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED>(angle);
+            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, true>(angle);
         }
         (sine, cosine)
     }
@@ -166,12 +166,7 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
 
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        let mut angles = self;
-        for lane in 0..W {
-            let (angle, holds) = ordinary_arc_tangent::<FUSED>(self.0[lane], x.0[lane]);
-            angles.0[lane] = if holds { angle } else { f64::NAN };
-        }
-        angles
+        self.with(x, |y, x| ordinary_arc_tangent::<FUSED, true>(y, x).0)
     }
 
     #[inline(always)]
@@ -233,6 +228,11 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
                 other.0[lane]
             }
         })
+    }
+
+    #[inline(always)]
+    fn times_sign_of(self, other: Self) -> Self {
+        self.with(other, |a, b| turned_round(a, b.to_bits()))
     }
 
     #[inline(always)]

@@ -17,8 +17,7 @@ use crate::Scalar;
 /// ```
 #[inline(always)]
 pub fn direction<T: Scalar>(y: T, x: T, length: T) -> T {
-    let reversed = |coordinate: T| T::either([length], |[length]| length < 0.0, || -coordinate, || coordinate);
-    reversed(y).atan2(reversed(x))
+    y.times_sign_of(length).atan2(x.times_sign_of(length))
 }
 
 #[cfg(test)]
