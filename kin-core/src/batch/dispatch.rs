@@ -7,6 +7,10 @@
     )
 )]
 
+/// As many lanes as there are with the widest vectors.
+#[cfg(feature = "std")]
+pub(super) const MOST_LANES: usize = 16;
+
 /// Which vector instructions a batch is calculated with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Vectors {
@@ -91,5 +95,5 @@ fn avx2<K: Kernel>(kernel: K) -> K::Result {
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<K: Kernel>(kernel: K) -> K::Result {
-    kernel.run::<16, true>()
+    kernel.run::<MOST_LANES, true>()
 }

@@ -32,12 +32,14 @@
 //! ```
 
 mod column;
+mod destination;
 mod dispatch;
 mod outcome;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod sweep;
 mod target;
+mod view;
 
 pub use column::Column;
 pub use dispatch::Vectors;

@@ -6,9 +6,10 @@ use std::vec::Vec;
 use rayon::prelude::*;
 
 use super::Column;
-use super::dispatch::Vectors;
+use super::destination::Destination;
+use super::dispatch::{MOST_LANES, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
-use super::sweep::{Guide, InAssembly, NearColumns, Problem};
+use super::sweep::{Guide, InAssembly, Near, Problem};
 use super::target::{Columns, Place, Target, Visitor};
 use crate::{Mechanism, Row};
 
@@ -65,7 +66,7 @@ where
     let problem = Problem::<M, _> {
         parameters,
         inputs,
-        guide: NearColumns::<M>(near),
+        guide: Near(near),
     };
     solve_pieces(&problem, poses, outcomes, vectors)
 }
@@ -78,35 +79,39 @@ fn solve_pieces<'a, M, G, P, C>(
 ) -> Result<Summary, LengthMismatch>
 where
     M: Mechanism<Scalar = f64>,
-    G: Guide<M>,
+    G: Guide<'a, M>,
     Problem<'a, M, G>: Sync,
     P: Columns<C>,
     C: Target,
 {
-    problem.check_lengths(poses, outcomes.len())?;
+    problem.check_lengths(outcomes.len())?;
+    Destination::<M>::nowhere().find(poses, outcomes.len())?;
     let mut targets = Targets(Vec::new());
     poses.each(&mut targets);
+    let (mut rest, mut pieces) = (outcomes, Vec::new());
     let mut start = 0;
-    let pieces: Vec<_> = outcomes
-        .chunks_mut(PIECE)
-        .map(|outcomes| {
-            let range = start..start + outcomes.len();
-            start = range.end;
-            (targets.split_off(outcomes.len()), outcomes, range)
-        })
-        .collect();
-    let summary = pieces
+    while !rest.is_empty() {
+        // No piece has fewer poses than lanes: they would be solved one by one, and rounded in another way.
+        let count = if rest.len() < PIECE + MOST_LANES {
+            rest.len()
+        } else {
+            PIECE
+        };
+        let (outcomes, next) = rest.split_at_mut(count);
+        pieces.push((targets.split_off(count), outcomes, start..start + count));
+        (rest, start) = (next, start + count);
+    }
+    pieces
         .into_par_iter()
         .map(|(mut targets, outcomes, range)| {
             let first = range.start;
-            let mut summary = problem.part(range).sweep(&mut targets, outcomes, vectors);
+            let mut summary = problem.part(range).sweep(&mut targets, outcomes, vectors)?;
             if let Some((index, _)) = &mut summary.first_failure {
                 *index += first;
             }
-            summary
+            Ok(summary)
         })
-        .reduce(Summary::default, Summary::and);
-    Ok(summary)
+        .try_reduce(Summary::default, |one, other| Ok(one.and(other)))
 }
 
 /// The targets that are wanted, one after the other.
@@ -144,7 +149,7 @@ impl<'a> Columns<&'a mut [f64]> for Targets<'a> {
     }
 }
 
-impl<'a, M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'a, M, G> {
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
     /// The columns of some of the poses.
     fn part(&self, range: Range<usize>) -> Problem<'a, M, G> {
         let (parameters, inputs) = (self.parameters.as_ref(), self.inputs.as_ref());

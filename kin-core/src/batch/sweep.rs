@@ -1,11 +1,11 @@
 //! Chunk by chunk through a batch.
 
-use core::marker::PhantomData;
-
 use super::Column;
+use super::destination::Destination;
 use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
-use super::target::{Columns, Place, Target, Visitor};
+use super::target::{Columns, Target};
+use super::view::{View, gather, look, repeat};
 use crate::lanes::Lanes;
 use crate::{Mechanism, Pose, Row, Scalar, SolveError};
 
@@ -54,7 +54,7 @@ where
     let problem = Problem::<M, _> {
         parameters,
         inputs,
-        guide: NearColumns::<M>(near),
+        guide: Near(near),
     };
     problem.solve(poses, outcomes, vectors)
 }
@@ -67,134 +67,109 @@ pub(super) struct Problem<'a, M: Mechanism, G> {
 }
 
 /// Which of several positions of each pose.
-pub(super) trait Guide<M: Mechanism<Scalar = f64>>: Sized {
+pub(super) trait Guide<'a, M: Mechanism>: Copy {
+    /// Whether values near each pose are what tells.
+    const IS_NEAR: bool;
+
+    /// Values near each pose, if they are what tells.
+    fn near(self) -> M::Unknowns<Column<'a>>;
+
     /// That of some of the poses.
     #[cfg(feature = "rayon")]
-    fn part(&self, range: core::ops::Range<usize>) -> Self;
+    fn part(self, range: core::ops::Range<usize>) -> Self;
 
-    /// The columns that it consists of.
-    fn columns(&self) -> &[Column<'_>];
-
-    /// The poses from `start` on.
-    fn solve_chunk<const W: usize, const FUSED: bool>(
-        &self,
-        chunk: &Chunk<'_, M, W, FUSED>,
-        start: usize,
-    ) -> Result<<M::With<Lanes<W, FUSED>> as Mechanism>::Pose, SolveError>;
-
-    /// The pose with an index.
-    fn solve_one(&self, mechanism: &M, inputs: M::Inputs<M::Motion<f64>>, index: usize) -> Result<M::Pose, SolveError>;
+    /// The pose, or several.
+    fn solve<T: Mechanism<Assembly = M::Assembly>>(
+        self,
+        mechanism: &T,
+        inputs: T::Inputs<T::Motion<T::Scalar>>,
+        near: T::Unknowns<T::Scalar>,
+    ) -> Result<T::Pose, SolveError>;
 }
 
+/// That of an assembly.
+#[derive(Clone, Copy)]
 pub(super) struct InAssembly<A>(pub(super) A);
 
-pub(super) struct NearColumns<'a, M: Mechanism>(pub(super) M::Unknowns<Column<'a>>);
+/// That next to values of the unknowns.
+#[derive(Clone, Copy)]
+pub(super) struct Near<C>(pub(super) C);
 
-/// The mechanisms and inputs of some poses.
-pub(super) struct Chunk<'a, M: Mechanism<Scalar = f64>, const W: usize, const FUSED: bool> {
-    mechanism: M::With<Lanes<W, FUSED>>,
-    inputs: &'a <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>>,
-}
+impl<'a, M: Mechanism> Guide<'a, M> for InAssembly<M::Assembly> {
+    const IS_NEAR: bool = false;
 
-impl<M: Mechanism<Scalar = f64>> Guide<M> for InAssembly<M::Assembly> {
-    #[cfg(feature = "rayon")]
-    fn part(&self, _: core::ops::Range<usize>) -> Self {
-        Self(self.0)
+    fn near(self) -> M::Unknowns<Column<'a>> {
+        Row::from_fn(|_| Column::Same(f64::NAN))
     }
 
-    fn columns(&self) -> &[Column<'_>] {
-        &[]
+    #[cfg(feature = "rayon")]
+    fn part(self, _: core::ops::Range<usize>) -> Self {
+        self
     }
 
     #[inline(always)]
-    fn solve_chunk<const W: usize, const FUSED: bool>(
-        &self,
-        chunk: &Chunk<'_, M, W, FUSED>,
-        _: usize,
-    ) -> Result<<M::With<Lanes<W, FUSED>> as Mechanism>::Pose, SolveError> {
-        chunk.mechanism.solve_motion(*chunk.inputs, self.0)
-    }
-
-    fn solve_one(&self, mechanism: &M, inputs: M::Inputs<M::Motion<f64>>, _: usize) -> Result<M::Pose, SolveError> {
+    fn solve<T: Mechanism<Assembly = M::Assembly>>(
+        self,
+        mechanism: &T,
+        inputs: T::Inputs<T::Motion<T::Scalar>>,
+        _: T::Unknowns<T::Scalar>,
+    ) -> Result<T::Pose, SolveError> {
         mechanism.solve_motion(inputs, self.0)
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Guide<M> for NearColumns<'_, M> {
-    #[cfg(feature = "rayon")]
-    fn part(&self, range: core::ops::Range<usize>) -> Self {
-        let near = self.0.as_ref();
-        Self(Row::from_fn(|unknown| near[unknown].part(range.clone())))
+impl<'a, M: Mechanism, C: Row<Column<'a>>> Guide<'a, M> for Near<C> {
+    const IS_NEAR: bool = true;
+
+    fn near(self) -> M::Unknowns<Column<'a>> {
+        Row::from_fn(|unknown| self.0.as_ref()[unknown])
     }
 
-    fn columns(&self) -> &[Column<'_>] {
-        self.0.as_ref()
+    #[cfg(feature = "rayon")]
+    fn part(self, range: core::ops::Range<usize>) -> Self {
+        Self(Row::from_fn(|unknown| self.0.as_ref()[unknown].part(range.clone())))
     }
 
     #[inline(always)]
-    fn solve_chunk<const W: usize, const FUSED: bool>(
-        &self,
-        chunk: &Chunk<'_, M, W, FUSED>,
-        start: usize,
-    ) -> Result<<M::With<Lanes<W, FUSED>> as Mechanism>::Pose, SolveError> {
-        let near = self.0.as_ref();
-        let near = Row::from_fn(|index| gathered(near[index], start));
-        chunk.mechanism.solve_motion_near(*chunk.inputs, near)
-    }
-
-    fn solve_one(&self, mechanism: &M, inputs: M::Inputs<M::Motion<f64>>, index: usize) -> Result<M::Pose, SolveError> {
-        let near = self.0.as_ref();
-        mechanism.solve_motion_near(inputs, Row::from_fn(|unknown| near[unknown].at(index)))
+    fn solve<T: Mechanism<Assembly = M::Assembly>>(
+        self,
+        mechanism: &T,
+        inputs: T::Inputs<T::Motion<T::Scalar>>,
+        near: T::Unknowns<T::Scalar>,
+    ) -> Result<T::Pose, SolveError> {
+        mechanism.solve_motion_near(inputs, near)
     }
 }
 
-/// The numbers of the poses from `start` on.
-#[inline(always)]
-fn gathered<const W: usize, const FUSED: bool>(column: Column<'_>, start: usize) -> Lanes<W, FUSED> {
-    match column {
-        Column::Same(value) => Lanes([value; W]),
-        // All columns are long enough, and the compiler does not know.
-        Column::Each(values) => match values.get(start..).and_then(<[f64]>::first_chunk) {
-            Some(values) => Lanes(*values),
-            None => Lanes([f64::NAN; W]),
-        },
-    }
-}
-
-impl<M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'_, M, G> {
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
     pub(super) fn solve<P: Columns<C>, C: Target>(
         &self,
         poses: &mut P,
         outcomes: &mut [Outcome],
         vectors: Vectors,
     ) -> Result<Summary, LengthMismatch> {
-        self.check_lengths(poses, outcomes.len())?;
-        Ok(self.sweep(poses, outcomes, vectors))
+        self.check_lengths(outcomes.len())?;
+        self.sweep(poses, outcomes, vectors)
     }
 
-    /// [`solve`](Self::solve) where all columns are known to be of one length.
+    /// [`solve`](Self::solve) where the columns that go in are known to be of one length.
     pub(super) fn sweep<P: Columns<C>, C: Target>(
         &self,
         poses: &mut P,
         outcomes: &mut [Outcome],
         vectors: Vectors,
-    ) -> Summary {
-        // Those that are not will say so.
-        outcomes.fill(Outcome::Solved);
-        let kernel = Sweep {
+    ) -> Result<Summary, LengthMismatch> {
+        let mut destination = Destination::nowhere();
+        destination.find(poses, outcomes.len())?;
+        Ok(vectors.run(Sweep {
             problem: self,
-            poses,
+            near: &self.guide.near(),
+            destination: &destination,
             outcomes,
-            target: PhantomData,
-        };
-        vectors.run(kernel)
+        }))
     }
 
-    pub(super) fn check_lengths<P: Columns<C>, C: Target>(
-        &self,
-        poses: &mut P,
-        count: usize,
-    ) -> Result<(), LengthMismatch> {
+    pub(super) fn check_lengths(&self, count: usize) -> Result<(), LengthMismatch> {
         let description = M::DESCRIPTION;
         let check = |quantity: &'static str, length: Option<usize>| match length {
             Some(length) if length != count => Err(LengthMismatch {
@@ -212,206 +187,119 @@ impl<M: Mechanism<Scalar = f64>, G: Guide<M>> Problem<'_, M, G> {
                 check(quantity.name, column.length())?;
             }
         }
-        for (column, quantity) in self.guide.columns().iter().zip(description.unknowns) {
+        for (column, quantity) in self.guide.near().as_ref().iter().zip(description.unknowns) {
             check(quantity.name, column.length())?;
         }
-        let mut lengths = Lengths::<M> {
-            poses: count,
-            mismatch: None,
-            mechanism: PhantomData,
-        };
-        poses.each(&mut lengths);
-        lengths.mismatch.map_or(Ok(()), Err)
-    }
-
-    /// The pose with an index, by itself.
-    #[cold]
-    #[inline(never)]
-    fn solve_one(&self, index: usize) -> Alone<M> {
-        let parameters = self.parameters.as_ref();
-        let mechanism = M::from_parameters(Row::from_fn(|parameter| parameters[parameter].at(index)));
-        let columns = self.inputs.as_ref();
-        let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| columns[input].as_ref()[order].at(index)));
-        (inputs, self.guide.solve_one(&mechanism, inputs, index))
-    }
-
-    /// Solves a pose that the lanes could not solve, and files it.
-    #[cold]
-    #[inline(never)]
-    fn settle<P: Columns<C>, C: Target>(&self, index: usize, poses: &mut P) -> Result<(), SolveError> {
-        let (inputs, result) = self.solve_one(index);
-        let numbers = result.map(|pose| (pose.unknown_columns(), pose.unknown_sines(), pose.output_motions()));
-        poses.each(&mut Filing {
-            index,
-            inputs: inputs.as_ref(),
-            numbers: numbers
-                .as_ref()
-                .map(|(unknowns, sines, outputs)| Numbers {
-                    unknowns: unknowns.as_ref(),
-                    sines: sines.as_ref(),
-                    outputs: outputs.as_ref(),
-                })
-                .ok(),
-        });
-        numbers.map(|_| ())
+        Ok(())
     }
 }
-
-/// Looks for a target that is not as long as there are poses.
-struct Lengths<M> {
-    poses: usize,
-    mismatch: Option<LengthMismatch>,
-    mechanism: PhantomData<M>,
-}
-
-impl<M: Mechanism, C: Target> Visitor<'_, C> for Lengths<M> {
-    fn visit(&mut self, place: Place, there: &mut C) {
-        let description = M::DESCRIPTION;
-        let quantity = match place {
-            Place::Input(index, _) => &description.inputs[index],
-            Place::Unknown(index, _) | Place::Sine(index) => &description.unknowns[index],
-            Place::Output(index, _) => &description.outputs[index],
-        };
-        let length = there.slice().map(|slice| slice.len());
-        if let (None, Some(length)) = (self.mismatch, length.filter(|length| *length != self.poses)) {
-            self.mismatch = Some(LengthMismatch {
-                quantity: quantity.name,
-                poses: self.poses,
-                length,
-            });
-        }
-    }
-}
-
-/// Files the numbers of one pose, or NaN if there are none.
-struct Filing<'r, R> {
-    index: usize,
-    inputs: &'r [R],
-    numbers: Option<Numbers<'r, R>>,
-}
-
-/// What has been found of one pose.
-struct Numbers<'r, R> {
-    unknowns: &'r [R],
-    /// Where they are directions.
-    sines: &'r [Option<f64>],
-    outputs: &'r [R],
-}
-
-impl<R: Row<f64>, C: Target> Visitor<'_, C> for Filing<'_, R> {
-    fn visit(&mut self, place: Place, there: &mut C) {
-        let Some(entry) = there.slice().and_then(|slice| slice.get_mut(self.index)) else {
-            return;
-        };
-        *entry = match (place, &self.numbers) {
-            (Place::Input(input, order), _) => self.inputs[input].as_ref()[order],
-            (Place::Unknown(unknown, order), Some(found)) => found.unknowns[unknown].as_ref()[order],
-            (Place::Sine(unknown), Some(found)) => found.sines[unknown].unwrap_or(*entry),
-            (Place::Output(output, order), Some(found)) => found.outputs[output].as_ref()[order],
-            (_, None) => f64::NAN,
-        };
-    }
-}
-
-/// Stores what has been found in lanes.
-struct Storing<'r, R, const W: usize, const FUSED: bool> {
-    start: usize,
-    inputs: &'r [R],
-    unknowns: &'r [R],
-    sines: &'r [Option<Lanes<W, FUSED>>],
-    outputs: &'r [R],
-}
-
-impl<R: Row<Lanes<W, FUSED>>, C: Target, const W: usize, const FUSED: bool> Visitor<'_, C>
-    for Storing<'_, R, W, FUSED>
-{
-    #[inline(always)]
-    fn visit(&mut self, place: Place, there: &mut C) {
-        let Some(slice) = there.slice() else {
-            return;
-        };
-        let found = match place {
-            Place::Input(index, order) => self.inputs[index].as_ref().get(order),
-            Place::Unknown(index, order) => self.unknowns[index].as_ref().get(order),
-            Place::Sine(index) => self.sines[index].as_ref(),
-            Place::Output(index, order) => self.outputs[index].as_ref().get(order),
-        };
-        // All targets are long enough, and the compiler does not know.
-        let slice = slice.get_mut(self.start..).and_then(<[f64]>::first_chunk_mut);
-        if let (Some(slice), Some(found)) = (slice, found) {
-            *slice = found.0;
-        }
-    }
-}
-
-/// The inputs of one pose, and what became of it.
-type Alone<M> = (
-    <M as Mechanism>::Inputs<<M as Mechanism>::Motion<f64>>,
-    Result<<M as Mechanism>::Pose, SolveError>,
-);
 
 /// A problem with the places for its results.
-struct Sweep<'p, 'a, M: Mechanism<Scalar = f64>, G, P, C> {
+struct Sweep<'p, 'a, M: Mechanism<Scalar = f64>, G> {
     problem: &'p Problem<'a, M, G>,
-    poses: &'p mut P,
+    near: &'p M::Unknowns<Column<'a>>,
+    destination: &'p Destination<'p, M>,
     outcomes: &'p mut [Outcome],
-    target: PhantomData<C>,
 }
 
-impl<M, G, P, C> Kernel for Sweep<'_, '_, M, G, P, C>
-where
-    M: Mechanism<Scalar = f64>,
-    G: Guide<M>,
-    P: Columns<C>,
-    C: Target,
-{
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Sweep<'_, 'a, M, G> {
+    /// Solves a pose by itself, and stores it.
+    #[cold]
+    #[inline(never)]
+    fn settle(&self, index: usize) -> Result<(), SolveError> {
+        let (parameters, inputs) = (self.problem.parameters.as_ref(), self.problem.inputs.as_ref());
+        let mechanism = M::from_parameters(Row::from_fn(|parameter| parameters[parameter].at(index)));
+        let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| inputs[input].as_ref()[order].at(index)));
+        let near = M::Unknowns::from_fn(|unknown| self.near.as_ref()[unknown].at(index));
+        let nothing = |_| M::Motion::from_fn(|_| f64::NAN);
+        let (unknowns, sines, outputs, result) = match self.problem.guide.solve(&mechanism, inputs, near) {
+            Ok(pose) => (
+                pose.unknown_columns(),
+                pose.unknown_sines(),
+                pose.output_motions(),
+                Ok(()),
+            ),
+            Err(error) => (
+                Row::from_fn(nothing),
+                Row::from_fn(|_| Some(f64::NAN)),
+                Row::from_fn(nothing),
+                Err(error),
+            ),
+        };
+        self.destination.store(
+            index,
+            inputs.as_ref(),
+            unknowns.as_ref(),
+            sines.as_ref(),
+            outputs.as_ref(),
+        );
+        result
+    }
+}
+
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M, G> {
     type Result = Summary;
 
     #[inline(always)]
     fn run<const W: usize, const FUSED: bool>(self) -> Summary {
-        let Self {
-            problem,
-            poses,
-            outcomes,
-            ..
-        } = self;
-        let count = outcomes.len();
+        let problem = self.problem;
+        let count = self.outcomes.len();
         let mut summary = Summary {
             solved: count,
             ..Summary::default()
         };
-        let parameters = problem.parameters.as_ref();
-        let columns = problem.inputs.as_ref();
-        let mut dimensions: <M::With<Lanes<W, FUSED>> as Mechanism>::Parameters<Lanes<W, FUSED>> =
-            Row::from_fn(|_| Lanes::constant(0.0));
-        let mut inputs: <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>> =
-            Row::from_fn(|_| Row::from_fn(|_| Lanes::constant(0.0)));
-        let varies = parameters.iter().any(|column| column.length().is_some());
+        // Those that are not will say so. Copied in chunks, as one by one it would be done with the narrowest instructions.
+        let (chunks, rest) = self.outcomes.as_chunks_mut::<W>();
+        for chunk in chunks {
+            chunk.copy_from_slice(const { &[Outcome::Solved; W] });
+        }
+        rest.fill(Outcome::Solved);
+        let zero = Lanes::<W, FUSED>::constant(0.0);
+        let (columns, mut same) = (problem.parameters.as_ref(), M::Parameters::from_fn(|_| zero));
+        repeat(same.as_mut(), columns);
+        let mut parameters = M::Parameters::from_fn(|_| View::default());
+        look(parameters.as_mut(), columns, same.as_ref());
+        let (columns, mut same) = (
+            problem.inputs.as_ref(),
+            M::Inputs::from_fn(|_| M::Motion::from_fn(|_| zero)),
+        );
+        for (same, columns) in same.as_mut().iter_mut().zip(columns) {
+            repeat(same.as_mut(), columns.as_ref());
+        }
+        let mut inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|_| View::default()));
+        for ((views, columns), same) in inputs.as_mut().iter_mut().zip(columns).zip(same.as_ref()) {
+            look(views.as_mut(), columns.as_ref(), same.as_ref());
+        }
+        let (columns, mut same) = (self.near.as_ref(), M::Unknowns::from_fn(|_| zero));
+        let mut near = M::Unknowns::from_fn(|_| View::default());
+        if G::IS_NEAR {
+            repeat(same.as_mut(), columns);
+            look(near.as_mut(), columns, same.as_ref());
+        }
+        let mut dimensions = Row::from_fn(|_| zero);
+        let mut guess = Row::from_fn(|_| zero);
+        let mut motions: <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>> =
+            Row::from_fn(|_| Row::from_fn(|_| zero));
         let mut next = 0;
         // Fewer than there are lanes are solved one by one.
         while next < count && count >= W {
             // The last poses of all go with some that have been solved before, and come to the same once more.
             let start = next.min(count - W);
-            if varies || start == 0 {
-                for (dimension, column) in dimensions.as_mut().iter_mut().zip(parameters) {
-                    *dimension = gathered(*column, start);
-                }
+            gather(&mut dimensions, parameters.as_ref(), start);
+            if G::IS_NEAR {
+                gather(&mut guess, near.as_ref(), start);
             }
-            for (motion, columns) in inputs.as_mut().iter_mut().zip(columns) {
-                for (entry, column) in motion.as_mut().iter_mut().zip(columns.as_ref()) {
-                    *entry = gathered(*column, start);
-                }
+            for (motion, views) in motions.as_mut().iter_mut().zip(inputs.as_ref()) {
+                gather(motion, views.as_ref(), start);
             }
-            let chunk = Chunk::<M, W, FUSED> {
-                mechanism: M::With::from_parameters(dimensions),
-                inputs: &inputs,
-            };
+            let mechanism = M::With::from_parameters(dimensions);
             let mut sum = Lanes([f64::NAN; W]);
-            if let Ok(pose) = problem.guide.solve_chunk(&chunk, start) {
+            if let Ok(pose) = problem.guide.solve(&mechanism, motions, guess) {
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
-                // Finite if, and only if, all of them are, unless the sum itself goes beyond the range.
-                sum = Lanes::constant(0.0);
+                // Finite if, and only if, all of them are, unless the sum itself goes beyond the range. A negative zero adds nothing, for
+                // the compiler either.
+                sum = Lanes::constant(-0.0);
                 for motion in unknowns.as_ref() {
                     for entry in motion.as_ref() {
                         sum = sum + *entry;
@@ -425,28 +313,28 @@ where
                         sum = sum + *entry;
                     }
                 }
-                poses.each(&mut Storing::<_, W, FUSED> {
+                self.destination.store(
                     start,
-                    inputs: inputs.as_ref(),
-                    unknowns: unknowns.as_ref(),
-                    sines: sines.as_ref(),
-                    outputs: outputs.as_ref(),
-                });
+                    motions.as_ref(),
+                    unknowns.as_ref(),
+                    sines.as_ref(),
+                    outputs.as_ref(),
+                );
             }
             if !sum.sum().is_finite() {
                 for (lane, index) in (start..start + W).enumerate() {
                     if !sum.0[lane].is_finite() {
-                        let result = problem.settle(index, poses);
+                        let result = self.settle(index);
                         if index >= next {
-                            outcomes[index] = summary.note(index, result);
+                            self.outcomes[index] = summary.note(index, result);
                         }
                     }
                 }
             }
             next = start + W;
         }
-        for (index, outcome) in outcomes.iter_mut().enumerate().skip(next) {
-            *outcome = summary.note(index, problem.settle(index, poses));
+        for index in next..count {
+            self.outcomes[index] = summary.note(index, self.settle(index));
         }
         summary
     }
