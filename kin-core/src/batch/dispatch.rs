@@ -8,7 +8,7 @@
 )]
 
 /// As many lanes as there are with the widest vectors.
-#[cfg(feature = "std")]
+#[cfg(any(feature = "rayon", all(feature = "std", target_arch = "x86_64")))]
 pub(super) const MOST_LANES: usize = 16;
 
 /// Which vector instructions a batch is calculated with.
