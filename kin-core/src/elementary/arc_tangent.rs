@@ -51,16 +51,16 @@ pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
 /// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and for what is so
 /// far out that it is next to it.
 ///
-/// In `LANES` a condition selects, a sign is a bit, and the angle is NaN where it does not hold.
+/// With `SELECT` a condition selects, a sign is a bit, and the angle is NaN where it does not hold.
 #[expect(clippy::eq_op, reason = "less itself, infinity is NaN")]
 #[inline(always)]
-pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const LANES: bool>(y: f64, x: f64) -> (f64, bool) {
-    let turned = Turned::<LANES>::of(y, x);
+pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool>(y: f64, x: f64) -> (f64, bool) {
+    let turned = Turned::<SELECT>::of(y, x);
     let fraction = turned.across / turned.along;
     let ordinary = turned.has(fraction);
     let z = fraction * fraction;
     let fraction = turned.sense.on(fraction);
-    let low = if LANES {
+    let low = if SELECT {
         // Nothing is added, or NaN.
         multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[1], turned.along - turned.along)
     } else {
@@ -92,26 +92,26 @@ fn beyond<T: Float>(y: T, x: T) -> T {
 }
 
 /// A point turned and mirrored to next to the positive x axis, and away from the origin by a factor that does not matter.
-struct Turned<const LANES: bool> {
+struct Turned<const SELECT: bool> {
     across: f64,
     along: f64,
     /// Whether the angle counts forwards or backwards.
-    sense: Sign<LANES>,
+    sense: Sign<SELECT>,
     /// The multiple of π/4 from which it counts, if the point itself is above the x axis.
     multiple: f64,
 }
 
-impl<const LANES: bool> Turned<LANES> {
+impl<const SELECT: bool> Turned<SELECT> {
     #[inline(always)]
     fn of(y: f64, x: f64) -> Self {
         let (height, width) = (y.abs(), x.abs());
         let greater = if height > width { height } else { width };
         let lesser = if height > width { width } else { height };
-        let slanting = Condition::<LANES>::new(lesser > greater - lesser);
+        let slanting = Condition::<SELECT>::new(lesser > greater - lesser);
         let (side, steepness) = (Sign::of(x), Sign::of(width - height));
         let sense = side.times(steepness);
         // 0, 2 or 4 from the nearest axis; and the diagonal before or after it
-        let multiple = if LANES {
+        let multiple = if SELECT {
             2.0 - side.on(1.0 + slanting.unless(steepness.on(1.0)))
         } else {
             (2.0 - side.0) - slanting.unless(sense.0)
@@ -131,16 +131,16 @@ impl<const LANES: bool> Turned<LANES> {
     }
 }
 
-/// Selects between numbers and zero: in lanes as such, elsewhere by a factor, as a condition that selects several numbers would become a
+/// Selects between numbers and zero: with `SELECT` as such, elsewhere by a factor, as a condition that selects several numbers would become a
 /// branch.
 #[derive(Clone, Copy)]
-struct Condition<const LANES: bool> {
+struct Condition<const SELECT: bool> {
     holds: bool,
     /// 1 if it holds, 0 if it does not.
     factor: f64,
 }
 
-impl<const LANES: bool> Condition<LANES> {
+impl<const SELECT: bool> Condition<SELECT> {
     #[inline(always)]
     fn new(holds: bool) -> Self {
         let factor = if holds { 1.0 } else { 0.0 };
@@ -149,7 +149,7 @@ impl<const LANES: bool> Condition<LANES> {
 
     #[inline(always)]
     fn then(self, number: f64) -> f64 {
-        if !LANES {
+        if !SELECT {
             self.factor * number
         } else if self.holds {
             number
@@ -160,7 +160,7 @@ impl<const LANES: bool> Condition<LANES> {
 
     #[inline(always)]
     fn unless(self, number: f64) -> f64 {
-        if !LANES {
+        if !SELECT {
             (1.0 - self.factor) * number
         } else if self.holds {
             0.0
@@ -170,20 +170,20 @@ impl<const LANES: bool> Condition<LANES> {
     }
 }
 
-/// A sign: in lanes that of the number which it has, elsewhere that number is ±1, and a factor, as bits would be taken out of the registers
+/// A sign: with `SELECT` that of the number which it has, elsewhere that number is ±1, and a factor, as bits would be taken out of the registers
 /// of floating-point numbers and back.
 #[derive(Clone, Copy)]
-struct Sign<const LANES: bool>(f64);
+struct Sign<const SELECT: bool>(f64);
 
-impl<const LANES: bool> Sign<LANES> {
+impl<const SELECT: bool> Sign<SELECT> {
     #[inline(always)]
     fn of(number: f64) -> Self {
-        Self(if LANES { number } else { 1.0_f64.copysign(number) })
+        Self(if SELECT { number } else { 1.0_f64.copysign(number) })
     }
 
     #[inline(always)]
     fn times(self, other: Self) -> Self {
-        Self(if LANES {
+        Self(if SELECT {
             f64::from_bits(self.0.to_bits() ^ other.0.to_bits())
         } else {
             self.0 * other.0
@@ -192,7 +192,7 @@ impl<const LANES: bool> Sign<LANES> {
 
     #[inline(always)]
     fn on(self, number: f64) -> f64 {
-        if LANES {
+        if SELECT {
             turned_round(number, self.0.to_bits())
         } else {
             self.0 * number

@@ -11,9 +11,9 @@
 //! Where a product and a sum are one instruction the caller may choose it: a constant, `FUSED`, is true for functions that are
 //! compiled for such a machine.
 //!
-//! In lanes a condition selects between numbers, and a sign is a bit that is turned round. Alone it is products with 0 and ±1 that do it: one
-//! condition that selects several numbers would become a branch, and bits would be taken out of the registers of floating-point numbers.
-//! A constant, `LANES`, says which.
+//! In wide vectors a condition selects between numbers, and a sign is a bit that is turned round. Alone it is products with 0 and ±1 that do
+//! it: one condition that selects several numbers would become a branch, and bits would be taken out of the registers of
+//! floating-point numbers. So it is in the narrowest vectors, which have no instruction to select. A constant, `SELECT`, says which.
 //!
 //! The polynomials are minimax in the relative error of the function itself, found by Remez' exchange in 50 digits; each states
 //! its interval and its error. They were fitted for this crate.

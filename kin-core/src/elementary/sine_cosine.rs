@@ -92,9 +92,9 @@ pub(crate) fn is_near(angle: f64) -> bool {
     angle.abs() <= LIMIT
 }
 
-/// [`sine_cosine`] of an angle that [is near](is_near), without a branch, alone or in `LANES`. Of what is not a number both are none.
+/// [`sine_cosine`] of an angle that [is near](is_near), without a branch, by products or with `SELECT`. Of what is not a number both are none.
 #[inline(always)]
-pub(crate) fn near_sine_cosine<const FUSED: bool, const LANES: bool>(angle: f64) -> (f64, f64) {
+pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool>(angle: f64) -> (f64, f64) {
     let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
     let turns = shifted - ROUNDING;
 
@@ -115,8 +115,8 @@ pub(crate) fn near_sine_cosine<const FUSED: bool, const LANES: bool>(angle: f64)
         // Half of the square is exact; its product with a difference would be rounded once more.
         1.0 - (0.5 * z - z * z * quartic)
     };
-    if LANES {
-        in_quadrant_of_lanes(shifted, sine, cosine)
+    if SELECT {
+        in_quadrant_by_selection(shifted, sine, cosine)
     } else {
         in_quadrant::<FUSED>(shifted, sine, cosine)
     }
@@ -150,9 +150,9 @@ fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64,
     )
 }
 
-/// [`in_quadrant`] in lanes, where two numbers change places by selection and signs are bits.
+/// [`in_quadrant`] with `SELECT`: two numbers change places by selection and signs are bits.
 #[inline(always)]
-fn in_quadrant_of_lanes(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
+fn in_quadrant_by_selection(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
     let quarters = shifted.to_bits();
     let odd = quarters & 1 != 0;
     (

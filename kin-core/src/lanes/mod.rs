@@ -144,7 +144,7 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
             let angle = self.0[lane];
             // NaN where the polynomials do not hold.
             let angle = if is_near(angle) { angle } else { f64::NAN };
-            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, true>(angle);
+            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, FUSED>(angle);
         }
         (sine, cosine)
     }
@@ -166,7 +166,10 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
 
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        self.with(x, |y, x| ordinary_arc_tangent::<FUSED, true>(y, x).0)
+        self.with(x, |y, x| {
+            let (angle, ordinary) = ordinary_arc_tangent::<FUSED, FUSED>(y, x);
+            if FUSED || ordinary { angle } else { f64::NAN }
+        })
     }
 
     #[inline(always)]

@@ -46,7 +46,7 @@ fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static 
         return Err(too_short(known.real(), radius.real(), T::EPSILON, quantity));
     };
     let leg = assembly.signed(square.sqrt());
-    Ok(T::either([radius], |[radius]| radius < 0.0, || -leg, || leg))
+    Ok(leg.times_sign_of(radius))
 }
 
 #[cold]

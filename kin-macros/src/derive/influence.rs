@@ -40,10 +40,8 @@ impl Way {
                 .iter()
                 .map(|&weight| graph.divide(weight, determinant))
                 .collect();
-            // a length that is the determinant cancels in the row of its own rate; in the other row a division at each order is as
-            // cheap as one for each coefficient
-            let is_length = graph.as_symbol(determinant).is_some();
-            if !is_length || quotients.iter().any(|&quotient| !divides(graph, quotient)) {
+            // the determinant cancels, or stays outside: coefficients that are divided would have to wait for the division
+            if !quotients.iter().any(|&quotient| divides(graph, quotient)) {
                 return collected(graph, &quotients, rights);
             }
         }
