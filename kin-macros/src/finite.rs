@@ -11,44 +11,43 @@ use crate::assemble::{Stage, Step};
 use crate::expr::{Graph, Node, Symbol, Term};
 
 /// The rates of unknowns that show in no other one, by unknown and order: if they are finite, all are.
-pub(crate) fn telltales(graph: &Graph, stages: &[Stage]) -> BTreeSet<(usize, usize)> {
+pub(crate) fn telltales(graph: &mut Graph, stages: &[Stage]) -> BTreeSet<(usize, usize)> {
     let steps = || stages.iter().flat_map(|stage| &stage.steps);
-    let definitions: BTreeMap<Symbol, Node> = steps()
-        .filter_map(|step| match step {
-            Step::Define { symbol, node } => Some((*symbol, *node)),
-            _ => None,
-        })
-        .collect();
-    let mut shown = BTreeSet::new();
-    let mut telltales = BTreeSet::new();
-    let reversed: Vec<&Step> = steps().collect();
-    for step in reversed.into_iter().rev() {
+    let mut definitions = BTreeMap::new();
+    for step in steps() {
+        if let Step::Define { symbol, node } = step {
+            definitions.insert(graph.symbol(*symbol), *node);
+        }
+    }
+    let (mut shown, mut telltales) = (BTreeSet::new(), BTreeSet::new());
+    for step in steps().rev() {
         let symbols = match step {
             Step::Define { symbol, .. } => std::slice::from_ref(symbol),
             Step::Substitute { results, .. } => results,
             _ => &[],
         };
         for &symbol in symbols {
-            if let Symbol::UnknownRate(unknown, order) = symbol
-                && !shown.contains(&symbol)
-            {
-                telltales.insert((unknown, order));
-                show(graph, &definitions, symbol, &mut shown);
+            if let Symbol::UnknownRate(unknown, order) = symbol {
+                let rate = graph.symbol(symbol);
+                if !shown.contains(&rate) {
+                    telltales.insert((unknown, order));
+                    show(graph, &definitions, rate, &mut shown);
+                }
             }
         }
     }
     telltales
 }
 
-/// Adds a symbol, and those that it shows.
-fn show(graph: &Graph, definitions: &BTreeMap<Symbol, Node>, symbol: Symbol, shown: &mut BTreeSet<Symbol>) {
-    if !shown.insert(symbol) {
-        return;
-    }
-    let mut open: Vec<Node> = definitions.get(&symbol).copied().into_iter().collect();
+/// Adds a value, and all that shows in it.
+fn show(graph: &Graph, definitions: &BTreeMap<Node, Node>, value: Node, shown: &mut BTreeSet<Node>) {
+    let mut open = vec![value];
     while let Some(node) = open.pop() {
+        if !shown.insert(node) {
+            continue;
+        }
         match graph.term(node) {
-            Term::Symbol(symbol) => show(graph, definitions, *symbol, shown),
+            Term::Symbol(_) => open.extend(definitions.get(&node)),
             Term::Sum(_, terms) => open.extend(terms.iter().map(|&(term, _)| term)),
             Term::Product(factors) => open.extend(
                 factors

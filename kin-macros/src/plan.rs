@@ -229,7 +229,7 @@ impl Candidate {
             None
         };
         let orientations = orientations(&mut self.graph, &names, &self.choices);
-        let telltales = finite::telltales(&self.graph, &stages);
+        let telltales = finite::telltales(&mut self.graph, &stages);
         Plan {
             graph: self.graph,
             choices: self.choices,

@@ -315,7 +315,7 @@ impl Builder<'_> {
     }
 
     /// The unknown angle of a link that is known as a vector.
-    fn turn_vector(&mut self, unknown: usize, length: Node, vector: Complex) {
+    pub(super) fn turn_vector(&mut self, unknown: usize, length: Node, vector: Complex) {
         let length = self.known(length);
         self.nonzero.push(length);
         let angle = self.graph.symbol(Symbol::Unknown(unknown));

@@ -256,7 +256,6 @@ impl Builder<'_> {
     pub(super) fn polar(&mut self, length: usize, angle: usize, mirrored: bool, offset: Complex, target: Complex) {
         let (offset, target) = (self.known_complex(offset), self.known_complex(target));
         let target = self.define_complex("span", target);
-        let own_angle = self.graph.symbol(Symbol::Unknown(angle));
         let own_length = self.graph.symbol(Symbol::Unknown(length));
         let has_offset = !(self.graph.is_zero(offset.re) && self.graph.is_zero(offset.im));
         let given = Argument::Plane(target.re, target.im);
@@ -271,11 +270,8 @@ impl Builder<'_> {
             self.turn(angle, unit);
         } else {
             self.solve(Solver::Polar, vec![given], vec![Symbol::Unknown(length)]);
-            let divisor = Complex::new(own_length, self.graph.zero());
-            let unit = self.unit_of(target, divisor, mirrored);
-            self.units.learn_direction(own_angle, unit);
             let vector = self.upright(target, mirrored);
-            self.push_angle(angle, vector, own_length);
+            self.turn_vector(angle, own_length, vector);
         }
     }
 }
