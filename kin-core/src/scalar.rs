@@ -41,8 +41,10 @@ pub trait Scalar:
     /// The distance from 1 to the next larger real part.
     const EPSILON: f64;
 
-    /// The smallest positive real part that still has full precision.
-    const SMALLEST: f64 = f64::MIN_POSITIVE;
+    /// The smallest positive real part that is divided by. From it to its reciprocal, numbers and their reciprocals have full
+    /// precision.
+    // Twice the smallest number that has: a comparison with that one is taken for a test of bits, and done by integers, lane by lane.
+    const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
 
     /// How many successive derivatives the number carries beside its real part: 0 for a plain number, n for a series
     /// through the n-th power of time. An iteration goes on until the highest of them is right.
@@ -59,6 +61,13 @@ pub trait Scalar:
     /// Whether every part of the number is finite, that is neither NaN nor infinite.
     #[must_use]
     fn is_finite(self) -> bool;
+
+    /// Whether every part of all of them is finite.
+    #[must_use]
+    #[inline(always)]
+    fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
+        numbers.into_iter().all(Self::is_finite)
+    }
 
     /// The non-negative square root.
     #[must_use]
@@ -175,7 +184,7 @@ macro_rules! primitive_scalar {
     ($float:ty, $from_f64:expr, $sine_cosine:expr, $arc_tangent:expr) => {
         impl Scalar for $float {
             const EPSILON: f64 = <$float>::EPSILON as f64;
-            const SMALLEST: f64 = <$float>::MIN_POSITIVE as f64;
+            const SMALLEST: f64 = 2.0 * <$float>::MIN_POSITIVE as f64;
 
             #[inline]
             fn constant(value: f64) -> Self {
@@ -190,6 +199,14 @@ macro_rules! primitive_scalar {
             #[inline]
             fn is_finite(self) -> bool {
                 <$float>::is_finite(self)
+            }
+
+            /// By their sum, which is not finite if one of them is not; the numbers themselves are looked at only if the sum is
+            /// not finite, which it may be by its size.
+            #[inline(always)]
+            fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
+                let sum = numbers.into_iter().reduce(|sum, number| sum + number);
+                sum.is_none_or(<$float>::is_finite) || numbers.into_iter().all(<$float>::is_finite)
             }
 
             #[inline]
@@ -282,6 +299,23 @@ mod tests {
         let tenth = <f32 as Scalar>::constant(0.1);
         assert_eq!(tenth.to_bits(), 0.1_f32.to_bits());
         assert!(!<f32 as Scalar>::is_finite(Scalar::constant(1e300)));
+    }
+
+    #[test]
+    fn numbers_are_finite_together_if_each_is() {
+        assert!(f64::are_finite([]) && f64::are_finite([1.0]));
+        assert!(
+            f64::are_finite([f64::MAX, f64::MAX, -f64::MAX]),
+            "though their sum is not"
+        );
+        for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for place in 0..4 {
+                let mut numbers = [1.0, f64::MAX, -3.0, 0.0];
+                numbers[place] = wrong;
+                assert!(!f64::are_finite(numbers), "{numbers:?}");
+            }
+        }
+        assert!(!f64::are_finite([f64::INFINITY, f64::NEG_INFINITY]));
     }
 
     #[test]

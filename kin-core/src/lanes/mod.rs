@@ -111,9 +111,6 @@ impl<const W: usize, const FUSED: bool> Neg for Lanes<W, FUSED> {
 
 impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     const EPSILON: f64 = f64::EPSILON;
-    // A little more than that of one number: a comparison with the smallest normal number is taken for a test of bits, and done lane
-    // by lane.
-    const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {

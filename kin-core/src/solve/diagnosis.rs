@@ -4,10 +4,11 @@ use num_traits::Float;
 
 use crate::Failure;
 
-/// Whether the number under a square root admits a root with full precision: both, or there is none. NaN does not.
+/// Whether a number is positive, and it and its reciprocal have full precision: both, or not. NaN is not. A square root of such a
+/// number is such a number.
 #[inline(always)]
-pub(super) fn ordinary(radicand: f64, smallest: f64) -> [bool; 2] {
-    [radicand >= smallest, radicand < f64::INFINITY]
+pub(super) fn ordinary(number: f64, smallest: f64) -> [bool; 2] {
+    [number >= smallest, number <= 1.0 / smallest]
 }
 
 /// The length of a vector, without overflow on the way.

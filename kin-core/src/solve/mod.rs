@@ -22,7 +22,7 @@
 //! Declared ranges are looked after by [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`];
 //! functions that are not defined everywhere by [`square_root_of`], [`arc_sine`] and their like. [`direction`] makes an
 //! angle of a vector, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
-//! a way on.
+//! a way on, and [`culprit`] what is in the way.
 //!
 //! Angles are represented by unit vectors, their cosine and sine, so that no half-angle runs to infinity and no
 //! trigonometric function of an unknown is evaluated. Where there are two solutions, an
@@ -70,7 +70,7 @@ pub use range::{check_angle, check_value, choose_angle, choose_value};
 pub use size::largest;
 pub use square_root::square_root;
 pub use turn::{agreeing, nearest_turn, on_turn};
-pub use usable::{finite, regular};
+pub use usable::{culprit, finite, regular};
 
 #[cfg(test)]
 mod operation_counts;

@@ -4,10 +4,10 @@ use super::diagnosis::ordinary;
 use crate::{Failure, Scalar};
 
 /// The determinant itself if one may divide by it: if its magnitude is neither zero, nor so small that it has lost digits,
-/// nor infinite.
+/// nor too large to have a reciprocal with all digits.
 ///
 /// # Errors
-/// [`Failure::Singular`] if it is zero or too small, [`Failure::NotFinite`].
+/// [`Failure::Singular`] if it is zero or too small, [`Failure::NotFinite`] if it is too large or no number.
 ///
 /// ```
 /// use kin_core::{Failure, solve};
@@ -25,7 +25,7 @@ pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
 /// The value itself if it is finite, in all its parts if it is a dual number. `quantity` says in a few words what it is.
 ///
 /// # Errors
-/// [`Failure::NotFinite`].
+/// [`Failure::NotFinite`] if it is too large or no number.
 ///
 /// ```
 /// use kin_core::{Failure, solve};
@@ -43,10 +43,17 @@ pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure>
     }
 }
 
+/// The name of the first quantity that is not finite, if one is not.
+#[must_use]
+pub fn culprit<const N: usize>(names: [&'static str; N], finite: [bool; N]) -> Option<&'static str> {
+    let (name, _) = names.into_iter().zip(finite).find(|(_, finite)| !finite)?;
+    Some(name)
+}
+
 #[cold]
 #[inline(never)]
 fn irregular(determinant: f64) -> Failure {
-    if determinant.is_finite() {
+    if determinant.is_finite() && determinant.abs() < 1.0 {
         Failure::Singular { determinant }
     } else {
         Failure::NotFinite {
@@ -63,14 +70,20 @@ mod tests {
 
     #[test]
     fn a_determinant_is_regular_if_it_has_its_full_precision() {
-        for determinant in [1.0, -1.0, f64::MIN_POSITIVE, -f64::MIN_POSITIVE, f64::MAX] {
+        for determinant in [
+            1.0,
+            -1.0,
+            2.0 * f64::MIN_POSITIVE,
+            -3.0 * f64::MIN_POSITIVE,
+            0.1 * f64::MAX,
+        ] {
             assert_eq!(regular(determinant), Ok(determinant));
         }
-        for determinant in [0.0, -0.0, 1e-310, -1e-310] {
+        for determinant in [0.0, -0.0, 1e-310, -f64::MIN_POSITIVE] {
             assert_eq!(regular(determinant), Err(Failure::Singular { determinant }));
         }
         assert!(regular(1e-40_f32).is_err());
-        for determinant in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for determinant in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX] {
             assert_eq!(
                 regular(determinant),
                 Err(Failure::NotFinite {

@@ -28,34 +28,33 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             quote!(.#method(#(#inputs.#method()),*))
         })
         .collect();
-    let tests: Vec<TokenStream> = mechanism
-        .plan
-        .telltales
+    // one after the other, as they are found
+    let mut telltales: Vec<(usize, usize)> = mechanism.plan.telltales.iter().copied().collect();
+    telltales.sort_by_key(|&(unknown, order)| (order, unknown));
+    let rates = telltales.iter().map(|&(unknown, order)| {
+        let (field, rate) = (&model.unknowns[unknown].name, local(&order_name(order)));
+        quote!(#result.#field.#rate())
+    });
+    let mut tests: Vec<TokenStream> = model
+        .outputs
         .iter()
-        .map(|&(unknown, order)| {
-            let (field, rate) = (&model.unknowns[unknown].name, local(&order_name(order)));
-            quote!(#runtime::Scalar::is_finite(#result.#field.#rate()))
-        })
-        .chain(model.outputs.iter().map(|output| {
+        .map(|output| {
             let field = &output.name;
             quote!(#result.#field.is_finite())
-        }))
+        })
         .collect();
-    let mut fields: Vec<_> = model
+    if !telltales.is_empty() {
+        tests.insert(0, quote!(T::are_finite([#(#rates),*])));
+    }
+    let fields: Vec<_> = model
         .unknowns
         .iter()
         .map(|unknown| &unknown.name)
         .chain(model.outputs.iter().map(|output| &output.name))
         .collect();
-    let last = fields.pop().map(ToString::to_string);
-    let culprits = fields.into_iter().map(|field| {
-        let label = field.to_string();
-        quote! {
-            if !#result.#field.is_finite() {
-                return self.__not_finite(#label, #(#inputs),*);
-            }
-        }
-    });
+    let field_labels: Vec<String> = fields.iter().map(ToString::to_string).collect();
+    let field_count = Literal::usize_unsuffixed(fields.len());
+    let input_count = Literal::usize_unsuffixed(inputs.len());
     let positions: Vec<TokenStream> = inputs.iter().map(|input| quote!(#input.position())).collect();
     let parameter_pairs: Vec<TokenStream> = mechanism
         .scalar_parameters()
@@ -64,11 +63,8 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         .collect();
     let labels: Vec<String> = inputs.iter().map(ToString::to_string).collect();
     let closure = closure::tokens(mechanism.declaration, model, runtime);
-    let (failure, block, quantity) = (
-        mechanism.own("failure"),
-        mechanism.own("block"),
-        mechanism.own("quantity"),
-    );
+    let [failure, block, quantity, results, given] =
+        ["failure", "block", "quantity", "results", "given"].map(|name| mechanism.own(name));
     let summary = format!(
         " Position and all time derivatives to {} in one call.",
         order_name(order)
@@ -123,17 +119,28 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                     let #result = #position #steps;
                     // the other rates show in these: what is not finite makes no finite sum or product
                     if !(#(#tests)&&*) {
-                        return ::core::result::Result::Err(self.__culprit(&#result, #(#inputs),*));
+                        // by what is finite, and not by reference: the results need no place in memory but where they are returned
+                        return ::core::result::Result::Err(self.__culprit(
+                            [#(#result.#fields.is_finite()),*],
+                            [#(#inputs.is_finite()),*],
+                            #(#positions),*
+                        ));
                     }
                     ::core::result::Result::Ok(#result)
                 }
 
-                /// The error that names the first of the results that is not finite.
+                /// The error that names the first of the results that is not finite, or of the inputs that made it so.
                 #[cold]
                 #[inline(never)]
-                fn __culprit(&self, #result: &#pose<T>, #(#inputs: #runtime::Motion<T, #length>),*) -> #runtime::SolveError {
-                    #(#culprits)*
-                    self.__not_finite(#last, #(#inputs),*)
+                fn __culprit(
+                    &self,
+                    #results: [::core::primitive::bool; #field_count],
+                    #given: [::core::primitive::bool; #input_count],
+                    #(#inputs: T),*
+                ) -> #runtime::SolveError {
+                    let #block = #runtime::solve::culprit([#(#field_labels),*], #results).unwrap_or_default();
+                    let #quantity = #runtime::solve::culprit([#(#labels),*], #given).unwrap_or(#block);
+                    self.__failed(#runtime::Failure::NotFinite { #quantity }, #block, #(#inputs),*)
                 }
 
                 /// An error with the place where it occurred, traced to the number that is to blame if one is not finite.
@@ -150,24 +157,6 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                             &[#(#labels),*],
                             &[#(#runtime::Scalar::real(#inputs)),*],
                         ))
-                }
-
-                /// The error of a rate that is not finite, or of the input that made it so.
-                #[cold]
-                fn __not_finite(
-                    &self,
-                    #quantity: &'static ::core::primitive::str,
-                    #(#inputs: #runtime::Motion<T, #length>),*
-                ) -> #runtime::SolveError {
-                    let #failure = #runtime::Failure::NotFinite { #quantity };
-                    #(
-                        let #failure = if #inputs.is_finite() {
-                            #failure
-                        } else {
-                            #runtime::Failure::NotFinite { quantity: #labels }
-                        };
-                    )*
-                    self.__failed(#failure, #quantity, #(#positions),*)
                 }
             }
         }
