@@ -34,6 +34,8 @@ pub(crate) enum Pass {
     SharedNumbers,
     /// A factor of several terms of a sum is taken out, if that is cheaper.
     SharedFactors,
+    /// What a closed form takes the root of is inverted beside the root.
+    InvertedRoots,
     /// What is divided by more than once is inverted once.
     SharedReciprocals,
 }

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::assemble::{self, Choice, Directions, Limits, Mode, Names, Program, Stage, Step};
+use crate::assemble::{self, Choice, Directions, Limits, Mode, Names, Program, Reciprocals, Stage, Step};
 use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::finite;
@@ -287,6 +287,12 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
         task.passes,
     );
     let mut units = assembled.units;
+    let roots = if task.passes.include(Pass::InvertedRoots) {
+        assembled.roots.as_slice()
+    } else {
+        &[]
+    };
+    let reciprocals = Reciprocals::learn(&mut graph, &mut names, &mut units, roots);
     let mut stages = vec![assembled.stage];
     let mut directions = Directions::define(&mut graph, &mut names, &mut units, task.directions, &mut stages[0]);
     for (index, &output) in task.outputs.iter().enumerate() {
@@ -367,6 +373,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
         .steps
         .extend(checks.into_iter().map(|node| Step::Regular { node }));
     directions.drop_idle(&mut graph, &mut stages, task.ranges);
+    reciprocals.place(&graph, &mut stages);
     let program = Program {
         stages,
         names,

@@ -1,6 +1,7 @@
 //! Two links of known length between two known points: the intersection of two circles.
 
 use super::diagnosis::{length, ordinary, refusal, root};
+use super::root::Root;
 use crate::{Assembly, Failure, Plane, Scalar};
 
 const QUANTITY: &str = "link lengths or the distance they span";
@@ -15,7 +16,10 @@ const QUANTITY: &str = "link lengths or the distance they span";
 /// it at q, 4 q² d⁴ = ((a + b)² - d²)(d² - (a - b)²) (Heron's formula for the triangle, in factors that
 /// do not cancel at the limits), so that v₁ = c (p ± i q).
 ///
-/// 22 operations: 8 additions, 12 multiplications, 1 division, 1 square root.
+/// With the vector comes 2 c × v₁ = ± 2 q d², the root: four times the area of the triangle, counted positive in the open assembly.
+/// Rates are divided by v₁ × v₂, which is minus half of it.
+///
+/// 22 operations: 8 additions, 12 multiplications, 1 division, 1 square root; a change of sign more in the crossed assembly.
 ///
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin min(|a| + |b| - d, d - ||a| - |b||), [`Failure::Singular`] if the three
@@ -25,14 +29,15 @@ const QUANTITY: &str = "link lengths or the distance they span";
 /// use kin_core::{Assembly, Plane, solve};
 ///
 /// let c = Plane::new(5.0_f64, 0.0);
-/// let first = solve::circle_circle(3.0, 4.0, c, Assembly::Open)?;
+/// let (first, four_areas) = solve::circle_circle(3.0, 4.0, c, Assembly::Open)?;
 /// let second = c - first;
 /// assert!((first.x - 1.8).abs() < 1e-15 && (first.y - 2.4).abs() < 1e-15);
-/// assert!(first.cross(second) < 0.0);
+/// assert!((four_areas.value - 24.0).abs() < 1e-14);
+/// assert!((first.cross(second) + four_areas.value / 2.0).abs() < 1e-14);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
 #[inline(always)]
-pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> Result<Plane<T>, Failure> {
+pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, Root<T>), Failure> {
     let d2 = c.norm_squared();
     let sum = a + b;
     let difference = a - b;
@@ -51,15 +56,18 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
         ));
     };
     let half = T::constant(0.5) / d2;
-    let p = twice_p * half;
-    let q = four_q2.sqrt() * half;
-    Ok(beside(c, p, q, assembly))
+    let root = Root {
+        value: assembly.signed(four_q2.sqrt()),
+        square: four_q2,
+    };
+    Ok((beside(c, twice_p * half, root.value * half), root))
 }
 
 /// [`circle_circle`] for links of which the squares of the lengths are known, `a2` = |v₁|² and `b2` = |v₂|², as it is
 /// with ternary links.
 ///
-/// 4 q² d⁴ = 4 a² d² - (d² + a² - b²)². 19 operations: 6 additions, 11 multiplications, 1 division, 1 square root.
+/// 4 q² d⁴ = 4 a² d² - (d² + a² - b²)². 19 operations: 6 additions, 11 multiplications, 1 division, 1 square root; a change of sign
+/// more in the crossed assembly.
 ///
 /// # Errors
 /// As for [`circle_circle`]; a negative square is out of reach by its root.
@@ -80,18 +88,13 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
         ));
     };
     let half = T::constant(0.5) / d2;
-    let p = twice_p * half;
-    let q = four_q2.sqrt() * half;
-    Ok(beside(c, p, q, assembly))
+    Ok(beside(c, twice_p * half, assembly.signed(four_q2.sqrt()) * half))
 }
 
-/// `c (p ± i q)`, the sign being that of the assembly.
+/// `c (p + i q)`.
 #[inline(always)]
-fn beside<T: Scalar>(c: Plane<T>, p: T, q: T, assembly: Assembly) -> Plane<T> {
-    match assembly {
-        Assembly::Open => Plane::new(c.x * p - c.y * q, c.y * p + c.x * q),
-        Assembly::Crossed => Plane::new(c.x * p + c.y * q, c.y * p - c.x * q),
-    }
+fn beside<T: Scalar>(c: Plane<T>, p: T, q: T) -> Plane<T> {
+    Plane::new(c.x * p - c.y * q, c.y * p + c.x * q)
 }
 
 #[cold]
@@ -150,8 +153,11 @@ mod tests {
                     prop_assert_eq!(first.cross(second) < 0.0, assembly == Assembly::Open);
                 }
                 for (a, b) in [(a, b), (-a, b), (a, -b), (-a, -b)] {
-                    let first = circle_circle(a, b, c, assembly).unwrap();
+                    let (first, four_areas) = circle_circle(a, b, c, assembly).unwrap();
                     let second = c - first;
+                    prop_assert_eq!(four_areas.value > 0.0, assembly == Assembly::Open);
+                    prop_assert!((four_areas.value.powi(2) / four_areas.square - 1.0).abs() <= 4.0 * f64::EPSILON);
+                    prop_assert!((2.0 * c.cross(first) - four_areas.value).abs() <= 4.0 * tolerance * d);
                     prop_assert!((norm(first) - a.abs()).abs() <= tolerance);
                     prop_assert!((norm(second) - b.abs()).abs() <= tolerance);
                     let open = first.cross(second) < 0.0;
@@ -159,7 +165,7 @@ mod tests {
                 }
                 let original = if u.cross(v) < 0.0 { Assembly::Open } else { Assembly::Crossed };
                 if assembly == original {
-                    let first = circle_circle(a, b, c, assembly).unwrap();
+                    let (first, _) = circle_circle(a, b, c, assembly).unwrap();
                     prop_assert!(norm(first - u) <= tolerance * scale / d);
                 }
             }
@@ -175,7 +181,7 @@ mod tests {
                 }
                 let c = direction(t).scale(d);
                 for result in [
-                    circle_circle(a, b, c, Assembly::Open),
+                    circle_circle(a, b, c, Assembly::Open).map(|(first, _)| first),
                     circle_circle_squared(a * a, b * b, c, Assembly::Open),
                 ] {
                     match result {
@@ -203,7 +209,7 @@ mod tests {
     #[test]
     fn one_unit_in_the_last_place_decides() {
         let inside = Plane::new(7.0_f64.next_down(), 0.0);
-        let first = circle_circle(3.0, 4.0, inside, Assembly::Open).unwrap();
+        let (first, _) = circle_circle(3.0, 4.0, inside, Assembly::Open).unwrap();
         assert!(first.y > 0.0);
         let outside = Plane::new(7.0_f64.next_up(), 0.0);
         assert!(circle_circle(3.0, 4.0, outside, Assembly::Open).is_err());
@@ -252,7 +258,7 @@ mod tests {
                 let [a, b, x, y] = arguments;
                 for assembly in Assembly::BOTH {
                     for result in [
-                        circle_circle(a, b, Plane::new(x, y), assembly),
+                        circle_circle(a, b, Plane::new(x, y), assembly).map(|(first, _)| first),
                         circle_circle_squared(a, b, Plane::new(x, y), assembly),
                     ] {
                         if let Ok(first) = result {
@@ -282,7 +288,7 @@ mod tests {
     #[test]
     fn single_precision_closes_to_single_precision() {
         let c = Plane::new(5.0, 0.0);
-        let first = circle_circle(3.0_f32, 4.0, c, Assembly::Crossed).unwrap();
+        let (first, _) = circle_circle(3.0_f32, 4.0, c, Assembly::Crossed).unwrap();
         assert!((first.x - 1.8).abs() < 1e-6 && (first.y + 2.4).abs() < 1e-6);
         assert_eq!(
             circle_circle(3.0_f32, 4.0, Plane::new(7.0, 0.0), Assembly::Open),

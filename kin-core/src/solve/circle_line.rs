@@ -1,6 +1,7 @@
 //! A link of known length whose end slides along a line: the intersection of a circle and a line.
 
 use super::diagnosis::{length, ordinary, refusal, root};
+use super::root::Root;
 use crate::{Assembly, Failure, Plane, Scalar};
 
 const QUANTITY: &str = "link length, direction of the slide or distance spanned";
@@ -50,14 +51,14 @@ pub fn circle_line<T: Scalar>(
     Ok((c - direction.scale(travel), travel))
 }
 
-/// [`circle_line`] along the x axis: `v + (s, 0) = c`.
+/// [`circle_line`] along the x axis: `v + (s, 0) = c`. It returns v.x and s; v.y is c.y.
 ///
 /// 5 operations at most: 2 additions, 1 multiplication, 1 square root, and a change of sign in the open assembly.
 ///
 /// # Errors
 /// As for [`circle_line`].
 #[inline(always)]
-pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, T), Failure> {
+pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
     let q2 = a2 - c.y * c.y;
     let Some(q2) = q2.provided([q2, c.x], |[q2, x]| {
         let [low, high] = ordinary(q2, T::SMALLEST);
@@ -67,17 +68,21 @@ pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
         return Err(does_not_reach(a2, axis, c));
     };
     let q = q2.sqrt();
-    Ok((Plane::new(assembly.mirrored().signed(q), c.y), either(c.x, q, assembly)))
+    let leg = Root {
+        value: assembly.mirrored().signed(q),
+        square: q2,
+    };
+    Ok((leg, either(c.x, q, assembly)))
 }
 
-/// [`circle_line`] along the y axis: `v + (0, s) = c`.
+/// [`circle_line`] along the y axis: `v + (0, s) = c`. It returns v.y and s; v.x is c.x.
 ///
 /// 5 operations at most: 2 additions, 1 multiplication, 1 square root, and a change of sign in the open assembly.
 ///
 /// # Errors
 /// As for [`circle_line`].
 #[inline(always)]
-pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, T), Failure> {
+pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
     let q2 = a2 - c.x * c.x;
     let Some(q2) = q2.provided([q2, c.y], |[q2, y]| {
         let [low, high] = ordinary(q2, T::SMALLEST);
@@ -87,7 +92,11 @@ pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
         return Err(does_not_reach(a2, axis, c));
     };
     let q = q2.sqrt();
-    Ok((Plane::new(c.x, assembly.mirrored().signed(q)), either(c.y, q, assembly)))
+    let leg = Root {
+        value: assembly.mirrored().signed(q),
+        square: q2,
+    };
+    Ok((leg, either(c.y, q, assembly)))
 }
 
 /// `middle + q` or `middle - q`.
@@ -172,12 +181,13 @@ mod tests {
                 let c = Plane::new(x, y);
                 let (general, travel) = circle_line(a * a, X, c, assembly).unwrap();
                 let (special, s) = circle_line_x(a * a, c, assembly).unwrap();
-                prop_assert!(norm(general - special) < 1e-14 && (travel - s).abs() < 1e-14);
+                prop_assert!((general.x - special.value).abs() < 1e-14 && (travel - s).abs() < 1e-14);
+                prop_assert!((special.value.powi(2) - special.square).abs() <= 2.0 * f64::EPSILON * special.square);
 
                 let c = Plane::new(y, x);
                 let (general, travel) = circle_line(a * a, Y, c, assembly).unwrap();
                 let (special, s) = circle_line_y(a * a, c, assembly).unwrap();
-                prop_assert!(norm(general - special) < 1e-14 && (travel - s).abs() < 1e-14);
+                prop_assert!((general.y - special.value).abs() < 1e-14 && (travel - s).abs() < 1e-14);
             }
         }
     }
@@ -198,9 +208,9 @@ mod tests {
     fn the_margin_is_the_radius_less_the_distance() {
         let c = Plane::new(5.0, 3.5);
         for result in [
-            circle_line(9.0, X.scale(7.0), c, Assembly::Open),
-            circle_line_x(9.0, c, Assembly::Open),
-            circle_line_y(9.0, Plane::new(-3.5, 5.0), Assembly::Open),
+            circle_line(9.0, X.scale(7.0), c, Assembly::Open).map(drop),
+            circle_line_x(9.0, c, Assembly::Open).map(drop),
+            circle_line_y(9.0, Plane::new(-3.5, 5.0), Assembly::Open).map(drop),
         ] {
             assert_eq!(result, Err(Failure::OutOfReach { margin: -0.5 }));
         }
@@ -223,12 +233,12 @@ mod tests {
                 let [a2, u, v, x, y] = arguments;
                 let (direction, c) = (Plane::new(u, v), Plane::new(x, y));
                 for result in [
-                    circle_line(a2, direction, c, Assembly::Open),
-                    circle_line_x(a2, c, Assembly::Crossed),
-                    circle_line_y(a2, c, Assembly::Crossed),
+                    circle_line(a2, direction, c, Assembly::Open).map(|(link, travel)| [link.x, link.y, travel]),
+                    circle_line_x(a2, c, Assembly::Crossed).map(|(leg, travel)| [leg.value, leg.square, travel]),
+                    circle_line_y(a2, c, Assembly::Crossed).map(|(leg, travel)| [leg.value, leg.square, travel]),
                 ] {
-                    if let Ok((link, travel)) = result {
-                        for part in [link.x, link.y, travel] {
+                    if let Ok(parts) = result {
+                        for part in parts {
                             assert!(part.is_finite(), "{arguments:?}");
                         }
                     } else if !value.is_finite() {

@@ -1,6 +1,7 @@
 //! One angle by its cosine or its sine.
 
 use super::diagnosis::{ordinary, refusal};
+use super::root::Root;
 use crate::{Assembly, Failure, Scalar};
 
 /// The height of a link of the given radius and width: y of (x, y) = `radius` (cos φ, sin φ), given x.
@@ -15,12 +16,12 @@ use crate::{Assembly, Failure, Scalar};
 /// ```
 /// use kin_core::{Assembly, solve};
 ///
-/// let height = solve::inverse_cosine(3.0_f64, 5.0, Assembly::Open)?;
+/// let height = solve::inverse_cosine(3.0_f64, 5.0, Assembly::Open)?.value;
 /// assert!((height - 4.0).abs() < 1e-15);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
 #[inline(always)]
-pub fn inverse_cosine<T: Scalar>(width: T, radius: T, assembly: Assembly) -> Result<T, Failure> {
+pub fn inverse_cosine<T: Scalar>(width: T, radius: T, assembly: Assembly) -> Result<Root<T>, Failure> {
     other(width, radius, assembly, "length of a link or its given width")
 }
 
@@ -33,20 +34,23 @@ pub fn inverse_cosine<T: Scalar>(width: T, radius: T, assembly: Assembly) -> Res
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin |radius| - |height|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
 #[inline(always)]
-pub fn inverse_sine<T: Scalar>(height: T, radius: T, assembly: Assembly) -> Result<T, Failure> {
+pub fn inverse_sine<T: Scalar>(height: T, radius: T, assembly: Assembly) -> Result<Root<T>, Failure> {
     other(height, radius, assembly, "length of a link or its given height")
 }
 
 /// The other leg of the right-angled triangle over the radius.
 #[inline(always)]
-fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static str) -> Result<T, Failure> {
+fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static str) -> Result<Root<T>, Failure> {
     // In factors, for the sake of the angles near which the known leg is as long as the radius.
     let square = (radius - known) * (radius + known);
     let Some(square) = square.provided([square], |[square]| ordinary(square, T::SMALLEST)) else {
         return Err(too_short(known.real(), radius.real(), T::EPSILON, quantity));
     };
     let leg = assembly.signed(square.sqrt());
-    Ok(leg.times_sign_of(radius))
+    Ok(Root {
+        value: leg.times_sign_of(radius),
+        square,
+    })
 }
 
 #[cold]
@@ -68,7 +72,7 @@ mod tests {
                     let by_cosine = inverse_cosine(known * radius, radius, assembly).unwrap();
                     let by_sine = inverse_sine(known * radius, radius, assembly).unwrap();
                     assert_eq!(by_cosine, by_sine);
-                    let other = by_sine / radius;
+                    let other = by_sine.value / radius;
                     assert!((other * other + known * known - 1.0).abs() < 4.0 * f64::EPSILON);
                     assert_eq!(Assembly::from_sign(other), assembly);
                 }

@@ -2,8 +2,8 @@
 //!
 //! | block | function | additions, multiplications, divisions, square roots |
 //! |---|---|---|
-//! | two links of known length | [`circle_circle`] | 8, 12, 1, 1 |
-//! | the same by the squares of the lengths | [`circle_circle_squared`] | 6, 11, 1, 1 |
+//! | two links of known length | [`circle_circle`] | 8, 12, 1, 1 and a change of sign if crossed |
+//! | the same by the squares of the lengths | [`circle_circle_squared`] | 6, 11, 1, 1 and a change of sign if crossed |
 //! | a link and a slide | [`circle_line`] | 7, 10, 1, 1 |
 //! | the same along an axis | [`circle_line_x`], [`circle_line_y`] | 2, 1, 0, 1 and a change of sign if open |
 //! | a length and its direction | [`polar`] | 1, 2, 0, 1 and a change of sign if crossed |
@@ -23,6 +23,8 @@
 //! functions that are not defined everywhere by [`square_root_of`], [`arc_sine`] and their like. [`direction`] makes an
 //! angle of a vector, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
 //! a way on, and [`culprit`] what is in the way.
+//!
+//! Where rates are divided by a square root, it comes with its square, as [`Root`].
 //!
 //! Angles are represented by unit vectors, their cosine and sine, so that no half-angle runs to infinity and no
 //! trigonometric function of an unknown is evaluated. Where there are two solutions, an
@@ -45,6 +47,7 @@ mod newton;
 mod polar;
 mod quadratic;
 mod range;
+mod root;
 mod size;
 mod square_root;
 mod turn;
@@ -67,6 +70,7 @@ pub(crate) use newton::{FIRST_STEP, LINEAR_STEP, damped_root};
 pub use polar::{polar, polar_offset};
 pub use quadratic::quadratic;
 pub use range::{check_angle, check_value, choose_angle, choose_value};
+pub use root::Root;
 pub use size::largest;
 pub use square_root::square_root;
 pub use turn::{agreeing, nearest_turn, on_turn};

@@ -286,7 +286,7 @@ mod tests {
         let [r1, r2, r3, r4] = links.map(T::constant);
         let (s2, c2) = crank.sin_cos();
         let diagonal = Plane::new(r1 - r2 * c2, -(r2 * s2));
-        let coupler = solve::circle_circle(r3, r4, diagonal, assembly)?;
+        let (coupler, _) = solve::circle_circle(r3, r4, diagonal, assembly)?;
         let rocker = coupler - diagonal;
         Ok([coupler.y.atan2(coupler.x), rocker.y.atan2(rocker.x)])
     }

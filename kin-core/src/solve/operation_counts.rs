@@ -45,9 +45,9 @@ macro_rules! counts {
 
 counts! {
     circle_circle: |assembly| solve::circle_circle(number(3.0), number(4.0), vector(4.0, 3.0), assembly)
-        => "8a 12m 1d 0n 1r", "8a 12m 1d 0n 1r";
+        => "8a 12m 1d 0n 1r", "8a 12m 1d 1n 1r";
     circle_circle_squared: |assembly| solve::circle_circle_squared(number(9.0), number(16.0), vector(4.0, 3.0), assembly)
-        => "6a 11m 1d 0n 1r", "6a 11m 1d 0n 1r";
+        => "6a 11m 1d 0n 1r", "6a 11m 1d 1n 1r";
     circle_line: |assembly| solve::circle_line(number(9.0), vector(0.8, 0.6), vector(4.0, 3.0), assembly)
         => "7a 10m 1d 0n 1r", "7a 10m 1d 0n 1r";
     circle_line_x: |assembly| solve::circle_line_x(number(9.0), vector(4.0, 2.0), assembly)

@@ -1,6 +1,7 @@
 //! A length along a direction, both sought: a slide on a link that turns.
 
 use super::diagnosis::{length, ordinary, refusal};
+use super::root::Root;
 use crate::{Assembly, Failure, Plane, Scalar};
 
 const QUANTITY: &str = "offset of the slide or distance spanned";
@@ -20,17 +21,20 @@ const QUANTITY: &str = "offset of the slide or distance spanned";
 /// use kin_core::{Assembly, Plane, solve};
 ///
 /// let c = Plane::new(0.0, 2.0);
-/// let length = solve::polar(c, Assembly::Crossed)?;
+/// let length = solve::polar(c, Assembly::Crossed)?.value;
 /// assert_eq!((length, c.y / length), (-2.0, -1.0));
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
 #[inline(always)]
-pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<T, Failure> {
+pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Failure> {
     let d2 = c.norm_squared();
     let Some(d2) = d2.provided([d2], |[d2]| ordinary(d2, T::SMALLEST)) else {
         return Err(no_length(c.x.real(), c.y.real()));
     };
-    Ok(assembly.signed(d2.sqrt()))
+    Ok(Root {
+        value: assembly.signed(d2.sqrt()),
+        square: d2,
+    })
 }
 
 /// Length and direction of [`polar`] with a slide that passes by the joint: `(s + offset) u = c` as complex numbers, `|u| = 1`.
@@ -101,7 +105,7 @@ mod tests {
         fn length_and_direction_give_the_vector(d in dimension(), heading in angle()) {
             let c = direction(heading).scale(d);
             for assembly in Assembly::BOTH {
-                let s = polar(c, assembly).unwrap();
+                let s = polar(c, assembly).unwrap().value;
                 let u = c.scale(1.0 / s);
                 prop_assert!((norm(u) - 1.0).abs() <= 4.0 * f64::EPSILON);
                 prop_assert_eq!(s > 0.0, assembly == Assembly::Open);
@@ -168,7 +172,9 @@ mod tests {
                 let (offset, c) = (Plane::new(p, q), Plane::new(x, y));
                 for (s, u) in [
                     polar_offset(offset, c, Assembly::Open),
-                    polar(c, Assembly::Crossed).map(|s| (s, Plane::new(c.x / s, c.y / s))),
+                    polar(c, Assembly::Crossed)
+                        .map(|root| root.value)
+                        .map(|s| (s, Plane::new(c.x / s, c.y / s))),
                 ]
                 .into_iter()
                 .flatten()

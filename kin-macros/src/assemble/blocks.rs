@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use super::choice;
 use super::program::{Choice, Limits, Mode, Names, Stage, Step};
+use super::reciprocals::Root;
 use super::solver::{Argument, Solver};
 use super::units::Units;
 use crate::derive::Regularity;
@@ -19,6 +20,7 @@ pub(crate) struct Assembled {
     pub(crate) units: Units,
     /// What has been found not to be zero on the way to the position.
     pub(crate) nonzero: Vec<Node>,
+    pub(crate) roots: Vec<Root>,
     pub(crate) choices: Vec<Choice>,
 }
 
@@ -30,6 +32,8 @@ pub(super) struct Builder<'a> {
     pub(super) units: Units,
     /// What closed forms divide by, and have found not to be zero.
     pub(super) nonzero: Vec<Node>,
+    /// The roots that closed forms have taken.
+    pub(super) roots: Vec<Root>,
 }
 
 /// Turns blocks into steps that find a position.
@@ -71,6 +75,7 @@ fn steps(
         steps: Vec::new(),
         units: Units::new(passes),
         nonzero: Vec::new(),
+        roots: Vec::new(),
     };
     let mut choices = Vec::new();
     let mut assemblies = 0;
@@ -108,6 +113,7 @@ fn steps(
         stage: Stage { steps: builder.steps },
         units: builder.units,
         nonzero: builder.nonzero,
+        roots: builder.roots,
         choices,
     }
 }
@@ -309,9 +315,25 @@ impl Builder<'_> {
             given = self.define(&format!("{wish}_{own}"), given);
         }
         let (symbol, found) = self.fresh(&format!("{wish}_{other}"));
+        let square = self.root(symbol, found);
         let arguments = vec![Argument::Scalar(given), Argument::Scalar(radius)];
-        self.solve(solver, arguments, vec![symbol]);
+        self.solve(solver, arguments, vec![symbol, square]);
         (given, found)
+    }
+
+    /// The square of a root that a closed form is about to take.
+    pub(super) fn root(&mut self, symbol: Symbol, value: Node) -> Symbol {
+        let name = self.names.of(symbol).to_owned();
+        let (symbol, square) = self.fresh(&format!("{name}_squared"));
+        self.nonzero.push(square);
+        self.roots.push(Root {
+            base: value,
+            root: value,
+            square,
+            factor: 1.0,
+            names: [format!("inverse_{name}_squared"), format!("inverse_{name}")],
+        });
+        symbol
     }
 
     /// The unknown angle of a link that is known as a vector.

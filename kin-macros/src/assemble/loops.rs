@@ -2,6 +2,7 @@
 
 use super::blocks::Builder;
 use super::program::Step;
+use super::reciprocals::Root;
 use super::solver::{Argument, Solver};
 use crate::expr::{Node, Symbol};
 use crate::structure::{Arm, Complex};
@@ -66,6 +67,7 @@ impl Builder<'_> {
             let target = self.define_complex("diagonal", target);
             let wish = self.link_name(a, &names[0]);
             let ([x, y], link) = self.fresh_plane(&wish);
+            let ((area, root), (area_squared, square)) = (self.fresh("four_areas"), self.fresh("four_areas_squared"));
             self.solve(
                 Solver::CircleCircle,
                 vec![
@@ -73,18 +75,29 @@ impl Builder<'_> {
                     Argument::Scalar(b),
                     Argument::Plane(target.re, target.im),
                 ],
-                vec![x, y],
+                vec![x, y, area, area_squared],
             );
             let mut other = Complex::new(
                 self.graph.subtract(target.re, link.re),
                 self.graph.subtract(target.im, link.im),
             );
-            if (first_sign < 0.0) != (second_sign < 0.0) {
+            let is_opposite = (first_sign < 0.0) != (second_sign < 0.0);
+            if is_opposite {
                 let minus = self.graph.number(-1.0);
                 other = other.scaled(self.graph, minus);
             }
             let wish = self.link_name(b, &names[1]);
             let other = self.define_complex(&wish, other);
+            // link × (target - link) is minus half of the root
+            let cross = link.conjugate(self.graph).times(self.graph, other).im;
+            self.nonzero.push(square);
+            self.roots.push(Root {
+                base: cross,
+                root,
+                square,
+                factor: if is_opposite { 2.0 } else { -2.0 },
+                names: ["inverse_square", "inverse_determinant"].map(str::to_owned),
+            });
             vectors = [link, other];
             lengths = [a, b];
         } else {
@@ -213,7 +226,6 @@ impl Builder<'_> {
         } else {
             format!("link_{angle_name}")
         };
-        let ([x, y], link) = self.fresh_plane(&wish);
         let is_along_x = self.graph.is_one(direction.re) && self.graph.is_zero(direction.im);
         let is_along_y = self.graph.is_one(direction.im) && self.graph.is_zero(direction.re);
         let mut arguments = vec![Argument::Scalar(square)];
@@ -226,7 +238,23 @@ impl Builder<'_> {
             Solver::CircleLine
         };
         arguments.push(Argument::Plane(target.re, target.im));
-        self.solve(solver, arguments, vec![x, y, Symbol::Unknown(length)]);
+        let mut results;
+        let link;
+        if is_along_x || is_along_y {
+            let (symbol, leg) = self.fresh(&format!("{wish}_{}", if is_along_x { "x" } else { "y" }));
+            link = if is_along_x {
+                Complex::new(leg, target.im)
+            } else {
+                Complex::new(target.re, leg)
+            };
+            results = vec![symbol, self.root(symbol, leg)];
+        } else {
+            let (parts, vector) = self.fresh_plane(&wish);
+            link = vector;
+            results = parts.to_vec();
+        }
+        results.push(Symbol::Unknown(length));
+        self.solve(solver, arguments, results);
         let unit = self.unit_of(link, factor, arm.mirrored);
         let own = self.graph.symbol(Symbol::Unknown(angle));
         self.units.learn_direction(own, unit);
@@ -269,7 +297,9 @@ impl Builder<'_> {
             let unit = self.upright(unit, mirrored);
             self.turn(angle, unit);
         } else {
-            self.solve(Solver::Polar, vec![given], vec![Symbol::Unknown(length)]);
+            let own = Symbol::Unknown(length);
+            let square = self.root(own, own_length);
+            self.solve(Solver::Polar, vec![given], vec![own, square]);
             let vector = self.upright(target, mirrored);
             self.turn_vector(angle, own_length, vector);
         }

@@ -129,6 +129,9 @@ pub(crate) enum Returns {
     Scalar,
     Pair,
     Plane,
+    Root,
+    PlaneAndRoot,
+    RootAndScalar,
     PlaneAndScalar,
     ScalarAndPlane,
 }
@@ -199,8 +202,11 @@ impl Solver {
 
     pub(crate) const fn returns(self) -> Returns {
         match self {
-            Self::CircleCircle | Self::CircleCircleSquared | Self::CosineSine => Returns::Plane,
-            Self::CircleLine | Self::CircleLineX | Self::CircleLineY => Returns::PlaneAndScalar,
+            Self::CircleCircle => Returns::PlaneAndRoot,
+            Self::CircleCircleSquared | Self::CosineSine => Returns::Plane,
+            Self::CircleLine => Returns::PlaneAndScalar,
+            Self::CircleLineX | Self::CircleLineY => Returns::RootAndScalar,
+            Self::Polar | Self::InverseCosine | Self::InverseSine => Returns::Root,
             Self::PolarOffset => Returns::ScalarAndPlane,
             Self::LinearPair => Returns::Pair,
             _ => Returns::Scalar,
@@ -239,7 +245,13 @@ impl Solver {
         // one of the assemblies changes a sign
         let changes_sign = match self {
             Self::CircleLineX | Self::CircleLineY => is_open,
-            Self::Polar | Self::PolarOffset | Self::InverseCosine | Self::InverseSine | Self::SquareRoot => !is_open,
+            Self::CircleCircle
+            | Self::CircleCircleSquared
+            | Self::Polar
+            | Self::PolarOffset
+            | Self::InverseCosine
+            | Self::InverseSine
+            | Self::SquareRoot => !is_open,
             _ => false,
         };
         let negations = if changes_sign { 1 } else { 0 };

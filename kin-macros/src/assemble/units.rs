@@ -17,6 +17,8 @@ pub(crate) struct Units {
     combinations: BTreeMap<Node, Node>,
     /// Angles that are known by another name from here on.
     renamed: BTreeMap<Node, Node>,
+    /// The reciprocals of what is not to be divided by.
+    reciprocals: BTreeMap<Node, Node>,
     rewritten: BTreeMap<Node, Node>,
 }
 
@@ -28,6 +30,7 @@ impl Units {
             directions: BTreeMap::new(),
             combinations: BTreeMap::new(),
             renamed: BTreeMap::new(),
+            reciprocals: BTreeMap::new(),
             rewritten: BTreeMap::new(),
         }
     }
@@ -52,6 +55,17 @@ impl Units {
         self.rewritten.clear();
     }
 
+    /// From now on there are other expressions for the reciprocals of these.
+    pub(crate) fn learn_reciprocals(&mut self, graph: &mut Graph, reciprocals: BTreeMap<Node, Node>) {
+        self.reciprocals = reciprocals;
+        self.rewritten.clear();
+        let known: Vec<(Node, Complex)> = self.directions.iter().map(|(&angle, &unit)| (angle, unit)).collect();
+        for (angle, unit) in known {
+            let unit = Complex::new(self.rewrite(graph, unit.re), self.rewrite(graph, unit.im));
+            self.directions.insert(angle, unit);
+        }
+    }
+
     /// An expression without a sine or cosine of an unknown whose direction is known.
     pub(crate) fn rewrite(&mut self, graph: &mut Graph, node: Node) -> Node {
         if let Some(&known) = self.rewritten.get(&node) {
@@ -72,7 +86,8 @@ impl Units {
                     .into_iter()
                     .map(|(part, exponent)| (self.rewrite(graph, part), exponent))
                     .collect();
-                graph.product(&factors)
+                let product = graph.product(&factors);
+                self.inverted(graph, product)
             }
             Term::Call(Function::Cos, arguments) => self.direction(graph, arguments[0]).re,
             Term::Call(Function::Sin, arguments) => self.direction(graph, arguments[0]).im,
@@ -86,6 +101,29 @@ impl Units {
         };
         self.rewritten.insert(node, result);
         result
+    }
+
+    /// A product that divides by nothing that has another expression for its reciprocal.
+    fn inverted(&self, graph: &mut Graph, product: Node) -> Node {
+        let (coefficient, bare) = graph.split_coefficient(product);
+        let Term::Product(factors) = graph.term(bare) else {
+            return product;
+        };
+        if factors.iter().all(|&factor| self.reciprocal(factor).is_none()) {
+            return product;
+        }
+        let factors: Vec<(Node, i32)> = factors
+            .iter()
+            .map(|&factor| self.reciprocal(factor).unwrap_or(factor))
+            .collect();
+        let inverted = graph.product(&factors);
+        graph.scale(coefficient, inverted)
+    }
+
+    /// A factor as a power of the other expression for its reciprocal.
+    fn reciprocal(&self, (base, exponent): (Node, i32)) -> Option<(Node, i32)> {
+        let &reciprocal = self.reciprocals.get(&base)?;
+        (exponent < 0).then_some((reciprocal, -exponent))
     }
 
     /// The step that solves for several unknowns by the factors of their Jacobian.

@@ -40,22 +40,10 @@ impl Way {
                 .iter()
                 .map(|&weight| graph.divide(weight, determinant))
                 .collect();
-            // the determinant cancels, or stays outside: coefficients that are divided would have to wait for the division
-            if !quotients.iter().any(|&quotient| divides(graph, quotient)) {
-                return collected(graph, &quotients, rights);
-            }
+            return collected(graph, &quotients, rights);
         }
         let numerator = self.combined(graph, weights, rights);
         graph.divide(numerator, determinant)
-    }
-}
-
-/// Whether something is divided, but for a number in front.
-fn divides(graph: &Graph, node: Node) -> bool {
-    match graph.term(node) {
-        Term::Product(factors) => factors.iter().any(|&(_, exponent)| exponent < 0),
-        Term::Sum(_, terms) => matches!(terms[..], [(only, _)] if divides(graph, only)),
-        _ => false,
     }
 }
 

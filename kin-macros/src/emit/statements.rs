@@ -420,10 +420,20 @@ impl Mechanism<'_> {
 
     fn results(&self, shape: Returns, names: &[TokenStream]) -> TokenStream {
         let runtime = self.runtime;
+        let root = |value: &TokenStream, square: &TokenStream| quote!(#runtime::solve::Root { value: #value, square: #square });
         match (shape, names) {
             (Returns::Scalar, [name]) => name.clone(),
             (Returns::Pair, [first, second]) => quote!((#first, #second)),
             (Returns::Plane, [x, y]) => quote!(#runtime::Plane { x: #x, y: #y }),
+            (Returns::Root, [value, square]) => root(value, square),
+            (Returns::PlaneAndRoot, [x, y, value, square]) => {
+                let root = root(value, square);
+                quote!((#runtime::Plane { x: #x, y: #y }, #root))
+            }
+            (Returns::RootAndScalar, [value, square, scalar]) => {
+                let root = root(value, square);
+                quote!((#root, #scalar))
+            }
             (Returns::PlaneAndScalar, [x, y, scalar]) => quote!((#runtime::Plane { x: #x, y: #y }, #scalar)),
             (Returns::ScalarAndPlane, [scalar, x, y]) => quote!((#scalar, #runtime::Plane { x: #x, y: #y })),
             _ => unreachable!("results match their shape"),

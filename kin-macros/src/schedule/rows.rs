@@ -31,6 +31,7 @@ pub(super) struct Rows {
     by_node: BTreeMap<Node, RowId>,
     /// What more than one product divides by: its reciprocal is computed once.
     shared_divisors: BTreeSet<Node>,
+    shared_reciprocals: BTreeSet<RowId>,
     pub(super) style: Style,
 }
 
@@ -56,6 +57,7 @@ impl Rows {
             known: HashMap::default(),
             by_node: BTreeMap::new(),
             shared_divisors,
+            shared_reciprocals: BTreeSet::new(),
             style,
         }
     }
@@ -128,7 +130,9 @@ impl Rows {
                         (&mut above, row)
                     } else if self.shared_divisors.contains(&base) {
                         let one = self.number(1.0);
-                        (&mut above, self.intern(Row::Quotient(one, row)))
+                        let reciprocal = self.intern(Row::Quotient(one, row));
+                        self.shared_reciprocals.insert(reciprocal);
+                        (&mut above, reciprocal)
                     } else {
                         (&mut below, row)
                     };
@@ -177,7 +181,17 @@ impl Rows {
                     }
                     let inner = self.factored_sum(group);
                     let number = self.number(size);
-                    result.push((is_negative, self.product(vec![number, inner])));
+                    // a number times a reciprocal is one division
+                    let multiple = match *self.row(inner) {
+                        Row::Quotient(above, below)
+                            if *self.row(above) == Row::Number(Number::new(1.0))
+                                && !self.shared_reciprocals.contains(&inner) =>
+                        {
+                            self.intern(Row::Quotient(number, below))
+                        }
+                        _ => self.product(vec![number, inner]),
+                    };
+                    result.push((is_negative, multiple));
                 }
                 self.factored_sum(result)
             }

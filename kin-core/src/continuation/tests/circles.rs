@@ -99,7 +99,7 @@ proptest! {
         let diagonal = Plane::new(ground - crank * cosine, -crank * sine);
         let mut expected = 0;
         for assembly in Assembly::BOTH {
-            let Ok(first) = circle_circle(coupler, rocker, diagonal, assembly) else {
+            let Ok((first, _)) = circle_circle(coupler, rocker, diagonal, assembly) else {
                 continue;
             };
             expected += 1;

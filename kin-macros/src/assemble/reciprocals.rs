@@ -1,0 +1,75 @@
+//! Reciprocals of roots.
+//!
+//! Rates are divided by the determinants of their blocks, and the determinant of a closed form is the square root in it, up to a
+//! factor. 1 / √x = √x · (1 / x): there the division does not wait for the root, and the determinant need not be put together from
+//! the vectors of the links.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::program::{Names, Stage, Step};
+use super::units::Units;
+use crate::expr::{Graph, Node, Symbol};
+
+/// What a closed form has taken the root of: the reciprocal of `base` is `factor * root / square`.
+pub(crate) struct Root {
+    pub(super) base: Node,
+    pub(super) root: Node,
+    pub(super) square: Node,
+    pub(super) factor: f64,
+    /// What `factor / square` and the reciprocal are called.
+    pub(super) names: [String; 2],
+}
+
+/// The reciprocals that rates may refer to, each with two definitions: that of the square's, and its own.
+pub(crate) struct Reciprocals(Vec<(Node, [(Symbol, Node); 2])>);
+
+impl Reciprocals {
+    /// From now on, expressions that are rewritten divide by none of these roots.
+    pub(crate) fn learn(graph: &mut Graph, names: &mut Names, units: &mut Units, roots: &[Root]) -> Self {
+        let mut known = BTreeMap::new();
+        let reciprocals = roots
+            .iter()
+            .map(|root| {
+                let (of_square, quotient) = graph.new_step();
+                let (own, value) = graph.new_step();
+                names.name(of_square, &root.names[0]);
+                names.name(own, &root.names[1]);
+                let inverse = graph.power(root.square, -1);
+                let inverse = graph.scale(root.factor.abs(), inverse);
+                let product = graph.multiply(root.root, quotient);
+                let (opposite_base, opposite) = (graph.negate(root.base), graph.negate(value));
+                let [same, other] = if root.factor < 0.0 {
+                    [opposite, value]
+                } else {
+                    [value, opposite]
+                };
+                known.insert(root.base, same);
+                known.insert(opposite_base, other);
+                (value, [(of_square, inverse), (own, product)])
+            })
+            .collect();
+        units.learn_reciprocals(graph, known);
+        Self(reciprocals)
+    }
+
+    /// Puts those that are referred to before the step that is the first to do so.
+    pub(crate) fn place(self, graph: &Graph, stages: &mut [Stage]) {
+        let mut sought: BTreeMap<Node, [(Symbol, Node); 2]> = self.0.into_iter().collect();
+        let mut seen = BTreeSet::new();
+        for stage in stages {
+            let mut steps = Vec::with_capacity(stage.steps.len());
+            for step in std::mem::take(&mut stage.steps) {
+                let mut open = step.needs();
+                while let Some(node) = open.pop() {
+                    if seen.insert(node) {
+                        open.extend(graph.operands(node));
+                        let definitions = sought.remove(&node).into_iter().flatten();
+                        steps.extend(definitions.map(|(symbol, node)| Step::Define { symbol, node }));
+                    }
+                }
+                steps.push(step);
+            }
+            stage.steps = steps;
+        }
+    }
+}
