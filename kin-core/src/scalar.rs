@@ -6,7 +6,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::Float;
 
 use crate::Failure;
-use crate::elementary::{FUSED, arc_tangent, arc_tangent_single, sine_cosine, sine_cosine_single};
+use crate::elementary::{
+    FUSED, arc_tangent, arc_tangent_single, arc_tangents, arc_tangents_single, sine_cosine, sine_cosine_single,
+};
 use crate::solve::damped_root;
 
 /// A number that a mechanism can be solved with.
@@ -92,6 +94,13 @@ pub trait Scalar:
     /// The angle in -π ..= π from the x axis to the point (`x`, `self`).
     #[must_use]
     fn atan2(self, x: Self) -> Self;
+
+    /// [`atan2`](Self::atan2) of two points.
+    #[must_use]
+    #[inline(always)]
+    fn atan2_of_two(y: [Self; 2], x: [Self; 2]) -> [Self; 2] {
+        [y[0].atan2(x[0]), y[1].atan2(x[1])]
+    }
 
     /// The exponential function.
     #[must_use]
@@ -181,7 +190,7 @@ pub trait Scalar:
 }
 
 macro_rules! primitive_scalar {
-    ($float:ty, $from_f64:expr, $sine_cosine:expr, $arc_tangent:expr) => {
+    ($float:ty, $from_f64:expr, $sine_cosine:expr, $arc_tangent:expr, $arc_tangents:expr) => {
         impl Scalar for $float {
             const EPSILON: f64 = <$float>::EPSILON as f64;
             const SMALLEST: f64 = 2.0 * <$float>::MIN_POSITIVE as f64;
@@ -258,6 +267,11 @@ macro_rules! primitive_scalar {
             }
 
             #[inline]
+            fn atan2_of_two(y: [Self; 2], x: [Self; 2]) -> [Self; 2] {
+                $arc_tangents(y, x)
+            }
+
+            #[inline]
             fn exp(self) -> Self {
                 Float::exp(self)
             }
@@ -270,8 +284,8 @@ macro_rules! primitive_scalar {
     };
 }
 
-primitive_scalar!(f64, core::convert::identity, sine_cosine, arc_tangent);
-primitive_scalar!(f32, single, sine_cosine_single, arc_tangent_single);
+primitive_scalar!(f64, core::convert::identity, sine_cosine, arc_tangent, arc_tangents);
+primitive_scalar!(f32, single, sine_cosine_single, arc_tangent_single, arc_tangents_single);
 
 #[expect(
     clippy::cast_possible_truncation,

@@ -13,10 +13,10 @@ use super::polynomial::{FUSED, multiply_add, polynomial};
 use crate::scalar::single;
 
 /// π/4 as a multiple of 2⁻²⁶, and the rest.
-const HALF_RIGHT_ANGLE: [f64; 2] = [0.785_398_155_450_820_9, 7.946_627_386_764_098e-9];
+pub(super) const HALF_RIGHT_ANGLE: [f64; 2] = [0.785_398_155_450_820_9, 7.946_627_386_764_098e-9];
 
 /// (t - atan t) / t³ in powers of t², |t| ≤ 1/2. The relative error of the arctangent is 2⁻⁵⁷·⁷.
-const ARC_TANGENT: [f64; 12] = [
+pub(super) const ARC_TANGENT: [f64; 12] = [
     0.333_333_333_333_329_8,
     -0.199_999_999_999_031_62,
     0.142_857_142_763_899_88,
@@ -46,6 +46,21 @@ const ARC_TANGENT_SINGLE: [f64; 6] = [
 pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
     let (angle, ordinary) = ordinary_arc_tangent::<FUSED, false>(y, x);
     if ordinary { angle } else { beyond(y, x) }
+}
+
+/// [`arc_tangent`] of two points.
+#[inline]
+pub(crate) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> [f64; 2] {
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    if !FUSED {
+        let (angles, ordinary) = super::sse2::arc_tangents(y, x);
+        return if ordinary { angles } else { each(y, x) };
+    }
+    each(y, x)
+}
+
+fn each(y: [f64; 2], x: [f64; 2]) -> [f64; 2] {
+    [arc_tangent(y[0], x[0]), arc_tangent(y[1], x[1])]
 }
 
 /// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and for what is so
@@ -83,6 +98,12 @@ pub(crate) fn arc_tangent_single(y: f32, x: f32) -> f32 {
     let angle = fraction - fraction * (z * polynomial::<FUSED, 6>(ARC_TANGENT_SINGLE, z));
     let wide = turned.multiple * FRAC_PI_4 + turned.sense.on(angle);
     single(wide).copysign(y)
+}
+
+/// [`arc_tangent_single`] of two points.
+#[inline]
+pub(crate) fn arc_tangents_single(y: [f32; 2], x: [f32; 2]) -> [f32; 2] {
+    [arc_tangent_single(y[0], x[0]), arc_tangent_single(y[1], x[1])]
 }
 
 #[cold]

@@ -15,6 +15,9 @@
 //! it: one condition that selects several numbers would become a branch, and bits would be taken out of the registers of
 //! floating-point numbers. So it is in the narrowest vectors, which have no instruction to select. A constant, `SELECT`, says which.
 //!
+//! What is computed alike for two numbers, the sine and the cosine of one angle or the arctangents of two points, goes through the two
+//! halves of one register on x86-64.
+//!
 //! The polynomials are minimax in the relative error of the function itself, found by Remez' exchange in 50 digits; each states
 //! its interval and its error. They were fitted for this crate.
 
@@ -24,8 +27,12 @@ mod polynomial;
 #[cfg(test)]
 mod reference;
 mod sine_cosine;
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+mod sse2;
 
-pub(crate) use arc_tangent::{arc_tangent, arc_tangent_single, ordinary_arc_tangent};
+pub(crate) use arc_tangent::{
+    arc_tangent, arc_tangent_single, arc_tangents, arc_tangents_single, ordinary_arc_tangent,
+};
 pub(crate) use bits::turned_round;
 pub(crate) use polynomial::FUSED;
 pub(crate) use sine_cosine::{is_near, near_sine_cosine, sine_cosine, sine_cosine_single};

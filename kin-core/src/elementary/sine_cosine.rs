@@ -24,7 +24,7 @@ const QUARTER_TURN: [f64; 3] = [
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// (r - sin r) / r³ in powers of r², |r| ≤ π/4. The relative error of the sine is 2⁻⁵⁷·⁹.
-const SINE: [f64; 6] = [
+pub(super) const SINE: [f64; 6] = [
     0.166_666_666_666_666_3,
     -0.008_333_333_333_322_118,
     0.000_198_412_698_295_891_21,
@@ -34,7 +34,7 @@ const SINE: [f64; 6] = [
 ];
 
 /// (cos r - 1 + r²/2) / r⁴ in powers of r², |r| ≤ π/4. The relative error of the cosine is 2⁻⁶³·⁹.
-const COSINE: [f64; 6] = [
+pub(super) const COSINE: [f64; 6] = [
     0.041_666_666_666_666_595,
     -0.001_388_888_888_887_305_6,
     2.480_158_728_885_143_6e-5,
@@ -61,11 +61,14 @@ const COSINE_SINGLE: [f64; 3] = [
 /// Sine and cosine of an angle in radians, in this order.
 #[inline]
 pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
-    if is_near(angle) {
-        near_sine_cosine::<FUSED, false>(angle)
-    } else {
-        far(angle)
+    if !is_near(angle) {
+        return far(angle);
     }
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    if !FUSED {
+        return super::sse2::sine_cosine(angle);
+    }
+    near_sine_cosine::<FUSED, false>(angle)
 }
 
 /// [`sine_cosine`] in single precision, computed in double precision.
@@ -95,15 +98,7 @@ pub(crate) fn is_near(angle: f64) -> bool {
 /// [`sine_cosine`] of an angle that [is near](is_near), without a branch, by products or with `SELECT`. Of what is not a number both are none.
 #[inline(always)]
 pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool>(angle: f64) -> (f64, f64) {
-    let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
-    let turns = shifted - ROUNDING;
-
-    // r - tail is the reduced angle: the first difference is exact, the second leaves what it loses to the tail.
-    let first = multiply_add::<FUSED>(-turns, QUARTER_TURN[0], angle);
-    let second = turns * QUARTER_TURN[1];
-    let r = first - second;
-    let tail = multiply_add::<FUSED>(turns, QUARTER_TURN[2], second - (first - r));
-
+    let Reduced { r, tail, shifted } = Reduced::new::<FUSED>(angle);
     let z = r * r;
     // What is subtracted is a positive zero where the angle is zero: so the sine has the angle's sign there. The tail is less
     // than half a unit in the last place of the angle, which the cosine does not feel.
@@ -119,6 +114,29 @@ pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool>(angle: f64
         in_quadrant_by_selection(shifted, sine, cosine)
     } else {
         in_quadrant::<FUSED>(shifted, sine, cosine)
+    }
+}
+
+/// An angle less the nearest number of quarter turns.
+pub(super) struct Reduced {
+    pub(super) r: f64,
+    /// What r is too large by.
+    pub(super) tail: f64,
+    /// The number of quarter turns, in the lowest bits.
+    pub(super) shifted: f64,
+}
+
+impl Reduced {
+    #[inline(always)]
+    pub(super) fn new<const FUSED: bool>(angle: f64) -> Self {
+        let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
+        let turns = shifted - ROUNDING;
+        // The first difference is exact, the second leaves what it loses to the tail.
+        let first = multiply_add::<FUSED>(-turns, QUARTER_TURN[0], angle);
+        let second = turns * QUARTER_TURN[1];
+        let r = first - second;
+        let tail = multiply_add::<FUSED>(turns, QUARTER_TURN[2], second - (first - r));
+        Self { r, tail, shifted }
     }
 }
 

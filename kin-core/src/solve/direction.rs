@@ -20,9 +20,16 @@ pub fn direction<T: Scalar>(y: T, x: T, length: T) -> T {
     y.times_sign_of(length).atan2(x.times_sign_of(length))
 }
 
+/// [`direction`] of two vectors, which costs less than twice as much.
+#[inline(always)]
+pub fn directions<T: Scalar>(y: [T; 2], x: [T; 2], length: [T; 2]) -> [T; 2] {
+    let upright = |part: [T; 2]| [part[0].times_sign_of(length[0]), part[1].times_sign_of(length[1])];
+    T::atan2_of_two(upright(y), upright(x))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::direction;
+    use super::{direction, directions};
     use crate::Scalar;
 
     #[test]
@@ -32,6 +39,13 @@ mod tests {
             for length in [0.1, 2.0, -0.1, -2.0] {
                 let found = direction(length * sine, length * cosine, length);
                 assert!((found - angle).abs() < 1e-15, "{angle} {length}");
+                let both = directions(
+                    [length * sine, length * cosine],
+                    [length * cosine, -length * sine],
+                    [length, length],
+                );
+                assert_eq!(both[0], found);
+                assert!((both[1] - found - core::f64::consts::FRAC_PI_2).sin().abs() < 1e-15);
             }
         }
     }

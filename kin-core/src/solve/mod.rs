@@ -21,7 +21,7 @@
 //! The counts are those of the tests, which run the functions on numbers that count what is done to them.
 //! Declared ranges are looked after by [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`];
 //! functions that are not defined everywhere by [`square_root_of`], [`arc_sine`] and their like. [`direction`] makes an
-//! angle of a vector, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
+//! angle of a vector, [`directions`] of two, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
 //! a way on, and [`culprit`] what is in the way.
 //!
 //! Where rates are divided by a square root, it comes with its square, as [`Root`].
@@ -57,7 +57,7 @@ pub use crate::assembly::both;
 pub use circle_circle::{circle_circle, circle_circle_squared};
 pub use circle_line::{circle_line, circle_line_x, circle_line_y};
 pub use cosine_sine::cosine_sine;
-pub use direction::direction;
+pub use direction::{direction, directions};
 pub use domain::{
     arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
 };

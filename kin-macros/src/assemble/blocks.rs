@@ -328,7 +328,7 @@ impl Builder<'_> {
         self.nonzero.push(square);
         self.roots.push(Root {
             base: value,
-            root: value,
+            value,
             square,
             factor: 1.0,
             names: [format!("inverse_{name}_squared"), format!("inverse_{name}")],

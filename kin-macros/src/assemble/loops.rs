@@ -93,7 +93,7 @@ impl Builder<'_> {
             self.nonzero.push(square);
             self.roots.push(Root {
                 base: cross,
-                root,
+                value: root,
                 square,
                 factor: if is_opposite { 2.0 } else { -2.0 },
                 names: ["inverse_square", "inverse_determinant"].map(str::to_owned),

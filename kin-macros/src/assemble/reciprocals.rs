@@ -10,10 +10,10 @@ use super::program::{Names, Stage, Step};
 use super::units::Units;
 use crate::expr::{Graph, Node, Symbol};
 
-/// What a closed form has taken the root of: the reciprocal of `base` is `factor * root / square`.
+/// What a closed form has taken the root of: the reciprocal of `base` is `factor * value / square`.
 pub(crate) struct Root {
     pub(super) base: Node,
-    pub(super) root: Node,
+    pub(super) value: Node,
     pub(super) square: Node,
     pub(super) factor: f64,
     /// What `factor / square` and the reciprocal are called.
@@ -36,7 +36,7 @@ impl Reciprocals {
                 names.name(own, &root.names[1]);
                 let inverse = graph.power(root.square, -1);
                 let inverse = graph.scale(root.factor.abs(), inverse);
-                let product = graph.multiply(root.root, quotient);
+                let product = graph.multiply(root.value, quotient);
                 let (opposite_base, opposite) = (graph.negate(root.base), graph.negate(value));
                 let [same, other] = if root.factor < 0.0 {
                     [opposite, value]

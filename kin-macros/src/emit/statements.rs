@@ -88,11 +88,49 @@ impl Mechanism<'_> {
             if self.plan.choices[part].mode == Mode::Ranged {
                 tokens.extend(self.candidates(part, inside, after, stage));
             } else {
-                tokens.extend(inside.iter().map(|statement| self.statement(statement, Some(part))));
+                tokens.extend(self.sequence(inside, Some(part)));
             }
             rest = after;
         }
         tokens
+    }
+
+    /// Statements one after the other, two directions in a row as one.
+    fn sequence<'a>(&self, statements: impl IntoIterator<Item = &'a Statement>, part: Option<usize>) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        let mut rest = statements.into_iter().peekable();
+        while let Some(statement) = rest.next() {
+            let both = rest.peek().and_then(|next| self.directions(statement, next));
+            if both.is_some() {
+                rest.next();
+            }
+            tokens.extend(both.unwrap_or_else(|| self.statement(statement, part)));
+        }
+        tokens
+    }
+
+    /// Two directions of the same kind.
+    fn directions(&self, first: &Statement, second: &Statement) -> Option<TokenStream> {
+        let runtime = self.runtime;
+        let direction = |statement: &Statement| match statement {
+            Statement::Angle { name, y, x, length } => {
+                let length = length.as_ref().map(formula::tokens);
+                Some((local(name), formula::tokens(y), formula::tokens(x), length))
+            }
+            _ => None,
+        };
+        let (name, y, x, length) = direction(first)?;
+        let (other_name, other_y, other_x, other_length) = direction(second)?;
+        match (length, other_length) {
+            (Some(length), Some(other_length)) => Some(quote! {
+                let [#name, #other_name] =
+                    #runtime::solve::directions([#y, #other_y], [#x, #other_x], [#length, #other_length]);
+            }),
+            (None, None) => Some(quote! {
+                let [#name, #other_name] = T::atan2_of_two([#y, #other_y], [#x, #other_x]);
+            }),
+            _ => None,
+        }
     }
 
     /// Both solutions of a part, and the choice between them by a declared range.
@@ -120,7 +158,7 @@ impl Mechanism<'_> {
         kept.retain(|name| needed.contains(name));
         let names: Vec<_> = kept.iter().map(|name| local(name)).collect();
         let kinds = names.iter().map(|_| quote!(T));
-        let body = inside.iter().map(|statement| self.statement(statement, Some(part)));
+        let body = self.sequence(inside.iter().copied(), Some(part));
         let bounds = bounds.iter().map(|statement| self.statement(statement, Some(part)));
         let failed = self.failed(part);
         let [candidate, assembly, first, second] =
@@ -153,7 +191,7 @@ impl Mechanism<'_> {
         });
         quote! {
             let #candidate = |#assembly: #runtime::Assembly| -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError> {
-                #(#body)*
+                #body
                 ::core::result::Result::Ok((#(#names,)*))
             };
             let (#first, #second) = #runtime::solve::both(#candidate)?;
