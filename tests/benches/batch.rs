@@ -5,6 +5,7 @@
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::cast_precision_loss, reason = "there are hundreds of poses")]
 
+mod careful;
 mod measure;
 
 use core::hint::black_box;
@@ -86,6 +87,9 @@ fn four_bar() {
         })
         .collect();
     let mut race = Race::new(POSES);
+    race.enter("four_bar.notes_with_care", with_branches.clone(), |(motion, branch)| {
+        careful::solve(black_box(r), motion, branch)
+    });
     race.enter("four_bar.notes", with_branches, |(motion, branch)| {
         let r = black_box(r);
         four_bar_geometric::derivatives(r, motion, four_bar_geometric::position(r, motion[0], branch))
@@ -144,6 +148,7 @@ fn four_bar() {
     times.ratio("four_bar.generated", "four_bar.notes");
     for (_, name) in kinds() {
         times.ratio(&format!("four_bar.batch.{name}"), "four_bar.notes");
+        times.ratio(&format!("four_bar.batch.{name}"), "four_bar.notes_with_care");
         times.ratio(&format!("four_bar.batch_to_unit_vectors.{name}"), "four_bar.notes");
         times.ratio(
             &format!("four_bar.batch_to_unit_vectors.{name}"),

@@ -24,6 +24,9 @@ fn kinds(operations: &Operations) -> [usize; 8] {
     ]
 }
 
+/// The place of changes of sign among the kinds.
+const NEGATIONS: usize = 3;
+
 fn published<M: Mechanism>() -> Operations {
     M::DESCRIPTION
         .operations
@@ -61,6 +64,12 @@ impl Visitor for Count {
             }
         }
         let published = kinds(&published::<M>());
+        // A sign is changed in the crossed assembly of a dyad, and where there are several not all are crossed at once.
+        let choices = M::assemblies().count().ilog2() as usize;
+        let idle = published[NEGATIONS].saturating_sub(dearest[NEGATIONS]);
+        if idle < choices {
+            dearest[NEGATIONS] += idle;
+        }
         if dearest != published {
             let name = M::DESCRIPTION.name;
             self.wrong
