@@ -10,7 +10,7 @@ use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::finite;
 use crate::passes::{Pass, Passes};
-use crate::schedule::{Scheduled, ScheduledStage, Style, schedule};
+use crate::schedule::{Factors, Scheduled, ScheduledStage, Style, schedule};
 use crate::structure::Block;
 
 /// Position, velocity, acceleration, jerk, snap, ….
@@ -74,7 +74,7 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
     let attempt = |form: Form, way: Way| {
         let derived = Derived::new(task, form, way);
         let mut own = candidate(task, &derived, &[]);
-        own.factor_out(task.passes);
+        own.take_out_factors(Factors::TakenOut, task.passes);
         (own, derived)
     };
     let mut best = forms(task)
@@ -92,6 +92,7 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
     if task.parameters > 0 {
         best = sensitive(task, derived);
     }
+    best.take_out_factors(Factors::TakenOutOfRates, task.passes);
     best.finish(every(task))
 }
 
@@ -138,7 +139,7 @@ fn sensitive(task: &Task<'_>, mut derived: Derived) -> Candidate {
         .derivatives
         .sensitivities(&mut derived.graph, own, task.parameters);
     let mut candidate = candidate(task, &derived, &definitions);
-    candidate.factor_out(task.passes);
+    candidate.take_out_factors(Factors::TakenOut, task.passes);
     candidate
 }
 
@@ -156,7 +157,7 @@ fn every(task: &Task<'_>) -> Option<ScheduledStage> {
         has_sensitivities: false,
     };
     let style = Style {
-        factor_out: false,
+        factors: Factors::Left,
         check_domains: true,
         passes: task.passes,
     };
@@ -201,12 +202,12 @@ impl Candidate {
     }
 
     /// Takes out factors that terms share, if that is cheaper.
-    fn factor_out(&mut self, passes: Passes) {
+    fn take_out_factors(&mut self, factors: Factors, passes: Passes) {
         if !passes.include(Pass::SharedFactors) {
             return;
         }
         let style = Style {
-            factor_out: true,
+            factors,
             check_domains: true,
             passes,
         };
@@ -381,7 +382,7 @@ fn candidate(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -
         has_sensitivities: !sensitivities.is_empty(),
     };
     let style = Style {
-        factor_out: false,
+        factors: Factors::Left,
         check_domains: true,
         passes: task.passes,
     };
@@ -455,7 +456,7 @@ fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> Schedul
         &program,
         &[],
         Style {
-            factor_out: false,
+            factors: Factors::Left,
             check_domains: false,
             passes: Passes::ALL,
         },

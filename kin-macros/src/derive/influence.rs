@@ -35,14 +35,15 @@ impl Way {
 
     /// Σ weight · right / determinant.
     pub(super) fn quotient(self, graph: &mut Graph, weights: &[Node], rights: &[Node], determinant: Node) -> Node {
-        if self == Self::Collected {
+        // where there is nothing to divide by there is nothing that all orders share
+        if self == Self::Collected && graph.as_number(determinant).is_none() {
             let quotients: Vec<Node> = weights
                 .iter()
                 .map(|&weight| graph.divide(weight, determinant))
                 .collect();
             return collected(graph, &quotients, rights);
         }
-        let numerator = self.combined(graph, weights, rights);
+        let numerator = Self::Whole.combined(graph, weights, rights);
         graph.divide(numerator, determinant)
     }
 }

@@ -373,9 +373,12 @@ impl Jacobian {
         };
         match self.core.as_slice() {
             [] => Vec::new(),
-            [row] => vec![rate(0, graph.divide(right[0], row[0]))],
+            [row] => {
+                let one = graph.one();
+                vec![rate(0, way.quotient(graph, &[one], right, row[0]))]
+            }
             [first, second] => {
-                if let Some(rates) = self.triangular(graph, right, symbol) {
+                if let Some(rates) = self.triangular(graph, way, right, symbol) {
                     return rates;
                 }
                 let determinant = determinant(graph, &self.core);
@@ -403,20 +406,27 @@ impl Jacobian {
     }
 
     /// The rates of two unknowns, if one of the two equations has only one of them: it first, the other from it.
-    fn triangular(&self, graph: &mut Graph, right: &[Node], symbol: &impl Fn(usize) -> Symbol) -> Option<Vec<Rate>> {
+    fn triangular(
+        &self,
+        graph: &mut Graph,
+        way: Way,
+        right: &[Node],
+        symbol: &impl Fn(usize) -> Symbol,
+    ) -> Option<Vec<Rate>> {
         let places = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let (row, column) = places
             .into_iter()
             .find(|&(row, column)| graph.is_zero(self.core[row][column]))?;
         let (other_row, first) = (1 - row, 1 - column);
-        let first_value = graph.divide(right[row], self.core[row][first]);
+        let one = graph.one();
+        let first_value = way.quotient(graph, &[one], &right[row..=row], self.core[row][first]);
         let mut rates = vec![Rate::Value {
             symbol: symbol(self.unknowns[first]),
             value: first_value,
         }];
         let known = [(self.unknowns[first], self.core[other_row][first])];
         let rest = without(graph, right[other_row], &known, &rates, symbol);
-        let value = graph.divide(rest, self.core[other_row][column]);
+        let value = way.quotient(graph, &[one], &[rest], self.core[other_row][column]);
         rates.push(Rate::Value {
             symbol: symbol(self.unknowns[column]),
             value,

@@ -9,7 +9,7 @@ use super::{Mechanism, attributes, local, values};
 use crate::assemble::{Directions, Dyad, Program, Stage, Step, dyads};
 use crate::expr::{Node, Symbol};
 use crate::passes::Passes;
-use crate::schedule::{ScheduledStage, Statement, Style, schedule};
+use crate::schedule::{Factors, ScheduledStage, Statement, Style, schedule};
 
 /// The method `transmission_angles`.
 pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
@@ -85,7 +85,7 @@ fn program(mechanism: &Mechanism<'_>) -> (Vec<(Dyad, [String; 2])>, ScheduledSta
         has_sensitivities: false,
     };
     let style = Style {
-        factor_out: false,
+        factors: Factors::Left,
         check_domains: false,
         passes: Passes::ALL,
     };

@@ -12,5 +12,5 @@ mod scheduler;
 mod share;
 mod statement;
 
-pub(crate) use scheduler::{Style, schedule};
+pub(crate) use scheduler::{Factors, Style, schedule};
 pub(crate) use statement::{Expression, Scheduled, ScheduledStage, Statement};

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::scheduler::Style;
+use super::scheduler::{Factors, Style};
 use crate::expr::{Graph, HashMap, Node, Number, Symbol, Term};
 use crate::function::Function;
 use crate::passes::Pass;
@@ -138,7 +138,7 @@ impl Rows {
                     };
                     // what is computed once for all orders is not torn apart by a factor that some terms share
                     let is_above = exponent > 0 || factor != row;
-                    let is_still = self.style.factor_out && is_above && graph.depends_on_position_alone(base);
+                    let is_still = is_above && self.is_still(graph, base);
                     let list = if is_still { &mut still } else { list };
                     list.extend((0..exponent.abs()).map(|_| factor));
                 }
@@ -198,9 +198,19 @@ impl Rows {
         }
     }
 
+    /// Whether a factor is multiplied by others of its kind before it is multiplied by a rate.
+    fn is_still(&self, graph: &Graph, factor: Node) -> bool {
+        let is_step = || matches!(graph.as_symbol(factor), Some(Symbol::Step(_)));
+        match self.style.factors {
+            Factors::Left => false,
+            Factors::TakenOut => graph.depends_on_position_alone(factor),
+            Factors::TakenOutOfRates => is_step() || graph.depends_on_position_alone(factor),
+        }
+    }
+
     /// A sum, with a factor that several of its terms share taken out if that is asked for.
     fn factored_sum(&mut self, terms: Vec<(bool, RowId)>) -> RowId {
-        if !self.style.factor_out || terms.len() < 2 {
+        if self.style.factors == Factors::Left || terms.len() < 2 {
             return self.sum(terms);
         }
         let factors_of = |rows: &Self, id: RowId| match rows.row(id) {

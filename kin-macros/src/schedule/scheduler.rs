@@ -85,7 +85,7 @@ fn iterations(graph: &Graph, program: &Program, passes: Passes) -> BTreeMap<usiz
             &inner,
             &[],
             Style {
-                factor_out: false,
+                factors: Factors::Left,
                 check_domains: false,
                 passes,
             },
@@ -118,11 +118,21 @@ fn iterations(graph: &Graph, program: &Program, passes: Passes) -> BTreeMap<usiz
 /// Stands for the residuals and the Jacobian of an iteration while it is scheduled.
 const RESIDUALS: Symbol = Symbol::Step(usize::MAX);
 
+/// What becomes of factors that terms of a sum share.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Factors {
+    /// They stay where they are.
+    Left,
+    /// They are taken out. Those of the position alone are multiplied by each other first, and not torn apart.
+    TakenOut,
+    /// The same, and what the position has computed in steps of its own is of the position.
+    TakenOutOfRates,
+}
+
 /// What may be decided about a schedule.
 #[derive(Clone, Copy)]
 pub(crate) struct Style {
-    /// Whether factors that terms of a sum share are taken out, and factors of the position are multiplied by each other first.
-    pub(crate) factor_out: bool,
+    pub(crate) factors: Factors,
     /// Whether functions that are not defined everywhere are checked, in the first stage.
     pub(crate) check_domains: bool,
     pub(crate) passes: Passes,

@@ -28,7 +28,8 @@ impl FourBar {
         let ([[x3, y3], [x4, y4]], [rates3, rates4]) = self.solve_to_vectors(theta2)?;
         let [w3, a3, j3, s3] = rates3;
         let [w4, a4, j4, s4] = rates4;
-        let [theta3, theta4] = Scalar::atan2_of_two([y3, y4], [x3, x4]);
+        let theta3 = Scalar::atan2(y3, x3);
+        let theta4 = Scalar::atan2(y4, x4);
         Some([[theta3, w3, a3, j3, s3], [theta4, w4, a4, j4, s4]])
     }
 
