@@ -53,14 +53,23 @@ pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
 pub(crate) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> [f64; 2] {
     #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
     if !FUSED {
-        let (angles, ordinary) = super::sse2::arc_tangents(y, x);
-        return if ordinary { angles } else { each(y, x) };
+        let ([first, second], ordinary) = super::sse2::arc_tangents(y, x);
+        let (first, second) = if ordinary {
+            (first, second)
+        } else {
+            one_by_one((y[0], x[0]), (y[1], x[1]))
+        };
+        return [first, second];
     }
-    each(y, x)
+    [arc_tangent(y[0], x[0]), arc_tangent(y[1], x[1])]
 }
 
-fn each(y: [f64; 2], x: [f64; 2]) -> [f64; 2] {
-    [arc_tangent(y[0], x[0]), arc_tangent(y[1], x[1])]
+/// Points and angles as pairs, which stay in registers: arrays would be put into memory for this call, even where it is not made.
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+#[cold]
+#[inline(never)]
+fn one_by_one(first: (f64, f64), second: (f64, f64)) -> (f64, f64) {
+    (arc_tangent(first.0, first.1), arc_tangent(second.0, second.1))
 }
 
 /// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and for what is so
