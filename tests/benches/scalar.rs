@@ -133,13 +133,13 @@ fn four_bar() {
     let vectors: Vec<[[f64; 5]; 2]> = motions
         .iter()
         .map(|motion| {
-            let (units, rates) = by_hand.solve_to_vectors(*motion).expect("it closes");
+            let (units, rates) = by_hand.solve_to_vectors::<false>(*motion).expect("it closes");
             [derivatives(units[0], rates[0]), derivatives(units[1], rates[1])]
         })
         .collect();
     let hand: Vec<[[f64; 5]; 2]> = motions
         .iter()
-        .map(|motion| by_hand.solve(*motion).expect("it closes"))
+        .map(|motion| by_hand.solve::<false>(*motion).expect("it closes"))
         .collect();
     let notes: Vec<[[f64; 5]; 2]> = with_branches
         .iter()
@@ -152,9 +152,14 @@ fn four_bar() {
         .iter()
         .map(|(motion, branch)| careful::solve(r, *motion, *branch))
         .collect();
+    let beside: Vec<[[f64; 5]; 2]> = motions
+        .iter()
+        .map(|motion| by_hand.solve::<true>(*motion).expect("it closes"))
+        .collect();
     for unknown in 0..2 {
         let of = |poses: &[[[f64; 5]; 2]]| poses.iter().map(|pose| pose[unknown]).collect::<Vec<_>>();
         assert_same("by hand", &of(&hand), &of(&generated));
+        assert_same("by hand, beside", &of(&beside), &of(&generated));
         assert_same("unit vectors", &of(&unit_vectors), &of(&generated));
         assert_same("vectors by hand", &of(&vectors), &of(&generated));
         // the notes give theta4 from 0 to a whole turn; and theta3 with it
@@ -184,10 +189,13 @@ fn four_bar() {
         black_box(alone).solve(motion, Assembly::Open)
     });
     race.enter("four_bar.by_hand", motions.clone(), |motion| {
-        black_box(by_hand).solve(motion)
+        black_box(by_hand).solve::<false>(motion)
+    });
+    race.enter("four_bar.by_hand_beside", motions.clone(), |motion| {
+        black_box(by_hand).solve::<true>(motion)
     });
     race.enter("four_bar.by_hand_without_arctangents", motions.clone(), |motion| {
-        black_box(by_hand).solve_to_vectors(motion)
+        black_box(by_hand).solve_to_vectors::<false>(motion)
     });
     race.enter("four_bar.generated_without_arctangents", typed(), move |motion| {
         black_box(to_unit_vectors).solve(motion, Assembly::Open)
@@ -255,6 +263,7 @@ fn four_bar() {
         "notes",
         "notes_with_care",
         "by_hand",
+        "by_hand_beside",
         "nested_dual_numbers",
         "mixed_dual_numbers",
         "series",
@@ -317,7 +326,7 @@ fn slider_cranks() {
     };
     let hand: Vec<[[f64; 5]; 2]> = motions
         .iter()
-        .map(|motion| by_hand.solve(*motion).expect("it closes"))
+        .map(|motion| by_hand.solve::<false>(*motion).expect("it closes"))
         .collect();
     assert_same(
         "slider-crank by hand, phi",
@@ -332,7 +341,10 @@ fn slider_cranks() {
 
     let mut race = Race::new(POSES);
     race.enter("slider_crank.by_hand", motions.clone(), move |motion| {
-        black_box(by_hand).solve(motion)
+        black_box(by_hand).solve::<false>(motion)
+    });
+    race.enter("slider_crank.by_hand_beside", motions.clone(), move |motion| {
+        black_box(by_hand).solve::<true>(motion)
     });
     race.enter("slider_crank.notes", motions, |motion| {
         slider_crank::solve(black_box(dimensions), motion, slider_crank::Rod::Forward)
@@ -343,6 +355,7 @@ fn slider_cranks() {
     let times = race.run();
     times.ratio("slider_crank.generated", "slider_crank.notes");
     times.ratio("slider_crank.generated", "slider_crank.by_hand");
+    times.ratio("slider_crank.generated", "slider_crank.by_hand_beside");
 }
 
 fn inverted_slider_cranks() {
@@ -384,7 +397,7 @@ fn inverted_slider_cranks() {
     };
     let hand: Vec<[[f64; 5]; 2]> = motions
         .iter()
-        .map(|motion| by_hand.solve(*motion).expect("it closes"))
+        .map(|motion| by_hand.solve::<false>(*motion).expect("it closes"))
         .collect();
     assert_same(
         "inverted slider-crank by hand, r4",
@@ -402,7 +415,10 @@ fn inverted_slider_cranks() {
 
     let mut race = Race::new(POSES);
     race.enter("inverted_slider_crank.by_hand", motions.clone(), move |motion| {
-        black_box(by_hand).solve(motion)
+        black_box(by_hand).solve::<false>(motion)
+    });
+    race.enter("inverted_slider_crank.by_hand_beside", motions.clone(), move |motion| {
+        black_box(by_hand).solve::<true>(motion)
     });
     race.enter("inverted_slider_crank.notes", motions, move |motion| {
         solve(black_box(dimensions), motion)
@@ -413,6 +429,10 @@ fn inverted_slider_cranks() {
     let times = race.run();
     times.ratio("inverted_slider_crank.generated", "inverted_slider_crank.notes");
     times.ratio("inverted_slider_crank.generated", "inverted_slider_crank.by_hand");
+    times.ratio(
+        "inverted_slider_crank.generated",
+        "inverted_slider_crank.by_hand_beside",
+    );
 }
 
 fn main() {

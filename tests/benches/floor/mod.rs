@@ -3,6 +3,9 @@
 //! One sine-cosine, the closed form of the position, the Bell polynomials P and Q of each link's rates shared by both
 //! coordinates, one reciprocal of the determinant, one arctangent for each angle: the functions that kin has. No NaN comes out of a
 //! position that is out of reach; beyond that nothing is asked and nothing is explained.
+//!
+//! `BESIDE` are the same kernels after a look at the generated code: a root is inverted beside it and not after it, and two arctangents are
+//! found at once.
 
 use kin_core::Scalar;
 
@@ -24,18 +27,21 @@ pub(crate) struct FourBar {
 impl FourBar {
     /// The angles of coupler and rocker in the open assembly, through snap.
     #[inline]
-    pub(crate) fn solve(&self, theta2: [f64; 5]) -> Option<Pair<[f64; 5]>> {
-        let ([[x3, y3], [x4, y4]], [rates3, rates4]) = self.solve_to_vectors(theta2)?;
+    pub(crate) fn solve<const BESIDE: bool>(&self, theta2: [f64; 5]) -> Option<Pair<[f64; 5]>> {
+        let ([[x3, y3], [x4, y4]], [rates3, rates4]) = self.solve_to_vectors::<BESIDE>(theta2)?;
         let [w3, a3, j3, s3] = rates3;
         let [w4, a4, j4, s4] = rates4;
-        let theta3 = Scalar::atan2(y3, x3);
-        let theta4 = Scalar::atan2(y4, x4);
+        let [theta3, theta4] = if BESIDE {
+            Scalar::atan2_of_two([y3, y4], [x3, x4])
+        } else {
+            [Scalar::atan2(y3, x3), Scalar::atan2(y4, x4)]
+        };
         Some([[theta3, w3, a3, j3, s3], [theta4, w4, a4, j4, s4]])
     }
 
     /// The vectors of coupler and rocker and the angles' rates: the same without the two arctangents.
     #[inline]
-    pub(crate) fn solve_to_vectors(&self, theta2: [f64; 5]) -> Option<Vectors> {
+    pub(crate) fn solve_to_vectors<const BESIDE: bool>(&self, theta2: [f64; 5]) -> Option<Vectors> {
         let Self { r1, r2, r3, r4 } = *self;
         let [theta2, w2, a2, j2, s2] = theta2;
 
@@ -50,10 +56,15 @@ impl FourBar {
         }
         let half = 0.5 / d2;
         let p = (d2 + sum * difference) * half;
-        let q = four_q2.sqrt() * half;
+        let root = four_q2.sqrt();
+        let q = root * half;
         let (x3, y3) = (dx * p - dy * q, dy * p + dx * q);
         let (x4, y4) = (x3 - dx, y3 - dy);
-        let inverse = 1.0 / (y3 * x4 - x3 * y4);
+        let inverse = if BESIDE {
+            -root * (2.0 / four_q2)
+        } else {
+            1.0 / (y3 * x4 - x3 * y4)
+        };
 
         // z₂ (P₂ + i Q₂) + z₃ (P₃ + i Q₃) = z₄ (P₄ + i Q₄), where only Q₃ and Q₄ hold the rates that are sought: multiplied by z₄ and by z₃
         let (x, y) = (x2 * inverse, y2 * inverse);
@@ -101,7 +112,7 @@ pub(crate) struct SliderCrank {
 impl SliderCrank {
     /// The rod's angle and the slider's place, the slider beyond the pin, through snap.
     #[inline]
-    pub(crate) fn solve(&self, theta: [f64; 5]) -> Option<Pair<[f64; 5]>> {
+    pub(crate) fn solve<const BESIDE: bool>(&self, theta: [f64; 5]) -> Option<Pair<[f64; 5]>> {
         let [theta, w, a, j, s] = theta;
         let (sine, cosine) = Scalar::sin_cos(theta);
         let (x, y) = (self.r * cosine, self.r * sine);
@@ -111,7 +122,7 @@ impl SliderCrank {
             return None;
         }
         let u = u2.sqrt();
-        let inverse = 1.0 / u;
+        let inverse = if BESIDE { u * (1.0 / u2) } else { 1.0 / u };
         let phi = Scalar::atan2(y, u);
 
         // x Q - y (-P) = u Qφ + y Pφ across the line; along it lies what remains
@@ -149,7 +160,7 @@ pub(crate) struct InvertedSliderCrank {
 impl InvertedSliderCrank {
     /// The length along the lever and the lever's angle, through snap.
     #[inline]
-    pub(crate) fn solve(&self, theta2: [f64; 5]) -> Option<Pair<[f64; 5]>> {
+    pub(crate) fn solve<const BESIDE: bool>(&self, theta2: [f64; 5]) -> Option<Pair<[f64; 5]>> {
         let [theta2, w, a, j, s] = theta2;
         let (sine, cosine) = Scalar::sin_cos(theta2);
         let (x2, y2) = (self.r2 * cosine, self.r2 * sine);
@@ -159,7 +170,7 @@ impl InvertedSliderCrank {
             return None;
         }
         let r = r_2.sqrt();
-        let inverse = 1.0 / r;
+        let inverse = if BESIDE { r * (1.0 / r_2) } else { 1.0 / r };
         let theta4 = Scalar::atan2(y2, x);
         // the crank as seen from the lever
         let (c, d) = (x * inverse, y2 * inverse);
