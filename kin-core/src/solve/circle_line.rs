@@ -83,20 +83,7 @@ pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
 /// As for [`circle_line`].
 #[inline(always)]
 pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
-    let q2 = a2 - c.x * c.x;
-    let Some(q2) = q2.provided([q2, c.y], |[q2, y]| {
-        let [low, high] = ordinary(q2, T::SMALLEST);
-        [low, high, y.is_finite()]
-    }) else {
-        let axis = Plane::new(T::constant(0.0), T::constant(1.0));
-        return Err(does_not_reach(a2, axis, c));
-    };
-    let q = q2.sqrt();
-    let leg = Root {
-        value: assembly.mirrored().signed(q),
-        square: q2,
-    };
-    Ok((leg, either(c.y, q, assembly)))
+    circle_line_x(a2, Plane::new(c.y, c.x), assembly)
 }
 
 /// `middle + q` or `middle - q`.
