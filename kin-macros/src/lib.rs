@@ -66,6 +66,8 @@
 //! All of them may be written as methods of their first argument: `theta.cis()`, `y.atan2(x)`.
 
 mod assemble;
+#[cfg(test)]
+mod declarations;
 mod derive;
 mod emit;
 mod expand;

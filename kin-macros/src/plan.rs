@@ -521,16 +521,15 @@ mod tests {
     use quote::quote;
 
     use super::plan;
+    use crate::declarations;
     use crate::expand::sound;
     use crate::passes::{Pass, Passes};
 
     fn four_bar(order: usize) -> TokenStream {
         let order = proc_macro2::Literal::usize_unsuffixed(order);
+        let declaration = declarations::four_bar();
         quote! {
-            struct FourBar { r1: Length, r2: Length, r3: Length, r4: Length }
-            input theta2: Angle;
-            unknown theta3: Angle, theta4: Angle;
-            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+            #declaration
             order = #order;
         }
     }

@@ -56,10 +56,7 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
         ));
     };
     let half = T::constant(0.5) / d2;
-    let root = Root {
-        value: assembly.signed(four_q2.sqrt()),
-        square: four_q2,
-    };
+    let root = Root::of(four_q2, assembly);
     Ok((beside(c, twice_p * half, root.value * half), root))
 }
 

@@ -67,12 +67,8 @@ pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
         let axis = Plane::new(T::constant(1.0), T::constant(0.0));
         return Err(does_not_reach(a2, axis, c));
     };
-    let q = q2.sqrt();
-    let leg = Root {
-        value: assembly.mirrored().signed(q),
-        square: q2,
-    };
-    Ok((leg, either(c.x, q, assembly)))
+    let leg = Root::of(q2, assembly.mirrored());
+    Ok((leg, c.x - leg.value))
 }
 
 /// [`circle_line`] along the y axis: `v + (0, s) = c`. It returns v.y and s; v.x is c.x.

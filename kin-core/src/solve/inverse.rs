@@ -46,10 +46,10 @@ fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static 
     let Some(square) = square.provided([square], |[square]| ordinary(square, T::SMALLEST)) else {
         return Err(too_short(known.real(), radius.real(), T::EPSILON, quantity));
     };
-    let leg = assembly.signed(square.sqrt());
+    let leg = Root::of(square, assembly);
     Ok(Root {
-        value: leg.times_sign_of(radius),
-        square,
+        value: leg.value.times_sign_of(radius),
+        ..leg
     })
 }
 

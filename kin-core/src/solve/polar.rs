@@ -31,10 +31,7 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Fail
     let Some(d2) = d2.provided([d2], |[d2]| ordinary(d2, T::SMALLEST)) else {
         return Err(no_length(c.x.real(), c.y.real()));
     };
-    Ok(Root {
-        value: assembly.signed(d2.sqrt()),
-        square: d2,
-    })
+    Ok(Root::of(d2, assembly))
 }
 
 /// Length and direction of [`polar`] with a slide that passes by the joint: `(s + offset) u = c` as complex numbers, `|u| = 1`.

@@ -1,5 +1,7 @@
 //! A square root, and what it is the root of.
 
+use crate::{Assembly, Scalar};
+
 /// A square root with a sign, and its square.
 ///
 /// Rates are divided by roots. `value / square` is the reciprocal of a root, where `1 / square` need not wait for it: a root and a
@@ -10,4 +12,15 @@ pub struct Root<T = f64> {
     pub value: T,
     /// Its square, from which it was taken: it and its reciprocal have full precision.
     pub square: T,
+}
+
+impl<T: Scalar> Root<T> {
+    /// The root with the sign of the assembly.
+    #[inline(always)]
+    pub(super) fn of(square: T, assembly: Assembly) -> Self {
+        Self {
+            value: assembly.signed(square.sqrt()),
+            square,
+        }
+    }
 }

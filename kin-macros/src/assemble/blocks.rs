@@ -325,8 +325,7 @@ impl Builder<'_> {
     pub(super) fn root(&mut self, symbol: Symbol, value: Node) -> Symbol {
         let name = self.names.of(symbol).to_owned();
         let (symbol, square) = self.fresh(&format!("{name}_squared"));
-        self.nonzero.push(square);
-        self.roots.push(Root {
+        self.learn_root(Root {
             base: value,
             value,
             square,
@@ -334,6 +333,12 @@ impl Builder<'_> {
             names: [format!("inverse_{name}_squared"), format!("inverse_{name}")],
         });
         symbol
+    }
+
+    /// From now on there is this root, and its square is not zero.
+    pub(super) fn learn_root(&mut self, root: Root) {
+        self.nonzero.push(root.square);
+        self.roots.push(root);
     }
 
     /// The unknown angle of a link that is known as a vector.

@@ -90,8 +90,7 @@ impl Builder<'_> {
             let other = self.define_complex(&wish, other);
             // link × (target - link) is minus half of the root
             let cross = link.conjugate(self.graph).times(self.graph, other).im;
-            self.nonzero.push(square);
-            self.roots.push(Root {
+            self.learn_root(Root {
                 base: cross,
                 value: root,
                 square,

@@ -76,8 +76,7 @@ impl Reciprocals {
 
 #[cfg(test)]
 mod tests {
-    use quote::quote;
-
+    use crate::declarations::{four_bar, inverted_slider_crank, slider_crank};
     use crate::expand::sound;
     use crate::passes::Passes;
     use crate::plan::plan;
@@ -86,29 +85,10 @@ mod tests {
     /// Rates are divided by nothing but the square of a root, and that once.
     #[test]
     fn a_root_is_inverted_once_and_by_its_square() {
-        let four_bar = quote! {
-            struct FourBar { r1: Length, r2: Length, r3: Length, r4: Length }
-            input theta2: Angle;
-            unknown theta3: Angle, theta4: Angle;
-            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
-        };
-        let slider_crank = quote! {
-            struct SliderCrank { r: Length, l: Length }
-            input theta: Angle;
-            unknown phi: Angle, s: Length;
-            r * sin(theta) == l * sin(phi);
-            s == r * cos(theta) + l * cos(phi);
-        };
-        let inverted = quote! {
-            struct Inverted { r1: Length, r2: Length }
-            input theta2: Angle;
-            unknown r4: Length where r4 > 0, theta4: Angle;
-            r1 + r2 * cis(theta2) == r4 * cis(theta4);
-        };
         for (declaration, of_square, own) in [
-            (four_bar, "inverse_square", "inverse_determinant"),
-            (slider_crank, "inverse_l_x_squared", "inverse_l_x"),
-            (inverted, "inverse_r4_squared", "inverse_r4"),
+            (four_bar(), "inverse_square", "inverse_determinant"),
+            (slider_crank(), "inverse_l_x_squared", "inverse_l_x"),
+            (inverted_slider_crank(), "inverse_r4_squared", "inverse_r4"),
         ] {
             let plan = plan(&sound(declaration).task(Passes::ALL));
             let [_, velocity, later @ ..] = plan.scheduled.stages.as_slice() else {
