@@ -5,8 +5,11 @@ use std::time::Instant;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
-use crate::expand::expand;
-use crate::expr::LOOKUPS;
+use crate::expand::{expand, sound};
+use crate::families::{self, Member};
+use crate::passes::Passes;
+use crate::plan::plan;
+use crate::work::{self, Work};
 
 /// Four-bar linkages in series: the rocker of each is the crank of the next.
 fn chain(loops: usize) -> TokenStream {
@@ -63,9 +66,8 @@ fn coupled() -> TokenStream {
 fn a_chain_takes_work_in_proportion_to_its_loops() {
     let work: Vec<[usize; 2]> = (1..=16)
         .map(|loops| {
-            let before = LOOKUPS.get();
-            let tokens = count_tokens(expand(chain(loops)));
-            [LOOKUPS.get() - before, tokens]
+            let (tokens, work) = work::of(|| count_tokens(expand(chain(loops))));
+            [work.look_ups, tokens]
         })
         .collect();
     for (loops, [lookups, tokens]) in (1..).zip(&work) {
@@ -83,6 +85,136 @@ fn a_chain_takes_work_in_proportion_to_its_loops() {
             );
         }
     }
+}
+
+/// One member of each family, of a size that a person might write.
+fn members() -> Vec<Member> {
+    let mut members = vec![
+        families::arm(7, "with sensitivities;"),
+        families::arm(15, ""),
+        families::arm(30, ""),
+        families::rotations(10),
+        families::squares(14),
+        families::cross_products(10),
+        families::factors(100),
+        families::linear_factors(10),
+        families::terms(100),
+        families::terms(500),
+        families::directions(20),
+        families::ring(12),
+        families::ring(30),
+        families::outputs(300),
+        families::four_bars(5),
+    ];
+    members.extend(families::powers());
+    let steps = [
+        "sin({})",
+        "sqrt({} + 2)",
+        "exp(-{})",
+        "ln({} + 3)",
+        "atan({})",
+        "acos({} / 4)",
+        "tan({} / 2)",
+    ];
+    members.extend(steps.map(|step| families::nested(50, step)));
+    members.push(families::nested(10, "a / (t + 1 / {})"));
+    members
+}
+
+/// Members that take long to be expanded without optimisation.
+fn large_members() -> Vec<Member> {
+    vec![
+        families::nested(200, "sin({})"),
+        families::linear_factors(30),
+        families::cross_products(30),
+        families::terms(2000),
+        families::ring(60),
+        families::four_bars(20),
+    ]
+}
+
+/// What an expansion takes.
+struct Expanded {
+    work: Work,
+    seconds: f64,
+    /// The tokens of the declaration.
+    read: usize,
+    /// The operations from the position through the highest order, and those of all that was asked for beside it.
+    operations: usize,
+}
+
+impl Expanded {
+    fn new(member: &Member) -> Self {
+        let start = processor_seconds();
+        let (_, work) = work::of(|| expand(member.tokens()));
+        let seconds = processor_seconds() - start;
+        let plan = plan(&sound(member.tokens()).task(Passes::ALL));
+        let further = [plan.sensitivities, plan.every, Some(plan.orientations)];
+        let further: usize = further.iter().flatten().map(|stage| stage.cost.total()).sum();
+        Self {
+            work,
+            seconds,
+            read: count_tokens(member.tokens()),
+            operations: plan.scheduled.cost().total() + further,
+        }
+    }
+
+    /// The look-ups and the turns of other loops for each token read and each operation written.
+    fn rates(&self) -> [usize; 2] {
+        [self.work.look_ups, self.work.turns].map(|work| work / (self.read + self.operations))
+    }
+
+    fn line(&self, name: &str) -> String {
+        let [look_ups, turns] = self.rates();
+        let Self { read, operations, .. } = self;
+        format!(
+            "{name:44} {read:6} tokens, {operations:6} operations, for each {look_ups:3} look-ups and {turns:3} turns"
+        )
+    }
+}
+
+/// A family is expanded on a thread whose stack is that of a compiler's thread, which tests do not have.
+fn expanded(members: Vec<Member>) -> Vec<(String, Expanded)> {
+    let expand_all = move || {
+        let members = members.into_iter();
+        members
+            .map(|member| {
+                let expanded = Expanded::new(&member);
+                (member.name, expanded)
+            })
+            .collect()
+    };
+    let thread = std::thread::Builder::new()
+        .stack_size(COMPILERS_STACK)
+        .spawn(expand_all);
+    thread
+        .expect("a thread can be started")
+        .join()
+        .expect("a family is expanded")
+}
+
+/// rustc runs macros with so much stack.
+const COMPILERS_STACK: usize = 8 << 20;
+
+/// No declaration takes more than a bounded number of steps for what is read and written.
+#[test]
+fn work_follows_what_is_read_and_written() {
+    for (name, expanded) in expanded(members()) {
+        println!("{}", expanded.line(&name));
+        let [look_ups, turns] = expanded.rates();
+        assert!(
+            look_ups < 100,
+            "{name}: {look_ups} look-ups for each token and operation"
+        );
+        assert!(turns < 200, "{name}: {turns} turns for each token and operation");
+    }
+}
+
+/// The processor time of this thread, where the system tells it.
+fn processor_seconds() -> f64 {
+    let statistics = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let first = statistics.split(' ').next().and_then(|first| first.parse::<f64>().ok());
+    first.map_or(f64::NAN, |nanoseconds| nanoseconds * 1e-9)
 }
 
 /// All tokens, those within groups included.
@@ -108,5 +240,10 @@ fn times() {
         let length = expand(declaration).to_string().len();
         let time = start.elapsed().as_secs_f64() * 1e3;
         println!("{name:22} {time:9.1} ms, {length:7} characters");
+    }
+    let wanted = std::env::var("FAMILY").unwrap_or_default();
+    let members = members().into_iter().chain(large_members());
+    for (name, expanded) in expanded(members.filter(|member| member.name.contains(&wanted)).collect()) {
+        println!("{}, {:6.2} s", expanded.line(&name), expanded.seconds);
     }
 }

@@ -75,6 +75,8 @@ mod expand;
 mod expansion_tests;
 mod expr;
 mod fallback;
+#[cfg(test)]
+mod families;
 mod finite;
 mod function;
 #[cfg(test)]
@@ -89,6 +91,7 @@ mod report;
 mod schedule;
 mod structure;
 mod syntax;
+mod work;
 
 /// `mechanism!`, called with the path of the crate that it belongs to in parentheses before the declaration.
 #[doc(hidden)]

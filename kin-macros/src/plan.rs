@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::assemble::{self, Choice, Directions, Limits, Mode, Names, Program, Reciprocals, Stage, Step};
-use crate::derive::{self, Definition, Derivatives, Hint, Rate, Row, Way};
+use crate::derive::{self, Definition, Derivatives, Formulas, Hint, Rate, Row, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::finite;
 use crate::passes::{Pass, Passes};
@@ -59,14 +59,15 @@ pub(crate) struct Plan {
     pub(crate) orientations: ScheduledStage,
     /// What goes through all positions where a block is left to Newton's method, if its equations are algebraic.
     pub(crate) every: Option<ScheduledStage>,
+    /// Whether equations or outputs were too large to be multiplied out.
+    pub(crate) is_form_given_up: bool,
 }
 
 /// Equations and outputs in one form, and the graph that has it.
 #[derive(Clone)]
 struct Form {
     graph: Graph,
-    residuals: Vec<Node>,
-    outputs: Vec<Node>,
+    formulas: Formulas,
 }
 
 /// Tries both forms, and the cheaper one with influence coefficients, and keeps the cheapest.
@@ -77,7 +78,9 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
         own.take_out_factors(Factors::TakenOut, task.passes);
         (own, derived)
     };
-    let mut best = forms(task)
+    let forms = forms(task);
+    let is_form_given_up = forms.iter().any(|form| form.formulas.is_given_up);
+    let mut best = forms
         .into_iter()
         .map(|form| attempt(form, Way::Whole))
         .min_by_key(|(own, _)| own.cost())
@@ -93,7 +96,10 @@ pub(crate) fn plan(task: &Task<'_>) -> Plan {
         best = sensitive(task, derived);
     }
     best.take_out_factors(Factors::TakenOutOfRates, task.passes);
-    best.finish(every(task))
+    Plan {
+        is_form_given_up,
+        ..best.finish(every(task))
+    }
 }
 
 /// Equations and outputs in one form, with their derivatives.
@@ -123,9 +129,9 @@ impl Derived {
 impl Form {
     fn task<'a>(&'a self, task: &Task<'a>, way: Way) -> derive::Task<'a> {
         derive::Task {
-            residuals: &self.residuals,
+            residuals: &self.formulas.residuals,
             blocks: task.blocks,
-            outputs: &self.outputs,
+            outputs: &self.formulas.outputs,
             way,
             passes: task.passes,
         }
@@ -168,17 +174,15 @@ fn every(task: &Task<'_>) -> Option<ScheduledStage> {
 fn forms(task: &Task<'_>) -> Vec<Form> {
     let mut graph = task.graph.clone();
     let mut form = |expand| {
-        let (residuals, outputs) = derive::forms(&mut graph, task.residuals, task.outputs, expand);
+        let formulas = derive::formulas(&mut graph, task.residuals, task.outputs, expand);
         Form {
             graph: graph.clone(),
-            residuals,
-            outputs,
+            formulas,
         }
     };
     let (expanded, typed) = (form(true), form(false));
-    if (&expanded.residuals, &expanded.outputs) == (&typed.residuals, &typed.outputs)
-        || !task.passes.include(Pass::AsTyped)
-    {
+    let nodes = |form: &Form| [form.formulas.residuals.clone(), form.formulas.outputs.clone()];
+    if nodes(&expanded) == nodes(&typed) || !task.passes.include(Pass::AsTyped) {
         return vec![expanded];
     }
     if !task.passes.include(Pass::MultipliedOut) {
@@ -241,6 +245,7 @@ impl Candidate {
             sensitivities,
             orientations,
             every,
+            is_form_given_up: false,
         }
     }
 }

@@ -97,7 +97,7 @@ fn steps(
             choices.push(Choice { mode, orientation });
             match &part.solution {
                 Solution::Closed(form) => builder.form(form),
-                Solution::Newton { residuals } => builder.newton(number, &part.unknowns, residuals),
+                Solution::Newton { residuals, .. } => builder.newton(number, &part.unknowns, residuals),
             }
             builder.bounds(part, ranges);
             if let Some(jacobian) = jacobian

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::blocks::Builder;
 use super::program::{Mode, Step};
-use crate::expr::{Graph, Node, Symbol, Term};
+use crate::expr::{Node, Symbol, Term};
 use crate::structure::{System, Variable};
 
 impl Builder<'_> {
@@ -93,16 +93,14 @@ impl Builder<'_> {
         if let Some(&known) = moved.get(&node) {
             return known;
         }
-        let result = if is_free(self.graph, node, unknowns) {
-            self.define("given", node)
-        } else {
+        let result = if self.graph.has_any_of(node, unknowns) {
             match self.graph.term(node).clone() {
                 Term::Number(_) | Term::Pi | Term::Symbol(_) => node,
                 Term::Sum(constant, terms) => {
                     let (given, moving): (Vec<_>, Vec<_>) = terms
                         .into_iter()
                         .map(|(part, coefficient)| (part, coefficient.get()))
-                        .partition(|&(part, _)| is_free(self.graph, part, unknowns));
+                        .partition(|&(part, _)| !self.graph.has_any_of(part, unknowns));
                     let mut whole: Vec<(Node, f64)> = moving
                         .into_iter()
                         .map(|(part, coefficient)| (self.hoist(part, unknowns, moved), coefficient))
@@ -118,7 +116,7 @@ impl Builder<'_> {
                 Term::Product(factors) => {
                     let (given, moving): (Vec<_>, Vec<_>) = factors
                         .into_iter()
-                        .partition(|&(part, _)| is_free(self.graph, part, unknowns));
+                        .partition(|&(part, _)| !self.graph.has_any_of(part, unknowns));
                     let mut whole: Vec<(Node, i32)> = moving
                         .into_iter()
                         .map(|(part, exponent)| (self.hoist(part, unknowns, moved), exponent))
@@ -135,14 +133,10 @@ impl Builder<'_> {
                     self.graph.call(function, &arguments)
                 }
             }
+        } else {
+            self.define("given", node)
         };
         moved.insert(node, result);
         result
     }
-}
-
-fn is_free(graph: &Graph, node: Node, unknowns: &[usize]) -> bool {
-    !unknowns
-        .iter()
-        .any(|&unknown| graph.contains(node, Symbol::Unknown(unknown)))
 }

@@ -123,6 +123,7 @@ pub(crate) struct Program {
 #[derive(Clone, Default)]
 pub(crate) struct Names {
     by_symbol: BTreeMap<Symbol, String>,
+    by_name: BTreeMap<String, Symbol>,
     taken: BTreeSet<String>,
     /// The number that was last put behind a wish.
     last: BTreeMap<String, usize>,
@@ -152,21 +153,20 @@ impl Names {
     /// Names a symbol.
     pub(crate) fn name(&mut self, symbol: Symbol, wish: &str) {
         let name = self.unique(wish);
+        self.by_name.insert(name.clone(), symbol);
         self.by_symbol.insert(symbol, name);
     }
 
     /// Gives a symbol the very name that it was declared with.
     pub(crate) fn name_exactly(&mut self, symbol: Symbol, name: &str) {
         self.reserve(name);
+        self.by_name.insert(name.to_owned(), symbol);
         self.by_symbol.insert(symbol, name.to_owned());
     }
 
-    /// The symbols by their names.
-    pub(crate) fn by_name(&self) -> BTreeMap<&str, Symbol> {
-        self.by_symbol
-            .iter()
-            .map(|(&symbol, name)| (name.as_str(), symbol))
-            .collect()
+    /// The symbol with a name.
+    pub(crate) fn symbol(&self, name: &str) -> Option<Symbol> {
+        self.by_name.get(name).copied()
     }
 
     /// The name of a symbol that has been named.

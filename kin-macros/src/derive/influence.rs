@@ -5,7 +5,7 @@
 //! orders, where R would be multiplied by the adjugate at each. (For a four-bar linkage these are the dot and cross products of its
 //! links.)
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::jacobian::radius;
 use crate::expr::{Graph, Node, Term};
@@ -122,14 +122,17 @@ fn influence(graph: &mut Graph, terms: &[(Node, f64)]) -> (f64, Node) {
     (number, graph.linear(0.0, &terms))
 }
 
-/// The coefficients in an expression that was collected.
-pub(super) fn influences(graph: &Graph, node: Node, found: &mut Vec<Node>) {
+/// The coefficients in an expression that was collected. Expressions in `seen` have been looked at.
+pub(super) fn influences(graph: &Graph, node: Node, seen: &mut BTreeSet<Node>, found: &mut Vec<Node>) {
+    if !seen.insert(node) {
+        return;
+    }
     match graph.term(node) {
         Term::Sum(..) if graph.depends_on_position_alone(node) => found.push(node),
-        Term::Sum(_, terms) => terms.iter().for_each(|&(term, _)| influences(graph, term, found)),
+        Term::Sum(_, terms) => terms.iter().for_each(|&(term, _)| influences(graph, term, seen, found)),
         Term::Product(factors) => {
             for &(factor, _) in factors.iter().filter(|&&(_, exponent)| exponent > 0) {
-                influences(graph, factor, found);
+                influences(graph, factor, seen, found);
             }
         }
         _ => {}

@@ -116,14 +116,7 @@ impl Jacobian {
         if size <= CRAMER {
             return false;
         }
-        let is_constant = |&(row, _): &(usize, usize)| {
-            self.core[row].iter().all(|&entry| {
-                graph
-                    .symbols(entry)
-                    .iter()
-                    .all(|symbol| !matches!(symbol, Symbol::Unknown(_)))
-            })
-        };
+        let is_constant = |&(row, _): &(usize, usize)| self.core[row].iter().all(|&entry| !graph.has_unknowns(entry));
         let numbers: Vec<(usize, usize)> = (0..size)
             .flat_map(|row| (0..size).map(move |column| (row, column)))
             .filter(|&(row, column)| {

@@ -8,7 +8,7 @@ mod jacobian;
 mod rates;
 mod sensitivity;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) use influence::Way;
 pub(crate) use sensitivity::{Definition, Row};
@@ -16,7 +16,7 @@ pub(crate) use sensitivity::{Definition, Row};
 use jacobian::Jacobian;
 use rates::Rates;
 
-use crate::expr::{Expansion, Graph, Node, Symbol};
+use crate::expr::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
 use crate::passes::Passes;
 use crate::structure::Block;
 
@@ -88,33 +88,56 @@ pub(crate) struct Task<'a> {
     pub(crate) passes: Passes,
 }
 
-/// Equations and outputs in the form in which they are differentiated: as typed or multiplied out, and in any case
-/// without a quotient of what varies in the equations.
-pub(crate) fn forms(graph: &mut Graph, residuals: &[Node], outputs: &[Node], expand: bool) -> (Vec<Node>, Vec<Node>) {
-    let varies = |symbol| matches!(symbol, Symbol::Input(_) | Symbol::Unknown(_));
+/// A multiplied-out form is tried if it has at most so many terms for each node of the typed form. A larger one has never been
+/// the cheaper one: in the library the largest ratio is 1.3, and most are below a half.
+const TERMS_FOR_EACH_NODE: usize = 2;
+
+/// Equations and outputs in a form in which they can be differentiated.
+#[derive(Clone)]
+pub(crate) struct Formulas {
+    pub(crate) residuals: Vec<Node>,
+    pub(crate) outputs: Vec<Node>,
+    /// Whether some would have become too large.
+    pub(crate) is_given_up: bool,
+}
+
+/// Equations and outputs as typed or multiplied out, and equations in any case without a quotient of what varies.
+pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], expand: bool) -> Formulas {
+    let mut is_given_up = false;
+    let mut choose = |graph: &mut Graph, typed: Node, multiplied_out: Option<Polynomial>, is_complete: bool| {
+        let Some(polynomial) = multiplied_out else {
+            return typed;
+        };
+        if is_complete && polynomial.0.len() <= TERMS_FOR_EACH_NODE * graph.reachable(&[typed]).len() {
+            return polynomial.node(graph);
+        }
+        is_given_up = true;
+        typed
+    };
     let residuals = residuals
         .iter()
         .map(|&residual| {
-            let mut expansion = Expansion::new(graph, &varies);
-            if expand || expansion.polynomial(residual).is_none() {
-                expansion.equation(residual).node(graph)
-            } else {
-                residual
-            }
+            let mut expansion = Expansion::new(graph, Variables::Position);
+            let has_quotient = expansion.polynomial(residual).is_none();
+            let equation = (expand || has_quotient).then(|| expansion.equation(residual));
+            let is_complete = expansion.is_complete();
+            choose(graph, residual, equation, is_complete)
         })
         .collect();
     let outputs = outputs
         .iter()
         .map(|&output| {
-            let polynomial = if expand {
-                Expansion::new(graph, &varies).polynomial(output)
-            } else {
-                None
-            };
-            polynomial.map_or(output, |polynomial| polynomial.node(graph))
+            let mut expansion = Expansion::new(graph, Variables::Position);
+            let formula = if expand { expansion.polynomial(output) } else { None };
+            let is_complete = expansion.is_complete();
+            choose(graph, output, formula, is_complete)
         })
         .collect();
-    (residuals, outputs)
+    Formulas {
+        residuals,
+        outputs,
+        is_given_up,
+    }
 }
 
 impl Derivatives {
@@ -219,10 +242,11 @@ impl Derivatives {
     pub(crate) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
         let mut hints = self.rights.clone();
         hints.extend(self.rates.hints(graph));
+        let mut seen = BTreeSet::new();
         for rate in self.orders.iter().flatten() {
             if let Rate::Value { value, .. } = *rate {
                 let mut found = Vec::new();
-                influence::influences(graph, value, &mut found);
+                influence::influences(graph, value, &mut seen, &mut found);
                 hints.extend(found.into_iter().map(|node| (node, Hint::Influence)));
             }
         }

@@ -75,6 +75,9 @@ impl Rates {
         if order == 0 {
             return node;
         }
+        if graph.is_constant_in_time(node) {
+            return graph.zero();
+        }
         if let Some(&derivative) = self.known.get(&(node, order)) {
             return derivative;
         }
@@ -108,19 +111,12 @@ impl Rates {
         derivative
     }
 
-    fn is_constant(graph: &Graph, node: Node) -> bool {
-        graph
-            .symbols(node)
-            .into_iter()
-            .all(|symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Step(_)))
-    }
-
     /// A product, split into what is constant, what turns, and the rest.
     fn product(&mut self, graph: &mut Graph, factors: &[(Node, i32)], order: usize) -> Node {
         let (constant, varying): (Vec<_>, Vec<_>) = factors
             .iter()
             .copied()
-            .partition(|&(factor, _)| Self::is_constant(graph, factor));
+            .partition(|&(factor, _)| graph.is_constant_in_time(factor));
         let circular = varying.iter().position(|&(factor, exponent)| {
             exponent == 1 && matches!(graph.term(factor), Term::Call(Function::Sin | Function::Cos, _))
         });
@@ -168,8 +164,9 @@ impl Rates {
                 graph.multiply(reciprocal, sum)
             }
             _ => {
-                let (first, rest) = (exponent.signum(), exponent - exponent.signum());
-                let (left, right) = (graph.power(base, first), graph.power(base, rest));
+                // by halves, so that a high power takes few products
+                let half = exponent / 2;
+                let (left, right) = (graph.power(base, half), graph.power(base, exponent - half));
                 self.leibniz(graph, left, right, order)
             }
         }
@@ -187,7 +184,7 @@ impl Rates {
         let partials = function.partials(graph, arguments, value);
         let mut terms = Vec::new();
         for (&argument, partial) in arguments.iter().zip(partials) {
-            if Self::is_constant(graph, argument) {
+            if graph.is_constant_in_time(argument) {
                 continue;
             }
             for k in 0..order {

@@ -103,7 +103,11 @@ impl Derivation<'_> {
     fn total(&mut self, row: Row, unknowns: &[usize], parameter: usize, order: usize) -> Node {
         let own = self.partial(row, Symbol::Parameter(parameter), order);
         let mut terms = vec![(own, 1.0)];
+        let whole = self.node(row);
         for &unknown in unknowns {
+            if !self.graph.contains(whole, Symbol::Unknown(unknown)) {
+                continue;
+            }
             for k in 0..=order {
                 let Some(&sensitivity) = self.found.get(&Symbol::Sensitivity(unknown, parameter, k)) else {
                     continue;
@@ -118,12 +122,16 @@ impl Derivation<'_> {
         self.graph.linear(0.0, &terms)
     }
 
-    /// The time derivative of a partial derivative.
-    fn partial(&mut self, row: Row, symbol: Symbol, order: usize) -> Node {
-        let node = match row {
+    const fn node(&self, row: Row) -> Node {
+        match row {
             Row::Equation(equation) => self.task.residuals[equation],
             Row::Output(output) => self.task.outputs[output],
-        };
+        }
+    }
+
+    /// The time derivative of a partial derivative.
+    fn partial(&mut self, row: Row, symbol: Symbol, order: usize) -> Node {
+        let node = self.node(row);
         let partial = if let Some(&partial) = self.partials.get(&(row, symbol)) {
             partial
         } else {

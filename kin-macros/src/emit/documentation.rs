@@ -24,6 +24,16 @@ impl Mechanism<'_> {
             .collect()
     }
 
+    /// Which form of the equations was differentiated, where a form was given up.
+    pub(super) fn form_lines(&self) -> Vec<String> {
+        if !self.plan.is_form_given_up {
+            return Vec::new();
+        }
+        let line =
+            " Multiplied out, the equations or outputs would be too large: some are differentiated as typed only.";
+        vec![String::new(), line.to_owned()]
+    }
+
     /// How a block is solved, part by part.
     pub(super) fn solution(&self, block: &Block) -> String {
         if let [only] = block.parts.as_slice() {
@@ -41,7 +51,10 @@ impl Mechanism<'_> {
     pub(super) fn solution_of_part(&self, part: &Part) -> String {
         match &part.solution {
             Solution::Closed(form) => form.description(self.graph),
-            Solution::Newton { .. } => "Newton's method".to_owned(),
+            Solution::Newton { is_given_up: false, .. } => "Newton's method".to_owned(),
+            Solution::Newton { is_given_up: true, .. } => {
+                "Newton's method (the equations are too large to look for a closed form)".to_owned()
+            }
         }
     }
 

@@ -44,7 +44,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let assemblies = mechanism.assembly_lines();
     let (equations, blocks, cost) = (
         mechanism.equation_lines(),
-        mechanism.block_lines(),
+        mechanism.block_lines().into_iter().chain(mechanism.form_lines()),
         mechanism.cost_line(0),
     );
     let near_line = format!(

@@ -428,20 +428,18 @@ impl Mechanism<'_> {
 
     /// Outputs and unknowns that come from no closed form are tested for being finite; the label for messages.
     fn guarded_name(&self, name: &str) -> Option<String> {
-        let unknown = (0..self.model.unknowns.len())
-            .find(|&index| self.plan.names.of(Symbol::Unknown(index)) == name)
-            .map(|index| self.model.unknowns[index].name.to_string());
-        unknown.or_else(|| {
-            self.output_parts()
-                .iter()
-                .zip(&self.model.outputs)
-                .find_map(|(parts, output)| {
-                    parts
-                        .iter()
-                        .any(|&part| self.plan.names.of(Symbol::OutputRate(part, 0)) == name)
-                        .then(|| output.name.to_string())
-                })
-        })
+        match self.plan.names.symbol(name)? {
+            Symbol::Unknown(index) => Some(self.model.unknowns[index].name.to_string()),
+            Symbol::OutputRate(part, 0) => {
+                let mut end = 0;
+                let output = self.model.outputs.iter().find(|output| {
+                    end += output.value.nodes().len();
+                    part < end
+                });
+                output.map(|output| output.name.to_string())
+            }
+            _ => None,
+        }
     }
 
     fn argument(&self, shape: Shape, parts: &[Expression]) -> TokenStream {

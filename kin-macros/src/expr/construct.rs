@@ -7,6 +7,12 @@ use super::graph::Number;
 use super::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 
+/// A sum of more terms than this is a term of other sums, and is not merged with them: a chain of long sums would take the square
+/// of its length. In the library 123 is the largest number.
+const LONGEST_SUM: usize = 32;
+/// A product of more factors than this is a factor of other products. In the library 10 is the largest number.
+const LONGEST_PRODUCT: usize = 12;
+
 impl Graph {
     pub(crate) fn number(&mut self, value: f64) -> Node {
         self.intern(Term::Number(Number::new(value)))
@@ -56,7 +62,7 @@ impl Graph {
         for &(node, coefficient) in terms {
             match self.term(node) {
                 Term::Number(value) if !self.keeps_numbers => constant += coefficient * value.get(),
-                Term::Sum(inner, inner_terms) => {
+                Term::Sum(inner, inner_terms) if inner_terms.len() <= LONGEST_SUM => {
                     constant += coefficient * inner.get();
                     for &(part, factor) in inner_terms {
                         *collected.entry(part).or_insert(0.0) += coefficient * factor.get();
@@ -150,7 +156,7 @@ impl Graph {
         }
         match self.term(bare) {
             Term::Number(_) => {}
-            Term::Product(parts) => {
+            Term::Product(parts) if parts.len() <= LONGEST_PRODUCT => {
                 for &(part, inner) in parts {
                     *collected.entry(part).or_insert(0) += inner * exponent;
                 }

@@ -1,9 +1,14 @@
 //! The graph itself: nodes, what they hold, and how equal ones are found.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use super::HashMap;
+use super::content::{Content, Contents};
+use super::harmonic::{Expanded, ExpandedKey};
+use super::probe::POINTS;
 use crate::function::Function;
+use crate::work;
 
 /// An expression: its number in the graph.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -62,11 +67,33 @@ pub(crate) enum Term {
     /// π, kept apart from numbers so that quarter turns are found exactly.
     Pi,
     Symbol(Symbol),
-    /// constant + Σ coefficient · node, the nodes in ascending order, none of them a number or a sum, no coefficient zero.
+    /// constant + Σ coefficient · node, the nodes in ascending order, none of them a number or a short sum, no coefficient zero.
     Sum(Number, Vec<(Node, Number)>),
-    /// Π node^exponent, the nodes in ascending order, none of them a number or a product, no exponent zero.
+    /// Π node^exponent, the nodes in ascending order, none of them a number or a short product, no exponent zero.
     Product(Vec<(Node, i32)>),
     Call(Function, Vec<Node>),
+}
+
+/// The symbols that an expression is seen as a function of; all others are constants to it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Variables<'a> {
+    /// These unknowns.
+    Unknowns(&'a [usize]),
+    /// All unknowns.
+    AllUnknowns,
+    /// All inputs and unknowns.
+    Position,
+}
+
+impl Variables<'_> {
+    /// Whether a symbol is among them.
+    pub(crate) fn include(self, symbol: Symbol) -> bool {
+        match (self, symbol) {
+            (Self::Unknowns(unknowns), Symbol::Unknown(unknown)) => unknowns.contains(&unknown),
+            (Self::AllUnknowns | Self::Position, Symbol::Unknown(_)) | (Self::Position, Symbol::Input(_)) => true,
+            _ => false,
+        }
+    }
 }
 
 /// The expressions of one declaration.
@@ -74,16 +101,14 @@ pub(crate) enum Term {
 pub(crate) struct Graph {
     terms: Vec<Term>,
     known: HashMap<Term, Node>,
+    contents: Contents,
+    /// The values of all expressions so far looked at, at the points where identities are probed.
+    pub(super) probed: Vec<[f64; POINTS]>,
+    /// What has been expanded.
+    pub(super) expanded: HashMap<ExpandedKey, Arc<Expanded>>,
     steps: usize,
     /// Whether numbers stay as they are, as terms and factors like others.
     pub(super) keeps_numbers: bool,
-}
-
-#[cfg(test)]
-thread_local! {
-    /// How often an expression has been looked up in any graph of this thread: a measure of the work of an expansion that is the
-    /// same in every run.
-    pub(crate) static LOOKUPS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
 
 impl Graph {
@@ -111,15 +136,20 @@ impl Graph {
 
     /// The node that holds a term, which must be in normal form.
     pub(super) fn intern(&mut self, term: Term) -> Node {
-        #[cfg(test)]
-        LOOKUPS.set(LOOKUPS.get() + 1);
+        work::look_up();
         if let Some(&node) = self.known.get(&term) {
             return node;
         }
         let node = Node(u32::try_from(self.terms.len()).expect("fewer than 2^32 nodes"));
+        self.contents.push(&term);
         self.terms.push(term.clone());
         self.known.insert(term, node);
         node
+    }
+
+    /// The kinds of symbols that an expression contains, and which parameters, inputs and unknowns.
+    pub(super) fn content(&self, node: Node) -> Content {
+        self.contents.of(node)
     }
 
     /// The nodes that a node is made of, directly.
@@ -144,25 +174,48 @@ impl Graph {
         seen
     }
 
-    /// The symbols that an expression contains.
-    pub(crate) fn symbols(&self, node: Node) -> BTreeSet<Symbol> {
-        self.reachable(&[node])
-            .into_iter()
-            .filter_map(|part| self.as_symbol(part))
-            .collect()
-    }
-
-    /// Whether there is nothing in an expression but parameters, inputs and unknowns: no time derivative, and nothing that the
+    /// Whether an expression is of parameters, inputs and unknowns alone: it contains no time derivative, and nothing that the
     /// program computes in a step of its own.
     pub(crate) fn depends_on_position_alone(&self, node: Node) -> bool {
-        self.symbols(node)
-            .into_iter()
-            .all(|symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Unknown(_)))
+        self.content(node).is_of_position()
     }
 
-    /// Whether an expression contains a symbol.
+    /// Whether an expression has no time derivative: it contains nothing but parameters and the results of steps.
+    pub(crate) fn is_constant_in_time(&self, node: Node) -> bool {
+        self.content(node).is_constant_in_time()
+    }
+
+    /// The numbers of the unknowns whose values an expression contains, ascending.
+    pub(crate) fn unknowns(&self, node: Node) -> impl Iterator<Item = usize> + '_ {
+        self.contents.unknowns(self.content(node))
+    }
+
+    /// Whether an expression contains the value of an unknown.
+    pub(crate) fn has_unknowns(&self, node: Node) -> bool {
+        self.content(node).has_unknowns()
+    }
+
+    /// Whether an expression contains the value of one of these unknowns.
+    pub(crate) fn has_any_of(&self, node: Node, unknowns: &[usize]) -> bool {
+        let content = self.content(node);
+        content.has_unknowns()
+            && unknowns
+                .iter()
+                .any(|&unknown| self.contents.has(content, Symbol::Unknown(unknown)))
+    }
+
+    /// Whether an expression contains a parameter, an input or an unknown.
     pub(crate) fn contains(&self, node: Node, symbol: Symbol) -> bool {
-        self.symbols(node).contains(&symbol)
+        self.contents.has(self.content(node), symbol)
+    }
+
+    /// Whether an expression varies when these variables do.
+    pub(crate) fn varies(&self, node: Node, variables: Variables<'_>) -> bool {
+        match variables {
+            Variables::Unknowns(unknowns) => self.has_any_of(node, unknowns),
+            Variables::AllUnknowns => self.has_unknowns(node),
+            Variables::Position => self.content(node).has_inputs_or_unknowns(),
+        }
     }
 
     /// The symbol that a node is, if it is one.
@@ -183,7 +236,7 @@ impl Graph {
 
     /// The value of an expression without symbols.
     pub(crate) fn constant_value(&self, node: Node) -> Option<f64> {
-        if self.symbols(node).is_empty() {
+        if self.content(node).is_constant() {
             Some(self.evaluate(node, &|_| f64::NAN))
         } else {
             None

@@ -6,12 +6,18 @@
 //! the same however it was typed. Quotients are brought over a common denominator.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
-use super::{Graph, Node, Symbol, Term};
+use super::{Graph, Node, Symbol, Term, Variables};
 use crate::function::Function;
 
-/// Products that would have more monomials than about this are not expanded: no closed form has as many.
-const LARGEST: usize = 4096;
+/// Expressions with more monomials than this are not expanded: no closed form has as many. In the library 82 is the largest number.
+const LARGEST: usize = 512;
+/// A closed form is looked for with at most so many multiplications of monomials. In the library 200 is the largest number.
+const BUDGET: usize = 2048;
+/// An equation is multiplied out in inputs and unknowns with so many multiplications, so many more for each node, and never more
+/// than the last number: that only saves operations. In the library 1200 is the largest number, for an equation of 48 nodes.
+const POSITION_BUDGET: (usize, usize, usize) = (1024, 64, 4096);
 
 /// An integer combination of variables, the first coefficient positive.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -55,6 +61,21 @@ pub(crate) enum Harmonic {
     One,
     Cosine(Angle),
     Sine(Angle),
+}
+
+impl Harmonic {
+    /// The unknowns in its angle.
+    fn unknowns(&self) -> impl Iterator<Item = usize> + '_ {
+        let angle = match self {
+            Self::One => None,
+            Self::Cosine(angle) | Self::Sine(angle) => Some(angle),
+        };
+        let symbols = angle.into_iter().flat_map(|angle| &angle.0);
+        symbols.filter_map(|&(symbol, _)| match symbol {
+            Symbol::Unknown(unknown) => Some(unknown),
+            _ => None,
+        })
+    }
 }
 
 /// A monomial without its coefficient.
@@ -166,7 +187,7 @@ impl Polynomial {
     }
 
     /// Drops the monomials whose coefficients vanish by an identity that the normal form does not know.
-    fn cleaned(mut self, graph: &Graph) -> Self {
+    fn cleaned(mut self, graph: &mut Graph) -> Self {
         self.0.retain(|_, coefficient| !graph.vanishes(*coefficient));
         self
     }
@@ -194,10 +215,19 @@ fn multiply_harmonics(left: &Harmonic, right: &Harmonic) -> Vec<(Harmonic, f64)>
 
 /// A quotient of two polynomials.
 #[derive(Clone)]
-struct Fraction {
+pub(super) struct Fraction {
     above: Polynomial,
     below: Polynomial,
 }
+
+/// An expansion that has been done.
+pub(super) struct Expanded {
+    fraction: Fraction,
+    is_complete: bool,
+}
+
+/// An expression, and the unknowns in it that are variables; none if all inputs and unknowns are.
+pub(super) type ExpandedKey = (Node, Option<Vec<usize>>);
 
 impl Fraction {
     /// How many monomials there are.
@@ -207,29 +237,42 @@ impl Fraction {
 }
 
 /// The expansion of expressions in chosen variables.
+///
+/// An expression that would become too large stays as it is, like a function that cannot be expanded. Which ones do depends on
+/// nothing but the expression.
 pub(crate) struct Expansion<'a> {
     graph: &'a mut Graph,
-    is_variable: &'a dyn Fn(Symbol) -> bool,
+    variables: Variables<'a>,
     known: BTreeMap<Node, Fraction>,
+    /// How many more multiplications of monomials are allowed.
+    budget: usize,
+    is_complete: bool,
 }
 
 impl<'a> Expansion<'a> {
-    pub(crate) fn new(graph: &'a mut Graph, is_variable: &'a dyn Fn(Symbol) -> bool) -> Self {
+    pub(crate) fn new(graph: &'a mut Graph, variables: Variables<'a>) -> Self {
         Self {
             graph,
-            is_variable,
+            variables,
             known: BTreeMap::new(),
+            budget: 0,
+            is_complete: true,
         }
+    }
+
+    /// Whether nothing has been left as it was because it would have become too large.
+    pub(crate) const fn is_complete(&self) -> bool {
+        self.is_complete
     }
 
     /// An equation `node == 0` multiplied by its denominators.
     pub(crate) fn equation(&mut self, node: Node) -> Polynomial {
-        self.fraction(node).above.cleaned(self.graph)
+        self.expanded(node).above.cleaned(self.graph)
     }
 
     /// An expression as a polynomial, if no variable stands below a fraction line.
     pub(crate) fn polynomial(&mut self, node: Node) -> Option<Polynomial> {
-        let fraction = self.fraction(node);
+        let fraction = self.expanded(node);
         if !fraction.below.is_constant() {
             return None;
         }
@@ -247,7 +290,7 @@ impl<'a> Expansion<'a> {
     }
 
     fn varies(&self, node: Node) -> bool {
-        self.graph.symbols(node).into_iter().any(self.is_variable)
+        self.graph.varies(node, self.variables)
     }
 
     fn whole(&mut self, above: Polynomial) -> Fraction {
@@ -274,6 +317,52 @@ impl<'a> Expansion<'a> {
         }
     }
 
+    /// The expansion of a whole expression, done once for each choice of variables.
+    fn expanded(&mut self, node: Node) -> Fraction {
+        let variables = self.variables;
+        let is_variable = |unknown: &usize| variables.include(Symbol::Unknown(*unknown));
+        let unknowns: Option<Vec<usize>> = match variables {
+            Variables::Position => None,
+            Variables::Unknowns(_) | Variables::AllUnknowns => {
+                Some(self.graph.unknowns(node).filter(is_variable).collect())
+            }
+        };
+        let key = (node, unknowns);
+        if let Some(known) = self.graph.expanded.get(&key) {
+            self.is_complete &= known.is_complete;
+            return known.fraction.clone();
+        }
+        self.budget = match variables {
+            Variables::Position => {
+                let (least, for_each_node, most) = POSITION_BUDGET;
+                most.min(least + for_each_node * self.graph.reachable(&[node]).len())
+            }
+            Variables::Unknowns(_) | Variables::AllUnknowns => BUDGET,
+        };
+        let before = std::mem::replace(&mut self.is_complete, true);
+        let fraction = self.fraction(node);
+        let known = Expanded {
+            fraction: fraction.clone(),
+            is_complete: self.is_complete,
+        };
+        self.is_complete &= before;
+        self.graph.expanded.insert(key, Arc::new(known));
+        fraction
+    }
+
+    /// Takes so many multiplications from the budget, if there are as many.
+    fn afford(&mut self, multiplications: usize) -> bool {
+        let rest = self.budget.checked_sub(multiplications);
+        self.budget = rest.unwrap_or(self.budget);
+        rest.is_some()
+    }
+
+    /// An expression that is too large to be expanded.
+    fn given_up(&mut self, node: Node) -> Fraction {
+        self.is_complete = false;
+        self.atom(node)
+    }
+
     fn fraction(&mut self, node: Node) -> Fraction {
         if let Some(fraction) = self.known.get(&node) {
             return fraction.clone();
@@ -297,6 +386,14 @@ impl<'a> Expansion<'a> {
                 for (part, coefficient) in terms {
                     let part = self.fraction(part);
                     let factor = self.graph.number(coefficient.get());
+                    let multiplications = if sum.below == part.below {
+                        part.above.0.len()
+                    } else {
+                        sum.size() * part.size()
+                    };
+                    if !self.afford(multiplications) || sum.size() > LARGEST {
+                        return self.given_up(node);
+                    }
                     if sum.below == part.below {
                         sum.above.add(self.graph, &part.above, factor);
                     } else {
@@ -328,8 +425,8 @@ impl<'a> Expansion<'a> {
                         };
                     }
                     for _ in 0..exponent.abs() {
-                        if product.size() * base.size() > LARGEST {
-                            return self.atom(node);
+                        if !self.afford(product.size() * base.size()) || product.size() > LARGEST {
+                            return self.given_up(node);
                         }
                         product = self.multiplied(&product, &base);
                     }
@@ -396,19 +493,26 @@ impl<'a> Expansion<'a> {
 }
 
 impl Polynomial {
-    /// The variables that occur.
-    pub(crate) fn variables(&self, graph: &Graph, is_variable: &dyn Fn(Symbol) -> bool) -> BTreeSet<Symbol> {
+    /// The unknowns among the variables that occur.
+    pub(crate) fn unknowns(&self, graph: &Graph, variables: Variables<'_>) -> BTreeSet<usize> {
         let mut found = BTreeSet::new();
         for monomial in self.0.keys() {
             for &atom in monomial.powers.keys() {
-                found.extend(graph.symbols(atom));
+                found.extend(graph.unknowns(atom));
             }
-            if let Harmonic::Cosine(angle) | Harmonic::Sine(angle) = &monomial.harmonic {
-                found.extend(angle.0.iter().map(|&(symbol, _)| symbol));
-            }
+            found.extend(monomial.harmonic.unknowns());
         }
-        found.retain(|&symbol| is_variable(symbol));
+        found.retain(|&unknown| variables.include(Symbol::Unknown(unknown)));
         found
+    }
+
+    /// Whether an unknown occurs.
+    pub(crate) fn contains(&self, graph: &Graph, unknown: usize) -> bool {
+        self.0.keys().any(|monomial| {
+            let mut atoms = monomial.powers.keys();
+            atoms.any(|&atom| graph.contains(atom, Symbol::Unknown(unknown)))
+                || monomial.harmonic.unknowns().any(|own| own == unknown)
+        })
     }
 }
 
@@ -424,8 +528,7 @@ mod tests {
         let (cosine, sine) = (graph.cosine(x), graph.sine(x));
         let (c2, s2) = (graph.power(cosine, 2), graph.power(sine, 2));
         let sum = graph.add(c2, s2);
-        let is_variable = |symbol| matches!(symbol, Symbol::Unknown(_));
-        let polynomial = Expansion::new(&mut graph, &is_variable).equation(sum);
+        let polynomial = Expansion::new(&mut graph, Variables::AllUnknowns).equation(sum);
         assert!(polynomial.is_constant());
         let value = polynomial.free_term(&mut graph);
         assert!(graph.is_one(value));

@@ -6,6 +6,7 @@
 //! made, and nothing depends on a hash's order, so the same declaration gives the same graph, byte for byte.
 
 mod construct;
+mod content;
 mod evaluate;
 mod graph;
 mod harmonic;
@@ -15,9 +16,7 @@ mod print;
 mod probe;
 mod substitute;
 
-#[cfg(test)]
-pub(crate) use graph::LOOKUPS;
-pub(crate) use graph::{Graph, Node, Number, Symbol, Term};
+pub(crate) use graph::{Graph, Node, Number, Symbol, Term, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
 pub(crate) use hash::HashMap;
 pub(crate) use probe::Probe;

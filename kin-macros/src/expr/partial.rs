@@ -5,18 +5,21 @@ use std::collections::BTreeMap;
 use super::{Graph, Node, Symbol, Term};
 
 impl Graph {
-    /// The partial derivative of an expression by a symbol.
+    /// The partial derivative of an expression by a parameter, an input or an unknown.
     pub(crate) fn partial(&mut self, node: Node, symbol: Symbol) -> Node {
         self.partial_remembered(node, symbol, &mut BTreeMap::new())
     }
 
     fn partial_remembered(&mut self, node: Node, symbol: Symbol, known: &mut BTreeMap<Node, Node>) -> Node {
+        if !self.contains(node, symbol) {
+            return self.zero();
+        }
         if let Some(&derivative) = known.get(&node) {
             return derivative;
         }
         let derivative = match self.term(node).clone() {
-            Term::Number(_) | Term::Pi => self.zero(),
-            Term::Symbol(own) => self.number(if own == symbol { 1.0 } else { 0.0 }),
+            Term::Number(_) | Term::Pi => unreachable!("numbers contain no symbol"),
+            Term::Symbol(_) => self.one(),
             Term::Sum(_, terms) => {
                 let terms: Vec<(Node, f64)> = terms
                     .into_iter()
@@ -42,6 +45,9 @@ impl Graph {
                 let partials = function.partials(self, &arguments, node);
                 let mut terms = Vec::new();
                 for (argument, partial) in arguments.into_iter().zip(partials) {
+                    if !self.contains(argument, symbol) {
+                        continue;
+                    }
                     let inner = self.partial_remembered(argument, symbol, known);
                     terms.push(self.multiply(partial, inner));
                 }

@@ -5,9 +5,10 @@
 //! does at several scattered points. The points are fixed, which keeps the expansion deterministic.
 
 use super::{Graph, Node, Symbol, Term};
+use crate::work;
 
 /// How many points are looked at.
-const POINTS: u64 = 4;
+pub(super) const POINTS: usize = 4;
 /// Rounding leaves about 1e-15 of the terms; a difference that is there at all leaves far more.
 const TOLERANCE: f64 = 1e-9;
 
@@ -21,7 +22,7 @@ impl Probe {
 
     /// The points, in a fixed order.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
-        (0..POINTS).map(Self)
+        (0..POINTS as u64).map(Self)
     }
 
     /// A symbol's value at this point: between 0.5 and 1.5, where roots and logarithms are at home.
@@ -55,35 +56,51 @@ fn scattered(seed: u64) -> f64 {
 }
 
 impl Graph {
+    /// The values of an expression at the points; NaN outside of a function's domain.
+    pub(crate) fn probe(&mut self, node: Node) -> [f64; POINTS] {
+        // operands have smaller numbers than what they are part of
+        for index in self.probed.len()..=node.index() {
+            work::turn();
+            #[expect(clippy::cast_possible_truncation, reason = "there are fewer than 2^32 nodes")]
+            let own = Node(index as u32);
+            let mut values = [0.0; POINTS];
+            for (place, (value, probe)) in values.iter_mut().zip(Probe::all()).enumerate() {
+                *value = self.value(
+                    own,
+                    |operand| self.probed[operand.index()][place],
+                    |symbol| probe.value(symbol),
+                );
+            }
+            self.probed.push(values);
+        }
+        self.probed[node.index()]
+    }
+
     /// Whether an expression is zero whatever its symbols are; a product, if one of its factors is.
-    pub(crate) fn vanishes(&self, node: Node) -> bool {
+    pub(crate) fn vanishes(&mut self, node: Node) -> bool {
         if let Some(value) = self.as_number(node) {
             return value == 0.0;
         }
-        if let Term::Product(factors) = self.term(node) {
-            return factors
+        match self.term(node).clone() {
+            Term::Product(factors) => factors
                 .iter()
-                .any(|&(factor, exponent)| exponent > 0 && self.vanishes(factor));
-        }
-        let mut seen = false;
-        for probe in Probe::all() {
-            let at = |symbol| probe.value(symbol);
-            let value = self.evaluate(node, &at);
-            if !value.is_finite() {
-                continue;
+                .any(|&(factor, exponent)| exponent > 0 && self.vanishes(factor)),
+            Term::Sum(constant, terms) => {
+                let values = self.probe(node);
+                let mut seen = false;
+                for (place, value) in values.into_iter().enumerate().filter(|(_, value)| value.is_finite()) {
+                    let size = terms.iter().fold(constant.get().abs(), |size, &(part, coefficient)| {
+                        size + (coefficient.get() * self.probed[part.index()][place]).abs()
+                    });
+                    if value.abs() > TOLERANCE * size.max(1e-3) {
+                        return false;
+                    }
+                    seen = true;
+                }
+                seen
             }
-            let size = match self.term(node) {
-                Term::Sum(constant, terms) => terms.iter().fold(constant.get().abs(), |size, &(part, coefficient)| {
-                    size + (coefficient.get() * self.evaluate(part, &at)).abs()
-                }),
-                _ => return false,
-            };
-            if value.abs() > TOLERANCE * size.max(1e-3) {
-                return false;
-            }
-            seen = true;
+            _ => false,
         }
-        seen
     }
 
     /// Whether two expressions are equal whatever their symbols are.
@@ -95,9 +112,9 @@ impl Graph {
     }
 
     /// Whether an expression is negative at the first point: a sign that does not depend on how it was typed.
-    pub(crate) fn probes_negative(&self, node: Node) -> bool {
-        Probe::all()
-            .map(|probe| self.evaluate(node, &|symbol| probe.value(symbol)))
+    pub(crate) fn probes_negative(&mut self, node: Node) -> bool {
+        self.probe(node)
+            .into_iter()
             .find(|value| value.is_finite())
             .is_some_and(|value| value < 0.0)
     }

@@ -14,13 +14,12 @@ pub(super) fn hand_on(scheduled: &mut Scheduled, program: &Program) {
     let mut uses: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
     let mut symbols: Vec<BTreeSet<Symbol>> = vec![BTreeSet::new(); last];
     let mut carries: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
-    let leaves = program.names.by_name();
     let mut born: BTreeMap<String, usize> = BTreeMap::new();
     let mut systems: BTreeMap<String, usize> = BTreeMap::new();
     for (stage, scheduled_stage) in scheduled.stages.iter().enumerate() {
         for statement in &scheduled_stage.statements {
             for name in statement.uses() {
-                let symbol = leaves.get(name.as_str()).copied();
+                let symbol = program.names.symbol(&name);
                 let (since, parameter) = match symbol {
                     Some(Symbol::Parameter(index)) => {
                         if has_parameters(stage) {

@@ -1,11 +1,17 @@
 //! Expressions as rows: sums and products of any number of terms, numbered, equal ones once.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::scheduler::{Factors, Style};
 use crate::expr::{Graph, HashMap, Node, Number, Symbol, Term};
 use crate::function::Function;
 use crate::passes::Pass;
+use crate::work;
+
+/// Sums and products of more terms than this are sums and products of shorter ones. Pairs that occur more than once are looked
+/// for within a row, and there are as many pairs as the square of its length.
+const WIDEST: usize = 64;
 
 /// A row's number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -101,12 +107,30 @@ impl Rows {
             1 => factors[0],
             _ => {
                 factors.sort_unstable();
+                while factors.len() > WIDEST {
+                    factors = factors
+                        .chunks(WIDEST)
+                        .map(|part| match part {
+                            &[only] => only,
+                            part => self.intern(Row::Product(part.to_vec())),
+                        })
+                        .collect();
+                }
                 self.intern(Row::Product(factors))
             }
         }
     }
 
-    fn sum(&mut self, terms: Vec<(bool, RowId)>) -> RowId {
+    fn sum(&mut self, mut terms: Vec<(bool, RowId)>) -> RowId {
+        while terms.len() > WIDEST {
+            terms = terms
+                .chunks(WIDEST)
+                .map(|part| match part {
+                    &[only] => only,
+                    part => (false, self.intern(Row::Sum(part.to_vec()))),
+                })
+                .collect();
+        }
         match terms[..] {
             [(false, only)] => only,
             _ => self.intern(Row::Sum(terms)),
@@ -208,49 +232,111 @@ impl Rows {
         }
     }
 
-    /// A sum, with a factor that several of its terms share taken out if that is asked for.
+    /// A sum, with a factor that several of its terms share taken out if that is asked for: the most frequent one, then the most
+    /// frequent one of the new sum, and so on.
     fn factored_sum(&mut self, terms: Vec<(bool, RowId)>) -> RowId {
         if self.style.factors == Factors::Left || terms.len() < 2 {
             return self.sum(terms);
         }
-        let factors_of = |rows: &Self, id: RowId| match rows.row(id) {
+        let mut sum = FactoredSum::default();
+        for (negative, term) in terms {
+            sum.push_back(self, negative, term);
+        }
+        while let Some(factor) = sum.most_frequent() {
+            let mut inside = Vec::new();
+            for (negative, term) in sum.take(self, factor) {
+                let mut factors = self.factors_of(term);
+                let position = factors.iter().position(|&own| own == factor);
+                factors.remove(position.expect("these are the terms with the factor"));
+                inside.push((negative, self.product(factors)));
+            }
+            let is_negative = inside.iter().all(|&(negative, _)| negative);
+            if is_negative {
+                for (negative, _) in &mut inside {
+                    *negative = false;
+                }
+            }
+            let inner = self.factored_sum(inside);
+            let mut factors = self.factors_of(inner);
+            factors.push(factor);
+            let whole = self.product(factors);
+            sum.push_front(self, is_negative, whole);
+        }
+        self.sum(sum.terms.into_values().collect())
+    }
+
+    fn factors_of(&self, id: RowId) -> Vec<RowId> {
+        match self.row(id) {
             Row::Product(factors) => factors.clone(),
             _ => vec![id],
-        };
-        let mut counts: BTreeMap<RowId, usize> = BTreeMap::new();
-        for &(_, term) in &terms {
-            for factor in factors_of(self, term).into_iter().collect::<BTreeSet<_>>() {
-                *counts.entry(factor).or_insert(0) += 1;
+        }
+    }
+}
+
+/// The terms of a sum of which factors are taken out, and in which of them each factor stands.
+#[derive(Default)]
+struct FactoredSum {
+    /// By place. New terms stand before all others.
+    terms: BTreeMap<isize, (bool, RowId)>,
+    places: BTreeMap<RowId, BTreeSet<isize>>,
+    /// The factors of more than one term, by the number of terms.
+    shared: BTreeSet<(usize, Reverse<RowId>)>,
+}
+
+impl FactoredSum {
+    fn push_back(&mut self, rows: &Rows, negative: bool, term: RowId) {
+        let place = self.terms.last_key_value().map_or(0, |(&place, _)| place + 1);
+        self.insert(rows, place, negative, term);
+    }
+
+    fn push_front(&mut self, rows: &Rows, negative: bool, term: RowId) {
+        let place = self.terms.first_key_value().map_or(0, |(&place, _)| place - 1);
+        self.insert(rows, place, negative, term);
+    }
+
+    fn insert(&mut self, rows: &Rows, place: isize, negative: bool, term: RowId) {
+        self.terms.insert(place, (negative, term));
+        for factor in rows.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
+            work::turn();
+            if !matches!(rows.row(factor), Row::Number(_)) {
+                self.change(factor, |places| {
+                    places.insert(place);
+                });
             }
         }
-        let best = counts
-            .into_iter()
-            .filter(|&(factor, count)| count > 1 && !matches!(self.row(factor), Row::Number(_)))
-            .max_by_key(|&(factor, count)| (count, std::cmp::Reverse(factor)));
-        let Some((factor, _)) = best else {
-            return self.sum(terms);
-        };
-        let (mut inside, mut outside) = (Vec::new(), Vec::new());
-        for (negative, term) in terms {
-            let mut factors = factors_of(self, term);
-            match factors.iter().position(|&own| own == factor) {
-                Some(position) => {
-                    factors.remove(position);
-                    inside.push((negative, self.product(factors)));
+    }
+
+    fn change(&mut self, factor: RowId, change: impl FnOnce(&mut BTreeSet<isize>)) {
+        let places = self.places.entry(factor).or_default();
+        self.shared.remove(&(places.len(), Reverse(factor)));
+        change(places);
+        if places.len() > 1 {
+            self.shared.insert((places.len(), Reverse(factor)));
+        }
+    }
+
+    /// The factor of the most terms, the first one if there are several.
+    fn most_frequent(&self) -> Option<RowId> {
+        self.shared.last().map(|&(_, Reverse(factor))| factor)
+    }
+
+    /// Removes the terms with a factor.
+    fn take(&mut self, rows: &Rows, factor: RowId) -> Vec<(bool, RowId)> {
+        let places = self.places.get(&factor).cloned().unwrap_or_default();
+        let mut taken = Vec::new();
+        for place in places {
+            let Some((negative, term)) = self.terms.remove(&place) else {
+                continue;
+            };
+            for own in rows.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
+                if self.places.contains_key(&own) {
+                    self.change(own, |places| {
+                        places.remove(&place);
+                    });
                 }
-                None => outside.push((negative, term)),
             }
+            taken.push((negative, term));
         }
-        let is_negative = inside.iter().all(|&(negative, _)| negative);
-        if is_negative {
-            for (negative, _) in &mut inside {
-                *negative = false;
-            }
-        }
-        let inner = self.factored_sum(inside);
-        let mut factors = factors_of(self, inner);
-        factors.push(factor);
-        outside.insert(0, (is_negative, self.product(factors)));
-        self.factored_sum(outside)
+        taken
     }
 }

@@ -496,7 +496,7 @@ impl Scheduler<'_> {
         }
         let usage = self.usage(value);
         let is_shared = usage.count > 1 && self.includes(Pass::CommonSubexpressions);
-        if is_shared || usage.last_stage > self.stage || self.size(value) > READABLE {
+        if is_shared || usage.last_stage > self.stage || self.is_long(value) {
             let expression = self.unfold(value);
             let name = self.bind(value);
             self.statements.push(Statement::Let {
@@ -508,24 +508,31 @@ impl Scheduler<'_> {
         self.unfold(value)
     }
 
-    /// How many operations a value takes, written out.
-    fn size(&self, value: Value) -> usize {
-        if self.bound.contains_key(&value) {
-            return 0;
-        }
-        match self.operations.operation(value) {
-            Operation::Number(_) | Operation::Pi | Operation::Leaf(_) => 0,
-            operation => {
-                1 + operation
-                    .operands()
-                    .into_iter()
-                    .map(|operand| {
-                        let shared = self.usage(operand).count > 1;
-                        if shared { 0 } else { self.size(operand) }
-                    })
-                    .sum::<usize>()
+    /// Whether a value takes more operations than are readable, written out.
+    fn is_long(&self, value: Value) -> bool {
+        let mut operations = 0;
+        let mut open = vec![value];
+        while let Some(value) = open.pop() {
+            if self.bound.contains_key(&value) {
+                continue;
+            }
+            match self.operations.operation(value) {
+                Operation::Number(_) | Operation::Pi | Operation::Leaf(_) => {}
+                operation => {
+                    operations += 1;
+                    if operations > READABLE {
+                        return true;
+                    }
+                    open.extend(
+                        operation
+                            .operands()
+                            .into_iter()
+                            .filter(|&operand| self.usage(operand).count <= 1),
+                    );
+                }
             }
         }
+        false
     }
 
     fn unfold(&mut self, value: Value) -> Expression {

@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 pub(crate) use closed_form::{Arm, ClosedForm, Complex};
 pub(crate) use polynomials::{System, Variable};
 
-use crate::expr::{Expansion, Graph, Node, Probe, Symbol};
+use crate::expr::{Expansion, Graph, Node, Probe, Symbol, Variables};
 
 /// Unknowns that are solved together, the equations that determine them, and how.
 pub(crate) struct Block {
@@ -45,6 +45,8 @@ pub(crate) enum Solution {
     /// By Newton's method for as many expressions that must vanish, in which earlier parts' unknowns are known.
     Newton {
         residuals: Vec<Node>,
+        /// Whether the equations were too large to be compared with the closed forms.
+        is_given_up: bool,
     },
 }
 
@@ -80,8 +82,7 @@ pub(crate) enum Fault {
 
 /// Orders the scalar equations `residual == 0` into solvable blocks.
 pub(crate) fn analyse(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<Block>, Vec<Fault>> {
-    let is_unknown = |symbol| matches!(symbol, Symbol::Unknown(_));
-    let incidence = incidence(graph, residuals, &is_unknown);
+    let incidence = incidence(graph, residuals, Variables::AllUnknowns);
     let matching = matching::Matching::of(&incidence, unknowns);
     let mut faults = matching.faults(&incidence);
     if !faults.is_empty() {
@@ -103,19 +104,12 @@ pub(crate) fn analyse(graph: &mut Graph, residuals: &[Node], unknowns: usize) ->
 }
 
 /// The unknowns that each equation contains, once it is multiplied out.
-fn incidence(graph: &mut Graph, equations: &[Node], is_unknown: &dyn Fn(Symbol) -> bool) -> Vec<BTreeSet<usize>> {
+fn incidence(graph: &mut Graph, equations: &[Node], variables: Variables<'_>) -> Vec<BTreeSet<usize>> {
     equations
         .iter()
         .map(|&equation| {
-            let polynomial = Expansion::new(graph, is_unknown).equation(equation);
-            polynomial
-                .variables(graph, is_unknown)
-                .into_iter()
-                .filter_map(|symbol| match symbol {
-                    Symbol::Unknown(index) => Some(index),
-                    _ => None,
-                })
-                .collect()
+            let polynomial = Expansion::new(graph, variables).equation(equation);
+            polynomial.unknowns(graph, variables)
         })
         .collect()
 }
@@ -134,11 +128,12 @@ fn solve_block(
             repeats,
         });
     }
-    let is_member = |symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
     let nodes: Vec<Node> = equations.iter().map(|&equation| residuals[equation]).collect();
-    let cleared = nodes
-        .iter()
-        .any(|&node| Expansion::new(graph, &is_member).polynomial(node).is_none());
+    let cleared = nodes.iter().any(|&node| {
+        Expansion::new(graph, Variables::Unknowns(&unknowns))
+            .polynomial(node)
+            .is_none()
+    });
     let parts = tear::parts(graph, &nodes, &unknowns);
     let check_jacobian = match parts.as_slice() {
         [
@@ -175,11 +170,10 @@ fn is_dependent(graph: &mut Graph, residuals: &[Node], equations: &[usize], unkn
         })
         .collect();
     let mut probed = false;
-    for probe in Probe::all() {
-        let at = |symbol| probe.value(symbol);
+    for point in 0..Probe::all().count() {
         let values: Vec<Vec<f64>> = jacobian
             .iter()
-            .map(|row| row.iter().map(|&entry| graph.evaluate(entry, &at)).collect())
+            .map(|row| row.iter().map(|&entry| graph.probe(entry)[point]).collect())
             .collect();
         if values.iter().flatten().all(|value| value.is_finite()) {
             probed = true;

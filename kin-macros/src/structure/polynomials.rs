@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::ClosedForm;
 use super::tear::Whole;
-use crate::expr::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
+use crate::expr::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomial, Symbol, Variables};
 
 /// More paths than this are not followed.
 const LARGEST: usize = 1024;
@@ -48,11 +48,10 @@ type Powers = BTreeMap<usize, u32>;
 /// The system of a block, if it is algebraic and not too large.
 pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<System> {
     let unknowns = whole.unknowns.clone();
-    let is_member = |symbol: Symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
     let polynomials: Vec<Polynomial> = whole
         .equations
         .iter()
-        .map(|&equation| Expansion::new(graph, &is_member).equation(equation))
+        .map(|&equation| Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(equation))
         .collect();
     let (mut turning, mut plain) = (BTreeSet::new(), BTreeSet::new());
     for monomial in polynomials.iter().flat_map(|polynomial| polynomial.0.keys()) {
@@ -88,12 +87,22 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<System> {
             count += 1;
         }
     }
+    // each unknown angle adds an equation of the second degree
+    let circles = turning.iter().map(|_| 2);
+    let paths = polynomials
+        .iter()
+        .map(degree)
+        .chain(circles)
+        .fold(1, usize::saturating_mul);
+    if !(1..=LARGEST).contains(&paths) {
+        return None;
+    }
     let mut system = System {
         variables,
         terms: Vec::new(),
         coefficients: Vec::new(),
         relations: whole.relations,
-        paths: 1,
+        paths,
     };
     let mut equations = 0;
     for polynomial in &polynomials {
@@ -110,17 +119,29 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<System> {
         system.term(equations, minus_one, Powers::new());
         equations += 1;
     }
-    for equation in 0..equations {
-        let degree = system
-            .terms
-            .iter()
-            .filter(|term| term.equation == equation)
-            .map(|term| term.powers.iter().map(|&(_, power)| power as usize).sum())
-            .max()
-            .unwrap_or(0);
-        system.paths = system.paths.saturating_mul(degree);
-    }
-    (1..=LARGEST).contains(&system.paths).then_some(system)
+    Some(system)
+}
+
+/// The degree of an equation in the variables. Those of the terms with different harmonics are independent of each other, so
+/// none of the highest degree cancels.
+fn degree(polynomial: &Polynomial) -> usize {
+    let of_monomial = |monomial: &Monomial| -> usize {
+        let powers: usize = monomial
+            .powers
+            .values()
+            .map(|power| power.unsigned_abs() as usize)
+            .sum();
+        let harmonic: usize = match &monomial.harmonic {
+            Harmonic::One => 0,
+            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => angle
+                .0
+                .iter()
+                .map(|&(_, multiple)| multiple.unsigned_abs() as usize)
+                .sum(),
+        };
+        powers + harmonic
+    };
+    polynomial.0.keys().map(of_monomial).max().unwrap_or(0)
 }
 
 impl System {

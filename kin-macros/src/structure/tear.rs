@@ -13,13 +13,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Matching;
 use super::{ClosedForm, Part, Solution, incidence, order, recognise};
-use crate::expr::{Expansion, Graph, Node, Polynomial, Symbol};
+use crate::expr::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
 
 /// The parts that equations fall into, in the order in which they are solved.
 pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
-    let is_member = |symbol: Symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
     // numbered within the block, as the matching wants them
-    let incidence: Vec<BTreeSet<usize>> = incidence(graph, equations, &is_member)
+    let incidence: Vec<BTreeSet<usize>> = incidence(graph, equations, Variables::Unknowns(unknowns))
         .into_iter()
         .map(|members| {
             members
@@ -31,7 +30,7 @@ pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
     let matching = Matching::of(&incidence, unknowns.len());
     if !matching.faults(&incidence).is_empty() {
         // an unknown has cancelled where it was taken out: the equations are solved as they are
-        return vec![newton(equations, unknowns)];
+        return vec![newton(equations, unknowns, false)];
     }
     let mut parts = Vec::new();
     for block in order::blocks(&incidence, &matching) {
@@ -48,10 +47,15 @@ pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
 
 /// The parts of equations that cannot be ordered any further.
 fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
-    let is_member = |symbol: Symbol| matches!(symbol, Symbol::Unknown(index) if unknowns.contains(&index));
+    let mut is_complete = true;
     let polynomials: Vec<Polynomial> = equations
         .iter()
-        .map(|&equation| Expansion::new(graph, &is_member).equation(equation))
+        .map(|&equation| {
+            let mut expansion = Expansion::new(graph, Variables::Unknowns(unknowns));
+            let polynomial = expansion.equation(equation);
+            is_complete &= expansion.is_complete();
+            polynomial
+        })
         .collect();
     if let Some(form) = recognise::closed_form(graph, &polynomials, unknowns) {
         return vec![closed(unknowns.to_vec(), form)];
@@ -60,7 +64,7 @@ fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<P
         .or_else(|| link(graph, equations, &polynomials, unknowns))
         .or_else(|| length(graph, equations, unknowns));
     let Some(Torn { rest, unknown, form }) = torn else {
-        return vec![newton(equations, unknowns)];
+        return vec![newton(equations, unknowns, !is_complete)];
     };
     let others: Vec<usize> = unknowns.iter().copied().filter(|&other| other != unknown).collect();
     let mut parts = parts(graph, &rest, &others);
@@ -107,11 +111,12 @@ fn closed(unknowns: Vec<usize>, form: ClosedForm) -> Part {
     }
 }
 
-fn newton(equations: &[Node], unknowns: &[usize]) -> Part {
+fn newton(equations: &[Node], unknowns: &[usize], is_given_up: bool) -> Part {
     Part {
         unknowns: unknowns.to_vec(),
         solution: Solution::Newton {
             residuals: equations.to_vec(),
+            is_given_up,
         },
     }
 }
@@ -124,12 +129,7 @@ fn relation(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option
             .iter()
             .map(|&unknown| (unknown, graph.partial(equation, Symbol::Unknown(unknown))))
             .collect();
-        let is_linear = partials.iter().all(|&(_, partial)| {
-            graph
-                .symbols(partial)
-                .iter()
-                .all(|symbol| !matches!(symbol, Symbol::Unknown(_)))
-        });
+        let is_linear = partials.iter().all(|&(_, partial)| !graph.has_unknowns(partial));
         let unit = partials
             .iter()
             .find(|&&(_, partial)| graph.as_number(partial).is_some_and(|number| number.abs() == 1.0));
@@ -180,9 +180,8 @@ fn substituted(graph: &mut Graph, equations: &[Node], place: usize, unknown: usi
 /// A link whose angle stands in the two equations of one loop and nowhere else.
 fn link(graph: &mut Graph, equations: &[Node], polynomials: &[Polynomial], unknowns: &[usize]) -> Option<Torn> {
     for &unknown in unknowns {
-        let is_unknown = |symbol| symbol == Symbol::Unknown(unknown);
         let places: Vec<usize> = (0..equations.len())
-            .filter(|&place| !polynomials[place].variables(graph, &is_unknown).is_empty())
+            .filter(|&place| polynomials[place].contains(graph, unknown))
             .collect();
         let &[first, second] = places.as_slice() else {
             continue;

@@ -1,7 +1,7 @@
 //! An unknown inside of one invertible function: f(g(x)) = v, solved as g(x) = f⁻¹(v).
 
 use super::single;
-use crate::expr::{Expansion, Graph, Harmonic, Polynomial, Symbol, Term};
+use crate::expr::{Expansion, Graph, Harmonic, Polynomial, Term, Variables};
 use crate::function::Function;
 use crate::structure::ClosedForm;
 
@@ -31,8 +31,7 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
     let value = graph.negate(quotient);
     let (result, result_node) = graph.new_step();
     let remaining = graph.subtract(arguments[0], result_node);
-    let is_unknown = |symbol| symbol == Symbol::Unknown(unknown);
-    let polynomial = Expansion::new(graph, &is_unknown).equation(remaining);
+    let polynomial = Expansion::new(graph, Variables::Unknowns(&[unknown])).equation(remaining);
     let then = Box::new(single(graph, &polynomial, unknown)?);
     Some(ClosedForm::Inverse {
         function,

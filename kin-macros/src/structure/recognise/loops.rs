@@ -125,11 +125,10 @@ pub(in crate::structure) fn arm(
         angle: angle.clone(),
     };
     let monomials = place.monomials();
-    let is_unknown = |symbol| symbol == Symbol::Unknown(unknown);
     let is_elsewhere = equations.iter().any(|equation| {
         let mut others = (*equation).clone();
         others.0.retain(|monomial, _| !monomials.contains(monomial));
-        !others.variables(graph, &is_unknown).is_empty()
+        others.contains(graph, unknown)
     });
     if is_elsewhere {
         return None;

@@ -1,0 +1,47 @@
+//! The work of an expansion, counted where it is done: the same numbers in every run, whatever the machine.
+
+use std::cell::Cell;
+
+/// What has been done.
+#[derive(Clone, Copy, Default, Debug)]
+pub(crate) struct Work {
+    /// Expressions looked up in a graph.
+    pub(crate) look_ups: usize,
+    /// Turns of the other loops that might grow faster than a declaration.
+    pub(crate) turns: usize,
+}
+
+thread_local! {
+    static DONE: Cell<Work> = const { Cell::new(Work { look_ups: 0, turns: 0 }) };
+}
+
+/// Counts a look-up.
+pub(crate) fn look_up() {
+    let Work { look_ups, turns } = DONE.get();
+    DONE.set(Work {
+        look_ups: look_ups + 1,
+        turns,
+    });
+}
+
+/// Counts a turn of another loop.
+pub(crate) fn turn() {
+    let Work { look_ups, turns } = DONE.get();
+    DONE.set(Work {
+        look_ups,
+        turns: turns + 1,
+    });
+}
+
+/// The work of this thread that a function does.
+#[cfg(test)]
+pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
+    let before = DONE.get();
+    let result = function();
+    let after = DONE.get();
+    let work = Work {
+        look_ups: after.look_ups - before.look_ups,
+        turns: after.turns - before.turns,
+    };
+    (result, work)
+}
