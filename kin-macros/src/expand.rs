@@ -9,7 +9,7 @@ use crate::assemble::{Limits, Names};
 use crate::expr::{Graph, Node, Symbol};
 use crate::model::{Dimension, Model, Request, Requested, Shape};
 use crate::passes::Passes;
-use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests};
+use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests, refuse_size};
 use crate::report::Report;
 use crate::structure::Block;
 use crate::syntax::Declaration;
@@ -26,7 +26,13 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let Some(solvable) = solvable(&declaration, &mut report) else {
         return fallback::tokens(Some(&declaration), report, &runtime);
     };
-    let plan = plan::plan(&solvable.task(Passes::ALL));
+    let plan = match plan::plan(&solvable.task(Passes::ALL)) {
+        Ok(plan) => plan,
+        Err(too_large) => {
+            refuse_size(&declaration, too_large, &mut report);
+            return fallback::tokens(Some(&declaration), report, &runtime);
+        }
+    };
     emit::tokens(&emit::Mechanism {
         declaration: &declaration,
         model: &solvable.model,
@@ -95,6 +101,7 @@ impl Solvable {
             parameters: sensitive_parameters(&self.model),
             names: &self.names,
             passes,
+            most_expressions: plan::MOST_EXPRESSIONS,
         }
     }
 }

@@ -71,6 +71,7 @@ mod tests {
 
     fn telltales(declaration: TokenStream) -> Vec<(usize, usize)> {
         plan(&sound(declaration).task(Passes::ALL))
+            .expect("it is small")
             .telltales
             .into_iter()
             .collect()

@@ -5,6 +5,7 @@ use std::time::Instant;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use crate::derive::TooLarge;
 use crate::expand::{expand, sound};
 use crate::families::{self, Member};
 use crate::passes::Passes;
@@ -148,7 +149,7 @@ impl Expanded {
         let start = processor_seconds();
         let (_, work) = work::of(|| expand(member.tokens()));
         let seconds = processor_seconds() - start;
-        let plan = plan(&sound(member.tokens()).task(Passes::ALL));
+        let plan = plan(&sound(member.tokens()).task(Passes::ALL)).expect("it is small");
         let further = [plan.sensitivities, plan.every, Some(plan.orientations)];
         let further: usize = further.iter().flatten().map(|stage| stage.cost.total()).sum();
         Self {
@@ -208,6 +209,21 @@ fn work_follows_what_is_read_and_written() {
         );
         assert!(turns < 200, "{name}: {turns} turns for each token and operation");
     }
+}
+
+/// What takes more expressions than are allowed is told at the order at which it does.
+#[test]
+fn a_declaration_that_is_too_large_is_told() {
+    let solvable = sound(families::arm(7, "with sensitivities;").tokens());
+    let mut task = solvable.task(Passes::ALL);
+    let orders: Vec<Option<usize>> = [1_000, 3_000, 1_000_000]
+        .into_iter()
+        .map(|most| {
+            task.most_expressions = most;
+            plan(&task).err().map(|TooLarge { order }| order)
+        })
+        .collect();
+    assert_eq!(orders, [Some(1), Some(3), None]);
 }
 
 /// The processor time of this thread, where the system tells it.

@@ -52,7 +52,7 @@ impl Declared {
     }
 
     fn plan(&self, passes: Passes) -> Plan {
-        plan(&self.solvable.task(passes))
+        plan(&self.solvable.task(passes)).expect("it is small")
     }
 
     /// From the position to the snap; of Newton's method, a single iteration.

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::assemble::{self, Choice, Directions, Limits, Mode, Names, Program, Reciprocals, Stage, Step};
-use crate::derive::{self, Definition, Derivatives, Formulas, Hint, Rate, Row, Way};
+use crate::derive::{self, Definition, Derivatives, Formulas, Hint, Rate, Row, TooLarge, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::finite;
 use crate::passes::{Pass, Passes};
@@ -41,7 +41,12 @@ pub(crate) struct Task<'a> {
     pub(crate) names: &'a Names,
     /// What is done to make it cheaper.
     pub(crate) passes: Passes,
+    /// More expressions than these are not handled.
+    pub(crate) most_expressions: usize,
 }
+
+/// As many expressions as the largest declarations that compile in minutes have: some hundred thousand operations.
+pub(crate) const MOST_EXPRESSIONS: usize = 1_000_000;
 
 /// The program that was kept.
 pub(crate) struct Plan {
@@ -71,35 +76,40 @@ struct Form {
 }
 
 /// Tries both forms, and the cheaper one with influence coefficients, and keeps the cheapest.
-pub(crate) fn plan(task: &Task<'_>) -> Plan {
+///
+/// # Errors
+/// If the derivatives take too many expressions.
+pub(crate) fn plan(task: &Task<'_>) -> Result<Plan, TooLarge> {
     let attempt = |form: Form, way: Way| {
-        let derived = Derived::new(task, form, way);
+        let derived = Derived::new(task, form, way)?;
         let mut own = candidate(task, &derived, &[]);
         own.take_out_factors(Factors::TakenOut, task.passes);
-        (own, derived)
+        Ok((own, derived))
     };
     let forms = forms(task);
     let is_form_given_up = forms.iter().any(|form| form.formulas.is_given_up);
     let mut best = forms
         .into_iter()
         .map(|form| attempt(form, Way::Whole))
+        .collect::<Result<Vec<_>, TooLarge>>()?
+        .into_iter()
         .min_by_key(|(own, _)| own.cost())
         .expect("there is at least one form");
     if task.passes.include(Pass::Influences) {
-        let other = attempt(best.1.form.clone(), Way::Collected);
+        let other = attempt(best.1.form.clone(), Way::Collected)?;
         if other.0.cost() < best.0.cost() {
             best = other;
         }
     }
     let (mut best, derived) = best;
     if task.parameters > 0 {
-        best = sensitive(task, derived);
+        best = sensitive(task, derived)?;
     }
     best.take_out_factors(Factors::TakenOutOfRates, task.passes);
-    Plan {
+    Ok(Plan {
         is_form_given_up,
         ..best.finish(every(task))
-    }
+    })
 }
 
 /// Equations and outputs in one form, with their derivatives.
@@ -111,18 +121,18 @@ struct Derived {
 }
 
 impl Derived {
-    fn new(task: &Task<'_>, form: Form, way: Way) -> Self {
+    fn new(task: &Task<'_>, form: Form, way: Way) -> Result<Self, TooLarge> {
         let mut graph = form.graph.clone();
         if !task.passes.include(Pass::ConstantFolding) {
             graph.keep_numbers();
         }
-        let derivatives = Derivatives::new(&mut graph, form.task(task, way), task.order);
-        Self {
+        let derivatives = Derivatives::new(&mut graph, form.task(task, way), task.order)?;
+        Ok(Self {
             form,
             way,
             graph,
             derivatives,
-        }
+        })
     }
 }
 
@@ -134,19 +144,20 @@ impl Form {
             outputs: &self.formulas.outputs,
             way,
             passes: task.passes,
+            most_expressions: task.most_expressions,
         }
     }
 }
 
 /// The program for what is derived, with the sensitivities after it.
-fn sensitive(task: &Task<'_>, mut derived: Derived) -> Candidate {
+fn sensitive(task: &Task<'_>, mut derived: Derived) -> Result<Candidate, TooLarge> {
     let own = derived.form.task(task, derived.way);
     let definitions = derived
         .derivatives
-        .sensitivities(&mut derived.graph, own, task.parameters);
+        .sensitivities(&mut derived.graph, own, task.parameters)?;
     let mut candidate = candidate(task, &derived, &definitions);
     candidate.take_out_factors(Factors::TakenOut, task.passes);
-    candidate
+    Ok(candidate)
 }
 
 /// The program that goes through all positions.
@@ -550,6 +561,7 @@ mod tests {
             let cells: Vec<String> = (1..=4)
                 .map(|order| {
                     plan(&sound(four_bar(order)).task(passes))
+                        .expect("it is small")
                         .scheduled
                         .cost()
                         .arithmetic()

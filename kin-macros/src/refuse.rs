@@ -5,10 +5,13 @@ use std::collections::BTreeSet;
 use quote::ToTokens;
 
 use crate::assemble::dyads;
+use crate::derive::TooLarge;
 use crate::expr::{Graph, Node};
 use crate::model::{Model, Request};
+use crate::plan::order_name;
 use crate::report::Report;
 use crate::structure::{Block, Fault, Solution};
+use crate::syntax::Declaration;
 
 /// The declared equation that a scalar equation is a part of, and which part.
 #[derive(Clone, Copy)]
@@ -100,6 +103,20 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
             },
         }
     }
+}
+
+/// Reports that a declaration is beyond what can be derived in reasonable time, and how to cut it.
+pub(crate) fn refuse_size(declaration: &Declaration, too_large: TooLarge, report: &mut Report) {
+    let TooLarge { order } = too_large;
+    report.error(
+        &declaration.name,
+        format_args!(
+            "this mechanism is too large: its formulas have more than a million different terms at {}; ask for a lower `order`, \
+             for fewer outputs or no sensitivities, or turn a `let` that many formulas contain into an unknown with an equation \
+             of its own, so that it is differentiated once",
+            order_name(order),
+        ),
+    );
 }
 
 /// A range chooses one of two solutions, and coupled equations may have any number of them.

@@ -90,7 +90,7 @@ mod tests {
             (slider_crank(), "inverse_l_x_squared", "inverse_l_x"),
             (inverted_slider_crank(), "inverse_r4_squared", "inverse_r4"),
         ] {
-            let plan = plan(&sound(declaration).task(Passes::ALL));
+            let plan = plan(&sound(declaration).task(Passes::ALL)).expect("it is small");
             let [_, velocity, later @ ..] = plan.scheduled.stages.as_slice() else {
                 unreachable!("there is a velocity");
             };

@@ -35,6 +35,12 @@ pub(crate) struct Derivatives {
     jacobians: Vec<Jacobian>,
 }
 
+/// The derivatives through an order take more expressions than are handled in reasonable time.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct TooLarge {
+    pub(crate) order: usize,
+}
+
 /// What is asked of a block's Jacobian.
 pub(crate) struct Regularity {
     /// What must not vanish: the factors of its determinant.
@@ -86,6 +92,8 @@ pub(crate) struct Task<'a> {
     pub(crate) outputs: &'a [Node],
     pub(crate) way: Way,
     pub(crate) passes: Passes,
+    /// More expressions than these are not handled.
+    pub(crate) most_expressions: usize,
 }
 
 /// A multiplied-out form is tried if it has at most so many terms for each node of the typed form. A larger one has never been
@@ -141,8 +149,8 @@ pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], 
 }
 
 impl Derivatives {
-    /// All orders through the one given.
-    pub(crate) fn new(graph: &mut Graph, task: Task<'_>, order: usize) -> Self {
+    /// All orders through the one given, or the order at which there are too many expressions.
+    pub(crate) fn new(graph: &mut Graph, task: Task<'_>, order: usize) -> Result<Self, TooLarge> {
         let jacobians: Vec<Jacobian> = task
             .blocks
             .iter()
@@ -166,10 +174,13 @@ impl Derivatives {
             rates: Rates::new(task.passes),
             jacobians,
         };
-        for _ in 0..order {
+        for order in 1..=order {
             derivatives.derive_next(graph, task);
+            if graph.len() > task.most_expressions {
+                return Err(TooLarge { order });
+            }
         }
-        derivatives
+        Ok(derivatives)
     }
 
     /// What must not vanish, in all blocks.

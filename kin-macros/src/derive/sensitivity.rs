@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use super::jacobian::Jacobian;
 use super::rates::{Rates, binomial};
-use super::{Derivatives, Rate, Task, Way};
+use super::{Derivatives, Rate, Task, TooLarge, Way};
 use crate::expr::{Graph, Node, Symbol, Term};
 
 /// One step of the sensitivities' program.
@@ -47,7 +47,15 @@ pub(crate) enum Row {
 
 impl Derivatives {
     /// Every sensitivity to so many parameters, of every order derived so far, in the order in which they can be computed.
-    pub(crate) fn sensitivities(&mut self, graph: &mut Graph, task: Task<'_>, parameters: usize) -> Vec<Definition> {
+    ///
+    /// # Errors
+    /// If there are too many expressions.
+    pub(crate) fn sensitivities(
+        &mut self,
+        graph: &mut Graph,
+        task: Task<'_>,
+        parameters: usize,
+    ) -> Result<Vec<Definition>, TooLarge> {
         let highest = self.orders.len();
         let mut derivation = Derivation {
             graph,
@@ -81,8 +89,11 @@ impl Derivatives {
                     });
                 }
             }
+            if derivation.graph.len() > task.most_expressions {
+                return Err(TooLarge { order });
+            }
         }
-        derivation.definitions
+        Ok(derivation.definitions)
     }
 }
 

@@ -129,6 +129,11 @@ impl Graph {
         (symbol, self.symbol(symbol))
     }
 
+    /// How many expressions there are.
+    pub(crate) const fn len(&self) -> usize {
+        self.terms.len()
+    }
+
     /// What a node holds.
     pub(crate) fn term(&self, node: Node) -> &Term {
         &self.terms[node.index()]
