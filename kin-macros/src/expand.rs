@@ -1,19 +1,51 @@
 //! The whole way from a declaration to a solver, on one page.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::assemble::{Limits, Names};
 use crate::expr::{Graph, Node, Symbol};
 use crate::model::{Dimension, Model, Request, Requested, Shape};
 use crate::passes::Passes;
-use crate::refuse::{Origin, refuse, refuse_ranges, refuse_requests, refuse_size};
+use crate::refuse::{Origin, refuse, refuse_constants, refuse_ranges, refuse_requests, refuse_size};
 use crate::report::Report;
+use crate::room::with_room;
 use crate::structure::Block;
 use crate::syntax::Declaration;
 use crate::{emit, fallback, model, plan, structure, syntax};
+
+/// The expansion, whatever happens: what panics becomes a mistake of ours, told where the declaration stands.
+pub(crate) fn expand_or_tell(tokens: TokenStream) -> TokenStream {
+    or_tell(tokens, expand)
+}
+
+/// Calls `expand`, and tells of its panic.
+fn or_tell(tokens: TokenStream, expand: impl FnOnce(TokenStream) -> TokenStream) -> TokenStream {
+    let copy = tokens.clone();
+    // nothing that a panic may have left half done outlives it
+    catch_unwind(AssertUnwindSafe(|| expand(copy))).unwrap_or_else(|panic| {
+        let words = panic.downcast_ref::<&str>().copied();
+        let words = words.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+        let bug = format!(
+            "this is a bug in kin: please report it with this declaration{}",
+            words.map(|words| format!(" ({words})")).unwrap_or_default()
+        );
+        let read = catch_unwind(AssertUnwindSafe(|| {
+            let (runtime, tokens) = runtime(tokens);
+            let mut report = Report::new();
+            let declaration = syntax::parse(tokens, &mut report);
+            match &declaration {
+                Some(declaration) => report.error(&declaration.name, &bug),
+                None => report.error_at(Span::call_site(), &bug),
+            }
+            fallback::tokens(declaration.as_ref(), report, &runtime)
+        }));
+        read.unwrap_or_else(|_| syn::Error::new(Span::call_site(), bug).to_compile_error())
+    })
+}
 
 /// Expands `(path::to::kin) declaration`. Mistakes are told after the pass that finds them; after the last check nothing can fail.
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
@@ -26,13 +58,18 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let Some(solvable) = solvable(&declaration, &mut report) else {
         return fallback::tokens(Some(&declaration), report, &runtime);
     };
-    let plan = match plan::plan(&solvable.task(Passes::ALL)) {
+    let task = solvable.task(Passes::ALL);
+    let plan = match with_room(|| plan::plan(&task)) {
         Ok(plan) => plan,
         Err(too_large) => {
             refuse_size(&declaration, too_large, &mut report);
             return fallback::tokens(Some(&declaration), report, &runtime);
         }
     };
+    if let Some(misfit) = plan.graph.misfit() {
+        refuse_constants(&declaration, &solvable.model, misfit, &mut report);
+        return fallback::tokens(Some(&declaration), report, &runtime);
+    }
     emit::tokens(&emit::Mechanism {
         declaration: &declaration,
         model: &solvable.model,
@@ -62,7 +99,13 @@ fn solvable(declaration: &Declaration, report: &mut Report) -> Option<Solvable> 
     let model = model::build(declaration, report)?;
     let mut graph = model.graph.clone();
     let (residuals, origins) = scalar_equations(&model);
-    let blocks = match structure::analyse(&mut graph, &residuals, model.unknowns.len()) {
+    let unknowns = model.unknowns.len();
+    let blocks = with_room(|| structure::analyse(&mut graph, &residuals, unknowns));
+    if let Some(misfit) = graph.misfit() {
+        refuse_constants(declaration, &model, misfit, report);
+        return None;
+    }
+    let blocks = match blocks {
         Ok(blocks) => blocks,
         Err(faults) => {
             refuse(&model, &origins, &faults, report);
@@ -234,4 +277,55 @@ fn names(model: &Model) -> Names {
         }
     }
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What panics is told as a mistake of ours, and the structure stays.
+    #[test]
+    fn a_panic_is_told_and_leaves_the_structure() {
+        let declaration = quote! {
+            ($crate)
+            pub struct Lever { pub arm: Length }
+            input theta: Angle;
+            unknown height: Length;
+            height == arm * sin(theta);
+        };
+        let at_once: fn(TokenStream) -> TokenStream = |_| panic!("at {} steps", 3);
+        let elsewhere: fn(TokenStream) -> TokenStream = |tokens| {
+            with_room::<()>(|| panic!("at {} steps", 3));
+            tokens
+        };
+        for panic in [at_once, elsewhere] {
+            let expansion = or_tell(declaration.clone(), panic).to_string();
+            assert!(
+                expansion.contains("this is a bug in kin: please report it with this declaration (at 3 steps)"),
+                "{expansion}"
+            );
+            assert!(expansion.contains("pub struct Lever"), "{expansion}");
+        }
+        // mistakes that are there as well are told beside it, and so is what leaves no structure
+        let expansion = or_tell(
+            quote!(
+                struct Lever {
+                    arm: Lenght,
+                }
+            ),
+            |_| panic!("here"),
+        )
+        .to_string();
+        assert_eq!(expansion.matches("compile_error").count(), 2, "{expansion}");
+        let expansion = or_tell(quote!(height == arm;), |_| std::panic::panic_any(3)).to_string();
+        assert!(expansion.contains("with this declaration\""), "{expansion}");
+    }
+
+    #[test]
+    fn without_a_panic_nothing_is_told() {
+        let declaration = quote!(height == arm;);
+        let mut expected = TokenStream::new();
+        expected.extend(declaration.clone());
+        assert_eq!(or_tell(declaration, |tokens| tokens).to_string(), expected.to_string());
+    }
 }

@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! declaration = struct statement*
-//! struct      = attribute* visibility "struct" NAME "{" (field ("," field)*)? "}"
+//! struct      = attribute* visibility "struct" NAME "{" field ("," field)* "}"
 //! field       = attribute* visibility NAME ":" dimension
 //! dimension   = "Length" | "Angle" | "Scalar" | "Point" | "Vector" | "Point3" | "Vector3"
 //!
@@ -81,6 +81,8 @@ mod finite;
 mod function;
 #[cfg(test)]
 mod growth_tests;
+#[cfg(test)]
+mod limit_tests;
 mod model;
 #[cfg(test)]
 mod optimiser_tests;
@@ -88,6 +90,7 @@ mod passes;
 mod plan;
 mod refuse;
 mod report;
+mod room;
 mod schedule;
 mod structure;
 mod syntax;
@@ -97,5 +100,5 @@ mod work;
 #[doc(hidden)]
 #[proc_macro]
 pub fn mechanism_in(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    expand::expand(tokens.into()).into()
+    expand::expand_or_tell(tokens.into()).into()
 }

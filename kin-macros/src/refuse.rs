@@ -6,10 +6,11 @@ use quote::ToTokens;
 
 use crate::assemble::dyads;
 use crate::derive::TooLarge;
-use crate::expr::{Graph, Node};
+use crate::expr::{Graph, Misfit, Node};
 use crate::model::{Model, Request};
 use crate::plan::order_name;
 use crate::report::Report;
+use crate::room::with_room;
 use crate::structure::{Block, Fault, Solution};
 use crate::syntax::Declaration;
 
@@ -119,6 +120,16 @@ pub(crate) fn refuse_size(declaration: &Declaration, too_large: TooLarge, report
     );
 }
 
+/// Reports a constant from which one follows that no number is: it is not to be told which, but the one farthest from 1 is to blame.
+pub(crate) fn refuse_constants(declaration: &Declaration, model: &Model, misfit: Misfit, report: &mut Report) {
+    let message =
+        format!("constants that follow from this one are {misfit}: choose a unit in which the numbers are nearer to 1");
+    match model.extreme_constant {
+        Some(extent) => report.error(extent, message),
+        None => report.error(&declaration.name, message),
+    }
+}
+
 /// A range chooses one of two solutions, and coupled equations may have any number of them.
 pub(crate) fn refuse_ranges(model: &Model, blocks: &[Block], report: &mut Report) {
     for part in blocks.iter().flat_map(|block| &block.parts) {
@@ -144,7 +155,7 @@ pub(crate) fn refuse_ranges(model: &Model, blocks: &[Block], report: &mut Report
 /// Reports what is requested of a mechanism that has nothing of the kind.
 pub(crate) fn refuse_requests(model: &Model, graph: &Graph, residuals: &[Node], blocks: &[Block], report: &mut Report) {
     for requested in &model.requests {
-        let has_dyads = || !dyads(&mut graph.clone(), residuals, blocks).is_empty();
+        let has_dyads = || with_room(|| !dyads(&mut graph.clone(), residuals, blocks).is_empty());
         if requested.request == Request::TransmissionAngles && !has_dyads() {
             report.error(
                 &requested.name,

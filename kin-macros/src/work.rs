@@ -34,7 +34,6 @@ pub(crate) fn turn() {
 }
 
 /// The work of this thread that a function does.
-#[cfg(test)]
 pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
     let before = DONE.get();
     let result = function();
@@ -44,4 +43,13 @@ pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
         turns: after.turns - before.turns,
     };
     (result, work)
+}
+
+/// Counts the work of another thread.
+pub(crate) fn add(work: Work) {
+    let done = DONE.get();
+    DONE.set(Work {
+        look_ups: done.look_ups + work.look_ups,
+        turns: done.turns + work.turns,
+    });
 }

@@ -11,7 +11,9 @@ use quote::{format_ident, quote, quote_spanned};
 use super::declaration::vector_type;
 use crate::function::Function;
 use crate::model::{Model, Shape};
-use crate::syntax::{Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operator, Statement};
+use crate::syntax::{
+    Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operation, Operator, Statement,
+};
 
 /// How tightly a translated formula holds together, to set parentheses where they are needed and nowhere else.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -21,6 +23,9 @@ pub(super) enum Binding {
     Sign,
     Atom,
 }
+
+/// So many operands stand in a row, each of which nests the expression deeper, before what they come to gets a name.
+const LONGEST: usize = 256;
 
 /// A formula in Rust.
 #[derive(Clone)]
@@ -48,12 +53,12 @@ impl Translated {
     }
 
     /// In parentheses if it holds together less tightly than its place requires.
-    pub(super) fn within(&self, place: Binding) -> TokenStream {
-        let tokens = &self.tokens;
+    pub(super) fn within(self, place: Binding) -> TokenStream {
+        let tokens = self.tokens;
         if self.binding < place {
             quote_spanned!(Span::mixed_site()=> (#tokens))
         } else {
-            tokens.clone()
+            tokens
         }
     }
 }
@@ -88,7 +93,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     for (number, equation) in equations.iter().enumerate() {
         let left = translation.expression(&equation.left);
         let right = translation.expression(&equation.right);
-        let residual = translation.sum(Operator::Subtract, &left, &right);
+        let residual = translation.sum(Operator::Subtract, left, right);
         let index = residuals.len();
         let tokens = residual.tokens;
         let axes = residual.shape.axes();
@@ -249,25 +254,38 @@ impl Translation<'_> {
             ExpressionKind::Parenthesis(inner) => self.expression(inner),
             ExpressionKind::Negate(of) => {
                 let of = self.expression(of);
+                let shape = of.shape;
                 let operand = of.within(Binding::Atom);
                 Translated {
-                    shape: of.shape,
+                    shape,
                     binding: Binding::Sign,
                     tokens: quote_spanned!(site=> -#operand),
                 }
             }
-            ExpressionKind::Binary {
-                operator, left, right, ..
-            } => {
-                let (left, right) = (self.expression(left), self.expression(right));
-                match operator {
-                    Operator::Add | Operator::Subtract => self.sum(*operator, &left, &right),
-                    Operator::Multiply => self.product(&left, &right),
-                    Operator::Divide => self.quotient(&left, &right),
+            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+                let mut result = self.expression(first);
+                let mut before = TokenStream::new();
+                for (place, Operation { operator, operand, .. }) in rest.iter().enumerate() {
+                    if place > 0 && place % LONGEST == 0 {
+                        let (value, tokens) = (Ident::new("value", site), result.tokens);
+                        before.extend(quote_spanned!(site=> let #value = #tokens;));
+                        result = Translated::new(result.shape, quote!(#value));
+                    }
+                    let right = self.expression(operand);
+                    result = match operator {
+                        Operator::Add | Operator::Subtract => self.sum(*operator, result, right),
+                        Operator::Multiply => self.product(result, right),
+                        Operator::Divide => self.quotient(result, right),
+                    };
                 }
+                if before.is_empty() {
+                    return result;
+                }
+                let tokens = result.tokens;
+                Translated::new(result.shape, quote_spanned!(site=> { #before #tokens }))
             }
             ExpressionKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
-            ExpressionKind::Power { base, exponent, .. } => self.power(&self.expression(base), *exponent),
+            ExpressionKind::Power { base, exponent, .. } => self.power(self.expression(base), *exponent),
             ExpressionKind::Part { of, axis } => {
                 let of = self.expression(of).within(Binding::Atom);
                 let part = Ident::new(&axis.to_string(), site);
@@ -283,14 +301,14 @@ impl Translation<'_> {
     }
 
     /// As a vector; a scalar lies along x.
-    pub(super) fn lifted(&self, of: &Translated, shape: Shape) -> Translated {
+    pub(super) fn lifted(&self, of: Translated, shape: Shape) -> Translated {
         if of.shape != Shape::Scalar {
-            return of.clone();
+            return of;
         }
         let Some(vector) = vector_type(shape) else {
-            return of.clone();
+            return of;
         };
-        let (runtime, x, zero) = (self.runtime, &of.tokens, self.constant(0.0));
+        let (runtime, x, zero) = (self.runtime, of.tokens, self.constant(0.0));
         let zeros = shape.axes().iter().skip(1).map(|_| &zero);
         Translated::new(
             shape,
@@ -298,39 +316,44 @@ impl Translation<'_> {
         )
     }
 
-    pub(super) fn sum(&self, operator: Operator, left: &Translated, right: &Translated) -> Translated {
-        let (left, right) = (self.lifted(left, right.shape), self.lifted(right, left.shape));
+    pub(super) fn sum(&self, operator: Operator, left: Translated, right: Translated) -> Translated {
+        let (left_shape, right_shape) = (left.shape, right.shape);
+        let (left, right) = (self.lifted(left, right_shape), self.lifted(right, left_shape));
         let shape = left.shape;
-        let (left, right) = (left.within(Binding::Sum), right.within(Binding::Product));
+        let (mut tokens, right) = (left.within(Binding::Sum), right.within(Binding::Product));
         let site = Span::mixed_site();
+        // the left side is not copied: it may be long
+        tokens.extend(if operator == Operator::Subtract {
+            quote_spanned!(site=> - #right)
+        } else {
+            quote_spanned!(site=> + #right)
+        });
         Translated {
             shape,
             binding: Binding::Sum,
-            tokens: if operator == Operator::Subtract {
-                quote_spanned!(site=> #left - #right)
-            } else {
-                quote_spanned!(site=> #left + #right)
-            },
+            tokens,
         }
     }
 
-    fn product(&self, left: &Translated, right: &Translated) -> Translated {
+    fn product(&self, left: Translated, right: Translated) -> Translated {
         let runtime = self.runtime;
         let site = Span::mixed_site();
-        let (a, b) = (&left.tokens, &right.tokens);
+        let shapes = (left.shape, right.shape);
+        if shapes == (Shape::Scalar, Shape::Scalar) {
+            let (mut tokens, factor) = (left.within(Binding::Product), right.within(Binding::Sign));
+            tokens.extend(quote_spanned!(site=> * #factor));
+            return Translated {
+                shape: Shape::Scalar,
+                binding: Binding::Product,
+                tokens,
+            };
+        }
         let scaled = |shape: Shape, vector: &TokenStream, factor: &TokenStream| {
             let kind = vector_type(shape);
             Translated::new(shape, quote_spanned!(site=> #runtime::#kind::scale(#vector, #factor)))
         };
-        match (left.shape, right.shape) {
-            (Shape::Scalar, Shape::Scalar) => {
-                let (a, b) = (left.within(Binding::Product), right.within(Binding::Sign));
-                Translated {
-                    shape: Shape::Scalar,
-                    binding: Binding::Product,
-                    tokens: quote_spanned!(site=> #a * #b),
-                }
-            }
+        let (a, b) = (&left.tokens, &right.tokens);
+        match shapes {
             (shape, Shape::Scalar) => scaled(shape, a, b),
             (Shape::Scalar, shape) => scaled(shape, b, a),
             (Shape::Rotation, Shape::Rotation) => Translated::new(
@@ -342,21 +365,22 @@ impl Translation<'_> {
         }
     }
 
-    fn quotient(&self, left: &Translated, right: &Translated) -> Translated {
+    fn quotient(&self, left: Translated, right: Translated) -> Translated {
         let site = Span::mixed_site();
         let divisor = right.within(Binding::Sign);
         if let Some(vector) = vector_type(left.shape) {
-            let (runtime, dividend, one) = (self.runtime, &left.tokens, self.constant(1.0));
+            let (runtime, dividend, one) = (self.runtime, left.tokens, self.constant(1.0));
             return Translated::new(
                 left.shape,
                 quote_spanned!(site=> #runtime::#vector::scale(#dividend, #one / #divisor)),
             );
         }
-        let dividend = left.within(Binding::Product);
+        let mut tokens = left.within(Binding::Product);
+        tokens.extend(quote_spanned!(site=> / #divisor));
         Translated {
             shape: Shape::Scalar,
             binding: Binding::Product,
-            tokens: quote_spanned!(site=> #dividend / #divisor),
+            tokens,
         }
     }
 
@@ -423,9 +447,9 @@ impl Translation<'_> {
     }
 
     /// By repeated squaring, written out.
-    fn power(&self, base: &Translated, exponent: i32) -> Translated {
+    fn power(&self, base: Translated, exponent: i32) -> Translated {
         let site = Span::mixed_site();
-        let base = &base.tokens;
+        let base = base.tokens;
         let size = exponent.unsigned_abs();
         if size == 0 {
             return Translated::scalar(self.constant(1.0));

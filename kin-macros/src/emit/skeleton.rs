@@ -11,7 +11,10 @@ use quote::{format_ident, quote, quote_spanned};
 use super::closure::{self, Binding, Translated, Translation};
 use super::{Mechanism, attributes, local, values};
 use crate::model::{Dimension, Shape};
-use crate::syntax::{Declaration, Expression, ExpressionKind, Operator, OutputStatement, Statement};
+use crate::syntax::{Declaration, Expression, ExpressionKind, Operation, Operator, OutputStatement, Statement};
+
+/// So many abbreviations are written out on one side of an equation.
+const WRITTEN_OUT: usize = 256;
 
 /// One side of a vector equation.
 struct Chain<'a> {
@@ -87,7 +90,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         let zeros = shape.axes().iter().map(|_| &zero);
         add(&mut joints, &mut last, &quote!(#runtime::#kind::new(#(#zeros),*)));
         for (place, link) in chain.links.iter().enumerate() {
-            let term = on(&translation, &translation.expression(link.term), shape);
+            let term = on(&translation, translation.expression(link.term), shape);
             let value = match (&last, place, link.negative) {
                 (Some(last), 1.., negative) => {
                     let operator = if negative { quote!(-) } else { quote!(+) };
@@ -105,7 +108,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     }
     let places = points
         .iter()
-        .map(|output| on(&translation, &translation.expression(&output.value), shape).tokens);
+        .map(|output| on(&translation, translation.expression(&output.value), shape).tokens);
     let labels = points.iter().map(|output| output.name.to_string());
     let [joint_count, point_count] = [joints.len(), points.len()].map(Literal::usize_unsuffixed);
     let tables = chains.iter().map(|chain| {
@@ -137,11 +140,11 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// A term as a vector of the shape of the whole picture.
-fn on(translation: &Translation<'_>, term: &Translated, shape: Shape) -> Translated {
+fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translated {
     if (term.shape, shape) != (Shape::Plane, Shape::Space) {
         return translation.lifted(term, shape);
     }
-    let (runtime, tokens, zero) = (translation.runtime, &term.tokens, translation.constant(0.0));
+    let (runtime, tokens, zero) = (translation.runtime, term.tokens, translation.constant(0.0));
     let plane = local("plane");
     let lifted = quote!({ let #plane = #tokens; #runtime::Space::new(#plane.x, #plane.y, #zero) });
     Translated::new(shape, lifted)
@@ -195,14 +198,18 @@ fn chains<'a>(mechanism: &Mechanism<'a>) -> Vec<Chain<'a>> {
             continue;
         }
         for side in [&equation.left, &equation.right] {
-            let mut links = Vec::new();
-            flatten(side, false, &sums, &mut links);
-            if !links.is_empty() {
+            let mut terms = Terms {
+                sums: &sums,
+                left: WRITTEN_OUT,
+                links: Vec::new(),
+            };
+            terms.add(side, false);
+            if !terms.links.is_empty() {
                 chains.push(Chain {
                     equation: number,
                     shape,
                     side,
-                    links,
+                    links: terms.links,
                 });
             }
         }
@@ -238,43 +245,46 @@ fn sums<'a>(mechanism: &Mechanism<'a>) -> BTreeMap<String, &'a Expression> {
 fn is_sum(expression: &Expression, sums: &BTreeMap<String, &Expression>) -> bool {
     match &expression.kind {
         ExpressionKind::Parenthesis(inner) | ExpressionKind::Negate(inner) => is_sum(inner, sums),
-        ExpressionKind::Binary { operator, .. } => matches!(operator, Operator::Add | Operator::Subtract),
+        ExpressionKind::Sum { .. } => true,
         ExpressionKind::Name(name) => sums.contains_key(&name.to_string()),
         _ => false,
     }
 }
 
 /// The terms of a sum, however it is put in parentheses, negated and abbreviated.
-fn flatten<'a>(
-    expression: &'a Expression,
-    negative: bool,
-    sums: &BTreeMap<String, &'a Expression>,
-    links: &mut Vec<Link<'a>>,
-) {
-    match &expression.kind {
-        ExpressionKind::Parenthesis(inner) => flatten(inner, negative, sums, links),
-        ExpressionKind::Negate(inner) => flatten(inner, !negative, sums, links),
-        ExpressionKind::Binary {
-            operator: operator @ (Operator::Add | Operator::Subtract),
-            left,
-            right,
-            ..
-        } => {
-            flatten(left, negative, sums, links);
-            flatten(right, negative != (*operator == Operator::Subtract), sums, links);
+struct Terms<'a, 'b> {
+    /// The abbreviations that are sums themselves.
+    sums: &'b BTreeMap<String, &'a Expression>,
+    /// How many of them may still be written out: there are as many terms in them as two to the power of their number.
+    left: usize,
+    links: Vec<Link<'a>>,
+}
+
+impl<'a> Terms<'a, '_> {
+    fn add(&mut self, expression: &'a Expression, negative: bool) {
+        match &expression.kind {
+            ExpressionKind::Parenthesis(inner) => self.add(inner, negative),
+            ExpressionKind::Negate(inner) => self.add(inner, !negative),
+            ExpressionKind::Sum { first, rest } => {
+                self.add(first, negative);
+                for Operation { operator, operand, .. } in rest {
+                    self.add(operand, negative != (*operator == Operator::Subtract));
+                }
+            }
+            ExpressionKind::Number { value: 0.0, .. } => {}
+            ExpressionKind::Name(name) => match self.sums.get(&name.to_string()) {
+                Some(sum) if self.left > 0 => {
+                    self.left -= 1;
+                    self.add(sum, negative);
+                }
+                _ => self.link(expression, negative),
+            },
+            _ => self.link(expression, negative),
         }
-        ExpressionKind::Number { value: 0.0, .. } => {}
-        ExpressionKind::Name(name) => match sums.get(&name.to_string()) {
-            Some(sum) => flatten(sum, negative, sums, links),
-            None => links.push(Link {
-                negative,
-                term: expression,
-            }),
-        },
-        _ => links.push(Link {
-            negative,
-            term: expression,
-        }),
+    }
+
+    fn link(&mut self, term: &'a Expression, negative: bool) {
+        self.links.push(Link { negative, term });
     }
 }
 

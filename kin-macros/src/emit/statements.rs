@@ -22,13 +22,17 @@ impl Mechanism<'_> {
             let name = local(&carried.name);
             quote!(let #name = #pose.#name;)
         });
+        let parameters = self.scalar_parameters();
         let symbols = stage
             .symbols
             .iter()
             .filter(|symbol| !given.contains(symbol))
             .map(|&symbol| {
                 let name = self.name_of(symbol);
-                let value = self.reading(symbol, pose);
+                let value = match symbol {
+                    Symbol::Parameter(index) => parameters[index].1.clone(),
+                    _ => self.reading(symbol, pose),
+                };
                 quote!(let #name = #value;)
             });
         quote!(#(#carried)* #(#symbols)*)
@@ -36,7 +40,6 @@ impl Mechanism<'_> {
 
     fn reading(&self, symbol: Symbol, pose: &TokenStream) -> TokenStream {
         let (name, order) = match symbol {
-            Symbol::Parameter(index) => return self.scalar_parameters()[index].1.clone(),
             Symbol::Input(index) => (&self.model.inputs[index].name, 0),
             Symbol::InputRate(index, order) => (&self.model.inputs[index].name, order),
             Symbol::Unknown(index) => (&self.model.unknowns[index].name, 0),
@@ -49,12 +52,13 @@ impl Mechanism<'_> {
                 });
                 return quote!(#pose.#name.#part());
             }
-            Symbol::Turning(..)
+            Symbol::Parameter(_)
+            | Symbol::Turning(..)
             | Symbol::OutputRate(..)
             | Symbol::Sensitivity(..)
             | Symbol::OutputSensitivity(..)
             | Symbol::Step(_) => {
-                unreachable!("they are carried under their names")
+                unreachable!("parameters are read from the structure, the others are carried under their names")
             }
         };
         let accessor = local(&crate::plan::order_name(order));

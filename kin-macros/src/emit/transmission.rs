@@ -6,15 +6,23 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{Mechanism, attributes, local, values};
-use crate::assemble::{Directions, Dyad, Program, Stage, Step, dyads};
-use crate::expr::{Node, Symbol};
+use crate::assemble::{Directions, Dyad, Names, Program, Stage, Step, dyads};
+use crate::expr::{Graph, Node, Symbol};
 use crate::passes::Passes;
+use crate::room::with_room;
 use crate::schedule::{Factors, ScheduledStage, Statement, Style, schedule};
+use crate::structure::Block;
 
 /// The method `transmission_angles`.
 pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (dyads, stage) = program(mechanism);
+    let residuals: Vec<Node> = model
+        .equations
+        .iter()
+        .flat_map(|equation| equation.residual.nodes())
+        .collect();
+    let (graph, names, blocks) = (mechanism.graph, &mechanism.plan.names, mechanism.blocks);
+    let (dyads, stage) = with_room(|| program(graph, names, blocks, &residuals));
     let used: BTreeSet<String> = stage.statements.iter().flat_map(Statement::uses).collect();
     let (pose, argument) = values::argument(mechanism);
     let inputs: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
@@ -56,16 +64,15 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// All dyads, the straight-line program of their angles, and what their sines and cosines are called in it.
-fn program(mechanism: &Mechanism<'_>) -> (Vec<(Dyad, [String; 2])>, ScheduledStage) {
-    let mut graph = mechanism.graph.clone();
-    let mut names = mechanism.plan.names.clone();
-    let equations = &mechanism.model.equations;
-    let residuals: Vec<Node> = equations
-        .iter()
-        .flat_map(|equation| equation.residual.nodes())
-        .collect();
+fn program(
+    graph: &Graph,
+    names: &Names,
+    blocks: &[Block],
+    residuals: &[Node],
+) -> (Vec<(Dyad, [String; 2])>, ScheduledStage) {
+    let (mut graph, mut names) = (graph.clone(), names.clone());
     let mut steps = Vec::new();
-    let dyads = dyads(&mut graph, &residuals, mechanism.blocks)
+    let dyads = dyads(&mut graph, residuals, blocks)
         .into_iter()
         .zip(1..)
         .map(|(dyad, number)| {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 use super::graph::Number;
-use super::{Graph, Node, Symbol, Term};
+use super::{Graph, Misfit, Node, Symbol, Term};
 use crate::function::Function;
 
 /// A sum of more terms than this is a term of other sums, and is not merged with them: a chain of long sums would take the square
@@ -12,6 +12,13 @@ use crate::function::Function;
 const LONGEST_SUM: usize = 32;
 /// A product of more factors than this is a factor of other products. In the library 10 is the largest number.
 const LONGEST_PRODUCT: usize = 12;
+
+/// A product of constants, with a note if it does not fit.
+fn times(a: f64, b: f64, misfit: &mut Option<Misfit>) -> f64 {
+    let product = a * b;
+    *misfit = misfit.or(Misfit::of(product, a == 0.0 || b == 0.0));
+    product
+}
 
 impl Graph {
     pub(crate) fn number(&mut self, value: f64) -> Node {
@@ -59,18 +66,24 @@ impl Graph {
     pub(crate) fn linear(&mut self, constant: f64, terms: &[(Node, f64)]) -> Node {
         let mut constant = constant;
         let mut collected: BTreeMap<Node, f64> = BTreeMap::new();
+        let mut misfit = None;
         for &(node, coefficient) in terms {
+            let mut times = |factor: Number| times(coefficient, factor.get(), &mut misfit);
             match self.term(node) {
-                Term::Number(value) if !self.keeps_numbers => constant += coefficient * value.get(),
+                Term::Number(value) if !self.keeps_numbers => constant += times(*value),
                 Term::Sum(inner, inner_terms) if inner_terms.len() <= LONGEST_SUM => {
-                    constant += coefficient * inner.get();
+                    constant += times(*inner);
                     for &(part, factor) in inner_terms {
-                        *collected.entry(part).or_insert(0.0) += coefficient * factor.get();
+                        *collected.entry(part).or_insert(0.0) += times(factor);
                     }
                 }
                 _ => *collected.entry(node).or_insert(0.0) += coefficient,
             }
         }
+        for &number in collected.values().chain([&constant]) {
+            misfit = misfit.or(Misfit::of(number, true));
+        }
+        self.note(misfit);
         collected.retain(|_, coefficient| *coefficient != 0.0);
         if collected.is_empty() {
             return self.number(constant);
@@ -148,7 +161,10 @@ impl Graph {
             return;
         }
         let (factor, mut bare) = self.split_coefficient(node);
-        *coefficient *= factor.powi(exponent);
+        let power = factor.powi(exponent);
+        let mut misfit = Misfit::of(power, factor == 0.0);
+        *coefficient = times(*coefficient, power, &mut misfit);
+        self.note(misfit);
         // a - b and b - a are one factor and a sign
         if matches!(self.term(bare), Term::Sum(..)) && self.leads_negative(bare) {
             bare = self.negate(bare);
@@ -260,6 +276,8 @@ impl Graph {
             && function.contains(&values)
         {
             let value = function.value(&values);
+            // no function but this one comes as near to zero as it likes and never arrives
+            self.note(Misfit::of(value, function != Function::Exp));
             return if value == FRAC_PI_2 || value == -FRAC_PI_2 {
                 // asin(1) and its kind are quarter turns; keep them exact
                 let pi = self.pi();

@@ -1,6 +1,8 @@
 //! The graph itself: nodes, what they hold, and how equal ones are found.
 
 use std::collections::BTreeSet;
+use std::fmt::{self, Display, Formatter};
+use std::num::FpCategory;
 use std::sync::Arc;
 
 use super::HashMap;
@@ -60,6 +62,34 @@ impl Number {
     }
 }
 
+/// Why a constant is none: an `f64` holds it not at all, or not to its full precision.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Misfit {
+    TooLarge,
+    TooSmall,
+}
+
+impl Misfit {
+    /// What is wrong with a constant, of which is known whether it is zero in truth.
+    pub(crate) fn of(value: f64, is_zero: bool) -> Option<Self> {
+        match value.classify() {
+            FpCategory::Nan | FpCategory::Infinite => Some(Self::TooLarge),
+            FpCategory::Subnormal => Some(Self::TooSmall),
+            FpCategory::Zero if !is_zero => Some(Self::TooSmall),
+            FpCategory::Zero | FpCategory::Normal => None,
+        }
+    }
+}
+
+impl Display for Misfit {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::TooLarge => "too large for an `f64`",
+            Self::TooSmall => "too small for an `f64`",
+        })
+    }
+}
+
 /// What a node holds, in normal form.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(crate) enum Term {
@@ -107,6 +137,8 @@ pub(crate) struct Graph {
     /// What has been expanded.
     pub(super) expanded: HashMap<ExpandedKey, Arc<Expanded>>,
     steps: usize,
+    /// The first constant that was too large or too small.
+    misfit: Option<Misfit>,
     /// Whether numbers stay as they are, as terms and factors like others.
     pub(super) keeps_numbers: bool,
 }
@@ -120,6 +152,21 @@ impl Graph {
     /// in normal form: zeros and equal expressions are no longer found.
     pub(crate) const fn keep_numbers(&mut self) {
         self.keeps_numbers = true;
+    }
+
+    /// Takes note of what is wrong with a constant that has just been folded.
+    pub(super) fn note(&mut self, misfit: Option<Misfit>) {
+        self.misfit = self.misfit.or(misfit);
+    }
+
+    /// Whether a constant has been too large or too small since this was last taken. What was made of it is wrong.
+    pub(crate) const fn take_misfit(&mut self) -> Option<Misfit> {
+        self.misfit.take()
+    }
+
+    /// The same, left where it is.
+    pub(crate) const fn misfit(&self) -> Option<Misfit> {
+        self.misfit
     }
 
     /// A symbol for a value that the program computes in a step of its own.
@@ -165,6 +212,11 @@ impl Graph {
             Term::Product(factors) => factors.iter().map(|&(operand, _)| operand).collect(),
             Term::Call(_, arguments) => arguments.clone(),
         }
+    }
+
+    /// The nodes from a number on, in the order in which they were made.
+    pub(crate) fn nodes_from(&self, first: usize) -> impl Iterator<Item = Node> + use<> {
+        (first..self.terms.len()).filter_map(|index| u32::try_from(index).ok().map(Node))
     }
 
     /// Every node that the given ones are made of, themselves included, in ascending order.
@@ -245,6 +297,37 @@ impl Graph {
             Some(self.evaluate(node, &|_| f64::NAN))
         } else {
             None
+        }
+    }
+
+    /// The largest exponent of a factor, without its sign.
+    pub(crate) fn largest_exponent(&self, node: Node) -> Option<u32> {
+        let of_factors = |node: Node| match self.term(node) {
+            Term::Product(factors) => factors.iter().map(|(_, exponent)| exponent.unsigned_abs()).max(),
+            _ => None,
+        };
+        match self.term(node) {
+            Term::Sum(_, terms) => terms.iter().filter_map(|&(term, _)| of_factors(term)).max(),
+            _ => of_factors(node),
+        }
+    }
+
+    /// How far the constants that stand in a node itself are from 1, as a logarithm without its sign; zero is not counted.
+    pub(crate) fn extremity(&self, node: Node) -> f64 {
+        let size = |number: &Number| {
+            if number.get() == 0.0 {
+                0.0
+            } else {
+                number.get().abs().ln().abs()
+            }
+        };
+        match self.term(node) {
+            Term::Number(value) => size(value),
+            Term::Sum(constant, terms) => terms
+                .iter()
+                .map(|(_, coefficient)| size(coefficient))
+                .fold(size(constant), f64::max),
+            Term::Pi | Term::Symbol(_) | Term::Product(_) | Term::Call(..) => 0.0,
         }
     }
 

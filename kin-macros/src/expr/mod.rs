@@ -16,7 +16,7 @@ mod print;
 mod probe;
 mod substitute;
 
-pub(crate) use graph::{Graph, Node, Number, Symbol, Term, Variables};
+pub(crate) use graph::{Graph, Misfit, Node, Number, Symbol, Term, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
 pub(crate) use hash::HashMap;
 pub(crate) use probe::Probe;

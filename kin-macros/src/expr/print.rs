@@ -13,89 +13,111 @@ enum Binding {
     Power,
 }
 
-impl Graph {
-    /// An expression in the declaration's own language.
-    pub(crate) fn print(&self, node: Node, name: &dyn Fn(Symbol) -> String) -> String {
-        self.print_within(node, name, Binding::Loose)
-    }
+/// A text is cut off where it is longer than this: nobody reads it, and an expression of expressions that occur twice is longer by powers
+/// of two.
+const LONGEST: usize = 1000;
 
-    fn print_within(&self, node: Node, name: &dyn Fn(Symbol) -> String, outside: Binding) -> String {
-        match self.term(node) {
-            Term::Number(value) => value.get().to_string(),
-            Term::Pi => "PI".to_owned(),
-            Term::Symbol(symbol) => name(*symbol),
+impl Graph {
+    /// An expression in the declaration's own language, as far as it is of a readable length.
+    pub(crate) fn print(&self, node: Node, name: &dyn Fn(Symbol) -> String) -> String {
+        let mut printer = Printer {
+            graph: self,
+            name,
+            text: String::new(),
+        };
+        printer.print(node, Binding::Loose);
+        let mut text = printer.text;
+        if text.len() > LONGEST {
+            let end = (0..=LONGEST).rev().find(|&end| text.is_char_boundary(end));
+            text.truncate(end.unwrap_or(0));
+            text.push('…');
+        }
+        text
+    }
+}
+
+struct Printer<'a> {
+    graph: &'a Graph,
+    name: &'a dyn Fn(Symbol) -> String,
+    text: String,
+}
+
+impl Printer<'_> {
+    fn print(&mut self, node: Node, outside: Binding) {
+        if self.text.len() > LONGEST {
+            return;
+        }
+        match self.graph.term(node) {
+            Term::Number(value) => self.text.push_str(&value.get().to_string()),
+            Term::Pi => self.text.push_str("PI"),
+            Term::Symbol(symbol) => self.text.push_str(&(self.name)(*symbol)),
             Term::Sum(constant, terms) => {
-                let mut text = String::new();
-                for &(part, coefficient) in terms {
-                    let value = coefficient.get();
-                    let sign = match (text.is_empty(), value < 0.0) {
-                        (true, false) => "",
-                        (true, true) => "-",
-                        (false, false) => " + ",
-                        (false, true) => " - ",
-                    };
-                    text.push_str(sign);
-                    if value.abs() == 1.0 {
-                        text.push_str(&self.print_within(part, name, Binding::Sum));
-                    } else {
-                        let _ = write!(
-                            text,
-                            "{} * {}",
-                            value.abs(),
-                            self.print_within(part, name, Binding::Product)
-                        );
+                self.within(outside > Binding::Loose, |printer| {
+                    for (place, &(part, coefficient)) in terms.iter().enumerate() {
+                        let value = coefficient.get();
+                        printer.text.push_str(match (place, value < 0.0) {
+                            (0, false) => "",
+                            (0, true) => "-",
+                            (_, false) => " + ",
+                            (_, true) => " - ",
+                        });
+                        if value.abs() == 1.0 {
+                            printer.print(part, Binding::Sum);
+                        } else {
+                            let _ = write!(printer.text, "{} * ", value.abs());
+                            printer.print(part, Binding::Product);
+                        }
                     }
-                }
-                let constant = constant.get();
-                if constant != 0.0 {
-                    let sign = if constant < 0.0 { '-' } else { '+' };
-                    let _ = write!(text, " {sign} {}", constant.abs());
-                }
-                if outside > Binding::Loose {
-                    format!("({text})")
-                } else {
-                    text
-                }
+                    let constant = constant.get();
+                    if constant != 0.0 {
+                        let sign = if constant < 0.0 { '-' } else { '+' };
+                        let _ = write!(printer.text, " {sign} {}", constant.abs());
+                    }
+                });
             }
             Term::Product(factors) => {
-                let side = |wanted: bool| -> Vec<String> {
-                    factors
-                        .iter()
-                        .filter(|&&(_, exponent)| (exponent > 0) == wanted)
-                        .map(|&(part, exponent)| match exponent.abs() {
-                            1 => self.print_within(part, name, Binding::Product),
-                            power => format!("{}.powi({power})", self.print_within(part, name, Binding::Power)),
-                        })
-                        .collect()
-                };
-                let (above, below) = (side(true), side(false));
-                let mut text = if above.is_empty() {
-                    "1".to_owned()
-                } else {
-                    above.join(" * ")
-                };
-                match below.as_slice() {
-                    [] => {}
-                    [one] => {
-                        let _ = write!(text, " / {one}");
+                let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|&&(_, exponent)| exponent > 0);
+                self.within(outside > Binding::Sum, |printer| {
+                    if above.is_empty() {
+                        printer.text.push('1');
                     }
-                    many => {
-                        let _ = write!(text, " / ({})", many.join(" * "));
+                    printer.factors(&above);
+                    if !below.is_empty() {
+                        printer.text.push_str(" / ");
+                        printer.within(below.len() > 1, |printer| printer.factors(&below));
                     }
-                }
-                if outside > Binding::Sum {
-                    format!("({text})")
-                } else {
-                    text
-                }
+                });
             }
             Term::Call(function, arguments) => {
-                let arguments: Vec<String> = arguments
-                    .iter()
-                    .map(|&argument| self.print_within(argument, name, Binding::Loose))
-                    .collect();
-                format!("{}({})", function.name(), arguments.join(", "))
+                self.text.push_str(function.name());
+                self.within(true, |printer| {
+                    for (place, &argument) in arguments.iter().enumerate() {
+                        printer.text.push_str(if place == 0 { "" } else { ", " });
+                        printer.print(argument, Binding::Loose);
+                    }
+                });
             }
         }
+    }
+
+    /// Factors with their powers, whatever the sign of these is.
+    fn factors(&mut self, factors: &[(Node, i32)]) {
+        for (place, &(part, exponent)) in factors.iter().enumerate() {
+            self.text.push_str(if place == 0 { "" } else { " * " });
+            match exponent.unsigned_abs() {
+                1 => self.print(part, Binding::Product),
+                power => {
+                    self.print(part, Binding::Power);
+                    let _ = write!(self.text, ".powi({power})");
+                }
+            }
+        }
+    }
+
+    /// What is printed inside, in parentheses or not.
+    fn within(&mut self, parentheses: bool, inside: impl FnOnce(&mut Self)) {
+        self.text.push_str(if parentheses { "(" } else { "" });
+        inside(self);
+        self.text.push_str(if parentheses { ")" } else { "" });
     }
 }

@@ -8,7 +8,7 @@ use crate::model::Value;
 use crate::model::dimension::{Exponent, Measure, common, product};
 use crate::model::scope::Scope;
 use crate::report::{Extent, Report};
-use crate::syntax::{Axis, Callee, EquationStatement, Expression, ExpressionKind, Operator, Shape};
+use crate::syntax::{Axis, Callee, EquationStatement, Expression, ExpressionKind, Operation, Operator, Shape};
 
 /// A formula's value and what it measures.
 #[derive(Clone, Debug)]
@@ -45,7 +45,12 @@ pub(super) struct Lowering<'a, 'b> {
     pub(super) graph: &'a mut Graph,
     pub(super) scope: &'a mut Scope<'b>,
     pub(super) report: &'a mut Report,
+    /// How far the constant farthest from 1 is from it, and where it stands.
+    pub(super) extreme: &'a mut Option<(f64, Extent)>,
 }
+
+/// The largest exponent that a power may come to.
+const LARGEST_POWER: u32 = 1024;
 
 impl Lowering<'_, '_> {
     /// The difference of the two sides.
@@ -87,7 +92,10 @@ impl Lowering<'_, '_> {
             );
             return None;
         }
-        Some(self.combine(Operator::Subtract, &left.value, &right.value))
+        let left = left.value.lifted(self.graph, right_measure.shape);
+        let right = right.value.lifted(self.graph, left_measure.shape);
+        let residual = left.zip(&right, |a, b| self.graph.subtract(a, b));
+        self.fitting(equation.operator, residual)
     }
 
     pub(super) fn expression(&mut self, expression: &Expression) -> Option<Typed> {
@@ -113,20 +121,14 @@ impl Lowering<'_, '_> {
                     exponent: of.exponent,
                 }
             }
-            ExpressionKind::Binary {
-                operator,
-                span,
-                left,
-                right,
-            } => {
-                let left_typed = self.expression(left);
-                let right_typed = self.expression(right);
-                let (left, right_typed) = (left_typed?, right_typed?);
-                match operator {
-                    Operator::Add | Operator::Subtract => self.sum(*operator, *span, &left, &right_typed)?,
-                    Operator::Multiply => self.product(*span, &left, &right_typed)?,
-                    Operator::Divide => self.quotient(*span, &left, &right_typed, right.extent)?,
+            ExpressionKind::Sum { first, rest } => self.sum(first, rest)?,
+            ExpressionKind::Product { first, rest } => {
+                let mut product = self.expression(first);
+                for operation in rest {
+                    let factor = self.expression(&operation.operand);
+                    product = self.times(first.extent, product, operation, factor);
                 }
+                product?
             }
             ExpressionKind::Call { callee, arguments, .. } => {
                 let typed: Vec<Option<Typed>> = arguments.iter().map(|argument| self.expression(argument)).collect();
@@ -176,35 +178,86 @@ impl Lowering<'_, '_> {
                 }
             }
         };
-        self.finite(expression, typed)
+        let value = self.fitting(expression.extent, typed.value)?;
+        Some(Typed { value, ..typed })
     }
 
-    /// Constants are computed here and now, and one may grow out of the numbers' range.
-    fn finite(&mut self, expression: &Expression, typed: Typed) -> Option<Typed> {
-        let infinite = typed
-            .value
-            .nodes()
-            .into_iter()
-            .any(|node| self.graph.constant_value(node).is_some_and(|value| !value.is_finite()));
-        if infinite {
+    /// A value just made, if its constants and powers fit. What it was made of has been looked at before.
+    fn fitting(&mut self, extent: Extent, value: Value) -> Option<Value> {
+        if let Some(misfit) = self.graph.take_misfit() {
             self.report.error(
-                expression.extent,
-                "this constant is not a finite number: it is too large, or outside of a function's domain",
+                extent,
+                format!("a constant of this is {misfit}: choose a unit in which the numbers are nearer to 1"),
             );
             return None;
         }
-        Some(typed)
+        for node in value.nodes() {
+            if let Some(exponent) = self
+                .graph
+                .largest_exponent(node)
+                .filter(|exponent| *exponent > LARGEST_POWER)
+            {
+                self.report.error(
+                    extent,
+                    format!(
+                        "this is a power with the exponent {exponent}, and powers end at {LARGEST_POWER}: declare a lower one as an \
+                         unknown with an equation of its own"
+                    ),
+                );
+                return None;
+            }
+            let size = self.graph.extremity(node);
+            if size > self.extreme.map_or(0.0, |(largest, _)| largest) {
+                *self.extreme = Some((size, extent));
+            }
+        }
+        Some(value)
     }
 
-    fn sum(&mut self, operator: Operator, span: Span, left: &Typed, right: &Typed) -> Option<Typed> {
-        let (left_measure, right_measure) = (left.measure(), right.measure());
-        let remedy = clash(left_measure, right_measure);
-        let measure = common(left_measure, right_measure).filter(|_| remedy.is_none());
-        let Some(measure) = measure else {
-            let complaint = if operator == Operator::Add {
-                format!("cannot add {left_measure} and {right_measure}")
+    /// Terms of a sum, of which a scalar beside a vector lies along x.
+    fn sum(&mut self, first: &Expression, rest: &[Operation]) -> Option<Typed> {
+        let first = self.expression(first);
+        let mut measure = first.as_ref().map(Typed::measure);
+        let mut terms: Vec<(Value, f64)> = first.into_iter().map(|first| (first.value, 1.0)).collect();
+        for operation in rest {
+            let term = self.expression(&operation.operand);
+            measure = self.measure_of_sum(measure, operation, term.as_ref().map(Typed::measure));
+            let sign = if operation.operator == Operator::Subtract {
+                -1.0
             } else {
-                format!("cannot subtract {right_measure} from {left_measure}")
+                1.0
+            };
+            terms.extend(term.map(|term| (term.value, sign)));
+        }
+        let Measure { shape, exponent } = measure?;
+        let parts = (0..shape.axes().len().max(1)).map(|part| {
+            let terms: Vec<(Node, f64)> = terms
+                .iter()
+                .filter_map(|(value, sign)| Some((*value.nodes().get(part)?, *sign)))
+                .collect();
+            self.graph.linear(0.0, &terms)
+        });
+        Some(Typed {
+            value: Value::of(shape, parts.collect()),
+            exponent,
+        })
+    }
+
+    /// What a sum measures with one term more, `None` after a mistake.
+    fn measure_of_sum(
+        &mut self,
+        left: Option<Measure>,
+        operation: &Operation,
+        right: Option<Measure>,
+    ) -> Option<Measure> {
+        let (left, right) = (left?, right?);
+        let remedy = clash(left, right);
+        let measure = common(left, right).filter(|_| remedy.is_none());
+        if measure.is_none() {
+            let complaint = if operation.operator == Operator::Add {
+                format!("cannot add {left} and {right}")
+            } else {
+                format!("cannot subtract {right} from {left}")
             };
             let remedy = remedy.unwrap_or(match (left.exponent, right.exponent) {
                 (Some(Exponent::LENGTH), Some(Exponent::NUMBER)) | (Some(Exponent::NUMBER), Some(Exponent::LENGTH)) => {
@@ -212,26 +265,28 @@ impl Lowering<'_, '_> {
                 }
                 _ => "bring both to the same dimension",
             });
-            self.report.error_at(span, format!("{complaint}: {remedy}"));
-            return None;
-        };
-        Some(Typed {
-            value: self.combine(operator, &left.value, &right.value),
-            exponent: measure.exponent,
-        })
+            self.report.error_at(operation.span, format!("{complaint}: {remedy}"));
+        }
+        measure
     }
 
-    /// Sum or difference; a scalar beside a vector lies along x.
-    fn combine(&mut self, operator: Operator, left: &Value, right: &Value) -> Value {
-        let left = left.lifted(self.graph, right.shape());
-        let right = right.lifted(self.graph, left.shape());
-        left.zip(&right, |a, b| {
-            if operator == Operator::Subtract {
-                self.graph.subtract(a, b)
-            } else {
-                self.graph.add(a, b)
-            }
-        })
+    /// A product with one factor or divisor more. `start` is where it begins.
+    fn times(
+        &mut self,
+        start: Extent,
+        product: Option<Typed>,
+        operation: &Operation,
+        factor: Option<Typed>,
+    ) -> Option<Typed> {
+        let (left, right) = (product?, factor?);
+        let (span, extent) = (operation.span, operation.operand.extent);
+        let typed = if operation.operator == Operator::Divide {
+            self.quotient(span, &left, &right, extent)?
+        } else {
+            self.product(span, &left, &right)?
+        };
+        let value = self.fitting(start.to(extent), typed.value)?;
+        Some(Typed { value, ..typed })
     }
 
     /// A product: of two plane vectors, that of complex numbers; of a rotation, what it turns, turned.
@@ -521,7 +576,7 @@ impl Lowering<'_, '_> {
         };
         let constants: Option<Vec<f64>> = nodes.iter().map(|&node| self.graph.constant_value(node)).collect();
         if let Some(constants) = constants
-            && let Some(domain) = outside_of_domain(function, &constants)
+            && let Some(domain) = self.outside_of_domain(function, nodes, &constants)
         {
             let extent = arguments[0].extent.to(arguments[arguments.len() - 1].extent);
             self.report.error(
@@ -534,6 +589,21 @@ impl Lowering<'_, '_> {
             value: Value::scalar(self.graph.call(function, nodes)),
             exponent,
         })
+    }
+
+    /// What the domain is, if the constants lie outside of it.
+    fn outside_of_domain(&mut self, function: Function, nodes: &[Node], constants: &[f64]) -> Option<&'static str> {
+        match (function, constants) {
+            (Function::Sqrt, &[x]) if x < 0.0 => Some("begins at 0"),
+            (Function::Asin | Function::Acos, &[x]) if x.abs() > 1.0 => Some("goes from -1 to 1"),
+            (Function::Ln, &[x]) if x <= 0.0 => Some("begins above 0"),
+            (Function::Atan2, &[y, x]) if y == 0.0 && x == 0.0 => Some("leaves out the point (0, 0)"),
+            (Function::Tan, _) => {
+                let cosine = self.graph.cosine(nodes[0]);
+                self.graph.is_zero(cosine).then_some("leaves out the odd quarter turns")
+            }
+            _ => None,
+        }
     }
 
     /// Most functions work on scalars.
@@ -632,17 +702,6 @@ fn clash(left: Measure, right: Measure) -> Option<&'static str> {
         }
         (Shape::Scalar, Shape::Space) if !left.is_zero() => Some("write `vec3(s, 0, 0)` to place a scalar s along x"),
         (Shape::Space, Shape::Scalar) if !right.is_zero() => Some("write `vec3(s, 0, 0)` to place a scalar s along x"),
-        _ => None,
-    }
-}
-
-/// What the domain is, if the constants lie outside of it.
-fn outside_of_domain(function: Function, constants: &[f64]) -> Option<&'static str> {
-    match (function, constants) {
-        (Function::Sqrt, &[x]) if x < 0.0 => Some("begins at 0"),
-        (Function::Asin | Function::Acos, &[x]) if x.abs() > 1.0 => Some("goes from -1 to 1"),
-        (Function::Ln, &[x]) if x <= 0.0 => Some("begins above 0"),
-        (Function::Atan2, &[y, x]) if y == 0.0 && x == 0.0 => Some("leaves out the point (0, 0)"),
         _ => None,
     }
 }

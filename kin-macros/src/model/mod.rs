@@ -2,6 +2,7 @@
 //! its place in the source.
 
 mod dimension;
+mod length;
 mod lower;
 mod order;
 mod range;
@@ -15,10 +16,11 @@ use proc_macro2::{Ident, TokenStream};
 use syn::{Attribute, Visibility};
 
 use crate::expr::{Graph, Node, Symbol};
-use crate::report::Report;
+use crate::report::{Extent, Report};
 use crate::syntax::{self, Declaration, Expression, Statement};
 
 use dimension::{Exponent, Measure, common};
+use length::Lengths;
 use lower::{Lowering, Typed};
 use scope::{Meaning, Role, Scope};
 
@@ -40,6 +42,8 @@ pub(crate) struct Model {
     pub(crate) order: usize,
     /// What is to be generated besides the solvers.
     pub(crate) requests: Vec<Requested>,
+    /// The constant that is farthest from 1.
+    pub(crate) extreme_constant: Option<Extent>,
     pub(crate) graph: Graph,
 }
 
@@ -97,7 +101,8 @@ pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Mo
     let mut scope = Scope::new(declaration);
     let parameters = parameters(declaration, &mut graph, &mut scope, report);
     let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, report);
-    let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, report);
+    let mut extreme = None;
+    let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, report, &mut extreme);
     let order = order::order(declaration, report);
     let requests = request::requests(declaration, report);
 
@@ -122,6 +127,7 @@ pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Mo
         outputs,
         order,
         requests,
+        extreme_constant: extreme.map(|(_, extent)| extent),
         graph,
     })
 }
@@ -235,30 +241,42 @@ fn formulas(
     graph: &mut Graph,
     scope: &mut Scope<'_>,
     report: &mut Report,
+    extreme: &mut Option<(f64, Extent)>,
 ) -> (Vec<Option<Equation>>, Vec<Output>) {
     let mut equations = Vec::new();
     let mut outputs = Vec::new();
+    let mut lengths = Lengths::default();
     for statement in &declaration.statements {
-        let mut lowering = Lowering { graph, scope, report };
+        let mut lowering = Lowering {
+            graph,
+            scope,
+            report,
+            extreme,
+        };
         match statement {
             Statement::Let(statement) => {
-                let meaning = lowering
+                let typed = lowering
                     .expression(&statement.value)
-                    .map_or(Meaning::Broken, Meaning::Value);
-                scope.define(&statement.name, meaning);
+                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, report));
+                scope.define(&statement.name, typed.map_or(Meaning::Broken, Meaning::Value));
             }
             Statement::Equation(statement) => {
-                equations.push(lowering.residual(statement).map(|residual| Equation {
+                let residual = lowering
+                    .residual(statement)
+                    .filter(|residual| lengths.allow(graph, &residual.nodes(), statement.operator, report));
+                equations.push(residual.map(|residual| Equation {
                     residual,
                     tokens: statement.tokens.clone(),
                     text: statement.to_string(),
                 }));
             }
             Statement::Output(statement) => {
-                let Some(typed) = lowering.expression(&statement.value) else {
-                    continue;
-                };
-                outputs.extend(output(statement, &typed, graph, report));
+                let typed = lowering
+                    .expression(&statement.value)
+                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, report));
+                if let Some(typed) = typed {
+                    outputs.extend(output(statement, &typed, graph, report));
+                }
             }
             Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Order(_) | Statement::Requests(_) => {}
         }
@@ -379,12 +397,14 @@ fn unknowns_in_equations(
                 Some(axis) => (node, format!("the {axis} part of this equation")),
             })
             .collect();
-        let contained = |node| (0..unknowns.len()).filter(move |&index| graph.contains(node, Symbol::Unknown(index)));
-        found.extend(parts.iter().flat_map(|(node, _)| contained(*node)));
-        let idle: Vec<&(Node, String)> = parts
-            .iter()
-            .filter(|(node, _)| contained(*node).next().is_none())
-            .collect();
+        let mut idle: Vec<&(Node, String)> = Vec::new();
+        for part in &parts {
+            let contained: Vec<usize> = graph.unknowns(part.0).collect();
+            if contained.is_empty() {
+                idle.push(part);
+            }
+            found.extend(contained);
+        }
         if unknowns.is_empty() || idle.is_empty() {
             continue;
         }
@@ -409,13 +429,14 @@ fn unknowns_in_equations(
             report.error(&equation.tokens, complaint);
         }
     }
-    let written = written_names(declaration);
+    let mut written = None;
     for (index, unknown) in unknowns.iter().enumerate() {
         let word = unknown.name.to_string();
         if found.contains(&index) || declaration.mentioned.contains(&word) || scope.is_meant(&word) {
             continue;
         }
-        let cancelled = declaration_mentions(&written, equations, &word);
+        let written = written.get_or_insert_with(|| written_names(declaration));
+        let cancelled = declaration_mentions(written, equations, &word);
         match cancelled {
             Mention::InBroken => {}
             Mention::InSound => report.error(
@@ -458,21 +479,23 @@ fn declaration_mentions(written: &[BTreeSet<String>], equations: &[Option<Equati
 
 /// The names written in each equation, those within its abbreviations included.
 fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
+    let names_of = |expressions: &[&Expression]| {
+        let mut names = BTreeSet::new();
+        for expression in expressions {
+            expression.visit_names(&mut |name| {
+                names.insert(name.to_string());
+            });
+        }
+        names
+    };
     let mut abbreviations: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     let mut equations = Vec::new();
     for statement in &declaration.statements {
         match statement {
             Statement::Let(statement) => {
-                let mut names = BTreeSet::new();
-                collect_names(&statement.value, &abbreviations, &mut names);
-                abbreviations.insert(statement.name.to_string(), names);
+                abbreviations.insert(statement.name.to_string(), names_of(&[&statement.value]));
             }
-            Statement::Equation(statement) => {
-                let mut names = BTreeSet::new();
-                collect_names(&statement.left, &abbreviations, &mut names);
-                collect_names(&statement.right, &abbreviations, &mut names);
-                equations.push(names);
-            }
+            Statement::Equation(statement) => equations.push(names_of(&[&statement.left, &statement.right])),
             Statement::Inputs(_)
             | Statement::Unknowns(_)
             | Statement::Output(_)
@@ -480,19 +503,17 @@ fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
             | Statement::Requests(_) => {}
         }
     }
+    for names in &mut equations {
+        let mut open: Vec<String> = names.iter().cloned().collect();
+        while let Some(name) = open.pop() {
+            for inner in abbreviations.get(&name).into_iter().flatten() {
+                if names.insert(inner.clone()) {
+                    open.push(inner.clone());
+                }
+            }
+        }
+    }
     equations
-}
-
-fn collect_names(
-    expression: &Expression,
-    abbreviations: &BTreeMap<String, BTreeSet<String>>,
-    names: &mut BTreeSet<String>,
-) {
-    expression.visit_names(&mut |name| {
-        let name = name.to_string();
-        names.extend(abbreviations.get(&name).into_iter().flatten().cloned());
-        names.insert(name);
-    });
 }
 
 #[cfg(test)]
@@ -590,8 +611,13 @@ mod tests {
             (quote!(ln(0)), "outside of the domain of `ln`"),
             (quote!(atan2(0, 0)), "outside of the domain of `atan2`"),
             (quote!(powi(0, -1)), "negative exponent"),
-            (quote!(exp(1000)), "not a finite number"),
-            (quote!(1e300 * 1e300), "not a finite number"),
+            (quote!(exp(1000)), "too large for an `f64`"),
+            (quote!(exp(-1000)), "too small for an `f64`"),
+            (quote!(1e300 * 1e300), "too large for an `f64`"),
+            (quote!(1e-300 * a * 1e-20), "too small for an `f64`"),
+            (quote!(a * 1e-320), "too small for an `f64`"),
+            (quote!(a * 0.0e-400 + 1e-400), "too small for an `f64`"),
+            (quote!(powi(powi(t, 64), 17)), "powers end at 1024"),
             (quote!(o * 2), "is an output"),
             (quote!(later), "is called `later`"),
             (quote!(formula + a), "used before it is known"),

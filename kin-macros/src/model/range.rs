@@ -66,6 +66,7 @@ fn constant(bound: &Expression, declaration: &Declaration, report: &mut Report) 
         graph: &mut graph,
         scope: &mut Scope::new(declaration),
         report,
+        extreme: &mut None,
     };
     let typed = lowering.expression(bound)?;
     let Some(node) = typed.value.as_scalar() else {

@@ -32,6 +32,11 @@ impl Value {
         }
     }
 
+    /// From as many parts as the shape has.
+    pub(crate) fn of(shape: Shape, parts: Vec<Node>) -> Self {
+        Self { shape, parts }
+    }
+
     /// From the rows of its matrix.
     pub(crate) fn rotation(rows: [[Node; 3]; 3]) -> Self {
         Self {

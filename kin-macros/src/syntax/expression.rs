@@ -9,8 +9,9 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Lifetime, Lit, Token, parenthesized, token};
 
+use crate::expr::Misfit;
 use crate::report::{Extent, suggestion};
-use crate::syntax::{Axis, Callee, Expression, ExpressionKind, Operator};
+use crate::syntax::{Axis, Callee, Expression, ExpressionKind, Operation, Operator, nesting};
 
 /// Every name that can be called.
 pub(crate) const FUNCTION_NAMES: [&str; 22] = [
@@ -41,6 +42,25 @@ pub(crate) enum Place {
 }
 
 impl Expression {
+    /// A formula that is not nested too deep.
+    fn new(kind: ExpressionKind, extent: Extent) -> Result<Self> {
+        let depth = match &kind {
+            ExpressionKind::Number { .. } | ExpressionKind::Pi | ExpressionKind::Name(_) => 0,
+            ExpressionKind::Negate(of)
+            | ExpressionKind::Parenthesis(of)
+            | ExpressionKind::Part { of, .. }
+            | ExpressionKind::Power { base: of, .. } => 1 + of.depth,
+            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+                1 + deepest(rest.iter().map(|operation| &operation.operand)).max(first.depth)
+            }
+            ExpressionKind::Call { arguments, .. } => 1 + deepest(arguments),
+        };
+        if depth > nesting::DEEPEST {
+            return Err(syn::Error::new_spanned(extent, nesting::message()));
+        }
+        Ok(Self { kind, extent, depth })
+    }
+
     /// Calls `visit` on every name in the formula, in the order of the source.
     pub(crate) fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(&'a Ident)) {
         match &self.kind {
@@ -50,9 +70,11 @@ impl Expression {
             | ExpressionKind::Parenthesis(of)
             | ExpressionKind::Part { of, .. }
             | ExpressionKind::Power { base: of, .. } => of.visit_names(visit),
-            ExpressionKind::Binary { left, right, .. } => {
-                left.visit_names(visit);
-                right.visit_names(visit);
+            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+                first.visit_names(visit);
+                for operation in rest {
+                    operation.operand.visit_names(visit);
+                }
             }
             ExpressionKind::Call { arguments, .. } => {
                 for argument in arguments {
@@ -76,68 +98,85 @@ pub(crate) fn parse(input: ParseStream<'_>, place: Place) -> Result<Expression> 
     if ended { Ok(formula) } else { Err(stray(input, place)) }
 }
 
+fn deepest<'a>(formulas: impl IntoIterator<Item = &'a Expression>) -> usize {
+    formulas.into_iter().map(|formula| formula.depth).max().unwrap_or(0)
+}
+
 fn sum(input: ParseStream<'_>) -> Result<Expression> {
-    let mut left = product(input)?;
+    let first = product(input)?;
+    let mut rest = Vec::new();
     loop {
         let operator = if input.peek(Token![+]) && !input.peek(Token![+=]) {
             Operator::Add
         } else if input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
             Operator::Subtract
         } else {
-            return Ok(left);
+            return chain(first, rest, |first, rest| ExpressionKind::Sum { first, rest });
         };
-        left = binary(input, operator, left, product)?;
+        rest.push(operation(input, operator, product)?);
     }
 }
 
 fn product(input: ParseStream<'_>) -> Result<Expression> {
-    let mut left = unary(input)?;
+    let first = unary(input)?;
+    let mut rest = Vec::new();
     loop {
         let operator = if input.peek(Token![*]) && !input.peek(Token![*=]) {
             Operator::Multiply
         } else if input.peek(Token![/]) && !input.peek(Token![/=]) {
             Operator::Divide
         } else {
-            return Ok(left);
+            return chain(first, rest, |first, rest| ExpressionKind::Product { first, rest });
         };
         if operator == Operator::Multiply && input.peek2(Token![*]) {
             return Err(input.error("there is no operator `**`: write `powi(x, 2)` for a power"));
         }
-        left = binary(input, operator, left, unary)?;
+        rest.push(operation(input, operator, unary)?);
     }
 }
 
-fn binary(
+/// An operator and what follows it.
+fn operation(
     input: ParseStream<'_>,
     operator: Operator,
-    left: Expression,
     operand: fn(ParseStream<'_>) -> Result<Expression>,
-) -> Result<Expression> {
+) -> Result<Operation> {
     let span = input.parse::<TokenTree>()?.span();
     expect_operand(input, span, operator.symbol())?;
-    let right = operand(input)?;
-    Ok(Expression {
-        extent: left.extent.to(right.extent),
-        kind: ExpressionKind::Binary {
-            operator,
-            span,
-            left: Box::new(left),
-            right: Box::new(right),
-        },
+    let operand = operand(input)?;
+    Ok(Operation {
+        operator,
+        span,
+        operand,
     })
 }
 
+/// A sum or a product; one operand alone is neither.
+fn chain(
+    first: Expression,
+    rest: Vec<Operation>,
+    kind: fn(Box<Expression>, Vec<Operation>) -> ExpressionKind,
+) -> Result<Expression> {
+    let Some(last) = rest.last() else {
+        return Ok(first);
+    };
+    let extent = first.extent.to(last.operand.extent);
+    Expression::new(kind(Box::new(first), rest), extent)
+}
+
+/// Any number of signs and what they stand before.
 fn unary(input: ParseStream<'_>) -> Result<Expression> {
-    if input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
+    let mut signs = Vec::new();
+    while input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
         let span = input.parse::<Token![-]>()?.span;
         expect_operand(input, span, "-")?;
-        let of = unary(input)?;
-        return Ok(Expression {
-            extent: Extent::at(span).to(of.extent),
-            kind: ExpressionKind::Negate(Box::new(of)),
-        });
+        signs.push(span);
     }
-    postfix(input)
+    let operand = postfix(input)?;
+    signs.into_iter().rev().try_fold(operand, |of, span| {
+        let extent = Extent::at(span).to(of.extent);
+        Expression::new(ExpressionKind::Negate(Box::new(of)), extent)
+    })
 }
 
 /// The end of the source has no place of its own, so a missing operand is shown at its operator.
@@ -218,10 +257,8 @@ fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expressio
             ));
         }
     };
-    Ok(Expression {
-        extent: of.extent.to(Extent::at(member.span())),
-        kind: ExpressionKind::Part { of: Box::new(of), axis },
-    })
+    let extent = of.extent.to(Extent::at(member.span()));
+    Expression::new(ExpressionKind::Part { of: Box::new(of), axis }, extent)
 }
 
 fn operand(input: ParseStream<'_>) -> Result<Expression> {
@@ -280,10 +317,7 @@ fn parenthesis(input: ParseStream<'_>) -> Result<Expression> {
         ));
     }
     let inner = parse(&content, Place::Parenthesis)?;
-    Ok(Expression {
-        kind: ExpressionKind::Parenthesis(Box::new(inner)),
-        extent,
-    })
+    Expression::new(ExpressionKind::Parenthesis(Box::new(inner)), extent)
 }
 
 fn literal(input: ParseStream<'_>) -> Result<Expression> {
@@ -311,15 +345,28 @@ fn literal(input: ParseStream<'_>) -> Result<Expression> {
             format!("a number takes no type `{suffix}` here: write `{digits}`"),
         ));
     }
-    match digits.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(Expression {
-            kind: ExpressionKind::Number {
+    let Ok(value) = digits.parse::<f64>() else {
+        return Err(syn::Error::new(
+            span,
+            "this number cannot be read: write it in decimal digits",
+        ));
+    };
+    let is_zero = digits
+        .split(['e', 'E'])
+        .next()
+        .is_some_and(|mantissa| mantissa.chars().all(|digit| matches!(digit, '0' | '.')));
+    match Misfit::of(value, is_zero) {
+        None => Expression::new(
+            ExpressionKind::Number {
                 value,
                 text: literal.to_token_stream().to_string(),
             },
-            extent: Extent::at(span),
-        }),
-        _ => Err(syn::Error::new(span, "this number is too large for an `f64`")),
+            Extent::at(span),
+        ),
+        Some(misfit) => Err(syn::Error::new(
+            span,
+            format!("this number is {misfit}: choose a unit in which it is nearer to 1"),
+        )),
     }
 }
 
@@ -358,10 +405,7 @@ fn word(input: ParseStream<'_>) -> Result<Expression> {
     } else {
         ExpressionKind::Name(word.clone())
     };
-    Ok(Expression {
-        kind,
-        extent: Extent::at(word.span()),
-    })
+    Expression::new(kind, Extent::at(word.span()))
 }
 
 /// What to write instead of a construct of Rust. Keywords that could pass for names are left to be looked up as
@@ -538,7 +582,7 @@ fn call(name: &Ident, arguments: Vec<Expression>, method: bool, close: Span) -> 
             method,
         },
     };
-    Ok(Expression { kind, extent })
+    Expression::new(kind, extent)
 }
 
 /// The exponent of `powi`: an integer literal, as the formula's form depends on it.

@@ -7,6 +7,7 @@ mod dimension;
 mod expression;
 mod head;
 mod name;
+mod nesting;
 mod order;
 mod print;
 mod request;
@@ -142,6 +143,8 @@ pub(crate) struct OrderStatement {
 pub(crate) struct Expression {
     pub(crate) kind: ExpressionKind,
     pub(crate) extent: Extent,
+    /// How many formulas lie within each other, itself not counted.
+    depth: usize,
 }
 
 #[derive(Clone)]
@@ -154,12 +157,15 @@ pub(crate) enum ExpressionKind {
     Pi,
     Name(Ident),
     Negate(Box<Expression>),
-    Binary {
-        operator: Operator,
-        /// Of the operator.
-        span: Span,
-        left: Box<Expression>,
-        right: Box<Expression>,
+    /// Operands between `+` and `-`, however many: a long sum is not a deep one.
+    Sum {
+        first: Box<Expression>,
+        rest: Vec<Operation>,
+    },
+    /// The same between `*` and `/`.
+    Product {
+        first: Box<Expression>,
+        rest: Vec<Operation>,
     },
     Call {
         callee: Callee,
@@ -179,6 +185,15 @@ pub(crate) enum ExpressionKind {
         axis: Axis,
     },
     Parenthesis(Box<Expression>),
+}
+
+/// An operator with the operand behind it.
+#[derive(Clone)]
+pub(crate) struct Operation {
+    pub(crate) operator: Operator,
+    /// Of the operator.
+    pub(crate) span: Span,
+    pub(crate) operand: Expression,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -216,8 +231,14 @@ pub(crate) enum Callee {
 /// Reads a declaration. Mistakes go to the report; what could be read is returned all the same, `None` only if there is not
 /// even a struct.
 pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
+    let tokens = nesting::cut(tokens, report);
     let (mut declaration, body) = head::parse(tokens, report)?;
     for chunk in split::statements(body, report) {
+        if nesting::is_cut(&chunk.tokens) {
+            declaration.poison(&chunk.tokens);
+            declaration.breaks_off = true;
+            continue;
+        }
         let last = last_span(&chunk.tokens);
         match statement::parse(chunk.tokens.clone()) {
             Ok(Some(statement)) => {
@@ -300,9 +321,15 @@ mod tests {
     fn grouping(expression: &Expression) -> String {
         match &expression.kind {
             ExpressionKind::Negate(of) => format!("(-{})", grouping(of)),
-            ExpressionKind::Binary {
-                operator, left, right, ..
-            } => format!("({} {} {})", grouping(left), operator.symbol(), grouping(right)),
+            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+                rest.iter().fold(grouping(first), |left, operation| {
+                    format!(
+                        "({left} {} {})",
+                        operation.operator.symbol(),
+                        grouping(&operation.operand)
+                    )
+                })
+            }
             ExpressionKind::Parenthesis(inner) => grouping(inner),
             _ => expression.to_string(),
         }

@@ -110,9 +110,11 @@ impl Display for Expression {
             ExpressionKind::Pi => f.write_str("PI"),
             ExpressionKind::Name(name) => write!(f, "{name}"),
             ExpressionKind::Negate(of) => write!(f, "-{of}"),
-            ExpressionKind::Binary {
-                operator, left, right, ..
-            } => write!(f, "{left} {} {right}", operator.symbol()),
+            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+                write!(f, "{first}")?;
+                rest.iter()
+                    .try_for_each(|operation| write!(f, " {} {}", operation.operator.symbol(), operation.operand))
+            }
             ExpressionKind::Call {
                 callee,
                 arguments,

@@ -1,0 +1,270 @@
+//! What is too large, too small, too deep or too long: it ends in an expansion or in a mistake that is told, and never in a panic.
+
+use proc_macro2::{Literal, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+use crate::expand::expand;
+
+/// The mistakes that an expansion tells of.
+fn mistakes(declaration: TokenStream) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut open = vec![expand(declaration).into_iter()];
+    let mut is_error = false;
+    while let Some(innermost) = open.last_mut() {
+        match innermost.next() {
+            None => drop(open.pop()),
+            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            Some(TokenTree::Ident(word)) => is_error = word == "compile_error",
+            Some(TokenTree::Literal(text)) if is_error => {
+                let text: syn::LitStr = syn::parse2(TokenTree::from(text).into()).expect("messages are text");
+                found.push(text.value());
+                is_error = false;
+            }
+            Some(_) => {}
+        }
+    }
+    found
+}
+
+/// Constants that no `f64` holds, as they are written, as they are folded, or as what is solved leads to them.
+#[test]
+fn constants_fit_or_are_told_once() {
+    for (equation, told) in [
+        (quote!(x * 1e-320 == a * t), "this number is too small"),
+        (quote!(x == a * t / 1e-320), "this number is too small"),
+        (quote!(x == a * t / 1e-400), "this number is too small"),
+        (quote!(x == 1e400 * a * t), "this number is too large"),
+        (
+            quote!(x == 1e308 * a * t * 10 + 1e308 * a),
+            "a constant of this is too large",
+        ),
+        (
+            quote!(x == 1e308 * a * t + 1e308 * a * t),
+            "a constant of this is too large",
+        ),
+        (quote!(x == 1e-300 * a * t / 1e10), "a constant of this is too small"),
+        (quote!(x == powi(1e-200 * t, 2) * a), "a constant of this is too small"),
+        (quote!(x == exp(-1000) * a * t), "a constant of this is too small"),
+        (quote!(x == a * t * tan(PI / 2)), "outside of the domain of `tan`"),
+        (
+            quote!(x * 1e-200 == a * t * 1e200),
+            "constants that follow from this one are too large",
+        ),
+        (
+            quote!(powi(x * 1e-200 + a, 2) == a * a * t),
+            "constants that follow from this one are too small",
+        ),
+        (
+            quote!(x == a * sin(1e-200 * t)),
+            "constants that follow from this one are too small",
+        ),
+    ] {
+        let messages = mistakes(quote! {
+            struct M { a: Length }
+            input t: Scalar;
+            unknown x: Length;
+            #equation;
+        });
+        assert_eq!(messages.len(), 1, "{equation}: {messages:?}");
+        assert!(messages[0].contains(told), "{equation}: {messages:?}");
+    }
+}
+
+/// Constants as far from 1 as they may be.
+#[test]
+fn extreme_constants_that_fit_are_no_mistakes() {
+    for equation in [
+        quote!(x * 1e-150 == a * t * 1e150),
+        quote!(x == a * t * 2.3e-308),
+        quote!(x == a * t * 1.7e308),
+        quote!(x == a * t * 0.0e-400 + a),
+    ] {
+        let messages = mistakes(quote! {
+            struct M { a: Length }
+            input t: Scalar;
+            unknown x: Length;
+            #equation;
+            output y: Length = a * t;
+        });
+        assert_eq!(messages, Vec::<String>::new(), "{equation}");
+    }
+}
+
+/// A declaration that is long or deep by a number.
+type Family = fn(usize) -> TokenStream;
+
+fn sum(terms: usize) -> TokenStream {
+    let names: Vec<_> = (0..terms).map(|index| format_ident!("a{index}")).collect();
+    quote! {
+        struct M { #(#names: Length),* }
+        input t: Scalar;
+        unknown x: Length;
+        x == 0 #(+ #names * t)*;
+    }
+}
+
+fn product(factors: usize) -> TokenStream {
+    let names: Vec<_> = (0..factors).map(|index| format_ident!("a{index}")).collect();
+    quote! {
+        struct M { #(#names: Scalar),* }
+        input t: Scalar;
+        unknown x: Scalar;
+        x == t #(* #names)*;
+    }
+}
+
+fn power(exponent: usize) -> TokenStream {
+    let factors = vec![quote!(*t); exponent];
+    quote! {
+        struct M { a: Scalar }
+        input t: Scalar;
+        unknown x: Scalar;
+        x == a #(#factors)*;
+    }
+}
+
+/// Abbreviations of abbreviations.
+fn abbreviations(count: usize) -> TokenStream {
+    let names: Vec<_> = (0..count).map(|index| format_ident!("y{index}")).collect();
+    let before = [format_ident!("t")].into_iter().chain(names.clone());
+    let last = names.last();
+    quote! {
+        struct M { a: Scalar }
+        input t: Scalar;
+        unknown x: Scalar;
+        #(let #names = sin(#before);)*
+        x == a * #last;
+    }
+}
+
+/// Blocks that are solved one after another.
+fn blocks(count: usize) -> TokenStream {
+    let names: Vec<_> = (0..count).map(|index| format_ident!("y{index}")).collect();
+    let before = [format_ident!("t")].into_iter().chain(names.clone());
+    quote! {
+        struct M { a: Scalar }
+        input t: Scalar;
+        unknown #(#names: Scalar),*;
+        #(#names == a + #before;)*
+    }
+}
+
+fn sines(depth: usize) -> TokenStream {
+    let nested = (0..depth).fold(quote!(t), |inner, _| quote!(sin(#inner)));
+    quote! {
+        struct M { a: Scalar }
+        input t: Scalar;
+        unknown x: Scalar;
+        x == a * #nested;
+    }
+}
+
+fn methods(count: usize) -> TokenStream {
+    let methods = vec![quote!(.sin()); count];
+    quote! {
+        struct M { a: Scalar }
+        input t: Scalar;
+        unknown x: Scalar;
+        x == a * t #(#methods)*;
+    }
+}
+
+fn signs(count: usize) -> TokenStream {
+    let signs = vec![quote!(-); count];
+    quote! {
+        struct M { a: Scalar }
+        input t: Scalar;
+        unknown x: Scalar;
+        x == a * #(#signs)* t;
+    }
+}
+
+fn parentheses(count: usize) -> TokenStream {
+    let nested = (0..count).fold(quote!(t), |inner, _| quote!((#inner)));
+    quote! {
+        struct M { a: Scalar }
+        input t: Scalar;
+        unknown x: Scalar;
+        x == a * #nested;
+    }
+}
+
+/// Each part of a sum is the whole of the one before, in two places.
+fn doublings(count: usize) -> TokenStream {
+    let names: Vec<_> = (0..count).map(|index| format_ident!("y{index}")).collect();
+    let before: Vec<_> = [format_ident!("first")].into_iter().chain(names.clone()).collect();
+    let before = &before[..count];
+    let last = names.last();
+    quote! {
+        struct M { a: Length }
+        input t: Angle;
+        unknown x: Length, y: Length;
+        let first = a * cis(t);
+        #(let #names = #before + #before;)*
+        vec2(x, y) == #last;
+    }
+}
+
+fn told(family: Family, size: usize, order: usize) -> Vec<String> {
+    let (declaration, order) = (family(size), Literal::usize_unsuffixed(order));
+    mistakes(quote!(#declaration order = #order;))
+}
+
+/// On the stack of a test, which is a fourth of the compiler's.
+#[test]
+fn what_is_long_or_as_deep_as_it_may_be_is_expanded() {
+    let families: [(Family, usize); 10] = [
+        (sum, 300),
+        (product, 300),
+        (power, 100),
+        (abbreviations, 300),
+        (blocks, 300),
+        // within a product
+        (sines, 255),
+        (methods, 255),
+        (signs, 255),
+        (parentheses, 255),
+        (doublings, 30),
+    ];
+    for (family, size) in families {
+        assert_eq!(told(family, size, 1), Vec::<String>::new());
+    }
+}
+
+/// As the compiler takes them by itself: `cargo test -p kin-macros as_long -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn what_is_as_long_as_the_compiler_takes_it_is_expanded() {
+    let families: [(Family, usize); 5] = [
+        (sum, 5000),
+        (product, 2000),
+        (power, 1024),
+        (abbreviations, 2000),
+        (blocks, 5000),
+    ];
+    for (family, size) in families {
+        assert_eq!(told(family, size, 1), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn what_is_too_deep_or_too_long_is_told_once() {
+    let deep = "this is nested more than 256 deep";
+    let families: [(Family, usize, &str); 10] = [
+        (sines, 256, deep),
+        (sines, 5000, deep),
+        (methods, 256, deep),
+        (methods, 5000, deep),
+        (signs, 256, deep),
+        (signs, 5000, deep),
+        (parentheses, 256, deep),
+        (parentheses, 100_000, deep),
+        (power, 1100, "powers end at 1024"),
+        (abbreviations, 10_001, "more than 10000 operations wait for each other"),
+    ];
+    for (family, size, message) in families {
+        let messages = told(family, size, 4);
+        assert_eq!(messages.len(), 1, "{message}: {messages:?}");
+        assert!(messages[0].contains(message), "{messages:?}");
+    }
+}
