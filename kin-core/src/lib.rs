@@ -318,4 +318,7 @@ pub mod __private {
     };
     pub use core;
     pub use kin_macros::mechanism_in;
+
+    /// What local names of generated code are imported as, so that in patterns they are no items of other kinds.
+    pub const fn unbound() {}
 }

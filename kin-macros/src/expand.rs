@@ -227,22 +227,12 @@ fn directions(model: &Model) -> BTreeSet<usize> {
         .collect()
 }
 
-/// The names that the declaration gives, and those that generated code needs for itself.
+/// The names that the declaration gives, beside those that generated code needs for itself.
 fn names(model: &Model) -> Names {
     let mut names = Names::default();
-    for reserved in [
-        "assembly",
-        "near",
-        "failure",
-        "pose",
-        "position",
-        "result",
-        "candidate",
-        "size",
-        "first",
-        "second",
-    ] {
-        names.reserve(reserved);
+    for own in emit::OWN_NAMES {
+        names.reserve(own);
+        names.reserve(&emit::own_name(model, own));
     }
     let mut scalar = 0;
     let mut parameter = |names: &mut Names, wish: &str| {

@@ -254,7 +254,7 @@ mod names_of_mechanisms {
             }
         )*};
     }
-    named!(kin Kin Result Option Some Ok Motion Plane Assembly Mechanism Scalar S V f64);
+    named!(kin Kin Result Option Some None Ok Err Near Motion Plane Assembly Mechanism Scalar S V f64 Number Element Place);
 }
 
 #[test]
@@ -275,7 +275,10 @@ fn mechanisms_may_be_called_anything() {
         stroke::<named::Result::Result>(),
         stroke::<named::Option::Option>(),
         stroke::<named::Some::Some>(),
+        stroke::<named::None::None>(),
         stroke::<named::Ok::Ok>(),
+        stroke::<named::Err::Err>(),
+        stroke::<named::Near::Near>(),
         stroke::<named::Motion::Motion>(),
         stroke::<named::Plane::Plane>(),
         stroke::<named::Assembly::Assembly>(),
@@ -284,6 +287,216 @@ fn mechanisms_may_be_called_anything() {
         stroke::<named::S::S>(),
         stroke::<named::V::V>(),
         stroke::<named::f64::f64>(),
+        stroke::<named::Number::Number>(),
+        stroke::<named::Element::Element>(),
+        stroke::<named::Place::Place>(),
     ];
-    assert_eq!(strokes, [4.0; 14]);
+    assert_eq!(strokes, [4.0; 20]);
+}
+
+/// Items that a pattern would mean if it could: they are called as quantities are, and as names that the generated code makes.
+#[allow(dead_code, non_upper_case_globals, non_camel_case_types)]
+mod items_called_like_variables {
+    macro_rules! items {
+        (
+            $constants:ident: $($constant:ident)*; $statics:ident: $($static:ident)*; units: $($unit:ident)*;
+            tuples: $($tuple:ident)*; variants: $($variant:ident)*;
+        ) => {
+            $(pub const $constant: $constants = 0;)*
+            $(pub static $static: $statics = 0;)*
+            $(pub struct $unit;)*
+            $(pub struct $tuple(u8);)*
+            pub enum Variants { $($variant),* }
+            #[allow(unused_imports)]
+            pub use Variants::*;
+        };
+    }
+    items! {
+        u8: theta r l theta3 r1 t theta2_velocity sin_theta2 diagonal_x influence near unknowns angle sine power_2;
+        u16: phi theta4 r2 t_2 theta3_velocity cos_theta2 diagonal_y determinant position pose inputs cosine index fill
+            unknown_theta3 root;
+        units: s r3 pin_x four_areas failure assembly convert visitor value quantity;
+        tuples: r4 r3_x r3_y result candidate parameters joint_0 power_1 across_1;
+        variants: theta2 r4_x r4_y first second decided equation_0 found values pin_y pin root_value along_1;
+    }
+    declare!(Slider, Linkage);
+
+    kin_core::mechanism! {
+        pub struct Triad {
+            pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length, pub l: Length, pub t: Length, pub pivot: Point
+        }
+        input theta: Angle;
+        unknown alpha: Direction, phi: Angle, theta3: Angle, psi: Angle;
+        let joint = r1 * cis(theta) + r2 * cis(alpha);
+        joint + l * cis(phi) == pivot + r3 * cis(theta3);
+        joint + t * powi(cos(psi), 3) * cis(phi + 1) == r4 * cis(psi);
+        output pin: Point = joint;
+        with sensitivities;
+    }
+}
+
+#[test]
+fn items_of_other_kinds_are_not_taken_for_variables() {
+    use items_called_like_variables::{Linkage, Slider};
+    let slider = Slider { r: 1.0, l: 3.0 };
+    let pose = slider.position(0.0, kin_core::Assembly::Open).expect("it closes");
+    assert_eq!(pose.s.position(), 4.0);
+    let linkage: Linkage = Linkage {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let pose = linkage.solve(KinMotion::constant(1.0)).expect("it closes");
+    let residuals = linkage.closure(1.0, pose.unknowns());
+    assert!(residuals.iter().all(|residual| residual.abs() < 1e-12));
+}
+
+/// Quantities that are called as what every program has in scope.
+mod names_of_the_prelude {
+    use kin_core::prelude::*;
+
+    mechanism! {
+        pub struct Variants { pub Some: Length, pub Near: Length, pub Open: Length, pub Crossed: Length }
+        input None: Angle;
+        unknown Ok: Angle, Err: Angle;
+        Near * cis(None) + Some * cis(Ok) == Open + Crossed * cis(Err);
+        let drop = Some * cis(Ok);
+        output Box: Point = drop;
+        with sensitivities, transmission_angles;
+    }
+
+    mechanism! {
+        pub struct Chosen { pub block: Length, pub results: Length, pub given: Length }
+        input assembly: Angle, quantity: Angle;
+        unknown near: Angle, failure: Angle, result: Angle in -PI/2..=PI/2;
+        block * cis(assembly) + results * cis(near) == given + block * cis(failure);
+        sin(result) == cos(quantity + near) / 2;
+    }
+
+    mechanism! {
+        pub struct Underscored { pub assembly_: Length, pub near_: Length, pub size: Length }
+        input position: Angle;
+        unknown assembly: Angle, near: Angle;
+        assembly_ * cis(position) + near_ * cis(assembly) == size + assembly_ * cis(near);
+    }
+}
+
+#[test]
+fn quantities_may_be_called_as_what_the_prelude_has() {
+    use kin_core::prelude::*;
+    use names_of_the_prelude::{Chosen, Underscored, Variants};
+    let lengths = [90.0_f64, 30.0, 60.0, 45.0];
+    let [open, near, some, crossed] = lengths;
+    let mechanism = Variants {
+        Some: some,
+        Near: near,
+        Open: open,
+        Crossed: crossed,
+    };
+    let pose = mechanism
+        .solve(KinMotion::constant(1.0), Assembly::Open)
+        .expect("it closes");
+    // a sum of two squares and a root of it
+    assert!((pose.Box.value().norm_squared().sqrt() - some).abs() <= 2.0 * f64::EPSILON * some);
+    let chosen = Chosen {
+        block: 30.0,
+        results: 60.0,
+        given: 50.0,
+    };
+    let quantities = [1.0, 0.5].map(KinMotion::constant);
+    let pose = chosen
+        .solve(quantities[0], quantities[1], Assembly::Open)
+        .expect("it closes");
+    let motion = chosen.solve_motion(quantities, Assembly::Open).expect("it closes");
+    assert_eq!(pose, motion);
+    let culprit = chosen.solve(KinMotion::constant(f64::NAN), quantities[1], Assembly::Open);
+    assert!(culprit.is_err_and(|error| error.to_string().contains("assembly")));
+    let underscored = Underscored {
+        assembly_: 30.0,
+        near_: 60.0,
+        size: 50.0,
+    };
+    let [first, second] = underscored.solve_all(KinMotion::constant(1.0));
+    assert!(first.is_ok() && second.is_ok());
+}
+
+/// Blocks whose unknowns' names come to the same when they are joined.
+mod joined_names {
+    kin_core::mechanism! {
+        pub struct Joined { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
+        input theta: Angle;
+        unknown a: Angle, b_c: Angle, a_b: Angle, c: Angle;
+        r2 * cis(theta) + r3 * cis(a) == r1 + r4 * cis(b_c);
+        r2 * cis(theta) + r3 * cis(a_b) == r1 + r4 * cis(c);
+    }
+}
+
+#[test]
+fn joined_names_stay_apart() {
+    use joined_names::{Joined, JoinedAssembly};
+    let joined = Joined {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let [open, crossed] = kin_core::Assembly::BOTH;
+    let position = |first, second| {
+        let assembly = JoinedAssembly {
+            a_b_c: first,
+            a_b_c_2: second,
+        };
+        joined.position(0.5, assembly).expect("it closes")
+    };
+    let pose = position(open, open);
+    assert_eq!([pose.a, pose.b_c], [pose.a_b, pose.c]);
+    let pose = position(open, crossed);
+    assert!(pose.b_c.position() > 0.0 && pose.c.position() < 0.0);
+}
+
+/// What is marked as going away says so to those who use it, and not to itself.
+#[deny(warnings)]
+#[allow(missing_docs, missing_debug_implementations)]
+mod deprecated_mechanism {
+    kin_core::mechanism! {
+        /// An engine.
+        #[deprecated(note = "use another one")]
+        pub struct Old {
+            /// Crank.
+            #[deprecated]
+            pub r: Length,
+            /// Rod.
+            #[deprecated = "all rods are long"]
+            pub l: Vector,
+        }
+        input theta: Angle;
+        unknown phi: Angle, s: Length;
+        r * cis(theta) + l * cis(phi) == vec2(s, 0);
+        with sensitivities, transmission_angles, test;
+    }
+}
+
+/// Attributes that depend on a condition, and one that does not.
+mod conditional_attributes {
+    kin_core::mechanism! {
+        #[cfg_attr(all(), derive(PartialOrd))]
+        #[must_use]
+        pub struct Conditional {
+            #[cfg_attr(any(), doc = "not here")]
+            pub r: Length,
+            pub l: Length,
+        }
+        input theta: Angle;
+        unknown phi: Angle, s: Length;
+        r * cis(theta) + l * cis(phi) == vec2(s, 0);
+    }
+}
+
+#[test]
+fn attributes_may_depend_on_conditions() {
+    use conditional_attributes::Conditional;
+    let one = Conditional { r: 1.0, l: 3.0 };
+    let other = Conditional { r: 1.0, l: 4.0 };
+    assert!(one < other);
 }

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::{Mechanism, attributes, local, values};
+use crate::assemble::Names;
 use crate::expr::Symbol;
 use crate::schedule::Statement;
 
@@ -17,16 +18,18 @@ pub(super) fn type_name(mechanism: &Mechanism<'_>) -> Ident {
 
 /// The fields of that structure: the unknowns of each block, joined.
 pub(super) fn fields(mechanism: &Mechanism<'_>) -> Vec<Ident> {
+    let mut names = Names::default();
     mechanism
         .choices()
         .into_iter()
         .map(|part| {
-            let names: Vec<String> = mechanism.parts()[part]
+            let unknowns: Vec<String> = mechanism.parts()[part]
                 .unknowns
                 .iter()
                 .map(|&unknown| mechanism.model.unknowns[unknown].name.to_string())
                 .collect();
-            Ident::new(&names.join("_"), mechanism.model.name.span())
+            // `a_b` and `c` come to the same as `a` and `b_c`
+            Ident::new(&names.unique(&unknowns.join("_")), mechanism.model.name.span())
         })
         .collect()
 }

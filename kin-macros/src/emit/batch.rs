@@ -77,6 +77,7 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
         let (argument, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
         (quote!(#argument,), value, "solve")
     };
+    let place = mechanism.type_parameter("Place");
     let same = quote!(#name<::core::primitive::f64>);
     let summary = format!(
         " Position and all time derivatives to {} of many poses.",
@@ -97,11 +98,11 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
             /// # Errors
             /// If a column is not as long as there are outcomes. What becomes of each pose is told by its outcome.
             #[inline]
-            pub fn #name<Place: #runtime::batch::Target>(
+            pub fn #name<#place: #runtime::batch::Target>(
                 &self,
                 #(#inputs: #runtime::Motion<#runtime::batch::Column<'_>, #length>,)*
                 #choice
-                #poses: &mut #structure<Place>,
+                #poses: &mut #structure<#place>,
                 #outcomes: &mut [#runtime::batch::Outcome],
             ) -> ::core::result::Result<#runtime::batch::Summary, #runtime::batch::LengthMismatch> {
                 #runtime::batch::#solve::<#same, _, _>(

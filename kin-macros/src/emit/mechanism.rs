@@ -62,7 +62,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             quote!(#inputs[#place])
         })
         .collect();
-    let (unknowns, wanted, near) = (local("unknowns"), local("assembly"), local("near"));
+    let (unknowns, wanted, near) = (local("unknowns"), mechanism.own("assembly"), local("near"));
     let length = size(order + 1);
     let is_coupled = mechanism.is_coupled();
     let (assembly_type, value) = if is_coupled {
@@ -121,6 +121,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         TokenStream::new()
     };
     // The way of a batch, several poses at a time, is to be inlined from end to end.
+    let number = mechanism.type_parameter("Number");
     let in_lanes = quote!(#[inline(always)]);
     let complete = |position: TokenStream| {
         quote! {
@@ -144,7 +145,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         #attributes
         impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
             type Scalar = T;
-            type With<Number: #runtime::Scalar> = #name<Number>;
+            type With<#number: #runtime::Scalar> = #name<#number>;
             type Assembly = #assembly_type;
             type Motion<Element: ::core::marker::Copy> = #runtime::Motion<Element, #length>;
             type Pose = #pose<T>;
@@ -172,10 +173,10 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 [#(#values),*]
             }
 
-            fn convert<Number: #runtime::Scalar>(
+            fn convert<#number: #runtime::Scalar>(
                 &self,
-                mut #convert: impl ::core::ops::FnMut(T) -> Number,
-            ) -> #name<Number> {
+                mut #convert: impl ::core::ops::FnMut(T) -> #number,
+            ) -> #name<#number> {
                 #name { #(#converted),* }
             }
 

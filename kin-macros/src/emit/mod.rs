@@ -2,6 +2,7 @@
 
 mod assembly;
 mod batch;
+mod bindings;
 pub(crate) mod closure;
 pub(crate) mod declaration;
 mod description;
@@ -87,11 +88,14 @@ pub(crate) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         TokenStream::new()
     };
     let runtime = outside.runtime;
-    // a scope of its own, so that a short name for the runtime meets no other
+    let bindings = bindings::imports(&implementations, runtime);
+    // a scope of its own, so that short names meet no others
     quote! {
         #(#structures)*
+        #[allow(deprecated)]
         const _: () = {
             use #runtime as #alias;
+            #bindings
             #(#implementations)*
         };
         #test
@@ -106,6 +110,34 @@ fn alias(mechanism: &str) -> Ident {
 /// A name in generated code that no name of the user's can capture.
 fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
+}
+
+/// The names that generated code needs for itself where the names of a program stand as well.
+pub(crate) const OWN_NAMES: [&str; 13] = [
+    "assembly",
+    "near",
+    "failure",
+    "pose",
+    "position",
+    "result",
+    "candidate",
+    "size",
+    "first",
+    "second",
+    "decided",
+    "choices",
+    "values",
+];
+
+/// Such a name, with what makes it unlike any input or unknown.
+pub(crate) fn own_name(model: &Model, name: &str) -> String {
+    let mut name = name.to_owned();
+    while model.inputs.iter().any(|input| input.name == name)
+        || model.unknowns.iter().any(|unknown| unknown.name == name)
+    {
+        name.push('_');
+    }
+    name
 }
 
 /// Generated items may go unused, and are not to be judged by the lints of the crate that they land in.
@@ -173,14 +205,13 @@ impl Mechanism<'_> {
 
     /// A name of the generated code's own, unlike any input or unknown.
     fn own(&self, name: &str) -> Ident {
-        let model = self.model;
-        let mut name = name.to_owned();
-        while model.inputs.iter().any(|input| input.name == name)
-            || model.unknowns.iter().any(|unknown| unknown.name == name)
-        {
-            name.push('_');
-        }
-        local(&name)
+        local(&own_name(self.model, name))
+    }
+
+    /// A type parameter of the generated code's own, unlike the mechanism.
+    fn type_parameter(&self, name: &str) -> Ident {
+        let underscore = if self.model.name == name { "_" } else { "" };
+        local(&format!("{name}{underscore}"))
     }
 
     /// The inputs as arguments of type `T`.

@@ -140,7 +140,7 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 ) -> #runtime::SolveError {
                     let #block = #runtime::solve::culprit([#(#field_labels),*], #results).unwrap_or_default();
                     let #quantity = #runtime::solve::culprit([#(#labels),*], #given).unwrap_or(#block);
-                    self.__failed(#runtime::Failure::NotFinite { #quantity }, #block, #(#inputs),*)
+                    self.__failed(#runtime::Failure::NotFinite { quantity: #quantity }, #block, #(#inputs),*)
                 }
 
                 /// An error with the place where it occurred, traced to the number that is to blame if one is not finite.

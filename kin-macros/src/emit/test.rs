@@ -19,7 +19,7 @@ fn function(mechanism: &Ident, runtime: &TokenStream) -> TokenStream {
     );
     quote! {
         #[cfg(test)]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
+        #[allow(deprecated, clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         #[test]
         fn #name() {
             #runtime::assert_verified!(#mechanism<::core::primitive::f64>);
@@ -96,7 +96,7 @@ mod tests {
         let tokens = function(&format_ident!("FourBar"), &quote!($crate::__private));
         let file = quote! {
             #[cfg(test)]
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
+            #[allow(deprecated, clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
             #[test]
             fn four_bar_verifies() {
                 $crate::__private::assert_verified!(FourBar<::core::primitive::f64>);

@@ -56,7 +56,15 @@ impl Expression {
             ExpressionKind::Call { arguments, .. } => 1 + deepest(arguments),
         };
         if depth > nesting::DEEPEST {
-            return Err(syn::Error::new_spanned(extent, nesting::message()));
+            // at the sign or the method that is one too many
+            let at = match kind {
+                ExpressionKind::Negate(_) => Extent::at(extent.first),
+                ExpressionKind::Part { .. }
+                | ExpressionKind::Call { method: true, .. }
+                | ExpressionKind::Power { method: true, .. } => Extent::at(extent.last),
+                _ => extent,
+            };
+            return Err(syn::Error::new_spanned(at, nesting::message()));
         }
         Ok(Self { kind, extent, depth })
     }

@@ -64,9 +64,24 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declara
             ),
         );
     }
+    for attribute in take_conditions(&mut declaration.attributes) {
+        report.error(
+            attribute,
+            "a condition here would remove the struct and leave its solvers: write it before `mechanism!`",
+        );
+    }
     for field in split::fields(head.fields) {
         match parameter.parse2(field.clone()) {
-            Ok((parameter, None)) => declaration.parameters.push(parameter),
+            Ok((mut parameter, None)) => {
+                for attribute in take_conditions(&mut parameter.attributes) {
+                    report.error(
+                        attribute,
+                        "no condition removes a parameter from the equations: write a `mechanism!` for each case, and the \
+                         conditions before them",
+                    );
+                }
+                declaration.parameters.push(parameter);
+            }
             Ok((parameter, Some(mistake))) => {
                 report.push(mistake);
                 declaration.poison(&field);
@@ -79,6 +94,23 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declara
         }
     }
     Some((declaration, head.body))
+}
+
+/// Takes out the attributes that may remove what they stand on. Others may well depend on a condition.
+fn take_conditions(attributes: &mut Vec<Attribute>) -> Vec<Attribute> {
+    let (conditions, others) = attributes.drain(..).partition(|attribute| {
+        attribute.path().is_ident("cfg")
+            || attribute.path().is_ident("cfg_attr")
+                && attribute.meta.require_list().is_ok_and(|list| {
+                    // the first is what it depends on
+                    split::fields(list.tokens.clone())
+                        .into_iter()
+                        .skip(1)
+                        .any(|field| matches!(field.into_iter().next(), Some(TokenTree::Ident(word)) if word == "cfg"))
+                })
+    });
+    *attributes = others;
+    conditions
 }
 
 fn head(input: ParseStream<'_>) -> Result<Head> {

@@ -394,6 +394,7 @@ mod tests {
             order == x;
             order * x == y;
             order.sin() == order;
+            let order = half / 2;
             let half = order / 2;
         };
         assert_eq!(
@@ -403,6 +404,7 @@ mod tests {
                 "order == x",
                 "order * x == y",
                 "order.sin() == order",
+                "let order = half / 2",
                 "let half = order / 2"
             ]
         );

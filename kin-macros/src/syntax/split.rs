@@ -32,7 +32,9 @@ pub(crate) fn statements(body: TokenStream, report: &mut Report) -> Vec<Chunk> {
             continue;
         }
         let own = trailing_attributes(&current);
-        let begins = begins_statement(&tokens[index..]) || gives_order(&tokens[index..]) && ends_formula(&current);
+        // behind a `let` it is a name
+        let begins = begins_statement(&tokens[index..])
+            || gives_order(&tokens[index..]) && ends_formula(&current) && !is_let(&current[..own]);
         if own > 0 && begins {
             report.error_at(
                 token.span(),
@@ -167,6 +169,11 @@ fn begins_statement(tokens: &[TokenTree]) -> bool {
 fn gives_order(tokens: &[TokenTree]) -> bool {
     matches!(tokens, [TokenTree::Ident(word), TokenTree::Punct(equals), ..]
         if word == "order" && equals.as_char() == '=' && equals.spacing() == Spacing::Alone)
+}
+
+/// Whether these tokens are the word that begins an abbreviation, and no more.
+fn is_let(tokens: &[TokenTree]) -> bool {
+    matches!(tokens, [TokenTree::Ident(word)] if word == "let")
 }
 
 /// Whether a formula may be complete here: not after an operator.
