@@ -1,5 +1,5 @@
-//! What the macro costs the one who uses it: crates with 0, 1, 10 and 50 four-bar linkages, and with chains of 1 to 16 loops, are
-//! built as a user would build them.
+//! What the macro costs the one who uses it: crates with 0, 1, 10 and 50 four-bar linkages, with chains of 1 to 16 loops, and
+//! with serial arms of 7 to 30 joints, are built as a user would build them.
 //!
 //! `cargo bench -p kin-tests --bench compile_time` prints the time of a cold build, of each crate's own build, and of the expansion
 //! of its macros within it, as the compiler reports them; and lines `ratio NAME VALUE`. Nothing is asserted.
@@ -165,6 +165,39 @@ fn chain(loops: usize) -> String {
     )
 }
 
+/// The tip of a serial arm by its joint angles, with what is requested.
+fn arm(joints: usize, request: &str) -> String {
+    let list = |item: &dyn Fn(usize) -> String, separator: &str| {
+        let items: Vec<String> = (0..joints).map(item).collect();
+        items.join(separator)
+    };
+    let offsets = list(&|joint| format!("pub p{joint}: Vector3"), ", ");
+    let angles = list(&|joint| format!("q{joint}: Angle"), ", ");
+    let rotations = list(
+        &|joint| match joint {
+            0 => "let r0 = rot_z(q0);".to_owned(),
+            _ => format!(
+                "let r{joint} = r{} * rot_{}(q{joint});",
+                joint - 1,
+                ["z", "x", "y"][joint % 3]
+            ),
+        },
+        " ",
+    );
+    let tip = list(&|joint| format!("r{joint} * p{joint}"), " + ");
+    format!(
+        "use kin_core::prelude::*;
+        mechanism! {{
+            pub struct Arm {{ {offsets} }}
+            input {angles};
+            unknown x: Length, y: Length, z: Length;
+            {rotations}
+            vec3(x, y, z) == {tip};
+            {request}
+        }}\n"
+    )
+}
+
 fn measure(kind: &str, user: &User) {
     println!("time {kind}.cold_build {:.1} s", user.cold());
     let mut names = vec!["empty".to_owned()];
@@ -176,6 +209,12 @@ fn measure(kind: &str, user: &User) {
     for loops in [1, 2, 4, 8, 16] {
         names.push(format!("chain_{loops}"));
         sources.push(chain(loops));
+    }
+    names.push("arm_7_with_sensitivities".to_owned());
+    sources.push(arm(7, "with sensitivities;"));
+    for joints in [7, 15, 30] {
+        names.push(format!("arm_{joints}"));
+        sources.push(arm(joints, ""));
     }
     let times = user.times(&sources);
     let empty = times[0];
@@ -200,6 +239,9 @@ fn measure(kind: &str, user: &User) {
     }
     for loops in [2, 4, 8, 16] {
         ratio(&format!("chain_{loops}"), "chain_1");
+    }
+    for joints in [15, 30] {
+        ratio(&format!("arm_{joints}"), "arm_7");
     }
 }
 
