@@ -223,7 +223,7 @@ fn a_declaration_that_is_too_large_is_told() {
             plan(&task).err().map(|TooLarge { order }| order)
         })
         .collect();
-    assert_eq!(orders, [Some(1), Some(3), None]);
+    assert_eq!(orders, [Some(2), Some(3), None]);
 }
 
 /// The processor time of this thread, where the system tells it.
