@@ -59,6 +59,16 @@ pub enum Failure {
         /// The condition number of the Jacobian where it gave up, in the maximum norm after scaling.
         condition: f64,
     },
+    /// The position is sought near an angle that has turned so often that it tells no direction: numbers of its size lie more than a degree
+    /// apart.
+    TooManyTurns {
+        /// The name of the unknown.
+        unknown: &'static str,
+        /// The value near which it is sought.
+        guess: f64,
+        /// How far apart numbers of this size are.
+        spacing: f64,
+    },
     /// A parameter, an input or a result is not finite: NaN, infinite, or beyond the range of the number type.
     NotFinite {
         /// What it is that is not finite, in a few words.
@@ -152,6 +162,17 @@ impl fmt::Display for Failure {
                  back within reach",
                 Figures(residual),
                 Figures(condition)
+            ),
+            Self::TooManyTurns {
+                unknown,
+                guess,
+                spacing,
+            } => write!(
+                formatter,
+                "{unknown} is sought near {}, where numbers lie {} apart and tell no direction; \
+                 take whole turns off the value near by",
+                Figures(guess),
+                Figures(spacing)
             ),
             Self::NotFinite { quantity } => write!(
                 formatter,
@@ -274,6 +295,15 @@ mod tests {
                 "theta3 cannot be found at theta2 = 1.954, x = 3: no solution found near the guess, a residual of 0.25 \
                  is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
                  track from a known pose, or bring the inputs back within reach",
+            ),
+            (
+                Failure::TooManyTurns {
+                    unknown: "theta3",
+                    guess: 1e15,
+                    spacing: 0.125,
+                },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: theta3 is sought near 1e15, where numbers lie 0.125 \
+                 apart and tell no direction; take whole turns off the value near by",
             ),
             (
                 Failure::NotFinite { quantity: "r1" },

@@ -81,6 +81,7 @@ compile_error!("kin-core needs the functions of either the feature `std` or the 
 mod assemblies;
 mod assembly;
 pub mod batch;
+mod condition;
 pub mod continuation;
 #[cfg(feature = "std")]
 pub mod count;
@@ -300,7 +301,7 @@ pub mod prelude {
     // Of this name only the macro is public, the module is not.
     pub use crate::mechanism;
     pub use crate::{
-        Assembly, Direction, Failure, Mechanism, Motion, Near, Partials, Plane, Pose, Row, Scalar, Sensitive,
+        Assembly, Direction, Failure, Mechanism, Motion, Near, Partials, Plane, Pose, PoseOf, Row, Scalar, Sensitive,
         SolveError, Space,
     };
 }

@@ -59,7 +59,7 @@ pub struct Summary {
     /// How many poses were found.
     pub solved: usize,
     /// How many of these were not found together with others but by themselves, as the solver of single poses goes further than
-    /// the one of several at once: where an angle is huge, or an iteration must be damped. If they are many, a batch
+    /// the one of several at once: where an angle is huge, an iteration must be damped, or rounding decides. If they are many, a batch
     /// saves little.
     pub alone: usize,
     /// How many were not found.

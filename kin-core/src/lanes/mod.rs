@@ -5,8 +5,8 @@
 //!
 //! Each lane decides for itself: where a solver would go no further with one of the numbers, that lane becomes NaN, and stays it
 //! in whatever is calculated with it, while the others go on. So a lane that is finite to the end has passed every test. What
-//! the lanes cannot do (huge angles, an iteration that must be damped) makes NaN of them as well; whoever solves in lanes
-//! asks the ordinary solver about these poses.
+//! the lanes cannot do (huge angles, an iteration that must be damped) and what [rounding](Scalar::DOUBT) would decide makes NaN of them as
+//! well; whoever solves in lanes asks the ordinary solver about these poses.
 
 mod newton;
 
@@ -111,6 +111,8 @@ impl<const W: usize, const FUSED: bool> Neg for Lanes<W, FUSED> {
 
 impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     const EPSILON: f64 = f64::EPSILON;
+    /// Some 4500 units of rounding: what comes before the sum may have magnified them a thousand times.
+    const DOUBT: f64 = 1e-12;
 
     #[inline(always)]
     fn constant(value: f64) -> Self {

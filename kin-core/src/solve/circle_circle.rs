@@ -1,6 +1,7 @@
 //! Two links of known length between two known points: the intersection of two circles.
 
-use super::diagnosis::{length, ordinary, refusal, root};
+use super::diagnosis::{length, ordinary_from, refusal, root};
+use super::doubt::{least, sum_of_sizes};
 use super::root::Root;
 use crate::{Assembly, Failure, Plane, Scalar};
 
@@ -44,9 +45,12 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     let twice_p = d2 + sum * difference;
     // The product is the same if one of the lengths is negative and sum and difference change places.
     let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
-    let Some(four_q2) = four_q2.provided([four_q2, d2], |[q2, d2]| {
-        let [low, high] = ordinary(q2, T::SMALLEST);
-        [low, high, d2 >= T::SMALLEST]
+    // One of the two squares is that of both lengths together, whatever their signs.
+    let reach2 = || sum * sum + difference * difference;
+    let judges = [four_q2, least(|| reach2() * d2), d2, least(reach2)];
+    let Some(four_q2) = four_q2.provided(judges, |[q2, least_q2, d2, least_d2]| {
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        [low, high, d2 >= least_d2]
     }) else {
         return Err(lengths_do_not_close(
             a.real(),
@@ -73,9 +77,14 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
     let d2 = c.norm_squared();
     let twice_p = d2 + a2 - b2;
     let four_q2 = T::constant(4.0) * a2 * d2 - twice_p * twice_p;
-    let Some(four_q2) = four_q2.provided([four_q2, d2], |[q2, d2]| {
-        let [low, high] = ordinary(q2, T::SMALLEST);
-        [low, high, d2 >= T::SMALLEST]
+    let size = || {
+        let terms = [T::constant(4.0) * a2 * d2, twice_p * d2, twice_p * a2, twice_p * b2];
+        T::constant_of(terms, sum_of_sizes)
+    };
+    let judges = [four_q2, least(size), d2, least(|| a2 + b2)];
+    let Some(four_q2) = four_q2.provided(judges, |[q2, least_q2, d2, least_d2]| {
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        [low, high, d2 >= least_d2]
     }) else {
         return Err(squares_do_not_close(
             a2.real(),

@@ -1,6 +1,7 @@
 //! A link of known length whose end slides along a line: the intersection of a circle and a line.
 
-use super::diagnosis::{length, ordinary, refusal, root};
+use super::diagnosis::{length, ordinary_from, refusal, root};
+use super::doubt::{least, sum_of_sizes};
 use super::root::Root;
 use crate::{Assembly, Failure, Plane, Scalar};
 
@@ -38,8 +39,12 @@ pub fn circle_line<T: Scalar>(
     let along = direction.dot(c);
     let beside = direction.cross(c);
     let q2 = a2 * u2 - beside * beside;
-    let Some(q2) = q2.provided([q2, u2], |[q2, u2]| {
-        let [low, high] = ordinary(q2, T::SMALLEST);
+    let size = || {
+        let terms = [a2 * u2, beside * direction.x * c.y, beside * direction.y * c.x];
+        T::constant_of(terms, sum_of_sizes)
+    };
+    let Some(q2) = q2.provided([q2, least(size), u2], |[q2, least, u2]| {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, u2 >= T::SMALLEST]
     }) else {
         return Err(does_not_reach(a2, direction, c));
@@ -60,8 +65,8 @@ pub fn circle_line<T: Scalar>(
 #[inline(always)]
 pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
     let q2 = a2 - c.y * c.y;
-    let Some(q2) = q2.provided([q2, c.x], |[q2, x]| {
-        let [low, high] = ordinary(q2, T::SMALLEST);
+    let Some(q2) = q2.provided([q2, least(|| a2), c.x], |[q2, least, x]| {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, x.is_finite()]
     }) else {
         let axis = Plane::new(T::constant(1.0), T::constant(0.0));

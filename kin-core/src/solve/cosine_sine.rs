@@ -1,6 +1,7 @@
 //! One angle by its cosine and sine together.
 
-use super::diagnosis::{length, ordinary, refusal};
+use super::diagnosis::{length, ordinary_from, refusal};
+use super::doubt::least;
 use crate::{Assembly, Failure, Plane, Scalar};
 
 const QUANTITY: &str = "coefficients of the cosine and the sine";
@@ -27,7 +28,8 @@ const QUANTITY: &str = "coefficients of the cosine and the sine";
 pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let rho2 = a * a + b * b;
     let q2 = rho2 - c * c;
-    let Some(q2) = q2.provided([q2], |[q2]| ordinary(q2, T::SMALLEST)) else {
+    let judges = [q2, least(|| rho2)];
+    let Some(q2) = q2.provided(judges, |[q2, least]| ordinary_from(q2, least, T::SMALLEST)) else {
         return Err(no_angle(a.real(), b.real(), c.real(), T::EPSILON));
     };
     let inverse = T::constant(1.0) / rho2;

@@ -8,7 +8,13 @@ use crate::Failure;
 /// number is such a number.
 #[inline(always)]
 pub(super) fn ordinary(number: f64, smallest: f64) -> [bool; 2] {
-    [number >= smallest, number <= 1.0 / smallest]
+    ordinary_from(number, smallest, smallest)
+}
+
+/// The same for a number that must not be less than another one either, which is no smaller than the smallest.
+#[inline(always)]
+pub(super) fn ordinary_from(number: f64, least: f64, smallest: f64) -> [bool; 2] {
+    [number >= least, number <= 1.0 / smallest]
 }
 
 /// The length of a vector, without overflow on the way.

@@ -6,6 +6,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
+use super::doubt::is_told_from;
 use crate::{Failure, Scalar};
 
 /// √x for x ≥ 0.
@@ -21,7 +22,7 @@ use crate::{Failure, Scalar};
 /// ```
 #[inline(always)]
 pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x >= 0.0, x, x.sqrt(), "sqrt")
+    within(|x| x >= 0.0, &[], x, x.sqrt(), "sqrt")
 }
 
 /// The angle in -π/2 ..= π/2 with the sine `x`, for |x| ≤ 1.
@@ -30,7 +31,7 @@ pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x.abs() <= 1.0, x, x.asin(), "asin")
+    within(|x| x.abs() <= 1.0, &[-1.0, 1.0], x, x.asin(), "asin")
 }
 
 /// The angle in 0 ..= π with the cosine `x`, for |x| ≤ 1.
@@ -39,7 +40,7 @@ pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x.abs() <= 1.0, x, x.acos(), "acos")
+    within(|x| x.abs() <= 1.0, &[-1.0, 1.0], x, x.acos(), "acos")
 }
 
 /// ln x for x > 0.
@@ -48,7 +49,7 @@ pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x > 0.0, x, x.ln(), "ln")
+    within(|x| x > 0.0, &[], x, x.ln(), "ln")
 }
 
 /// The solution of asin(x) = v, sin v, for |v| ≤ π/2.
@@ -58,7 +59,13 @@ pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
 #[inline(always)]
 pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let inside = |v: f64| v.abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON);
-    within(inside, v, v.sin_cos().0, "the inverse of asin")
+    within(
+        inside,
+        &[-FRAC_PI_2, FRAC_PI_2],
+        v,
+        v.sin_cos().0,
+        "the inverse of asin",
+    )
 }
 
 /// The solution of acos(x) = v, cos v, for 0 ≤ v ≤ π.
@@ -69,7 +76,7 @@ pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let rounding = 4.0 * PI * T::EPSILON;
     let inside = |v: f64| v >= -rounding && v <= PI + rounding;
-    within(inside, v, v.sin_cos().1, "the inverse of acos")
+    within(inside, &[0.0, PI], v, v.sin_cos().1, "the inverse of acos")
 }
 
 /// The solution of atan(x) = v, tan v, for |v| < π/2.
@@ -79,7 +86,8 @@ pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 #[inline(always)]
 pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let (sine, cosine) = v.sin_cos();
-    within(|v| v.abs() < FRAC_PI_2, v, sine / cosine, "the inverse of atan")
+    let ends = [-FRAC_PI_2, FRAC_PI_2];
+    within(|v| v.abs() < FRAC_PI_2, &ends, v, sine / cosine, "the inverse of atan")
 }
 
 /// The solution of sqrt(x) = v, v², for v ≥ 0.
@@ -88,17 +96,20 @@ pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
-    within(|v| v >= 0.0, v, v * v, "the inverse of sqrt")
+    within(|v| v >= 0.0, &[], v, v * v, "the inverse of sqrt")
 }
 
+/// `ends` are those of the domain that are numbers of the size of 1. How large the terms are that come to zero is not known here.
 #[inline(always)]
 fn within<T: Scalar>(
     inside: impl Fn(f64) -> bool,
+    ends: &[f64],
     argument: T,
     result: T,
     function: &'static str,
 ) -> Result<T, Failure> {
-    match result.provided([argument], |[argument]| [inside(argument)]) {
+    let is_told = |argument| ends.iter().all(|end| is_told_from::<T>(*end, argument, 1.0));
+    match result.provided([argument], |[argument]| [inside(argument), is_told(argument)]) {
         Some(result) if result.is_finite() => Ok(result),
         _ => {
             let argument = argument.real();

@@ -1,5 +1,6 @@
 //! A small square matrix as a product of two triangular ones.
 
+use super::doubt::decisive;
 use crate::{Failure, Row, Scalar};
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
@@ -134,6 +135,16 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
         *origin = row;
     }
     let mut largest = largest_of(rows.iter().flat_map(|row| &row.as_ref()[..count]));
+    // The entries of one pose are known to be level; those of others are where their dimensions are alike.
+    let mut levels = T::constant(0.0);
+    if T::DOUBT > 0.0 {
+        for entry in rows.iter().flat_map(|row| &row.as_ref()[..count]) {
+            levels = T::constant_of([levels, *entry], |[levels, entry]| {
+                let size = entry.abs();
+                if size > levels { size } else { levels }
+            });
+        }
+    }
     let (mut odd, mut singular) = (false, false);
     for step in 0..count {
         let size_of = |row: &R| row.as_ref()[step].real().abs();
@@ -148,9 +159,10 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
             origins.swap(best, step);
             odd = !odd;
         }
+        let pivot = decisive(rows[step].as_ref()[step], || [levels]);
+        rows[step].as_mut()[step] = pivot;
         let pivot_row = rows[step];
         let pivot_row = &pivot_row.as_ref()[..count];
-        let pivot = pivot_row[step];
         let size = pivot.real().abs();
         singular |= size.is_nan() || size <= 2.0 * number(count) * epsilon * largest;
         if size == 0.0 {

@@ -1,6 +1,7 @@
 //! One angle by its cosine or its sine.
 
-use super::diagnosis::{ordinary, refusal};
+use super::diagnosis::{ordinary_from, refusal};
+use super::doubt::least;
 use super::root::Root;
 use crate::{Assembly, Failure, Scalar};
 
@@ -43,7 +44,8 @@ pub fn inverse_sine<T: Scalar>(height: T, radius: T, assembly: Assembly) -> Resu
 fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static str) -> Result<Root<T>, Failure> {
     // In factors, for the sake of the angles near which the known leg is as long as the radius.
     let square = (radius - known) * (radius + known);
-    let Some(square) = square.provided([square], |[square]| ordinary(square, T::SMALLEST)) else {
+    let judges = [square, least(|| radius * radius)];
+    let Some(square) = square.provided(judges, |[square, least]| ordinary_from(square, least, T::SMALLEST)) else {
         return Err(too_short(known.real(), radius.real(), T::EPSILON, quantity));
     };
     let leg = Root::of(square, assembly);

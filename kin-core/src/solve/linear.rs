@@ -1,5 +1,6 @@
 //! Unknowns that occur linearly.
 
+use super::doubt::decisive;
 use crate::{Failure, Scalar};
 
 const QUANTITY: &str = "coefficients of a linear equation, or its solution";
@@ -40,6 +41,7 @@ pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
 pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failure> {
     let product = a[0][0] * a[1][1];
     let determinant = product - a[0][1] * a[1][0];
+    let determinant = decisive(determinant, || [product, a[0][1] * a[1][0]]);
     let inverse = T::constant(1.0) / determinant;
     let x = (b[0] * a[1][1] - a[0][1] * b[1]) * inverse;
     let y = (a[0][0] * b[1] - b[0] * a[1][0]) * inverse;

@@ -22,7 +22,7 @@
 //! Declared ranges are looked after by [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`];
 //! functions that are not defined everywhere by [`square_root_of`], [`arc_sine`] and their like. [`direction`] makes an
 //! angle of a vector, [`directions`] of two, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
-//! a way on, and [`culprit`] what is in the way.
+//! a way on, and [`culprit`] what is in the way. [`decisive`] and [`decisive_vector`] are for several poses at once.
 //!
 //! Where rates are divided by a square root, it comes with its square, as [`Root`].
 //!
@@ -40,6 +40,7 @@ mod cosine_sine;
 mod diagnosis;
 mod direction;
 mod domain;
+mod doubt;
 mod factor;
 mod inverse;
 mod linear;
@@ -61,6 +62,7 @@ pub use direction::{direction, directions};
 pub use domain::{
     arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
 };
+pub use doubt::{decisive, decisive_vector};
 pub(crate) use factor::{Elimination, eliminate, level, substitute};
 pub use factor::{Factors, factor};
 pub use inverse::{inverse_cosine, inverse_sine};
@@ -73,7 +75,7 @@ pub use range::{check_angle, check_value, choose_angle, choose_value};
 pub use root::Root;
 pub use size::largest;
 pub use square_root::square_root;
-pub use turn::{agreeing, nearest_turn, on_turn};
+pub use turn::{agreeing, nearest_turn, on_turn, within_turns};
 pub use usable::{culprit, finite, regular};
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! A length along a direction, both sought: a slide on a link that turns.
 
-use super::diagnosis::{length, ordinary, refusal};
+use super::diagnosis::{length, ordinary, ordinary_from, refusal};
+use super::doubt::least;
 use super::root::Root;
 use crate::{Assembly, Failure, Plane, Scalar};
 
@@ -48,8 +49,8 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Fail
 pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly) -> Result<(T, Plane<T>), Failure> {
     let d2 = c.norm_squared();
     let q2 = d2 - offset.y * offset.y;
-    let Some(q2) = q2.provided([q2, offset.x], |[q2, shift]| {
-        let [low, high] = ordinary(q2, T::SMALLEST);
+    let Some(q2) = q2.provided([q2, least(|| d2), offset.x], |[q2, least, shift]| {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, shift.is_finite()]
     }) else {
         return Err(does_not_pass(

@@ -1,6 +1,7 @@
 //! One unknown of which the square occurs.
 
-use super::diagnosis::{ordinary, root};
+use super::diagnosis::{ordinary_from, root};
+use super::doubt::least;
 use crate::{Assembly, Failure, Scalar};
 
 const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
@@ -27,10 +28,12 @@ const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
 pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, Failure> {
     let g = b * T::constant(-0.5);
     let q2 = g * g - a * c;
+    // What cancels is no larger.
+    let least = least(|| g * g);
     let fails = || no_root(a.real(), b.real(), c.real(), T::EPSILON);
     let q2 = q2
-        .provided([q2, a], |[q2, a]| {
-            let [low, high] = ordinary(q2, T::SMALLEST);
+        .provided([q2, least, a], |[q2, least, a]| {
+            let [low, high] = ordinary_from(q2, least, T::SMALLEST);
             [low, high, a != 0.0]
         })
         .ok_or_else(fails)?;

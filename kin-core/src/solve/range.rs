@@ -4,8 +4,15 @@ use core::f64::consts::TAU;
 
 use num_traits::Float;
 
+use super::doubt::is_told_from;
 use super::turn::add_turns;
 use crate::{Assembly, Failure, Scalar};
+
+/// Units of rounding by which a solution may lie outside of its range.
+const TOLERANCE: f64 = 8.0;
+
+/// What a decision says that several poses have to leave to the solver of one.
+const IN_DOUBT: Failure = Failure::NotFinite { quantity: "lanes" };
 
 /// The ends of a range belong to it, and what lies beyond them by no more than rounding does too.
 #[derive(Clone, Copy)]
@@ -23,7 +30,7 @@ impl Range {
         Self {
             low,
             high,
-            tolerance: 8.0 * epsilon * size,
+            tolerance: TOLERANCE * epsilon * size,
         }
     }
 
@@ -33,6 +40,19 @@ impl Range {
 
     fn holds(self, value: f64) -> bool {
         value >= self.low - self.tolerance && value <= self.high + self.tolerance
+    }
+
+    /// Whether a value is told from both ends: beyond [doubt](Scalar::DOUBT) where it stands for several poses.
+    fn tells<T: Scalar>(self, value: f64) -> bool {
+        let size = self.tolerance / TOLERANCE / T::EPSILON;
+        is_told_from::<T>(self.low, value, size) && is_told_from::<T>(self.high, value, size)
+    }
+
+    /// The same for an angle that may have been brought to the range by whole turns.
+    fn tells_angle<T: Scalar>(self, angle: f64) -> bool {
+        let size = angle.abs().max(TAU);
+        let ends = [self.low, self.low + TAU, self.high, self.high - TAU];
+        ends.iter().all(|end| is_told_from::<T>(*end, angle, size))
     }
 
     fn distance(self, value: f64) -> f64 {
@@ -90,13 +110,14 @@ pub fn choose_value<T: Scalar>(
     high: f64,
 ) -> Result<Assembly, Failure> {
     T::decided([first, second], |[first, second]| {
+        let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
+        if !(range.tells::<T>(first) && range.tells::<T>(second)) {
+            return Err(IN_DOUBT);
+        }
         match (first >= low && first <= high, second >= low && second <= high) {
             (true, false) if second.is_finite() => Ok(Assembly::Open),
             (false, true) if first.is_finite() => Ok(Assembly::Crossed),
-            _ => {
-                let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
-                choose(unknown, first, second, range)
-            }
+            _ => choose(unknown, first, second, range),
         }
     })
 }
@@ -122,12 +143,11 @@ pub fn choose_angle<T: Scalar>(
 ) -> Result<Assembly, Failure> {
     T::decided([first, second], |[first, second]| {
         let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
-        choose(
-            unknown,
-            range.representative(first),
-            range.representative(second),
-            range,
-        )
+        let (first, second) = (range.representative(first), range.representative(second));
+        if !(range.tells_angle::<T>(first) && range.tells_angle::<T>(second)) {
+            return Err(IN_DOUBT);
+        }
+        choose(unknown, first, second, range)
     })
 }
 
@@ -174,7 +194,9 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
         let strictly = real >= low && real <= high;
         real.is_finite() && (strictly || Range::new(low, high, real, T::EPSILON).holds(real))
     };
-    value.provided([value], |[real]| [holds(real)]).ok_or_else(|| {
+    let is_told = |real: f64| T::DOUBT == 0.0 || Range::new(low, high, real, T::EPSILON).tells::<T>(real);
+    let conditions = |[real]: [f64; 1]| [holds(real), is_told(real)];
+    value.provided([value], conditions).ok_or_else(|| {
         let real = value.real();
         if real.is_finite() {
             out_of_range(unknown, real, low, high)
@@ -203,7 +225,11 @@ pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
         let range = range(real);
         real.is_finite() && (strictly(real) || range.holds(range.representative(real)))
     };
-    let Some(value) = value.provided([value], |[real]| [holds(real)]) else {
+    let is_told = |real: f64| {
+        let range = range(real);
+        T::DOUBT == 0.0 || range.tells_angle::<T>(range.representative(real))
+    };
+    let Some(value) = value.provided([value], |[real]| [holds(real), is_told(real)]) else {
         let real = value.real();
         return Err(if real.is_finite() {
             out_of_range(unknown, range(real).representative(real), low, high)

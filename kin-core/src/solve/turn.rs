@@ -4,7 +4,10 @@ use core::f64::consts::TAU;
 
 use num_traits::Float;
 
-use crate::Scalar;
+use crate::{Failure, Scalar};
+
+/// Numbers that lie further apart than this, about a degree, tell no direction.
+const COARSEST: f64 = 1.0 / 64.0;
 
 /// The angle nearest to `guess` that differs from `angle` by whole turns.
 ///
@@ -39,6 +42,65 @@ pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index:
         Some(guess) => nearest_turn(angle, *guess),
         None => angle,
     }
+}
+
+/// Values of unknowns near a position, unless one that is an angle has turned so often that the numbers beside it lie more than a degree
+/// apart: no angle on such a turn is a solution. `angles` are their names and places; a value that is not finite is no guess, and passes.
+///
+/// # Errors
+/// [`Failure::TooManyTurns`].
+///
+/// ```
+/// use kin_core::{Failure, solve};
+///
+/// let crank = [("theta", 0)];
+/// assert_eq!(solve::within_turns([1e9, 1e20], crank), Ok([1e9, 1e20]));
+/// let failure = solve::within_turns([1e15, 0.0], crank).unwrap_err();
+/// assert_eq!(failure, Failure::TooManyTurns { unknown: "theta", guess: 1e15, spacing: 0.125 });
+/// ```
+#[inline(always)]
+pub fn within_turns<T: Scalar, const N: usize, const K: usize>(
+    near: [T; N],
+    angles: [(&'static str, usize); K],
+) -> Result<[T; N], Failure> {
+    let limit = COARSEST / T::EPSILON;
+    let angle = |(_, place): (_, usize)| near.get(place).copied().unwrap_or_else(|| T::constant(0.0));
+    let together = T::constant_of(angles.map(angle), |angles| {
+        let mut sum = 0.0;
+        for angle in angles {
+            sum += angle.abs();
+        }
+        sum
+    });
+    let mut kept = near;
+    for value in &mut kept {
+        match value.provided([together], |[together]| [together <= limit || together.is_nan()]) {
+            Some(own) => *value = own,
+            None => return each_within(near, &angles, limit),
+        }
+    }
+    Ok(kept)
+}
+
+#[cold]
+#[inline(never)]
+fn each_within<T: Scalar, const N: usize>(
+    near: [T; N],
+    angles: &[(&'static str, usize)],
+    limit: f64,
+) -> Result<[T; N], Failure> {
+    for (unknown, place) in angles {
+        let guess = near.get(*place).map_or(0.0, |value| value.real());
+        if guess.is_finite() && guess.abs() > limit {
+            let spacing = guess.abs().next_up() - guess.abs();
+            return Err(Failure::TooManyTurns {
+                unknown,
+                guess,
+                spacing: spacing * (T::EPSILON / f64::EPSILON),
+            });
+        }
+    }
+    Ok(near)
 }
 
 /// Values of unknowns near a position, and the orientations that tell its assembly there. Of a number that stands for several poses,

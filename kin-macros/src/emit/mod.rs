@@ -7,6 +7,7 @@ pub(crate) mod closure;
 pub(crate) mod declaration;
 mod description;
 mod documentation;
+mod doubt;
 mod every;
 mod formula;
 mod mechanism;

@@ -7,7 +7,7 @@ use super::declaration::vector_type;
 use super::{Mechanism, attributes, local};
 use crate::assemble::UnitPart;
 use crate::expr::Symbol;
-use crate::model::Value;
+use crate::model::{Dimension, Value};
 
 /// `position`, `position_near`, and the solver that both call.
 pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
@@ -51,6 +51,12 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         " The position nearest to given values of the unknowns, `[{}]`: in their assembly, and angles on their turn.",
         mechanism.unknown_order()
     );
+    let turns = turns(mechanism);
+    let near_errors = if turns.is_empty() {
+        " As for `position`."
+    } else {
+        " As for `position`; and if an angle has turned so often that it tells no direction."
+    };
     let is_coupled = mechanism.is_coupled();
     // the way of a batch is inlined from end to end
     let inline_near = if is_coupled {
@@ -102,11 +108,12 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             #[doc = #near_line]
             ///
             /// # Errors
-            /// As for `position`.
+            #[doc = #near_errors]
             #inline_near
             pub fn position_near(&self, #(#inputs: T,)* #near: [T; #count])
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
+                #turns
                 #found
                 self.__position(#(#inputs,)* #near_choice #near_value)
             }
@@ -121,6 +128,25 @@ pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             }
         }
     }
+}
+
+/// The test that angles near by are on turns on which they tell directions.
+fn turns(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let near = mechanism.own("near");
+    let unknowns = mechanism.model.unknowns.iter().enumerate();
+    let angles: Vec<TokenStream> = unknowns
+        .filter(|(_, unknown)| matches!(unknown.dimension, Dimension::Angle | Dimension::Direction))
+        .map(|(place, unknown)| {
+            let (label, place) = (unknown.name.to_string(), Literal::usize_unsuffixed(place));
+            quote!((#label, #place))
+        })
+        .collect();
+    if angles.is_empty() {
+        return TokenStream::new();
+    }
+    let failed = mechanism.failed_at(&mechanism.unknown_order());
+    quote!(let #near = #runtime::solve::within_turns(#near, [#(#angles),*]) #failed;)
 }
 
 /// The pose made of what has been computed.

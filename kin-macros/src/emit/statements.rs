@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{Mechanism, formula, local};
+use super::{Mechanism, doubt, formula, local};
 use crate::assemble::{Mode, Returns, Shape, UnitPart};
 use crate::expr::Symbol;
 use crate::function::Function;
@@ -67,10 +67,10 @@ impl Mechanism<'_> {
 
     /// The statements of a stage that cannot fail.
     pub(super) fn plain_statements(&self, stage: &ScheduledStage) -> TokenStream {
-        stage
-            .statements
+        let statements: Vec<&Statement> = stage.statements.iter().collect();
+        statements
             .iter()
-            .map(|statement| self.statement(statement, None))
+            .map(|statement| self.statement(statement, None, &statements))
             .collect()
     }
 
@@ -78,9 +78,11 @@ impl Mechanism<'_> {
     pub(super) fn position_statements(&self, stage: &ScheduledStage) -> TokenStream {
         let mut tokens = TokenStream::new();
         let mut rest = stage.statements.as_slice();
+        let mut outside: Vec<&Statement> = Vec::new();
         while let Some((first, after)) = rest.split_first() {
             let Statement::Open { part } = *first else {
-                tokens.extend(self.statement(first, None));
+                outside.push(first);
+                tokens.extend(self.statement(first, None, &outside));
                 rest = after;
                 continue;
             };
@@ -102,13 +104,14 @@ impl Mechanism<'_> {
     /// Statements one after the other, two directions in a row as one.
     fn sequence<'a>(&self, statements: impl IntoIterator<Item = &'a Statement>, part: Option<usize>) -> TokenStream {
         let mut tokens = TokenStream::new();
-        let mut rest = statements.into_iter().peekable();
+        let statements: Vec<&Statement> = statements.into_iter().collect();
+        let mut rest = statements.iter().copied().peekable();
         while let Some(statement) = rest.next() {
             let both = rest.peek().and_then(|next| self.directions(statement, next));
             if both.is_some() {
                 rest.next();
             }
-            tokens.extend(both.unwrap_or_else(|| self.statement(statement, part)));
+            tokens.extend(both.unwrap_or_else(|| self.statement(statement, part, &statements)));
         }
         tokens
     }
@@ -163,7 +166,9 @@ impl Mechanism<'_> {
         let names: Vec<_> = kept.iter().map(|name| local(name)).collect();
         let kinds = names.iter().map(|_| quote!(T));
         let body = self.sequence(inside.iter().copied(), Some(part));
-        let bounds = bounds.iter().map(|statement| self.statement(statement, Some(part)));
+        let bounds = bounds
+            .iter()
+            .map(|statement| self.statement(statement, Some(part), &[]));
         let failed = self.failed(part);
         let [candidate, assembly, first, second] =
             ["candidate", "assembly", "first", "second"].map(|name| self.own(name));
@@ -226,13 +231,15 @@ impl Mechanism<'_> {
         )
     }
 
-    fn failed_at(&self, place: &str) -> TokenStream {
+    /// The same with any names in the place of the block.
+    pub(super) fn failed_at(&self, place: &str) -> TokenStream {
         let inputs = self.input_names();
         let failure = self.own("failure");
         quote!(.map_err(|#failure| self.__failed(#failure, #place, #(#inputs),*))?)
     }
 
-    fn statement(&self, statement: &Statement, part: Option<usize>) -> TokenStream {
+    /// A statement; `among` are those that the definitions of what it reads may be found among.
+    fn statement(&self, statement: &Statement, part: Option<usize>, among: &[&Statement]) -> TokenStream {
         let runtime = self.runtime;
         match statement {
             Statement::Let { name, value } => {
@@ -253,7 +260,10 @@ impl Mechanism<'_> {
                 argument,
             } => {
                 let name = local(name);
-                let argument = formula::tokens(argument);
+                let argument = match function {
+                    Function::Asin | Function::Acos => formula::tokens(argument),
+                    _ => doubt::decisive(runtime, argument, among),
+                };
                 let function = local(match function {
                     Function::Sqrt => "square_root_of",
                     Function::Asin => "arc_sine",
@@ -279,7 +289,12 @@ impl Mechanism<'_> {
                 let function = local(solver.name());
                 let mut arguments: Vec<TokenStream> = arguments
                     .iter()
-                    .map(|(shape, parts)| self.argument(*shape, parts))
+                    .enumerate()
+                    .map(|(place, (shape, parts))| match parts.as_slice() {
+                        [value] if doubt::decides_on(*solver, place) => doubt::decisive(runtime, value, among),
+                        [x, y] if doubt::decides_on(*solver, place) => doubt::decisive_vector(runtime, [x, y], among),
+                        _ => self.argument(*shape, parts),
+                    })
                     .collect();
                 let part = part.expect("closed forms stand in parts of blocks");
                 if solver.takes_assembly() {
@@ -312,7 +327,7 @@ impl Mechanism<'_> {
                     Expression::Name(name) => pattern(Some(name)),
                     _ => pattern(None),
                 };
-                let value = formula::tokens(value);
+                let value = doubt::decisive(runtime, value, among);
                 quote!(let #name = #runtime::solve::regular(#value) #failed;)
             }
             Statement::Newton {
@@ -391,7 +406,10 @@ impl Mechanism<'_> {
             quote!(let #size = #runtime::solve::largest([#(#lengths),*]);)
         });
         let count = Literal::usize_unsuffixed(unknowns.len());
-        let body = body.iter().map(|statement| self.statement(statement, Some(part)));
+        let body: Vec<&Statement> = body.iter().collect();
+        let body = body
+            .iter()
+            .map(|statement| self.statement(statement, Some(part), &body));
         let residuals = residuals.iter().map(formula::tokens);
         let jacobian = jacobian.iter().map(|row| {
             let row = row.iter().map(formula::tokens);

@@ -57,8 +57,9 @@ impl Linearised {
     }
 }
 
-/// The conditions of each unknown's coefficients.
-pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -> Result<Vec<Vec<f64>>, Stray> {
+/// The conditions of each unknown's coefficients, and what they come to where each coefficient is rounded before it is used for the next
+/// power of time.
+pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -> Result<[Vec<Vec<f64>>; 2], Stray> {
     let arguments = &equations.arguments;
     let before = equations.left(arguments, count);
     let columns = equations.columns(&before, count);
@@ -133,5 +134,31 @@ pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -
             add(linearised.response(change));
         }
     }
-    Ok(sums)
+    let carried = carried(&linearised, &sums);
+    Ok([sums, carried])
+}
+
+/// The conditions of coefficients if each unknown's derivatives are off by the whole of their condition, each by itself, and are carried to
+/// the powers above.
+///
+/// The condition proper takes the unknowns of one power together, as the solution of one and the same equations: their changes may be such
+/// that they cancel in the equations of the next power. Solutions that are rounded one by one need not.
+fn carried(linearised: &Linearised, conditions: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let mut carried = conditions.to_vec();
+    for (unknown, own) in conditions.iter().enumerate() {
+        // the change that makes this unknown's coefficient 1, and no other one's of that power
+        let change = |row: usize, power: usize| match power {
+            0 => -&linearised.jacobians[0][row][unknown],
+            _ => Number::zero(),
+        };
+        for (above, others) in linearised.response(change).iter().enumerate().skip(1) {
+            for (carried, other) in carried.iter_mut().zip(others) {
+                let other = other.nearest().abs();
+                for (carried, own) in carried[above..].iter_mut().zip(own).skip(1) {
+                    *carried += other * own;
+                }
+            }
+        }
+    }
+    carried
 }

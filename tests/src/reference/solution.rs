@@ -32,6 +32,8 @@ pub struct Solution {
     /// The condition of each of them: by how much its rounding, and the rounding of what it is computed from, can change it,
     /// divided by the relative error of rounding.
     pub conditions: Vec<Vec<f64>>,
+    /// The same where the derivatives of each order are rounded one by one before those of the next are found from them.
+    pub carried: Vec<Vec<f64>>,
 }
 
 /// Why there is no reference.
@@ -178,16 +180,18 @@ pub fn solution<M: Mechanism>(given: &Given, position: &[f64]) -> Result<Solutio
                 .collect()
         })
         .collect();
-    let conditions = conditions(&equations, count)?
-        .into_iter()
-        .map(|own| {
-            own.iter()
-                .zip(&factorials)
-                .map(|(own, factorial)| own * factorial.nearest())
-                .collect()
-        })
-        .collect();
-    Ok(Solution { motions, conditions })
+    let [conditions, carried] = conditions(&equations, count)?.map(|of_coefficients| {
+        let of_derivatives = |own: &Vec<f64>| {
+            let both = own.iter().zip(&factorials);
+            both.map(|(own, factorial)| own * factorial.nearest()).collect()
+        };
+        of_coefficients.iter().map(of_derivatives).collect()
+    });
+    Ok(Solution {
+        motions,
+        conditions,
+        carried,
+    })
 }
 
 /// The whole turns in what is left of an equation at a position, none if it is no equation of angles.

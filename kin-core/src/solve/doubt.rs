@@ -1,0 +1,168 @@
+//! What is too near to zero for several poses at once to decide about.
+
+use crate::{Plane, Scalar};
+
+/// A number whose sign decides, and the terms that it is the sum of. Of a number that stands for several poses, those become NaN that are
+/// smaller than [a part](Scalar::DOUBT) of their terms; any other number is returned as it is, and the terms are not asked for.
+///
+/// ```
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::decisive(1e-17, || [1.0, -1.0]), 1e-17);
+/// ```
+#[inline(always)]
+pub fn decisive<T: Scalar, const N: usize>(number: T, terms: impl FnOnce() -> [T; N]) -> T {
+    if T::DOUBT == 0.0 {
+        return number;
+    }
+    let size = T::constant_of(terms(), sum_of_sizes);
+    kept(number, number, size)
+}
+
+/// [`decisive`] for a vector that decides by being there at all.
+#[inline(always)]
+pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl FnOnce() -> [T; N]) -> Plane<T> {
+    if T::DOUBT == 0.0 {
+        return vector;
+    }
+    let size = T::constant_of(terms(), sum_of_sizes);
+    let own = T::constant_of([vector.x, vector.y], sum_of_sizes);
+    Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
+}
+
+/// The least positive number that decides, where it is a sum of terms of the given size: for one pose [the smallest](Scalar::SMALLEST) that
+/// is divided by.
+#[inline(always)]
+pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
+    let smallest = T::constant(T::SMALLEST);
+    if T::DOUBT == 0.0 {
+        return smallest;
+    }
+    smallest.plus_product(T::constant(T::DOUBT), size())
+}
+
+/// Whether a number is told from an end of its range, where numbers of the given size are rounded.
+#[inline(always)]
+pub(super) fn is_told_from<T: Scalar>(end: f64, number: f64, size: f64) -> bool {
+    T::DOUBT == 0.0 || end.is_infinite() || (number - end).abs() >= T::DOUBT * size
+}
+
+#[inline(always)]
+fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
+    number
+        .provided([judge, size], |[judge, size]| [judge.abs() >= T::DOUBT * size])
+        .unwrap_or(number)
+}
+
+/// The sum of the magnitudes of some terms.
+#[inline(always)]
+pub(super) fn sum_of_sizes<const N: usize>(terms: [f64; N]) -> f64 {
+    let mut sum = 0.0;
+    for term in terms {
+        sum += term.abs();
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{decisive, decisive_vector};
+    use crate::lanes::Lanes;
+    use crate::solve::{
+        arc_sine, check_angle, check_value, circle_circle, circle_circle_squared, circle_line, circle_line_x,
+        cosine_sine, factor, inverse_sine, linear_pair, polar_offset, quadratic, sine_of_arc,
+    };
+    use crate::{Assembly, Plane, Scalar};
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    type Four = Lanes<4, false>;
+
+    #[test]
+    fn one_pose_decides_by_itself() {
+        let never = || -> [f64; 2] { panic!("nobody asks for the terms") };
+        assert_eq!(decisive(0.0, never), 0.0);
+        let vector = Plane::new(1e-30, 0.0);
+        assert_eq!(decisive_vector(vector, never), vector);
+    }
+
+    #[test]
+    fn several_poses_keep_what_is_larger_than_rounding() {
+        let numbers = Lanes::<4, false>([0.0, 1e-13, -1e-11, 1.0]);
+        let one = Lanes::constant(1.0);
+        let kept = decisive(numbers, || [one, -one]).0;
+        assert!(kept[0].is_nan() && kept[1].is_nan());
+        assert_eq!(kept[2..], [-1e-11, 1.0]);
+        let vector = Plane::new(numbers, Lanes([0.0, 0.0, 0.0, 0.0]));
+        let Plane { x, y } = decisive_vector(vector, || [one, one, one]);
+        assert!(x.0[1].is_nan() && y.0[1].is_nan());
+        assert_eq!((x.0[3], y.0[3]), (1.0, 0.0));
+    }
+
+    /// A form is given a number that is well inside, inside by parts of 10⁻¹⁴ and 10⁻⁹ of it, and well inside.
+    fn leaves_the_second<R>(inside: f64, limit: f64, form: impl Fn(Four) -> R, result: impl Fn(R) -> Four) {
+        let towards = |part: f64| limit + (inside - limit) * part;
+        let Lanes(found) = result(form(Lanes([inside, towards(1e-14), towards(1e-9), towards(0.5)])));
+        let finite = found.map(f64::is_finite);
+        assert_eq!(finite, [true, false, true, true], "{inside} {limit}: {found:?}");
+    }
+
+    #[test]
+    fn every_form_leaves_to_others_what_rounding_decides() {
+        let is = |value: f64| Four::constant(value);
+        let at = |x: Four, y: f64| Plane::new(x, is(y));
+        let open = Assembly::Open;
+        leaves_the_second(
+            5.0,
+            7.0,
+            |d| circle_circle(is(3.0), is(4.0), at(d, 0.0), open).unwrap(),
+            |r| r.0.y,
+        );
+        leaves_the_second(
+            2.0,
+            1.0,
+            |d| circle_circle(is(3.0), is(-4.0), at(d, 0.0), open).unwrap(),
+            |r| r.0.y,
+        );
+        leaves_the_second(
+            5.0,
+            7.0,
+            |d| circle_circle_squared(is(9.0), is(16.0), at(d, 0.0), open).unwrap(),
+            |r| r.y,
+        );
+        let slide = |y: Four| circle_line(is(25.0), at(is(0.6), 0.8), Plane::new(is(1.0), y), open).unwrap();
+        leaves_the_second(0.0, (5.0 + 0.8) / 0.6, slide, |(link, _)| link.x);
+        let slide = |y: Four| circle_line_x(is(25.0), Plane::new(is(1.0), y), open).unwrap();
+        leaves_the_second(0.0, 5.0, slide, |(_, travel)| travel);
+        leaves_the_second(
+            9.0,
+            2.0,
+            |d| polar_offset(at(is(1.0), 2.0), at(d, 0.0), open).unwrap(),
+            |r| r.0,
+        );
+        leaves_the_second(1.0, 5.0, |c| cosine_sine(is(3.0), is(4.0), c, open).unwrap(), |r| r.x);
+        leaves_the_second(
+            1.0,
+            5.0,
+            |height| inverse_sine(height, is(-5.0), open).unwrap(),
+            |r| r.value,
+        );
+        leaves_the_second(1.0, 4.0, |c| quadratic(is(1.0), is(-4.0), c, open).unwrap(), |x| x);
+        let pair = |c: Four| linear_pair([[is(2.0), is(3.0)], [c, is(6.0)]], [is(1.0), is(1.0)]).unwrap();
+        leaves_the_second(1.0, 4.0, pair, |(x, _)| x);
+        let system = |c: Four| {
+            factor([[is(2.0), is(3.0)], [c, is(6.0)]])
+                .unwrap()
+                .solve([is(1.0), is(1.0)])
+        };
+        leaves_the_second(1.0, 4.0, system, |[x, _]| x);
+        leaves_the_second(0.5, 1.0, |x| arc_sine(x).unwrap(), |x| x);
+        leaves_the_second(0.5, -FRAC_PI_2, |x| sine_of_arc(x).unwrap(), |x| x);
+        leaves_the_second(1.5, 1.0, |x| check_value("x", x, 1.0, 3.0).unwrap(), |x| x);
+        leaves_the_second(
+            -4.0,
+            3.0 - 2.0 * PI,
+            |x| check_angle("x", x, 1.0, 3.0).unwrap_or(x),
+            |x| x,
+        );
+    }
+}
