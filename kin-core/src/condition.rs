@@ -7,7 +7,7 @@ use crate::{Dimension, Mechanism, Row, Scalar};
 /// A value and its change.
 type Change = Series<2>;
 
-/// What is changed, by its place.
+/// A quantity that is changed, by its place.
 #[derive(Clone, Copy, PartialEq)]
 enum Quantity {
     Parameter(usize),
@@ -43,7 +43,7 @@ pub(crate) fn conditions<M: Mechanism>(
     let mut terms: M::Unknowns<f64> = Row::from_fn(|_| 0.0);
     for (index, quantity) in M::DESCRIPTION.unknowns.iter().enumerate() {
         let column = response(Quantity::Unknown(index), 1.0);
-        // It is the direction of a link that is rounded, and not its angle.
+        // The direction of a link is rounded, and not its angle.
         let size = match quantity.dimension {
             Dimension::Angle => 1.0,
             _ => values(unknowns.as_ref(), index).abs(),

@@ -59,8 +59,7 @@ pub enum Failure {
         /// The condition number of the Jacobian where it gave up, in the maximum norm after scaling.
         condition: f64,
     },
-    /// The position is sought near an angle that has turned so often that it tells no direction: numbers of its size lie more than a degree
-    /// apart.
+    /// The guess for an angle is on a turn where numbers lie more than a degree apart, so that no angle there is a solution.
     TooManyTurns {
         /// The name of the unknown.
         unknown: &'static str,

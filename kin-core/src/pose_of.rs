@@ -29,18 +29,16 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
     /// The values of the unknowns, in the order in which they were declared.
     fn unknown_values(&self) -> M::Unknowns<M::Scalar>;
 
-    /// By how much rounding can change each unknown's value, in the unit of the unknown and in multiples of ε, the
-    /// [distance](crate::Scalar::EPSILON) from 1 to the next number: the position is known to about ε times this, and to no less.
+    /// The condition of each unknown's value, in the unit of the unknown: rounding changes the value by about this times ε, the
+    /// [distance](crate::Scalar::EPSILON) from 1 to the next number.
     ///
-    /// It is the sum of the changes that the following make of the unknown to first order, each changed by a part ε of itself and alone:
-    /// every parameter and every input; the terms of every equation, each unknown's, where that of an angle is the one of a radian; and
-    /// the unknown itself. The closure at the position and its derivatives are all that it is calculated from, in double precision and
-    /// for any number type. So it takes as many evaluations of the closure as there are parameters, inputs and unknowns, and the
-    /// factors of a matrix.
+    /// It is the sum of the changes to first order that the following make of the unknown, each changed by a part ε of itself and alone:
+    /// every parameter and every input; the term of every unknown in every equation, where an angle's term is that of a radian; and
+    /// the unknown itself. It is calculated in double precision, for any number type, from the closure at the position and its derivatives
+    /// alone. This takes as many evaluations of the closure as there are parameters, inputs and unknowns, and the factors of a matrix.
     ///
-    /// Infinite if the Jacobian is singular there to all digits. The first order is all there is as long as ε times the square of an angle's
-    /// condition is small: next to a limit position, above some 10⁷ in double precision, half of the digits are left, and it is no more than
-    /// a warning.
+    /// It is infinite if the Jacobian is singular to all digits. It is no more than a warning where ε times its square is not small, as the
+    /// first order does not suffice there: above some 10⁷ in double precision, next to a limit position, half of the digits are left.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -61,8 +59,9 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
         condition::conditions(mechanism, &self.input_values(), &self.unknown_values())
     }
 
-    /// The largest of the [conditions](Self::conditions), where angles are measured in radians, lengths in the longest one that there is, and
-    /// plain numbers by themselves if they are larger than 1: the reciprocal of ε, and no digit of the position can be relied on.
+    /// The largest of the [conditions](Self::conditions), where angles are measured in radians, lengths in the longest length of the
+    /// mechanism, and plain numbers by their own size if that is larger than 1. If it reaches the reciprocal of ε, no digit of the position
+    /// can be relied on.
     fn condition(&self, mechanism: &M) -> f64 {
         condition::condition(mechanism, &self.input_values(), &self.unknown_values())
     }

@@ -52,11 +52,11 @@ pub trait Scalar:
     /// through the n-th power of time. An iteration goes on until the highest of them is right.
     const ORDER: usize = 0;
 
-    /// The part of its terms that a sum must exceed for its sign to decide anything. Zero for a number that stands for one pose: what it comes
-    /// to decides.
+    /// The part of its terms that a sum must exceed for its sign to decide anything: zero for a number that stands for one pose, which
+    /// always decides.
     ///
-    /// Several poses at once are rounded otherwise than one by itself, so that a sum that should be zero has another sign there. Such a sum
-    /// makes NaN of their pose, and the solver of one pose decides about it.
+    /// Several poses at once are rounded differently from one pose alone, so that a sum near zero may have another sign there. Such a sum
+    /// makes its pose NaN, and the solver of one pose decides about it.
     const DOUBT: f64 = 0.0;
 
     /// The number with the given real part and no other part, rounded to the precision at hand.

@@ -1,4 +1,4 @@
-//! The condition of a position, as a pose tells it: held against that of the reference, and as a bound on what is wrong with a position of any
+//! The condition of a position, as a pose tells it: compared with that of the reference, and as a bound on the error of positions of any
 //! proportions.
 
 use core::f64::consts::{PI, TAU};
@@ -103,7 +103,7 @@ struct Worst {
     poses: usize,
     /// The largest error of any unknown, in units of ε times its condition.
     error: f64,
-    /// What is left of any equation, in units of ε times what the conditions make of it.
+    /// The largest residual of any equation, in units of ε times its change if the unknowns change by their conditions.
     closure: f64,
     /// The largest condition.
     condition: f64,
@@ -112,8 +112,8 @@ struct Worst {
 /// Units of ε times the condition by which positions may be off, as their differences in batches may.
 const ALLOWED: f64 = 4.0;
 
-/// The same where links of one dyad differ by any factor. The vector of a short link is then as far off in its length as in its direction, by
-/// rounding of the long ones, and the condition knows of the direction alone. The worst of 9000 such positions is 54.
+/// The same where links of one dyad differ by any factor. Rounding of the long vectors then makes the vector of a short link as far off in its
+/// length as in its direction, and the condition counts the direction alone. The worst of 9000 such positions is off by 54 units.
 const ALLOWED_OF_EXTREMES: f64 = 64.0;
 
 /// Mechanisms whose lengths are spread over so many powers of ten to either side of 1.
@@ -171,7 +171,7 @@ where
     worst
 }
 
-/// What is left of each equation, and what changes of the unknowns by their conditions make of it.
+/// The residual of each equation, and the change of it if the unknowns change by their conditions.
 fn closure<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     input: f64,
@@ -251,7 +251,7 @@ fn conditions_next_to_a_limit() -> Result<(), SolveError> {
         let [theta3, theta4] = position.unknowns();
         let expected = 1.0 / (theta3 - theta4).sin().abs();
         assert!((1.0..20.0).contains(&(condition / expected)), "{condition} {expected}");
-        // What is one number in all orders is one.
+        // A pose of any order has the condition of its position.
         let velocity = position.velocity(2.0);
         assert_eq!(velocity.conditions(&LINKAGE), position.conditions(&LINKAGE));
     }
@@ -288,7 +288,7 @@ fn turns_on_which_angles_tell_no_direction() {
         assert_eq!((error.failure, error.block), (expected, "theta3, theta4"));
         assert_eq!(LINKAGE.solve_near(Motion::at_constant_speed(1.0, 2.0), far), Err(error));
     }
-    // What is no number is no guess, and one in single precision is lost sooner.
+    // NaN is no guess, and guesses in single precision are lost sooner.
     assert!(LINKAGE.position_near(1.0, [f64::NAN, near[1]]).is_ok());
     let single = single();
     assert!(single.position_near(1.0, [1e5, 0.0]).is_ok());

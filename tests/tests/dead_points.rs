@@ -235,7 +235,7 @@ impl Columns<Vec<f64>> for Table {
     }
 }
 
-/// What a pose is solved from.
+/// The numbers that a pose is solved from.
 struct Given {
     parameters: Vec<f64>,
     input: f64,
@@ -504,7 +504,7 @@ fn one_unknown() {
         given([b * q.cos(), b, length(random)], q)
     });
     every_assembly::<TwoSlides<f64>>("two linear equations", |random| {
-        // What is along an axis after it has been turned is all rounding.
+        // A turned vector along an axis has one coordinate that is all rounding.
         let (p, q, t) = loop {
             let p = Plane::new(length(random), odd_length(random));
             let q = angle(random);

@@ -1,7 +1,7 @@
-//! Two links of nearly one length, folded on each other so that their ends nearly coincide: the hardest place that there is for derivatives.
+//! Two links of nearly one length, folded on each other so that their ends nearly coincide: the hardest place known for derivatives.
 //!
-//! As a whole such a dyad turns about its ends at any speed, and the condition counts on it: what two angular accelerations of a dyad have in
-//! common hardly changes the jerks. But the accelerations are rounded one by one.
+//! Such a dyad turns about its ends at nearly any speed. An error that its two angular accelerations have in common hardly changes the jerks, and
+//! the condition counts on it. But the solver rounds the accelerations one by one.
 
 use core::f64::consts::PI;
 

@@ -99,7 +99,8 @@ pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
     within(|v| v >= 0.0, &[], v, v * v, "the inverse of sqrt")
 }
 
-/// `ends` are those of the domain that are numbers of the size of 1. How large the terms are that come to zero is not known here.
+/// The result if its argument is inside of the domain. `ends` are the ends of the domain that are of the size of 1; the terms of an
+/// argument next to an end at zero are not known here.
 #[inline(always)]
 fn within<T: Scalar>(
     inside: impl Fn(f64) -> bool,

@@ -1,4 +1,4 @@
-//! What is too near to zero for several poses at once to decide about.
+//! Numbers too near to zero for several poses at once to decide about.
 
 use crate::{Plane, Scalar};
 

@@ -11,7 +11,7 @@ use crate::{Assembly, Failure, Scalar};
 /// Units of rounding by which a solution may lie outside of its range.
 const TOLERANCE: f64 = 8.0;
 
-/// What a decision says that several poses have to leave to the solver of one.
+/// The failure of a decision that several poses must leave to the solver of one pose.
 const IN_DOUBT: Failure = Failure::NotFinite { quantity: "lanes" };
 
 /// The ends of a range belong to it, and what lies beyond them by no more than rounding does too.

@@ -44,8 +44,8 @@ pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index:
     }
 }
 
-/// Values of unknowns near a position, unless one that is an angle has turned so often that the numbers beside it lie more than a degree
-/// apart: no angle on such a turn is a solution. `angles` are their names and places; a value that is not finite is no guess, and passes.
+/// Values of unknowns near a position, unless an angle among them is on a turn where numbers lie more than a degree apart: no angle on
+/// such a turn is a solution. `angles` are the names and places of the angles. A value that is not finite is no guess, and passes.
 ///
 /// # Errors
 /// [`Failure::TooManyTurns`].

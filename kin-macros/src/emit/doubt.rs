@@ -1,7 +1,7 @@
-//! What is so near to zero that several poses at once cannot decide about it, see `kin_core::solve::decisive`.
+//! The terms of numbers that decide by their sign or by not being zero, for `kin_core::solve::decisive`.
 //!
-//! A closed form knows the terms of the number under its root. Where it decides on a number that it is given (the coefficient of a linear
-//! equation, a determinant, what a root is taken of) only the expression of that number tells how large its terms are.
+//! A closed form knows the terms of the number under its root. Some forms decide on a number that they are given: the coefficient of a linear
+//! equation, a determinant, the argument of a root. Only the expression of such a number tells how large its terms are.
 
 use proc_macro2::TokenStream;
 use quote::quote;

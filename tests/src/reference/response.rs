@@ -57,7 +57,7 @@ impl Linearised {
     }
 }
 
-/// The conditions of each unknown's coefficients, and what they come to where each coefficient is rounded before it is used for the next
+/// The conditions of each unknown's coefficients, first as they are, and then with each coefficient rounded before it is used for the next
 /// power of time.
 pub(super) fn conditions<M: Mechanism>(equations: &Equations<M>, count: usize) -> Result<[Vec<Vec<f64>>; 2], Stray> {
     let arguments = &equations.arguments;
