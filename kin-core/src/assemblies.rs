@@ -132,6 +132,8 @@ impl Choices {
 
 /// Goes every way that `position` leaves to choose, and keeps the positions at which it arrives, `refined` to the last digit.
 ///
+/// There are as many ways as combinations of solutions; the macro calls it for a mechanism of 4096 at most.
+///
 /// # Errors
 /// [`Failure::NotFinite`], if parameters or inputs are not.
 pub fn every<const N: usize, const CAPACITY: usize>(

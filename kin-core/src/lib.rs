@@ -132,7 +132,7 @@ pub use scalar::Scalar;
 pub use sensitivity::{Partials, Sensitive};
 pub use skeleton::{Chain, Polyline, Skeleton};
 pub use space::Space;
-pub use track::{Obstacle, TrackError, TrackErrorOf, track};
+pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 pub use transmission::TransmissionAngle;
 
 /// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap,

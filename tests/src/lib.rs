@@ -3,6 +3,7 @@
 mod book;
 pub mod carrier;
 pub mod compare;
+pub mod counting;
 pub mod growth;
 pub mod mechanisms;
 pub mod nested;

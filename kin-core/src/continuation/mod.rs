@@ -58,6 +58,12 @@
 //!   passed on, with the number of paths as multiplicity. Of solutions that are not isolated only some points are
 //!   found.
 //!
+//! # What is bounded
+//!
+//! A path takes at most 5000 steps from its start. If its end is singular, it is looped around at 20 radii at most, with at
+//! most 5000 steps for each radius, those from the start included. It is followed at most three times from each of at
+//! most three start systems. A path that has not arrived then is `lost`.
+//!
 //! ```
 //! use kin_core::Positions;
 //! use kin_core::continuation::{PolynomialSystem, Solution, Term, real_solutions};

@@ -1,14 +1,21 @@
 //! Moving a mechanism from a position that is known to another one.
 
+mod cause;
 mod obstacle;
 mod path;
+mod rounding;
+mod steps;
 mod system;
 mod turning;
 
-pub use obstacle::{Obstacle, TrackError};
+pub use obstacle::{Halt, Obstacle, TrackError};
+pub use steps::MOST_TRACK_STEPS;
 
+use cause::{blocked, crossed_near, halt, obstacle};
 use num_traits::Float;
 use path::{Linear, Path, Point, largest};
+use rounding::{blur, is_crossed};
+use steps::Steps;
 use system::Sides;
 use turning::Passage;
 
@@ -20,12 +27,20 @@ const LONGEST: f64 = 0.5;
 const LAST_TERM: f64 = 0.02;
 /// By how much the corrected unknowns may differ from the predicted ones, and their rates by as much of the largest.
 const CORRECTION: f64 = 0.02;
-/// Steps are not made shorter than this.
+/// Steps are not made shorter than this part of the way, or of the unit.
 const SHORTEST: f64 = 1e-13;
 /// A station after a longer step than this is far enough from a change point for its series to be accurate there.
 const ANCHOR: f64 = 1e-3;
 /// So near to a change point rounding may confuse the branches that cross there.
 const BLUR: f64 = 1e-5;
+/// Steps shorter than this lead into a place at which something happens, or out of it, by halving or doubling. It is
+/// also a part of the way, which would take too many of them.
+const CREEPING: f64 = 1e-6;
+/// More than so many short steps in a row lead nowhere: to halve a step to the shortest, or to double it from there,
+/// takes about 25, and each length may be tried several times.
+const MOST_CREEPING: u32 = 256;
+/// An unknown that has grown by this factor may be running to infinity.
+const FAR: f64 = 1e6;
 /// Steps of an iteration on a smooth function near its zero.
 const SECANTS: usize = 30;
 /// From this rate of an unknown on, it becomes the parameter in the place of the inputs.
@@ -35,6 +50,8 @@ const FAST: f64 = 32.0;
 pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
 /// The obstacle in it.
 type ObstacleOf<M> = Obstacle<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
+/// The halt in it.
+type HaltOf<M> = Halt<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
 
 /// Moves the inputs on a straight line from one place to another, and the mechanism with them, without leaving its
 /// assembly.
@@ -54,11 +71,22 @@ type ObstacleOf<M> = Obstacle<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::U
 /// sought: that way a limit position is a regular point, the zero of the inputs' rate. It is found by Newton's
 /// method, and the inputs there are exact to rounding.
 ///
+/// # Steps
+/// A track takes at most [`MOST_TRACK_STEPS`] steps, those that are tried in vain included. A step is one solution by the
+/// mechanism's solvers, or, where an unknown is the parameter, one solution by at most 64 corrections. The place of an
+/// obstacle takes at most 64 solutions more.
+///
+/// What rounding errors of the closure may do to the unknowns is no difference between prediction and correction, so that
+/// long links in a loop of short ones do not make steps short. Short steps that lead nowhere are counted: after 256 in a
+/// row that are shorter than 10⁻⁶, or 32 that do not change the inputs, the track looks for what is in the way.
+///
 /// The way is found in double precision; a number type that carries derivatives gets them at its end.
 ///
 /// # Errors
-/// [`TrackError::Limit`] and [`TrackError::ChangePoint`] with the place; [`TrackError::Failed`] if there is no
-/// position at the beginning, or if something else ends the way, such as the domain of a function.
+/// [`TrackError::Limit`], [`TrackError::ChangePoint`] and [`TrackError::Unbounded`] with the place;
+/// [`TrackError::Failed`] if there is no position at the beginning, or if something else ends the way: at the end of the
+/// domain of a function, or of the range of an unknown, its inputs are the first ones beyond, to the last digit;
+/// [`TrackError::TooManySteps`] and [`TrackError::Lost`] with the last position and what stopped there.
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -117,9 +145,20 @@ fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
         unknowns: Row::from_fn(|index| obstacle.unknowns.as_ref()[index]),
         names: obstacle.names,
     };
+    let stopped = |halt: HaltOf<M::With<f64>>| Halt {
+        steps: halt.steps,
+        fraction: halt.fraction,
+        inputs: Row::from_fn(|index| halt.inputs.as_ref()[index]),
+        unknowns: Row::from_fn(|index| halt.unknowns.as_ref()[index]),
+        rounding: halt.rounding,
+        names: halt.names,
+    };
     match error {
         TrackError::Limit(obstacle) => TrackError::Limit(convert(obstacle)),
         TrackError::ChangePoint(obstacle) => TrackError::ChangePoint(convert(obstacle)),
+        TrackError::Unbounded(obstacle) => TrackError::Unbounded(convert(obstacle)),
+        TrackError::TooManySteps(halt) => TrackError::TooManySteps(stopped(halt)),
+        TrackError::Lost(halt) => TrackError::Lost(stopped(halt)),
         TrackError::Failed(error) => TrackError::Failed(error),
     }
 }
@@ -130,6 +169,8 @@ struct Station<M: Mechanism> {
     point: Point<M>,
     /// The unknowns through all orders, angles on the turns that they have come to.
     motions: M::Unknowns<M::Motion<f64>>,
+    /// The sizes of the unknowns there.
+    sizes: M::Unknowns<f64>,
     sides: Sides<M>,
 }
 
@@ -174,27 +215,37 @@ fn follow<M: Mechanism<Scalar = f64>>(
     let beginning = here.sides;
     let mut anchor = here;
     let mut longest = LONGEST;
+    let mut steps = Steps::NONE;
+    // Whether an unknown in the place of the inputs has led nowhere since the unknowns have become fast.
+    let mut is_lost = false;
+    let mut creeping = 0;
     loop {
-        let trusted = trusted(&path, &here).min(longest);
-        let rate = largest(rates(&path, &here).as_ref().iter().copied());
+        let trusted = trusted(&here).min(longest);
+        let rate = largest(rates(&here, &here.sizes).as_ref().iter().copied());
+        if rate <= FAST {
+            is_lost = false;
+        }
         // Fast and straight, as behind a gear, is not near a limit.
-        if rate > FAST && rate * trusted < LONGEST {
-            match round_the_turn(&path, &here, &beginning)? {
-                Arrival::Station(there) => {
-                    (here, anchor, longest) = (there, there, LONGEST);
+        if rate > FAST && rate * trusted < LONGEST && !is_lost {
+            match round_the_turn(&path, &here, &anchor, &beginning, &mut steps)? {
+                Arrival::Station(there) if there.point.travel > here.point.travel => {
+                    (here, anchor, longest, creeping) = (there, there, LONGEST, 0);
                     continue;
                 }
                 Arrival::End(unknowns) => return Ok(unknowns),
                 // The solvers may know the way, or why there is none.
-                Arrival::None => {}
+                _ => is_lost = true,
             }
         }
         let rest = path.length - here.point.travel;
         let mut step = trusted;
         let mut error = None;
         let there = loop {
-            if step < SHORTEST * path.length.max(1.0) {
+            if step < path.shortest() || creeping > MOST_CREEPING {
                 break None;
+            }
+            if !steps.take() {
+                return Err(TrackError::TooManySteps(halt(&path, &here.point, &steps)));
             }
             let is_last = step >= rest;
             let travel = if is_last { path.length } else { here.point.travel + step };
@@ -211,15 +262,24 @@ fn follow<M: Mechanism<Scalar = f64>>(
             step = 0.5 * step.min(rest);
         };
         let Some(there) = there else {
-            match round_the_turn(&path, &here, &beginning)? {
+            match round_the_turn(&path, &here, &anchor, &beginning, &mut steps)? {
                 // Not if it only creeps through the neighbourhood of a change point.
                 Arrival::Station(there) if there.point.travel > here.point.travel + BLUR => {
-                    (here, anchor, longest) = (there, there, LONGEST);
+                    (here, anchor, longest, creeping) = (there, there, LONGEST, 0);
                     continue;
                 }
                 Arrival::End(unknowns) => return Ok(unknowns),
-                _ => return Err(blocked(&path, &here, &anchor, &beginning, error)),
+                _ => return Err(blocked(&path, &here, &anchor, &beginning, error, &steps)),
             }
+        };
+        // Rounding errors part the branches that cross there, so that a way around seems to lead on.
+        if step < BLUR && is_crossed(&path, &there.point, turning::fastest(&rates(&there, &path.sizes))) {
+            return Err(crossed_near(&path, &there.point, &there.sides, &anchor, &beginning));
+        }
+        creeping = if step < CREEPING * path.length.min(1.0) {
+            creeping + 1
+        } else {
+            0
         };
         longest = LONGEST.min(2.0 * step);
         if step > ANCHOR {
@@ -249,6 +309,7 @@ fn station<M: Mechanism<Scalar = f64>>(
     Ok(Station {
         point,
         motions,
+        sizes: path.sizes_at(&point),
         sides: Sides::of(&linear),
     })
 }
@@ -261,7 +322,7 @@ fn attempted<M: Mechanism<Scalar = f64>>(
 ) -> Result<Station<M>, Missing> {
     let step = travel - here.point.travel;
     for part in [0.25, 0.5, 0.75, 1.0] {
-        let (unknowns, _) = predicted(path, here, part * step);
+        let (unknowns, _) = predicted(here, part * step);
         let point = Point {
             unknowns,
             travel: here.point.travel + part * step,
@@ -271,24 +332,29 @@ fn attempted<M: Mechanism<Scalar = f64>>(
             return Err(Missing::Elsewhere);
         }
     }
-    let (near, foreseen) = predicted(path, here, step);
+    let (near, foreseen) = predicted(here, step);
     let there = station(path, travel, near)?;
     let pairs = there.point.unknowns.as_ref().iter().zip(near.as_ref());
     let distance = largest(
         pairs
-            .zip(path.sizes.as_ref())
+            .zip(here.sizes.as_ref())
             .map(|((one, other), size)| (one - other) / size),
     );
-    let rates = rates(path, &there);
+    let rates = rates(&there, &here.sizes);
     let pairs = rates.as_ref().iter().zip(foreseen.as_ref());
     let turn = largest(pairs.map(|(one, other)| one - other));
     let scale = largest(rates.as_ref().iter().copied()).max(1.0);
     // A correction must also be small against the step, lest it lead to a neighbouring branch.
-    let far = there.point.unknowns.as_ref().iter().zip(path.sizes.as_ref());
-    let rounding = 64.0 * f64::EPSILON * largest(far.map(|(value, size)| value / size)).max(1.0);
-    let is_same = distance <= CORRECTION * (step * scale).min(1.0) + rounding
-        && turn <= 5.0 * CORRECTION * scale
-        && there.sides.are_near(&here.sides);
+    let far = there.point.unknowns.as_ref().iter().zip(here.sizes.as_ref());
+    let ulps = 64.0 * f64::EPSILON * largest(far.map(|(value, size)| value / size)).max(1.0);
+    let allowed = CORRECTION * (step * scale).min(1.0) + ulps;
+    let is_same = turn <= 5.0 * CORRECTION * scale
+        && there.sides.are_near(&here.sides)
+        && (distance <= allowed || {
+            // More than a correction may be, rounding would excuse everything.
+            let blur = blur(path, &there.point);
+            blur <= CORRECTION && distance <= allowed + blur
+        });
     if is_same { Ok(there) } else { Err(Missing::Elsewhere) }
 }
 
@@ -298,21 +364,17 @@ fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, path: &Path<M>, there: &Statio
     M::ASSEMBLY_COUNT == 0 || mechanism.assembly_near(path.inputs(there.point.travel), there.point.unknowns) == assembly
 }
 
-/// The first derivatives by the travel, in sizes.
-fn rates<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> M::Unknowns<f64> {
+/// The first derivatives by the travel, in given sizes.
+fn rates<M: Mechanism<Scalar = f64>>(here: &Station<M>, sizes: &M::Unknowns<f64>) -> M::Unknowns<f64> {
     let motions = here.motions;
     M::Unknowns::from_fn(|index| {
         let rate = motions.as_ref()[index].as_ref().get(1).copied().unwrap_or(0.0);
-        rate / path.sizes.as_ref()[index]
+        rate / sizes.as_ref()[index]
     })
 }
 
-/// The unknowns after a step by Taylor's series, and their rates in sizes.
-fn predicted<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
-    here: &Station<M>,
-    step: f64,
-) -> (M::Unknowns<f64>, M::Unknowns<f64>) {
+/// The unknowns after a step by Taylor's series, and their rates in the sizes before it.
+fn predicted<M: Mechanism<Scalar = f64>>(here: &Station<M>, step: f64) -> (M::Unknowns<f64>, M::Unknowns<f64>) {
     let motions = here.motions;
     let series = |index: usize, lowest: usize| {
         // Horner's scheme for the sum of derivative · stepⁿ / n!.
@@ -326,16 +388,16 @@ fn predicted<M: Mechanism<Scalar = f64>>(
     };
     (
         M::Unknowns::from_fn(|index| series(index, 0)),
-        M::Unknowns::from_fn(|index| series(index, 1) / path.sizes.as_ref()[index]),
+        M::Unknowns::from_fn(|index| series(index, 1) / here.sizes.as_ref()[index]),
     )
 }
 
 /// The step at the end of which the last two terms of the series are small. The first order is straight and does not
 /// count; a series that has no other is left to the comparison with what is found.
-fn trusted<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> f64 {
+fn trusted<M: Mechanism<Scalar = f64>>(here: &Station<M>) -> f64 {
     let motions = here.motions;
     let mut step = f64::INFINITY;
-    for (motion, size) in motions.as_ref().iter().zip(path.sizes.as_ref()) {
+    for (motion, size) in motions.as_ref().iter().zip(here.sizes.as_ref()) {
         let derivatives = motion.as_ref();
         let last = derivatives.len().saturating_sub(1);
         let mut factorial = 1.0;
@@ -365,107 +427,19 @@ enum Arrival<M: Mechanism> {
 fn round_the_turn<M: Mechanism<Scalar = f64>>(
     path: &Path<M>,
     here: &Station<M>,
+    anchor: &Station<M>,
     beginning: &Sides<M>,
+    steps: &mut Steps,
 ) -> Result<Arrival<M>, TrackErrorOf<M>> {
-    match turning::pass(path, here.point, &rates(path, here)) {
+    match turning::pass(path, here.point, &rates(here, &path.sizes), steps) {
         Passage::Onwards(point) => {
             Ok(station(path, point.travel, point.unknowns).map_or(Arrival::None, Arrival::Station))
         }
         Passage::Target(unknowns) => Ok(Arrival::End(unknowns)),
         Passage::Limit(point, sides) => Err(TrackError::Limit(obstacle(path, &point, &sides, beginning))),
-        Passage::ChangePoint(point, sides) => Err(crossed_or_ended(path, &point, &sides, beginning)),
+        Passage::ChangePoint(point, sides) => Err(crossed_near(path, &point, &sides, anchor, beginning)),
         Passage::Lost => Ok(Arrival::None),
-    }
-}
-
-/// A change point, or a limit if several blocks reach theirs at once, so that nothing goes on beyond.
-fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
-    point: &Point<M>,
-    sides: &Sides<M>,
-    beginning: &Sides<M>,
-) -> TrackErrorOf<M> {
-    let obstacle = obstacle(path, point, sides, beginning);
-    let is_out_of_reach = |beyond: f64| {
-        let inputs = path.inputs(point.travel + beyond);
-        let failure = path.mechanism.solve_position_near(inputs, point.unknowns).err();
-        matches!(failure, Some(error) if matches!(error.failure, Failure::OutOfReach { .. }))
-    };
-    if [ANCHOR, 0.1 * ANCHOR].into_iter().all(is_out_of_reach) {
-        TrackError::Limit(obstacle)
-    } else {
-        TrackError::ChangePoint(obstacle)
-    }
-}
-
-/// What stands in the way where no step succeeds.
-fn blocked<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
-    here: &Station<M>,
-    anchor: &Station<M>,
-    beginning: &Sides<M>,
-    error: Option<SolveError>,
-) -> TrackErrorOf<M> {
-    match crossing(path, anchor, here.point.travel) {
-        Some((point, sides)) => crossed_or_ended(path, &point, &sides, beginning),
-        // Without an error of the solvers, it is the determinants that change at every step, however short.
-        None => TrackError::Failed(error.unwrap_or_else(|| {
-            let (block, _) = here.sides.most_shrunk(beginning);
-            let determinant = here.sides.determinant(block);
-            lost::<M>(block, Failure::Singular { determinant })
-        })),
-    }
-}
-
-/// The change point near a given travel, if there is one.
-///
-/// Where two branches cross, both are smooth, and a determinant goes through zero at a finite rate. Near by, rounding
-/// confuses the branches, which is why the determinant is followed along the Taylor series of a station before.
-fn crossing<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
-    anchor: &Station<M>,
-    travel: f64,
-) -> Option<(Point<M>, Sides<M>)> {
-    let at = |step: f64| {
-        let (unknowns, _) = predicted(path, anchor, step);
-        let travel = anchor.point.travel + step;
-        let point = Point { unknowns, travel };
-        let linear = path.linearise(&point)?;
-        Some((point, Sides::of(&linear)))
-    };
-    let mut step = travel - anchor.point.travel;
-    let (_, sides) = at(step)?;
-    let (block, _) = sides.most_shrunk(&anchor.sides);
-    let (mut previous, mut value_before) = (0.0, 1.0);
-    for _ in 0..SECANTS {
-        let (point, sides) = at(step)?;
-        let value = sides.relative(&anchor.sides, block);
-        let change = value * (step - previous) / (value_before - value);
-        if value == 0.0 || change.abs() <= f64::EPSILON * path.length.max(1.0) {
-            return ((point.travel - travel).abs() <= BLUR).then_some((point, sides));
-        }
-        (previous, value_before) = (step, value);
-        step += change;
-        if !step.is_finite() {
-            break;
-        }
-    }
-    None
-}
-
-fn obstacle<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
-    point: &Point<M>,
-    sides: &Sides<M>,
-    beginning: &Sides<M>,
-) -> ObstacleOf<M> {
-    let (block, _) = sides.most_shrunk(beginning);
-    Obstacle {
-        block: name::<M>(block),
-        fraction: point.travel / path.length,
-        inputs: path.inputs(point.travel),
-        unknowns: point.unknowns,
-        names: M::DESCRIPTION.inputs,
+        Passage::Spent(point) => Err(TrackError::TooManySteps(halt(path, &point, steps))),
     }
 }
 

@@ -23,6 +23,25 @@ pub struct Obstacle<I, U> {
     pub(super) names: &'static [Quantity],
 }
 
+/// Where tracking came to a halt without an obstacle that has a name.
+///
+/// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays, of the declared lengths.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Halt<I, U> {
+    /// How many steps were taken, or tried, on the way.
+    pub steps: u32,
+    /// The part of the way that has been covered, from 0 to 1.
+    pub fraction: f64,
+    /// The inputs of the last position: radians for angles, the mechanism's own unit for lengths.
+    pub inputs: I,
+    /// The unknowns of the last position.
+    pub unknowns: U,
+    /// How far rounding errors may move them there: radians for an angle, a part of its size for a length or a number.
+    pub rounding: f64,
+    /// What the inputs are.
+    pub(super) names: &'static [Quantity],
+}
+
 /// Why tracking ended before the inputs were where they were wanted.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -37,6 +56,16 @@ pub enum TrackError<I, U> {
     /// The place is that of a mechanism whose dimensions may differ by rounding errors: where the gap between two
     /// assemblies is that small, nothing else is known of it.
     ChangePoint(Obstacle<I, U>),
+    /// A length or a number runs to infinity, as where a slide becomes parallel to its guide.
+    ///
+    /// The inputs are those of the pole, the unknowns those of the last position before it.
+    Unbounded(Obstacle<I, U>),
+    /// The way takes more steps than [`MOST_TRACK_STEPS`](crate::MOST_TRACK_STEPS). The last position is given; another
+    /// track may go on from there.
+    TooManySteps(Halt<I, U>),
+    /// No step, however short, is certain to stay in the assembly, and no obstacle explains why. Rounding errors move
+    /// the unknowns by more than steps do, as where the rounding of one link of a loop is as long as another link.
+    Lost(Halt<I, U>),
     /// The position could not be found, at the beginning, or on the way for another reason.
     Failed(SolveError),
 }
@@ -47,9 +76,16 @@ impl<I, U> From<SolveError> for TrackError<I, U> {
     }
 }
 
-impl<I: AsRef<[f64]>, U> Obstacle<I, U> {
-    fn place(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, (name, value)) in self.names.iter().zip(self.inputs.as_ref()).enumerate() {
+/// Where something happened, after its description.
+struct Place<'a> {
+    names: &'static [Quantity],
+    inputs: &'a [f64],
+    fraction: f64,
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, (name, value)) in self.names.iter().zip(self.inputs).enumerate() {
             let before = if index == 0 { " at " } else { ", " };
             write!(formatter, "{before}{} = {}", name.name, Figures(*value))?;
         }
@@ -57,25 +93,63 @@ impl<I: AsRef<[f64]>, U> Obstacle<I, U> {
     }
 }
 
+impl<I: AsRef<[f64]>, U> Obstacle<I, U> {
+    fn place(&self) -> Place<'_> {
+        Place {
+            names: self.names,
+            inputs: self.inputs.as_ref(),
+            fraction: self.fraction,
+        }
+    }
+}
+
+impl<I: AsRef<[f64]>, U> Halt<I, U> {
+    fn place(&self) -> Place<'_> {
+        Place {
+            names: self.names,
+            inputs: self.inputs.as_ref(),
+            fraction: self.fraction,
+        }
+    }
+}
+
 impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Limit(limit) => {
-                write!(formatter, "{} reach a limit position", limit.block)?;
-                limit.place(formatter)?;
-                formatter.write_str(
-                    ": two assemblies meet there and neither goes on; stop short of it, or drive the mechanism by \
-                     another input",
-                )
-            }
-            Self::ChangePoint(point) => {
-                write!(formatter, "{} reach a change point", point.block)?;
-                point.place(formatter)?;
-                formatter.write_str(
-                    ": two assemblies cross there and geometry does not say which one is followed; stop short of it, \
-                     change the dimensions a little, or start again on the other side",
-                )
-            }
+            Self::Limit(limit) => write!(
+                formatter,
+                "{} reach a limit position{}: two assemblies meet there and neither goes on; stop short of it, or drive \
+                 the mechanism by another input",
+                limit.block,
+                limit.place()
+            ),
+            Self::ChangePoint(point) => write!(
+                formatter,
+                "{} reach a change point{}: two assemblies cross there and geometry does not say which one is followed; \
+                 stop short of it, change the dimensions a little, or start again on the other side",
+                point.block,
+                point.place()
+            ),
+            Self::Unbounded(pole) => write!(
+                formatter,
+                "an unknown of {} runs to infinity{}; stop short of it, or drive the mechanism by another input",
+                pole.block,
+                pole.place()
+            ),
+            Self::TooManySteps(halt) => write!(
+                formatter,
+                "{} steps were not enough, the last ended{}; go on from there, or shorten the way",
+                halt.steps,
+                halt.place()
+            ),
+            Self::Lost(halt) => write!(
+                formatter,
+                "no step, however short, leads on for certain{} and {} steps: rounding errors may move the unknowns there by \
+                 {} (radians, or sizes of lengths); bring the lengths of each loop nearer to each other",
+                halt.place(),
+                halt.steps,
+                Figures(halt.rounding)
+            ),
             Self::Failed(error) => write!(formatter, "{error}"),
         }
     }
@@ -94,11 +168,27 @@ impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Obstacle<I, U> {
     }
 }
 
+impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Halt<I, U> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("Halt")
+            .field("steps", &self.steps)
+            .field("fraction", &self.fraction)
+            .field("inputs", &self.inputs.as_ref())
+            .field("unknowns", &self.unknowns.as_ref())
+            .field("rounding", &self.rounding)
+            .finish_non_exhaustive()
+    }
+}
+
 impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for TrackError<I, U> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Limit(limit) => formatter.debug_tuple("Limit").field(limit).finish(),
             Self::ChangePoint(point) => formatter.debug_tuple("ChangePoint").field(point).finish(),
+            Self::Unbounded(pole) => formatter.debug_tuple("Unbounded").field(pole).finish(),
+            Self::TooManySteps(halt) => formatter.debug_tuple("TooManySteps").field(halt).finish(),
+            Self::Lost(halt) => formatter.debug_tuple("Lost").field(halt).finish(),
             Self::Failed(error) => formatter.debug_tuple("Failed").field(error).finish(),
         }
     }

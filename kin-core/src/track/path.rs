@@ -1,5 +1,6 @@
 //! The line along which the inputs move, and the closure on it.
 
+use super::SHORTEST;
 use crate::series::Series;
 use crate::{Dimension, Mechanism, Row};
 
@@ -27,7 +28,7 @@ pub(super) struct Path<M: Mechanism<Scalar = f64>> {
     to: M::Inputs<f64>,
     /// The whole travel.
     pub(super) length: f64,
-    /// The sizes of the unknowns.
+    /// The sizes of the unknowns, where the way begins.
     pub(super) sizes: M::Unknowns<f64>,
 }
 
@@ -77,6 +78,28 @@ impl<M: Mechanism<Scalar = f64>> Path<M> {
     /// How many unknowns there are, and equations.
     pub(super) const COUNT: usize = <M::Unknowns<f64> as Row<f64>>::LENGTH;
 
+    /// The sizes of the unknowns at a point: what is not an angle may have grown.
+    pub(super) fn sizes_at(&self, point: &Point<M>) -> M::Unknowns<f64> {
+        M::Unknowns::from_fn(|index| {
+            let size = self.sizes.as_ref()[index];
+            match M::DESCRIPTION.unknowns[index].dimension {
+                Dimension::Angle => size,
+                Dimension::Length | Dimension::Scalar => size.max(point.unknowns.as_ref()[index].abs()),
+            }
+        })
+    }
+
+    /// Steps by the inputs are not made shorter than this.
+    pub(super) fn shortest(&self) -> f64 {
+        SHORTEST * self.length.max(1.0)
+    }
+
+    /// Whether two travels round to the same inputs.
+    pub(super) fn are_same(&self, one: f64, other: f64) -> bool {
+        let [one, other] = [one, other].map(|travel| self.inputs(travel));
+        one.as_ref() == other.as_ref()
+    }
+
     /// The inputs, where they have come a given way.
     pub(super) fn inputs(&self, travel: f64) -> M::Inputs<f64> {
         if travel == self.length {
@@ -118,6 +141,33 @@ impl<M: Mechanism<Scalar = f64>> Path<M> {
                 Second::from_coefficients([point.unknowns.as_ref()[index], rate, 0.0])
             }),
         )
+    }
+
+    /// What a relative error of every quantity in an equation shifts the equation by, at most: the size of its terms.
+    ///
+    /// Terms that cancel count in full, as those of a long crank in a loop of short links do.
+    pub(super) fn terms(&self, point: &Point<M>) -> M::Unknowns<f64> {
+        let parameters = self.mechanism.parameters();
+        let inputs = self.inputs(point.travel);
+        let all = [parameters.as_ref(), inputs.as_ref(), point.unknowns.as_ref()];
+        let mut terms = M::Unknowns::from_fn(|_| 0.0);
+        for group in 0..all.len() {
+            for moved in 0..all[group].len() {
+                let quantity = |of: usize, index: usize| {
+                    let value = all[of][index];
+                    let rate = if (of, index) == (group, moved) { value } else { 0.0 };
+                    Second::from_coefficients([value, rate, 0.0])
+                };
+                let shifts = M::With::from_parameters(Row::from_fn(|index| quantity(0, index))).residuals(
+                    Row::from_fn(|index| quantity(1, index)),
+                    Row::from_fn(|index| quantity(2, index)),
+                );
+                for (sum, shift) in terms.as_mut().iter_mut().zip(shifts.as_ref()) {
+                    *sum += shift.coefficients()[1].abs();
+                }
+            }
+        }
+        terms
     }
 
     /// The closure near a point; `None` if it is not finite there.

@@ -20,6 +20,11 @@ impl Orientation {
     pub(super) fn is_near(self, other: Self) -> bool {
         self.sign == other.sign && (self.logarithm - other.logarithm).abs() <= 1.0
     }
+
+    /// Whether the determinant has lost the sign of another, or half of its size.
+    pub(super) fn shrinks_from(self, other: Self) -> bool {
+        self.sign != other.sign || self.logarithm < other.logarithm - 1.0
+    }
 }
 
 /// A square matrix in triangular factors.
@@ -56,6 +61,13 @@ impl<M: Mechanism<Scalar = f64>> System<M> {
         let Elimination { odd, .. } = eliminate(rows, &mut system.origins.as_mut()[..count], f64::EPSILON);
         system.odd = odd;
         system
+    }
+
+    /// All equations for all unknowns.
+    pub(super) fn whole(linear: &Linear<M>) -> Self {
+        Self::new(Path::<M>::COUNT, |row, column| {
+            linear.jacobian.as_ref()[row].as_ref()[column]
+        })
     }
 
     /// The solution of as many equations as the mechanism has; not finite if the matrix is singular.
@@ -122,16 +134,21 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
         pairs.all(|(one, other)| one.is_near(*other))
     }
 
+    /// Whether a determinant is exactly zero.
+    pub(super) fn has_zero(&self) -> bool {
+        self.0.as_ref().iter().any(|orientation| orientation.sign == 0)
+    }
+
+    /// Whether a determinant has lost its sign, or half of its size.
+    pub(super) fn shrink_from(&self, other: &Self) -> bool {
+        let mut pairs = self.0.as_ref().iter().zip(other.0.as_ref());
+        pairs.any(|(one, other)| one.shrinks_from(*other))
+    }
+
     /// Whether each determinant has kept its sign.
     pub(super) fn are_same(&self, other: &Self) -> bool {
         let mut pairs = self.0.as_ref().iter().zip(other.0.as_ref());
         pairs.all(|(one, other)| one.sign == other.sign)
-    }
-
-    /// The determinant of a block, with its unknowns in their sizes.
-    pub(super) fn determinant(&self, block: usize) -> f64 {
-        let orientation = self.0.as_ref()[block];
-        f64::from(orientation.sign) * Float::exp2(orientation.logarithm)
     }
 
     /// The determinant of a block as a multiple of what it was.

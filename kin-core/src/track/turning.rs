@@ -6,7 +6,10 @@
 //! Transactions on Mathematical Software 9, 1983, 215-235.)
 
 use super::path::{Linear, Path, Point, largest};
-use super::system::{Orientation, Sides, bordered};
+use super::rounding::{is_crossed, rounding};
+use super::steps::Steps;
+use super::system::{Orientation, Sides, System, bordered};
+use super::{BLUR, CREEPING, FAR, MOST_CREEPING};
 use crate::{Mechanism, Row};
 
 /// The longest step, in sizes of the parameter.
@@ -15,8 +18,12 @@ const LONGEST: f64 = 0.05;
 pub(super) const SHORTEST: f64 = 1e-13;
 /// Rates of unknowns below this are left to steps by the inputs.
 const SLOW: f64 = 16.0;
-/// Steps of an iteration that converges quadratically, or halves an interval.
-const ITERATIONS: usize = 100;
+/// Steps of an iteration that converges quadratically, or halves an interval: more than the digits of a number.
+const ITERATIONS: usize = 64;
+/// After so many steps that do not change the inputs the curve is taken to lead nowhere.
+const STANDSTILL: u32 = 32;
+/// A correction below this that does not fall is rounding.
+const NOISE: f64 = 1e-7;
 
 /// How the curve was followed.
 pub(super) enum Passage<M: Mechanism> {
@@ -30,6 +37,8 @@ pub(super) enum Passage<M: Mechanism> {
     ChangePoint(Point<M>, Sides<M>),
     /// There is no way on, for another reason.
     Lost,
+    /// There are no steps left.
+    Spent(Point<M>),
 }
 
 /// The curve to second order near one of its points.
@@ -110,9 +119,11 @@ fn corrected<M: Mechanism<Scalar = f64>>(path: &Path<M>, start: Point<M>, parame
     let mut previous = f64::INFINITY;
     for _ in 0..ITERATIONS {
         let linear: Linear<M> = path.linearise(&point)?;
-        let correction = bordered(&linear, parameter).solve(&linear.residuals);
+        let system = bordered(&linear, parameter);
+        let correction = system.solve(&linear.residuals);
         let length = largest(correction.as_ref().iter().copied());
-        if !length.is_finite() || (length >= 0.5 * previous && length > 1e-7) {
+        let stalls = length >= 0.5 * previous;
+        if !length.is_finite() || (stalls && length > NOISE && length > blur(path, &point, &system)) {
             return None;
         }
         for (index, change) in correction.as_ref().iter().enumerate() {
@@ -122,12 +133,19 @@ fn corrected<M: Mechanism<Scalar = f64>>(path: &Path<M>, start: Point<M>, parame
                 point.unknowns.as_mut()[index] -= change * path.sizes.as_ref()[index];
             }
         }
-        if length <= f64::EPSILON || length >= 0.5 * previous {
+        if length <= f64::EPSILON || stalls {
             return Some(point);
         }
         previous = length;
     }
     None
+}
+
+/// How far rounding errors may lead from the curve. No more than a fifth of the longest step: beyond that they would
+/// excuse everything.
+fn blur<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>, system: &System<M>) -> f64 {
+    let size = largest(rounding(path, point, system).as_ref().iter().copied());
+    if size <= 0.2 * LONGEST { size } else { 0.0 }
 }
 
 /// Follows the curve until the unknowns are slow again, the inputs arrive, or there is a limit.
@@ -137,6 +155,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     path: &Path<M>,
     start: Point<M>,
     rates: &M::Unknowns<f64>,
+    steps: &mut Steps,
 ) -> Passage<M> {
     let mut parameter = fastest(rates);
     let Some(mut here) = Local::new(path, start, parameter) else {
@@ -144,6 +163,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     };
     let entry = here.orientation.logarithm;
     let mut longest = LONGEST;
+    let (mut still, mut creeping) = (0, 0);
     loop {
         let best = here.fastest();
         if best != parameter {
@@ -156,7 +176,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
         let bend = largest(here.bends.as_ref().iter().copied().chain([here.travel_bend]));
         let mut size = longest.min(0.15 / bend);
         let there = loop {
-            if size < SHORTEST {
+            if size < SHORTEST || creeping > MOST_CREEPING {
                 let has_vanished = here.orientation.logarithm < entry - 10.0;
                 return if has_vanished {
                     Passage::ChangePoint(here.point, here.sides)
@@ -164,26 +184,49 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
                     Passage::Lost
                 };
             }
+            if !steps.take() {
+                return Passage::Spent(here.point);
+            }
             if let Some(there) = attempted(path, &here, parameter, size) {
                 break there;
             }
             size *= 0.5;
         };
-        longest = LONGEST.min(2.0 * size);
+        creeping = if size < CREEPING { creeping + 1 } else { 0 };
+        let growth = path.sizes_at(&there.point).as_ref()[parameter] / path.sizes.as_ref()[parameter];
+        if growth > FAR {
+            return Passage::Lost;
+        }
+        longest = (LONGEST * growth).min(2.0 * size);
         let step = size.copysign(here.travel_rate);
+        // Rounding errors part the branches that cross there, so that a way around seems to lead on.
+        if size < BLUR && is_crossed(path, &there.point, parameter) {
+            return Passage::ChangePoint(there.point, there.sides);
+        }
         if there.travel_rate * here.travel_rate <= 0.0 {
             let Some((turn, reach)) = turned(path, &here, parameter, step) else {
                 return Passage::Lost;
             };
             let rounding = 16.0 * f64::EPSILON * path.length.max(1.0);
-            return if turn.point.travel <= path.length + rounding {
-                Passage::Limit(turn.point, turn.sides)
-            } else {
+            return if turn.point.travel > path.length + rounding {
                 Passage::Target(arrived(path, &here, parameter, reach))
+            } else if is_crossed(path, &turn.point, parameter) {
+                // Rounding errors make limits of a change point, as errors of the dimensions do.
+                Passage::ChangePoint(turn.point, turn.sides)
+            } else {
+                Passage::Limit(turn.point, turn.sides)
             };
         }
         if there.point.travel >= path.length {
             return Passage::Target(arrived(path, &here, parameter, step));
+        }
+        still = if path.are_same(here.point.travel, there.point.travel) {
+            still + 1
+        } else {
+            0
+        };
+        if still > STANDSTILL {
+            return Passage::Lost;
         }
         here = there;
         let rate = largest(here.rates.as_ref().iter().copied());
@@ -211,7 +254,10 @@ fn attempted<M: Mechanism<Scalar = f64>>(
         .map(|((one, other), size)| (one - other) / size);
     let distance = largest(differences.chain([there.point.travel - predicted.travel]));
     if distance > 0.05 * size {
-        return None;
+        let system = bordered(&path.linearise(&there.point)?, parameter);
+        if distance > 0.05 * size + blur(path, &there.point, &system) {
+            return None;
+        }
     }
     for (local, part) in [(&middle, 0.5), (&there, 1.0)] {
         let foreseen = |rate: f64, bend: f64| rate + 2.0 * bend * part * step;

@@ -1,0 +1,278 @@
+//! What stands in the way.
+
+use super::path::{Path, Point, largest};
+use super::rounding::{blur, is_indistinct};
+use super::steps::Steps;
+use super::system::Sides;
+use super::{
+    ANCHOR, BLUR, FAR, Halt, Obstacle, ObstacleOf, SECANTS, Station, TrackError, TrackErrorOf, predicted, rates,
+};
+use crate::{Dimension, Failure, Mechanism, Row, SolveError};
+
+/// Where rounding errors move the unknowns by more than this, nothing can be said of what is near.
+const FIRM: f64 = 1e-3;
+/// By so much the unknowns may differ between the last station and the change point behind it.
+const BESIDE: f64 = 0.05;
+/// How often an interval is halved until it is known to the last digit.
+const BISECTIONS: usize = 64;
+
+/// A change point, or a limit if several blocks reach theirs at once, so that nothing goes on beyond.
+fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    point: &Point<M>,
+    sides: &Sides<M>,
+    beginning: &Sides<M>,
+) -> TrackErrorOf<M> {
+    let obstacle = obstacle(path, point, sides, beginning);
+    if is_out_of_reach(path, point) {
+        TrackError::Limit(obstacle)
+    } else {
+        TrackError::ChangePoint(obstacle)
+    }
+}
+
+/// The change point to which shorter and shorter steps lead, found from a station before where that is more exact.
+pub(super) fn crossed_near<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    near: &Point<M>,
+    sides: &Sides<M>,
+    anchor: &Station<M>,
+    beginning: &Sides<M>,
+) -> TrackErrorOf<M> {
+    let (point, sides) = crossing(path, near, anchor).unwrap_or((*near, *sides));
+    crossed_or_ended(path, &point, &sides, beginning)
+}
+
+/// Whether the links do not reach beyond a point.
+fn is_out_of_reach<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>) -> bool {
+    [ANCHOR, 0.1 * ANCHOR].into_iter().all(|beyond| {
+        let inputs = path.inputs(point.travel + beyond);
+        let failure = path.mechanism.solve_position_near(inputs, point.unknowns).err();
+        matches!(failure, Some(error) if matches!(error.failure, Failure::OutOfReach { .. }))
+    })
+}
+
+/// What stands in the way where no step succeeds, however short. `error` is what the solvers said last.
+pub(super) fn blocked<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Station<M>,
+    anchor: &Station<M>,
+    beginning: &Sides<M>,
+    error: Option<SolveError>,
+    steps: &Steps,
+) -> TrackErrorOf<M> {
+    if let Some(obstacle) = pole(path, here) {
+        return TrackError::Unbounded(obstacle);
+    }
+    if let Some(error) = end_of_domain(path, here) {
+        return TrackError::Failed(error);
+    }
+    if let Some((point, sides)) = crossing(path, &here.point, anchor) {
+        return crossed_or_ended(path, &point, &sides, beginning);
+    }
+    let is_range = |failure: &Failure| matches!(failure, Failure::OutOfRange { .. } | Failure::Ambiguous { .. });
+    if let Some((_, error)) = first_failure(path, here, |error| is_range(&error.failure)) {
+        return TrackError::Failed(error);
+    }
+    if let Some(error) = end_of_closure(path, here) {
+        return TrackError::Failed(error);
+    }
+    let is_firm = blur(path, &here.point) < FIRM;
+    if is_firm && is_indistinct(path, &here.point) {
+        return crossed_or_ended(path, &here.point, &here.sides, beginning);
+    }
+    match error {
+        Some(error) if is_firm => TrackError::Failed(error),
+        _ => TrackError::Lost(halt(path, &here.point, steps)),
+    }
+}
+
+/// The place at which an unknown runs to infinity, if it is near by.
+fn pole<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option<ObstacleOf<M>> {
+    let values = here.point.unknowns;
+    let grown = |index: &usize| values.as_ref()[*index].abs() / path.sizes.as_ref()[*index];
+    let index = (0..Path::<M>::COUNT).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
+    let is_angle = M::DESCRIPTION.unknowns[index].dimension == Dimension::Angle;
+    // The zero of the reciprocal.
+    let distance = values.as_ref()[index] / here.motions.as_ref()[index].as_ref().get(1)?;
+    if is_angle || grown(&index) < FAR || !(0.0..=BLUR).contains(&distance) {
+        return None;
+    }
+    // Half the way to a pole an unknown grows to more than 1.6 times itself; at a fold that is just as fast it has ended.
+    let inputs = path.inputs(here.point.travel + 0.5 * distance);
+    let halfway = path.mechanism.solve_position_near(inputs, values).ok()?;
+    if halfway.as_ref()[index].abs() < 1.5 * values.as_ref()[index].abs() {
+        return None;
+    }
+    let block = M::DESCRIPTION
+        .blocks
+        .iter()
+        .position(|block| block.members.contains(&index))?;
+    let travel = here.point.travel + distance;
+    Some(Obstacle {
+        block: super::name::<M>(block),
+        fraction: (travel / path.length).min(1.0),
+        inputs: path.inputs(travel),
+        unknowns: values,
+        names: M::DESCRIPTION.inputs,
+    })
+}
+
+/// The error of the first place near by and ahead that lies outside of the domain of a function.
+fn end_of_domain<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option<SolveError> {
+    let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
+    let is_of_a_block = |error: &SolveError| M::DESCRIPTION.blocks.iter().any(|block| block.unknowns == error.block);
+    let (travel, error) = first_failure(path, here, is_outside)?;
+    if is_of_a_block(&error) {
+        return Some(error);
+    }
+    // A root may be taken again for the rates, by another formula that rounding ends a little before; the block is the
+    // cause.
+    match first_failure(path, here, |error| is_outside(error) && is_of_a_block(error)) {
+        Some((block_travel, cause)) if block_travel - travel <= 8.0 * path.shortest() => Some(cause),
+        _ => Some(error),
+    }
+}
+
+/// The first place near by and ahead at which the solvers fail in a given way, to the last digit of the inputs, with
+/// their error.
+fn first_failure<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    here: &Station<M>,
+    is_wanted: impl Fn(&SolveError) -> bool,
+) -> Option<(f64, SolveError)> {
+    let error_at = |travel: f64| {
+        let solved = path
+            .mechanism
+            .solve_motion_near(path.motions(travel), here.point.unknowns);
+        solved.err().filter(&is_wanted)
+    };
+    let mut low = here.point.travel;
+    let (mut high, mut error) = ahead(path, here).find_map(|travel| {
+        let error = error_at(travel);
+        if error.is_none() {
+            low = travel;
+        }
+        error.map(|error| (travel, error))
+    })?;
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        if path.are_same(low, middle) || path.are_same(middle, high) {
+            break;
+        }
+        match error_at(middle) {
+            Some(nearer) => (high, error) = (middle, nearer),
+            None => low = middle,
+        }
+    }
+    Some((high, error))
+}
+
+/// Places ahead, further and further, but near by.
+fn ahead<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> impl Iterator<Item = f64> {
+    let (start, end, shortest) = (here.point.travel, path.length, path.shortest());
+    let steps = core::iter::successors(Some(shortest), |step| Some(4.0 * step));
+    let steps = steps.take_while(move |step| *step <= BLUR.max(256.0 * shortest));
+    steps.map(move |step| end.min(start + step))
+}
+
+/// The error of a block that is solved by Newton's method at the end of the domain of a function of its unknowns: ahead
+/// the closure is not finite, and the solvers find nothing.
+fn end_of_closure<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option<SolveError> {
+    let rates = rates(here, &M::Unknowns::from_fn(|_| 1.0));
+    ahead(path, here).find_map(|travel| {
+        // Near such an end the higher terms of a series are of no use.
+        let along = |index: usize| rates.as_ref()[index] * (travel - here.point.travel);
+        let unknowns = M::Unknowns::from_fn(|index| here.point.unknowns.as_ref()[index] + along(index));
+        if path.linearise(&Point { unknowns, travel }).is_some() {
+            return None;
+        }
+        let error = path.mechanism.solve_motion_near(path.motions(travel), unknowns).err()?;
+        let failure = Failure::NotFinite {
+            quantity: "closure ahead, where the domain of a function of the unknowns ends",
+        };
+        Some(failure.at(error.block, error.inputs))
+    })
+}
+
+/// The change point near a point, if there is one.
+///
+/// Where two branches cross, both are smooth, and a determinant goes through zero at a finite rate. Near by, rounding
+/// confuses the branches, which is why the determinant is followed along the Taylor series of a station before.
+fn crossing<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    near: &Point<M>,
+    anchor: &Station<M>,
+) -> Option<(Point<M>, Sides<M>)> {
+    let travel = near.travel;
+    let at = |step: f64| {
+        let (unknowns, _) = predicted(anchor, step);
+        let travel = anchor.point.travel + step;
+        let point = Point { unknowns, travel };
+        let linear = path.linearise(&point)?;
+        Some((point, Sides::of(&linear)))
+    };
+    let mut step = travel - anchor.point.travel;
+    if step == 0.0 {
+        step = path.shortest();
+    }
+    let (_, sides) = at(step)?;
+    let (block, _) = sides.most_shrunk(&anchor.sides);
+    let (mut previous, mut value_before) = (0.0, 1.0);
+    for _ in 0..SECANTS {
+        let (point, sides) = at(step)?;
+        let value = sides.relative(&anchor.sides, block);
+        let change = value * (step - previous) / (value_before - value);
+        if value == 0.0 || change.abs() <= f64::EPSILON * path.length.max(1.0) {
+            return is_beside(path, &point, near).then_some((point, sides));
+        }
+        (previous, value_before) = (step, value);
+        step += change;
+        if !step.is_finite() {
+            break;
+        }
+    }
+    None
+}
+
+/// Whether a point found by extrapolation is so near to another one as to be what blocks it.
+fn is_beside<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>, here: &Point<M>) -> bool {
+    let pairs = point.unknowns.as_ref().iter().zip(here.unknowns.as_ref());
+    let sizes = path.sizes_at(here);
+    let distances = pairs
+        .zip(sizes.as_ref())
+        .map(|((one, other), size)| (one - other) / size);
+    (point.travel - here.travel).abs() <= BLUR && largest(distances) <= BESIDE
+}
+
+pub(super) fn obstacle<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    point: &Point<M>,
+    sides: &Sides<M>,
+    beginning: &Sides<M>,
+) -> ObstacleOf<M> {
+    let (block, _) = sides.most_shrunk(beginning);
+    Obstacle {
+        block: super::name::<M>(block),
+        fraction: (point.travel / path.length).clamp(0.0, 1.0),
+        inputs: path.inputs(point.travel),
+        unknowns: point.unknowns,
+        names: M::DESCRIPTION.inputs,
+    }
+}
+
+/// Where the way came to a halt.
+pub(super) fn halt<M: Mechanism<Scalar = f64>>(
+    path: &Path<M>,
+    point: &Point<M>,
+    steps: &Steps,
+) -> Halt<M::Inputs<f64>, M::Unknowns<f64>> {
+    Halt {
+        steps: steps.taken(),
+        fraction: (point.travel / path.length).clamp(0.0, 1.0),
+        inputs: path.inputs(point.travel),
+        unknowns: point.unknowns,
+        rounding: blur(path, point),
+        names: M::DESCRIPTION.inputs,
+    }
+}

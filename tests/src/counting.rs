@@ -1,0 +1,113 @@
+//! A mechanism that counts how often it is asked.
+
+use std::cell::Cell;
+
+use kin_core::{Description, Mechanism, Scalar, SolveError};
+
+thread_local! {
+    static CALLS: Cell<Calls> = const { Cell::new(Calls { solutions: 0, closures: 0 }) };
+}
+
+/// How often a mechanism was asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Calls {
+    /// For a position or a motion near given values.
+    pub solutions: u64,
+    /// For what is left of its equations.
+    pub closures: u64,
+}
+
+/// What something returns, and how often it asks mechanisms that are [`Counting`], in this thread.
+pub fn calls_of<R>(something: impl FnOnce() -> R) -> (R, Calls) {
+    CALLS.set(Calls::default());
+    let result = something();
+    (result, CALLS.get())
+}
+
+fn count(which: impl FnOnce(&mut Calls)) {
+    let mut calls = CALLS.get();
+    which(&mut calls);
+    CALLS.set(calls);
+}
+
+/// A mechanism whose calls are counted.
+#[derive(Clone, Copy, Debug)]
+pub struct Counting<M>(pub M);
+
+impl<M: Mechanism> Mechanism for Counting<M> {
+    type Scalar = M::Scalar;
+    type With<S: Scalar> = Counting<M::With<S>>;
+    type Assembly = M::Assembly;
+    type Motion<V: Copy> = M::Motion<V>;
+    type Pose = M::Pose;
+    type Parameters<V: Copy> = M::Parameters<V>;
+    type Inputs<V: Copy> = M::Inputs<V>;
+    type Unknowns<V: Copy> = M::Unknowns<V>;
+    type Residuals<V: Copy> = M::Residuals<V>;
+
+    const DESCRIPTION: Description = M::DESCRIPTION;
+    const ASSEMBLY_COUNT: usize = M::ASSEMBLY_COUNT;
+
+    fn assembly(index: usize) -> Option<Self::Assembly> {
+        M::assembly(index)
+    }
+
+    fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly {
+        self.0.assembly_near(inputs, near)
+    }
+
+    fn from_parameters(parameters: Self::Parameters<Self::Scalar>) -> Self {
+        Self(M::from_parameters(parameters))
+    }
+
+    fn parameters(&self) -> Self::Parameters<Self::Scalar> {
+        self.0.parameters()
+    }
+
+    fn convert<S: Scalar>(&self, convert: impl FnMut(Self::Scalar) -> S) -> Self::With<S> {
+        Counting(self.0.convert(convert))
+    }
+
+    fn solve_motion(
+        &self,
+        inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
+        assembly: Self::Assembly,
+    ) -> Result<Self::Pose, SolveError> {
+        self.0.solve_motion(inputs, assembly)
+    }
+
+    fn solve_motion_near(
+        &self,
+        inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
+        near: Self::Unknowns<Self::Scalar>,
+    ) -> Result<Self::Pose, SolveError> {
+        count(|calls| calls.solutions += 1);
+        self.0.solve_motion_near(inputs, near)
+    }
+
+    fn solve_position(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        assembly: Self::Assembly,
+    ) -> Result<Self::Unknowns<Self::Scalar>, SolveError> {
+        self.0.solve_position(inputs, assembly)
+    }
+
+    fn solve_position_near(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        near: Self::Unknowns<Self::Scalar>,
+    ) -> Result<Self::Unknowns<Self::Scalar>, SolveError> {
+        count(|calls| calls.solutions += 1);
+        self.0.solve_position_near(inputs, near)
+    }
+
+    fn residuals(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> Self::Residuals<Self::Scalar> {
+        count(|calls| calls.closures += 1);
+        self.0.residuals(inputs, unknowns)
+    }
+}
