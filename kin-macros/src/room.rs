@@ -9,8 +9,9 @@ use std::thread::{Builder, ScopedJoinHandle, scope};
 
 use crate::work;
 
-/// The size of the stack, in bytes. It is address space only: memory is taken as far down as the stack is used.
-const SIZE: usize = 512 << 20;
+/// The size of the stack, in bytes. An eighth is enough for the longest declarations that are allowed, and without optimisation. It is address
+/// space only: memory is taken as far down as the stack is used.
+const SIZE: usize = 256 << 20;
 
 /// Does some work where the stack is large; right here if there is no such place to be had.
 pub(crate) fn with_room<Outcome: Send>(work: impl FnOnce() -> Outcome + Send) -> Outcome {
