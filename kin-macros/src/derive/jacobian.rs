@@ -525,8 +525,154 @@ pub(super) fn radius(graph: &mut Graph, determinant: Node) -> Option<Node> {
 
 #[cfg(test)]
 mod tests {
-    use super::radius;
-    use crate::expr::{Graph, Symbol};
+    use std::collections::BTreeMap;
+
+    use super::{Jacobian, Pivot, radius};
+    use crate::derive::{Rate, Way};
+    use crate::expr::{Graph, Node, Symbol};
+    use crate::passes::{Pass, Passes};
+    use crate::structure::Block;
+
+    /// What a row of a pattern has in a column: nothing, a number, or a parameter.
+    fn entry(graph: &mut Graph, place: usize, letter: char) -> Node {
+        match letter {
+            '.' => graph.zero(),
+            'n' => graph.number(4.0),
+            _ => graph.symbol(Symbol::Parameter(place)),
+        }
+    }
+
+    /// Entries of about a half, and of about four on the diagonal of a matrix of this size, for a condition below a hundred.
+    fn value(size: usize, place: usize) -> f64 {
+        let small = 0.3 + 0.1 * f64::from(u8::try_from(7 * place % 5).expect("it is less than five"));
+        if place % (size + 1) == 0 { 4.0 + small } else { small }
+    }
+
+    /// x of A x = right, by elimination, with pivots of rows.
+    fn eliminated(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
+        let size = right.len();
+        for step in 0..size {
+            let pivot = (step..size)
+                .max_by(|&a, &b| matrix[a][step].abs().total_cmp(&matrix[b][step].abs()))
+                .expect("there is a row left");
+            matrix.swap(step, pivot);
+            right.swap(step, pivot);
+            for row in (0..size).filter(|&row| row != step) {
+                let factor = matrix[row][step] / matrix[step][step];
+                let above = matrix[step].clone();
+                for (entry, above) in matrix[row].iter_mut().zip(above) {
+                    *entry -= factor * above;
+                }
+                right[row] -= factor * right[step];
+            }
+        }
+        (0..size).map(|row| right[row] / matrix[row][row]).collect()
+    }
+
+    /// Solves J x = right for a Jacobian of some pattern, computes the rates one after the other, and puts them back into the
+    /// equations. The steps of the reduction are handed back by their initials, and how large a system they left.
+    fn put_back(pattern: &[&str], passes: Passes, way: Way, is_still: bool) -> (String, usize) {
+        let size = pattern.len();
+        let mut graph = Graph::new();
+        let (mut residuals, mut right) = (Vec::new(), Vec::new());
+        for (row, letters) in pattern.iter().enumerate() {
+            let mut terms = Vec::new();
+            for (column, letter) in letters.chars().enumerate() {
+                let entry = entry(&mut graph, row * size + column, letter);
+                let unknown = graph.symbol(Symbol::Unknown(column));
+                terms.push(graph.multiply(entry, unknown));
+            }
+            residuals.push(graph.sum(&terms));
+            let rate = graph.symbol(Symbol::InputRate(row, 1));
+            right.push(if is_still { graph.zero() } else { rate });
+        }
+        let block = Block {
+            equations: (0..size).collect(),
+            unknowns: (0..size).collect(),
+            parts: Vec::new(),
+            all: None,
+            check_jacobian: true,
+        };
+        let jacobian = Jacobian::new(&mut graph, &residuals, &block, passes);
+        let rates = jacobian.solve(&mut graph, way, &right, &|unknown| Symbol::UnknownRate(unknown, 1));
+        let mut found: BTreeMap<Symbol, f64> = BTreeMap::new();
+        let known = |found: &BTreeMap<Symbol, f64>, symbol: Symbol| match symbol {
+            Symbol::Parameter(place) => value(size, place),
+            Symbol::InputRate(row, _) => 1.0 + 0.7 * f64::from(u8::try_from(row).expect("it is small")),
+            // what is used before it is found makes the result NaN
+            Symbol::UnknownRate(..) => found.get(&symbol).copied().unwrap_or(f64::NAN),
+            _ => f64::NAN,
+        };
+        for rate in &rates {
+            let values = match rate {
+                Rate::Value { value, .. } => vec![graph.evaluate(*value, &|symbol| known(&found, symbol))],
+                Rate::System { right, .. } => {
+                    let at = |node: &Node| graph.evaluate(*node, &|symbol| known(&found, symbol));
+                    let (_, matrix) = jacobian.system().expect("it is factored");
+                    let matrix = matrix.iter().map(|row| row.iter().map(at).collect()).collect();
+                    eliminated(matrix, right.iter().map(at).collect())
+                }
+            };
+            for (&symbol, value) in rate.symbols().iter().zip(values) {
+                assert_eq!(
+                    found.insert(symbol, value),
+                    None,
+                    "{pattern:?}: {symbol:?} is found once"
+                );
+            }
+        }
+        for (residual, right) in residuals.into_iter().zip(right) {
+            let left = graph.evaluate(residual, &|symbol| match symbol {
+                Symbol::Unknown(unknown) => known(&found, Symbol::UnknownRate(unknown, 1)),
+                _ => known(&found, symbol),
+            });
+            let right = graph.evaluate(right, &|symbol| known(&found, symbol));
+            // what is put back differs by a few dozen roundings of terms below ten
+            assert!(
+                (left - right).abs() < 1e-13,
+                "{pattern:?}, {way:?}: {left} and not {right}"
+            );
+        }
+        let steps = jacobian.pivots.iter().map(|pivot| match pivot {
+            Pivot::First { .. } => 'F',
+            Pivot::Last { .. } => 'L',
+            Pivot::Number { .. } => 'N',
+            Pivot::Turn { .. } => 'T',
+        });
+        (steps.collect(), jacobian.core.len())
+    }
+
+    /// Whatever the pattern of the Jacobian, the rates fulfil all of its equations, each is found once, and from what is found
+    /// before it. The table has the steps of the reduction, and the size of what they leave.
+    #[test]
+    fn rates_fulfil_the_equations_of_jacobians_of_every_pattern() {
+        let patterns: [(&[&str], &str, usize); 14] = [
+            (&["p"], "", 1),
+            (&["pp", "pp"], "", 2),
+            (&["p.", "pp"], "", 2),
+            (&[".p", "pp"], "", 2),
+            (&["pp", ".p"], "", 2),
+            (&["pp", "p."], "", 2),
+            (&["ppp", "ppp", "ppp"], "", 3),
+            (&["p..", "ppp", "ppp"], "F", 2),
+            (&["ppp", ".pp", ".pp"], "L", 2),
+            (&["npp.", "pppp", "p.pp", "pp.p"], "N", 3),
+            (&["pppp", "pppp", ".ppp", ".ppp"], "T", 3),
+            (&["pppp", "pppp", "pppp", "pppp"], "", 4),
+            (&["p.....", "pppppp", "p.pppp", "..pppp", "..pppp", "..pppp"], "FL", 4),
+            (&["ppppp", "ppppp", ".pppp", ".pppp", "..ppn"], "NT", 3),
+        ];
+        for (pattern, steps, left) in patterns {
+            for way in [Way::Whole, Way::Collected] {
+                for is_still in [false, true] {
+                    let reduced = put_back(pattern, Passes::ALL, way, is_still);
+                    assert_eq!(reduced, (steps.to_owned(), left), "{pattern:?}");
+                    let whole = put_back(pattern, Passes::without(Pass::ReducedJacobians), way, is_still);
+                    assert_eq!(whole, (String::new(), pattern.len()), "{pattern:?}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn squares_of_cosine_and_sine_of_one_angle_with_one_factor_are_that_factor() {

@@ -114,3 +114,70 @@ impl Matching {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::Matching;
+    use crate::structure::Fault;
+
+    /// Which unknowns each equation contains.
+    fn incidence<const N: usize>(equations: [&[usize]; N]) -> Vec<BTreeSet<usize>> {
+        equations.map(|unknowns| unknowns.iter().copied().collect()).to_vec()
+    }
+
+    /// An equation that could have any of its unknowns leaves one to the equation that has no other.
+    #[test]
+    fn a_perfect_matching_gives_each_equation_an_unknown_of_its_own() {
+        let incidence = incidence([&[0, 1, 2], &[0, 1], &[0]]);
+        let matching = Matching::of(&incidence, 3);
+        for (equation, unknown) in [(0, 2), (1, 1), (2, 0)] {
+            assert_eq!(matching.unknown_of(equation), unknown);
+            assert_eq!(matching.equation_of(unknown), equation);
+        }
+        assert!(matching.faults(&incidence).is_empty());
+    }
+
+    /// Three equations for the unknowns 0 and 1, one for the unknowns 2 and 3, one for the unknown 4: the faults name all
+    /// that takes part, and nothing of the part that is in order.
+    #[test]
+    fn faults_name_the_parts_with_too_many_and_with_too_few_equations() {
+        let incidence = incidence([&[4], &[0], &[0, 1], &[1], &[2, 3]]);
+        let faults = Matching::of(&incidence, 5).faults(&incidence);
+        let [
+            Fault::Underdetermined {
+                unknowns: free,
+                equations: few,
+            },
+            Fault::Overdetermined {
+                unknowns,
+                equations,
+                surplus,
+            },
+        ] = faults.as_slice()
+        else {
+            panic!("one part has too few equations, another one too many");
+        };
+        assert_eq!((free.as_slice(), few.as_slice()), ([2, 3].as_slice(), [4].as_slice()));
+        assert_eq!(
+            (unknowns.as_slice(), equations.as_slice()),
+            ([0, 1].as_slice(), [1, 2, 3].as_slice())
+        );
+        assert_eq!(surplus, &[3]);
+    }
+
+    /// A free unknown frees what the equations would otherwise determine, along a chain.
+    #[test]
+    fn what_is_not_determined_spreads_along_equations() {
+        let incidence = incidence([&[1, 2], &[0, 1]]);
+        let faults = Matching::of(&incidence, 3).faults(&incidence);
+        let [Fault::Underdetermined { unknowns, equations }] = faults.as_slice() else {
+            panic!("there are too few equations, and nothing else is wrong");
+        };
+        assert_eq!(
+            (unknowns.as_slice(), equations.as_slice()),
+            ([0, 1, 2].as_slice(), [0, 1].as_slice())
+        );
+    }
+}

@@ -239,3 +239,36 @@ fn repeated(graph: &mut Graph, residuals: &[Node], equations: &[usize]) -> Optio
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::has_full_rank;
+
+    /// The rank is that of the rows, whatever their scale and order.
+    #[test]
+    fn rows_have_full_rank_unless_one_follows_from_the_others() {
+        let matrix = |rows: [[f64; 3]; 3]| rows.map(|row| row.to_vec()).to_vec();
+        assert!(has_full_rank(matrix([
+            [1.0, 2.0, 3.0],
+            [4.0, 5.0, 6.0],
+            [7.0, 8.0, 10.0]
+        ])));
+        assert!(has_full_rank(matrix([
+            [0.0, 0.0, 1e-9],
+            [0.0, 1e-9, 0.0],
+            [1e-9, 0.0, 0.0]
+        ])));
+        // the last row is twice the second less the first
+        assert!(!has_full_rank(matrix([
+            [1.0, 2.0, 3.0],
+            [4.0, 5.0, 6.0],
+            [7.0, 8.0, 9.0]
+        ])));
+        assert!(!has_full_rank(matrix([
+            [0.3, 0.7, 0.2],
+            [0.1, 0.9, 0.4],
+            [0.2, 1.8, 0.8]
+        ])));
+        assert!(!has_full_rank(matrix([[0.0; 3], [0.0; 3], [0.0; 3]])));
+    }
+}

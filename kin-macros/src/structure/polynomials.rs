@@ -256,3 +256,104 @@ fn sum(left: &Numeric, right: &Numeric) -> Numeric {
     sum.retain(|_, value| *value != 0.0);
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::{Numeric, Variable, system, turned};
+    use crate::expr::{Angle, Graph, Symbol};
+    use crate::structure::tear::Whole;
+
+    /// Cosine and sine of a sum of multiples of angles are what their polynomials are, at any angles.
+    #[test]
+    fn multiples_of_angles_are_polynomials_in_cosines_and_sines() {
+        let angles = [0.7_f64, -2.1];
+        let places = BTreeMap::from([(4, 0), (6, 2)]);
+        let variables = [angles[0].cos(), angles[0].sin(), angles[1].cos(), angles[1].sin()];
+        let value = |polynomial: &Numeric| -> f64 {
+            let term = |powers: &BTreeMap<usize, u32>| -> f64 {
+                powers
+                    .iter()
+                    .map(|(&place, &power)| variables[place].powi(power.cast_signed()))
+                    .product()
+            };
+            polynomial.iter().map(|(powers, factor)| factor * term(powers)).sum()
+        };
+        for multiples in [[1, 0], [-1, 0], [1, 1], [2, -1], [-3, 2], [0, 3]] {
+            let symbols = [4, 6].map(Symbol::Unknown);
+            let angle = Angle(
+                symbols
+                    .into_iter()
+                    .zip(multiples)
+                    .filter(|&(_, multiple)| multiple != 0)
+                    .collect(),
+            );
+            let (cosine, sine) = turned(&angle, &places);
+            let whole = f64::from(multiples[0]) * angles[0] + f64::from(multiples[1]) * angles[1];
+            // the coefficients add up to less than 40
+            assert!(
+                (value(&cosine) - whole.cos()).abs() < 40.0 * f64::EPSILON,
+                "{multiples:?}"
+            );
+            assert!(
+                (value(&sine) - whole.sin()).abs() < 40.0 * f64::EPSILON,
+                "{multiples:?}"
+            );
+        }
+    }
+
+    /// The polynomials of a block have the values of its equations, whatever the unknowns are, and each angle adds its circle.
+    #[test]
+    fn a_system_is_its_equations() {
+        let mut graph = Graph::new();
+        let (parameter, values) = (1.7, [0.3_f64, 0.7, -1.1]);
+        let [y, angle, z] = [0, 1, 2].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
+        let p = graph.symbol(Symbol::Parameter(0));
+        let (cosine, double) = (graph.cosine(angle), graph.scale(2.0, angle));
+        let sine = graph.sine(double);
+        // y z + p cos x = 1, z² + p y sin 2x = p, y + z cos x = p
+        let (yz, pc) = (graph.multiply(y, z), graph.multiply(p, cosine));
+        let first = graph.linear(-1.0, &[(yz, 1.0), (pc, 1.0)]);
+        let (zz, pys) = (graph.power(z, 2), graph.product(&[(p, 1), (y, 1), (sine, 1)]));
+        let second = graph.linear(0.0, &[(zz, 1.0), (pys, 1.0), (p, -1.0)]);
+        let zc = graph.multiply(z, cosine);
+        let third = graph.linear(0.0, &[(y, 1.0), (zc, 1.0), (p, -1.0)]);
+        let equations = vec![first, second, third];
+        let system = system(
+            &mut graph,
+            Whole {
+                equations: equations.clone(),
+                unknowns: vec![0, 1, 2],
+                relations: Vec::new(),
+            },
+        )
+        .expect("it is algebraic");
+        assert_eq!(
+            system.variables,
+            [Variable::Plain(0), Variable::Turning(1), Variable::Plain(2)]
+        );
+        // of degrees 2, 3, 2, and a circle
+        assert_eq!(system.paths, 24);
+        let symbols = |symbol: Symbol| match symbol {
+            Symbol::Unknown(unknown) => values[unknown],
+            _ => parameter,
+        };
+        let variables = [values[0], values[1].cos(), values[1].sin(), values[2]];
+        let mut sums = [0.0; 4];
+        for term in &system.terms {
+            let powers = term
+                .powers
+                .iter()
+                .map(|&(place, power)| variables[place].powi(power.cast_signed()));
+            let coefficient = graph.evaluate(system.coefficients[term.coefficient], &symbols);
+            sums[term.equation] += coefficient * powers.product::<f64>();
+        }
+        for (sum, equation) in sums.into_iter().zip(equations) {
+            let expected = graph.evaluate(equation, &symbols);
+            // a few terms below two
+            assert!((sum - expected).abs() < 20.0 * f64::EPSILON, "{sum} and not {expected}");
+        }
+        assert!(sums[3].abs() < 4.0 * f64::EPSILON, "cos² + sin² - 1 = {}", sums[3]);
+    }
+}
