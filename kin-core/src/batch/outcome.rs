@@ -126,3 +126,76 @@ impl fmt::Display for LengthMismatch {
 }
 
 impl Error for LengthMismatch {}
+
+#[cfg(test)]
+mod tests {
+    use super::{Outcome, Summary};
+    use crate::{Failure, InputValues, SolveError};
+
+    fn error(failure: Failure) -> SolveError {
+        failure.at("theta3, theta4", InputValues::new(&["theta2"], &[1.1]))
+    }
+
+    const OUT_OF_REACH: Failure = Failure::OutOfReach { margin: -0.25 };
+    const SINGULAR: Failure = Failure::Singular { determinant: 0.0 };
+
+    /// An error of `solve` becomes the outcome of the same cause, and only a loop that does not close has a margin.
+    #[test]
+    fn an_outcome_tells_the_cause_of_its_error() {
+        let outcome = |failure| Outcome::from(&error(failure));
+        assert_eq!(outcome(OUT_OF_REACH), Outcome::OutOfReach { margin: -0.25 });
+        assert_eq!(outcome(OUT_OF_REACH).margin(), Some(-0.25));
+        assert_eq!(outcome(SINGULAR), Outcome::Singular);
+        assert_eq!(outcome(Failure::NotFinite { quantity: "r1" }), Outcome::Failed);
+        for other in [Outcome::Unsolved, Outcome::Solved, Outcome::Singular, Outcome::Failed] {
+            assert_eq!(other.margin(), None);
+            assert_eq!(other.is_solved(), other == Outcome::Solved);
+        }
+    }
+
+    /// A pose counts either as solved or as failed, and the failure of the lowest index is kept, in whatever order they come.
+    #[test]
+    fn notes_keep_the_failure_of_the_lowest_index() {
+        let mut summary = Summary {
+            solved: 10,
+            ..Summary::default()
+        };
+        assert_eq!(summary.note(7, Ok(())), Outcome::Solved);
+        assert_eq!((summary.solved, summary.alone, summary.failed), (10, 1, 0));
+        assert_eq!(summary.first_failure, None);
+        assert_eq!(summary.note(5, Err(error(SINGULAR))), Outcome::Singular);
+        assert_eq!(
+            summary.note(3, Err(error(OUT_OF_REACH))),
+            Outcome::OutOfReach { margin: -0.25 }
+        );
+        assert_eq!(summary.note(8, Err(error(SINGULAR))), Outcome::Singular);
+        assert_eq!((summary.solved, summary.alone, summary.failed), (7, 1, 3));
+        assert_eq!(summary.first_failure, Some((3, error(OUT_OF_REACH))));
+    }
+
+    /// The summaries of two parts add up, and the failure of the lower index is the first, whichever part it lies in.
+    #[cfg(feature = "rayon")]
+    #[test]
+    fn summaries_of_parts_add_up() {
+        let part = |first_failure| Summary {
+            solved: 5,
+            alone: 3,
+            failed: 2,
+            first_failure,
+        };
+        let (early, late) = (Some((4, error(SINGULAR))), Some((9, error(OUT_OF_REACH))));
+        let first_of = |one, other| part(one).and(part(other)).first_failure;
+        assert_eq!(first_of(early, late), early);
+        assert_eq!(first_of(late, early), early);
+        assert_eq!(first_of(None, late), late);
+        assert_eq!(first_of(late, None), late);
+        assert_eq!(first_of(None, None), None);
+        let both = part(None).and(Summary {
+            solved: 7,
+            alone: 1,
+            failed: 4,
+            first_failure: None,
+        });
+        assert_eq!((both.solved, both.alone, both.failed), (12, 4, 6));
+    }
+}
