@@ -153,3 +153,14 @@ fn expansion_is_deterministic() {
         assert_eq!(expand(declaration.clone()).to_string(), expand(declaration).to_string());
     }
 }
+
+/// Writes what every mechanism of the library expands to into a folder, so that two versions of the macro can be compared.
+#[test]
+#[ignore = "writes files: KIN_EXPANSIONS=folder"]
+fn expansions_of_the_library() {
+    let folder = std::path::PathBuf::from(std::env::var("KIN_EXPANSIONS").expect("KIN_EXPANSIONS is a folder"));
+    for declared in crate::optimiser_tests::library() {
+        let text = pretty(&declared.declaration);
+        std::fs::write(folder.join(declared.name), text).expect("the folder can be written to");
+    }
+}

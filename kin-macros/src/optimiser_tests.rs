@@ -32,8 +32,9 @@ const PASSES: [(Pass, &str); 16] = [
 ];
 
 /// A mechanism of the library.
-struct Declared {
-    name: String,
+pub(crate) struct Declared {
+    pub(crate) name: String,
+    pub(crate) declaration: TokenStream,
     solvable: Solvable,
 }
 
@@ -47,7 +48,8 @@ impl Declared {
         );
         Self {
             name: tokens.next().expect("it has a name").to_string(),
-            solvable: sound(declaration),
+            solvable: sound(declaration.clone()),
+            declaration,
         }
     }
 
@@ -62,7 +64,7 @@ impl Declared {
 }
 
 /// The mechanisms of the library, in the order of its files.
-fn library() -> Vec<Declared> {
+pub(crate) fn library() -> Vec<Declared> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/library");
     let mut paths: Vec<_> = fs::read_dir(folder)
         .expect("there is a library")
