@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::expand::expand;
+use crate::testing::declarations::triad;
 
 /// The expansion as `cargo expand` would show it.
 fn pretty(declaration: &TokenStream) -> String {
@@ -53,20 +54,6 @@ fn quick_return() -> TokenStream {
         lever * cis(phi) + rod * cis(psi) == vec2(stroke, height);
         output tip: Point = lever * cis(phi);
         output leverage: Scalar = slide / crank;
-    }
-}
-
-/// A class III triad: four coupled unknowns, two of them left to Newton's method.
-fn triad() -> TokenStream {
-    quote! {
-        pub struct Triad {
-            crank: Length, a: Length, b: Length, c: Length, p: Length, q: Length, delta: Angle, pivot_b: Point, pivot_c: Point
-        }
-        input theta: Angle;
-        unknown alpha: Angle, beta: Angle, gamma: Angle, phi: Angle;
-        let joint = crank * cis(theta) + a * cis(alpha);
-        joint + p * cis(phi) == pivot_b + b * cis(beta);
-        joint + q * cis(phi + delta) == pivot_c + c * cis(gamma);
     }
 }
 

@@ -66,8 +66,7 @@
 //! All of them may be written as methods of their first argument: `theta.cis()`, `y.atan2(x)`.
 
 mod assemble;
-#[cfg(test)]
-mod declarations;
+mod bug;
 mod derive;
 mod emit;
 mod expand;
@@ -77,7 +76,6 @@ mod expr;
 mod fallback;
 #[cfg(test)]
 mod families;
-mod finite;
 mod function;
 #[cfg(test)]
 mod growth_tests;
@@ -88,17 +86,20 @@ mod model;
 mod optimiser_tests;
 mod passes;
 mod plan;
+mod program;
 mod refuse;
 mod report;
 mod room;
 mod schedule;
 mod structure;
 mod syntax;
+#[cfg(test)]
+mod testing;
 mod work;
 
 /// `mechanism!`, called with the path of the crate that it belongs to in parentheses before the declaration.
 #[doc(hidden)]
 #[proc_macro]
 pub fn mechanism_in(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    expand::expand_or_tell(tokens.into()).into()
+    bug::expand_or_tell(tokens.into()).into()
 }

@@ -5,11 +5,9 @@ use std::fs;
 
 use proc_macro2::{TokenStream, TokenTree};
 
-use crate::assemble::Cost;
-use crate::expand::{Solvable, sound};
 use crate::passes::{Pass, Passes};
-use crate::plan::{Plan, plan};
-use crate::schedule::{Expression, Statement};
+use crate::program::{Cost, Expression, Solvers, Step};
+use crate::testing::{Sound, sound};
 
 /// What is left out in turn, and what the book calls it.
 const PASSES: [(Pass, &str); 16] = [
@@ -35,7 +33,7 @@ const PASSES: [(Pass, &str); 16] = [
 pub(crate) struct Declared {
     pub(crate) name: String,
     pub(crate) declaration: TokenStream,
-    solvable: Solvable,
+    sound: Sound,
 }
 
 impl Declared {
@@ -48,18 +46,18 @@ impl Declared {
         );
         Self {
             name: tokens.next().expect("it has a name").to_string(),
-            solvable: sound(declaration.clone()),
+            sound: sound(declaration.clone()),
             declaration,
         }
     }
 
-    fn plan(&self, passes: Passes) -> Plan {
-        plan(&self.solvable.task(passes)).expect("it is small")
+    fn solvers(&self, passes: Passes) -> Solvers {
+        self.sound.solvers(passes)
     }
 
     /// From the position to the snap; of Newton's method, a single iteration.
     fn cost(&self, passes: Passes) -> Cost {
-        self.plan(passes).scheduled.cost()
+        self.solvers(passes).motion.cost()
     }
 }
 
@@ -179,9 +177,9 @@ fn percent(part: usize, whole: usize) -> String {
 fn products_that_are_fused() {
     let mut additions = Additions::default();
     for declared in library() {
-        for stage in declared.plan(Passes::ALL).scheduled.stages {
-            for statement in &stage.statements {
-                additions.statement(statement);
+        for stage in declared.solvers(Passes::ALL).motion.stages {
+            for expression in stage.steps.iter().flat_map(Step::expressions) {
+                additions.expression(expression);
             }
         }
     }
@@ -212,43 +210,6 @@ impl Additions {
             }
             Expression::Negate(a) => self.expression(a),
             Expression::Call(_, arguments) => arguments.iter().for_each(|argument| self.expression(argument)),
-        }
-    }
-
-    fn statement(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Let { value, .. } | Statement::Regular { value } => self.expression(value),
-            Statement::Checked { argument, .. } | Statement::SinCos { argument, .. } => self.expression(argument),
-            Statement::Solve { arguments, .. } => {
-                arguments
-                    .iter()
-                    .flat_map(|(_, parts)| parts)
-                    .for_each(|part| self.expression(part));
-            }
-            Statement::Angle { y, x, length, .. } => {
-                [Some(y), Some(x), length.as_ref()]
-                    .into_iter()
-                    .flatten()
-                    .for_each(|part| self.expression(part));
-            }
-            Statement::Newton {
-                body,
-                residuals,
-                jacobian,
-                ..
-            } => {
-                for statement in body {
-                    self.statement(statement);
-                }
-                residuals
-                    .iter()
-                    .chain(jacobian.iter().flatten())
-                    .for_each(|part| self.expression(part));
-            }
-            Statement::Every { coefficients, .. } => coefficients.iter().for_each(|part| self.expression(part)),
-            Statement::Factor { matrix, .. } => matrix.iter().flatten().for_each(|part| self.expression(part)),
-            Statement::Substitute { right, .. } => right.iter().for_each(|part| self.expression(part)),
-            Statement::Bound { .. } | Statement::Open { .. } | Statement::Close { .. } => {}
         }
     }
 }

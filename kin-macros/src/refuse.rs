@@ -4,25 +4,16 @@ use std::collections::BTreeSet;
 
 use quote::ToTokens;
 
-use crate::assemble::dyads;
-use crate::derive::TooLarge;
-use crate::expr::{Graph, Misfit, Node};
-use crate::model::{Model, Request};
-use crate::plan::order_name;
+use crate::expr::Misfit;
+use crate::model::{Model, Origin, Request};
+use crate::program::order_name;
 use crate::report::Report;
 use crate::room::with_room;
-use crate::structure::{Block, Fault, Solution};
+use crate::structure::{Block, Fault, Solution, Structure, dyads};
 use crate::syntax::Declaration;
 
-/// The declared equation that a scalar equation is a part of, and which part.
-#[derive(Clone, Copy)]
-pub(crate) struct Origin {
-    pub(crate) equation: usize,
-    pub(crate) part: &'static str,
-}
-
 /// Reports why a declaration cannot be solved.
-pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report: &mut Report) {
+pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], report: &mut Report) {
     let names = |unknowns: &[usize]| -> String {
         list(
             unknowns
@@ -107,8 +98,7 @@ pub(crate) fn refuse(model: &Model, origins: &[Origin], faults: &[Fault], report
 }
 
 /// Reports that a declaration is beyond what can be derived in reasonable time, and how to cut it.
-pub(crate) fn refuse_size(declaration: &Declaration, too_large: TooLarge, report: &mut Report) {
-    let TooLarge { order } = too_large;
+pub(crate) fn size(declaration: &Declaration, order: usize, report: &mut Report) {
     report.error(
         &declaration.name,
         format_args!(
@@ -121,7 +111,7 @@ pub(crate) fn refuse_size(declaration: &Declaration, too_large: TooLarge, report
 }
 
 /// Reports a constant from which one follows that no number is: it is not to be told which, but the one farthest from 1 is to blame.
-pub(crate) fn refuse_constants(declaration: &Declaration, model: &Model, misfit: Misfit, report: &mut Report) {
+pub(crate) fn constants(declaration: &Declaration, model: &Model, misfit: Misfit, report: &mut Report) {
     let message =
         format!("constants that follow from this one are {misfit}: choose a unit in which the numbers are nearer to 1");
     match model.extreme_constant {
@@ -131,7 +121,7 @@ pub(crate) fn refuse_constants(declaration: &Declaration, model: &Model, misfit:
 }
 
 /// A range chooses one of two solutions, and coupled equations may have any number of them.
-pub(crate) fn refuse_ranges(model: &Model, blocks: &[Block], report: &mut Report) {
+pub(crate) fn ranges(model: &Model, blocks: &[Block], report: &mut Report) {
     for part in blocks.iter().flat_map(|block| &block.parts) {
         if !matches!(part.solution, Solution::Newton { .. }) {
             continue;
@@ -153,9 +143,16 @@ pub(crate) fn refuse_ranges(model: &Model, blocks: &[Block], report: &mut Report
 }
 
 /// Reports what is requested of a mechanism that has nothing of the kind.
-pub(crate) fn refuse_requests(model: &Model, graph: &Graph, residuals: &[Node], blocks: &[Block], report: &mut Report) {
+pub(crate) fn requests(model: &Model, structure: &Structure, report: &mut Report) {
     for requested in &model.requests {
-        let has_dyads = || with_room(|| !dyads(&mut graph.clone(), residuals, blocks).is_empty());
+        let has_dyads = || {
+            let Structure {
+                graph,
+                residuals,
+                blocks,
+            } = structure;
+            with_room(|| !dyads(&mut graph.clone(), residuals, blocks).is_empty())
+        };
         if requested.request == Request::TransmissionAngles && !has_dyads() {
             report.error(
                 &requested.name,

@@ -4,19 +4,18 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use super::choice;
-use super::program::{Choice, Limits, Mode, Names, Stage, Step};
 use super::reciprocals::Root;
-use super::solver::{Argument, Solver};
 use super::units::Units;
 use crate::derive::Regularity;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 use crate::passes::Passes;
+use crate::program::{Argument, Choice, Limits, Mode, Names, Solver, Stage, Step};
 use crate::structure::{Block, ClosedForm, Complex, Part, Solution};
 
 /// The steps that find the position, what they teach about directions, and the choices they leave.
 pub(crate) struct Assembled {
-    pub(crate) stage: Stage,
+    pub(crate) stage: Stage<Node>,
     pub(crate) units: Units,
     /// What has been found not to be zero on the way to the position.
     pub(crate) nonzero: Vec<Node>,
@@ -28,7 +27,7 @@ pub(crate) struct Assembled {
 pub(super) struct Builder<'a> {
     pub(super) graph: &'a mut Graph,
     pub(super) names: &'a mut Names,
-    pub(super) steps: Vec<Step>,
+    pub(super) steps: Vec<Step<Node>>,
     pub(super) units: Units,
     /// What closed forms divide by, and have found not to be zero.
     pub(super) nonzero: Vec<Node>,
@@ -55,7 +54,7 @@ pub(crate) fn assemble_every(
     blocks: &[Block],
     ranges: &BTreeMap<usize, Limits>,
     passes: Passes,
-) -> Option<Stage> {
+) -> Option<Stage<Node>> {
     let is_algebraic = blocks.iter().all(|block| !block.is_coupled() || block.all.is_some());
     is_algebraic.then(|| steps(graph, names, blocks, ranges, None, passes).stage)
 }
@@ -110,7 +109,7 @@ fn steps(
         }
     }
     Assembled {
-        stage: Stage { steps: builder.steps },
+        stage: Stage::new(builder.steps),
         units: builder.units,
         nonzero: builder.nonzero,
         roots: builder.roots,
@@ -123,7 +122,7 @@ impl Builder<'_> {
     fn regular(&mut self, jacobian: &Regularity) {
         for &node in &jacobian.regular {
             let node = self.known(node);
-            self.steps.push(Step::Regular { node });
+            self.steps.push(Step::Regular { value: node });
         }
         if let Some((symbol, matrix)) = &jacobian.system {
             let matrix = matrix
@@ -169,7 +168,7 @@ impl Builder<'_> {
         }
         let (symbol, result) = self.graph.new_step();
         self.names.name(symbol, wish);
-        self.steps.push(Step::Define { symbol, node });
+        self.steps.push(Step::Define { symbol, value: node });
         result
     }
 
@@ -195,11 +194,11 @@ impl Builder<'_> {
         self.names.of(Symbol::Unknown(unknown)).to_owned()
     }
 
-    pub(super) fn solve(&mut self, solver: Solver, arguments: Vec<Argument>, results: Vec<Symbol>) {
+    pub(super) fn solve(&mut self, solver: Solver, arguments: Vec<Argument<Node>>, results: Vec<Symbol>) {
         self.steps.push(Step::Solve {
             solver,
             arguments,
-            results,
+            results: results.into_iter().map(Some).collect(),
         });
     }
 
@@ -292,7 +291,7 @@ impl Builder<'_> {
             let own = self.graph.symbol(symbol);
             self.units.learn_combination(own, value);
             let node = self.known(value);
-            self.steps.push(Step::Define { symbol, node });
+            self.steps.push(Step::Define { symbol, value: node });
         } else {
             let arguments = vec![
                 Argument::Scalar(self.known(coefficient)),
@@ -361,7 +360,7 @@ impl Builder<'_> {
             symbol: Symbol::Unknown(unknown),
             x: unit.re,
             y: unit.im,
-            length,
+            length: Some(length),
         });
     }
 
@@ -376,7 +375,10 @@ impl Builder<'_> {
             Function::Exp => Solver::Logarithm,
             _ => {
                 let node = self.graph.call(Function::Exp, &[value]);
-                self.steps.push(Step::Define { symbol: result, node });
+                self.steps.push(Step::Define {
+                    symbol: result,
+                    value: node,
+                });
                 return;
             }
         };

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::program::{Limits, Mode};
 use crate::expr::{Graph, Node, Symbol};
-use crate::structure::{Arm, ClosedForm, Complex, Part, Solution};
+use crate::program::{Limits, Mode};
+use crate::structure::{ClosedForm, Part, Solution};
 
 /// How a part's solution is chosen; `assemblies` counts the choices left to the caller.
 pub(super) fn mode(graph: &Graph, part: &Part, ranges: &BTreeMap<usize, Limits>, assemblies: &mut usize) -> Mode {
@@ -64,14 +64,14 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
             arms: [first, second], ..
         } => {
             // -(v₁ × v₂) with v = factor · cis(± angle)
-            let (ratio, turn) = between(graph, first, second);
+            let (ratio, turn) = first.turn_to(graph, second);
             let (along, across) = (graph.multiply(ratio.re, turn.im), graph.multiply(ratio.im, turn.re));
             let cross = graph.add(along, across);
             graph.negate(cross)
         }
         ClosedForm::AngleLength { arm, direction, .. } => {
             // -(v · direction)
-            let vector = vector(graph, arm);
+            let vector = arm.vector(graph);
             let (x, y) = (
                 graph.multiply(vector.re, direction.re),
                 graph.multiply(vector.im, direction.im),
@@ -84,28 +84,6 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
             graph.add(length, offset.re)
         }
     })
-}
-
-/// The quotient of two links' vectors in two factors, times the square of the first one's length: what is constant, and the
-/// unit vector of the angle between their directions.
-pub(super) fn between(graph: &mut Graph, first: &Arm, second: &Arm) -> (Complex, Complex) {
-    let (first_angle, second_angle) = (signed_angle(graph, first), signed_angle(graph, second));
-    let between = graph.subtract(second_angle, first_angle);
-    let conjugate = first.factor.conjugate(graph);
-    let ratio = conjugate.times(graph, second.factor);
-    (ratio, Complex::new(graph.cosine(between), graph.sine(between)))
-}
-
-/// A link as a vector.
-pub(super) fn vector(graph: &mut Graph, arm: &Arm) -> Complex {
-    let angle = signed_angle(graph, arm);
-    let unit = Complex::new(graph.cosine(angle), graph.sine(angle));
-    arm.factor.times(graph, unit)
-}
-
-fn signed_angle(graph: &mut Graph, arm: &Arm) -> Node {
-    let angle = arm.angle.node(graph);
-    if arm.mirrored { graph.negate(angle) } else { angle }
 }
 
 /// Whether a range decides between the solutions whatever the dimensions are, and for the open one.

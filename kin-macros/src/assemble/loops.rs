@@ -1,10 +1,9 @@
 //! Plane loops as steps: the vectors of the links that turn, and the angles from them.
 
 use super::blocks::Builder;
-use super::program::Step;
 use super::reciprocals::Root;
-use super::solver::{Argument, Solver};
 use crate::expr::{Node, Symbol};
+use crate::program::{Argument, Solver, Step};
 use crate::structure::{Arm, Complex};
 
 impl Builder<'_> {
@@ -73,7 +72,7 @@ impl Builder<'_> {
                 vec![
                     Argument::Scalar(a),
                     Argument::Scalar(b),
-                    Argument::Plane(target.re, target.im),
+                    Argument::Plane([target.re, target.im]),
                 ],
                 vec![x, y, area, area_squared],
             );
@@ -110,7 +109,7 @@ impl Builder<'_> {
                 vec![
                     Argument::Scalar(a2),
                     Argument::Scalar(b2),
-                    Argument::Plane(target.re, target.im),
+                    Argument::Plane([target.re, target.im]),
                 ],
                 vec![x, y],
             );
@@ -233,10 +232,10 @@ impl Builder<'_> {
         } else if is_along_y {
             Solver::CircleLineY
         } else {
-            arguments.push(Argument::Plane(direction.re, direction.im));
+            arguments.push(Argument::Plane([direction.re, direction.im]));
             Solver::CircleLine
         };
-        arguments.push(Argument::Plane(target.re, target.im));
+        arguments.push(Argument::Plane([target.re, target.im]));
         let mut results;
         let link;
         if is_along_x || is_along_y {
@@ -276,7 +275,7 @@ impl Builder<'_> {
             symbol: Symbol::Unknown(unknown),
             x: vector.re,
             y: vector.im,
-            length: bare,
+            length: Some(bare),
         });
     }
 
@@ -285,12 +284,12 @@ impl Builder<'_> {
         let target = self.define_complex("span", target);
         let own_length = self.graph.symbol(Symbol::Unknown(length));
         let has_offset = !(self.graph.is_zero(offset.re) && self.graph.is_zero(offset.im));
-        let given = Argument::Plane(target.re, target.im);
+        let given = Argument::Plane([target.re, target.im]);
         if has_offset {
             let ([x, y], unit) = self.fresh_plane(&self.unknown_name(angle));
             self.solve(
                 Solver::PolarOffset,
-                vec![Argument::Plane(offset.re, offset.im), given],
+                vec![Argument::Plane([offset.re, offset.im]), given],
                 vec![Symbol::Unknown(length), x, y],
             );
             let unit = self.upright(unit, mirrored);

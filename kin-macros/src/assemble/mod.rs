@@ -5,18 +5,13 @@
 
 mod blocks;
 mod choice;
-mod directions;
 mod loops;
 mod newton;
-mod program;
 mod reciprocals;
-mod solver;
-mod transmission;
+mod unit_vectors;
 mod units;
 
-pub(crate) use blocks::{assemble, assemble_every};
-pub(crate) use directions::{Directions, UnitPart};
-pub(crate) use program::{Choice, Limits, Mode, Names, Program, Stage, Step};
-pub(crate) use reciprocals::Reciprocals;
-pub(crate) use solver::{Argument, Cost, Returns, Shape, Solver};
-pub(crate) use transmission::{Dyad, dyads};
+pub(crate) use blocks::{Assembled, assemble, assemble_every};
+pub(crate) use reciprocals::{Reciprocals, Root};
+pub(crate) use unit_vectors::{define, drop_idle, leave_angles};
+pub(crate) use units::Units;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::blocks::Builder;
-use super::program::{Mode, Step};
 use crate::expr::{Node, Symbol, Term};
+use crate::program::{Mode, Step};
 use crate::structure::{System, Variable};
 
 impl Builder<'_> {
@@ -35,7 +35,7 @@ impl Builder<'_> {
             })
             .collect();
         let all: Vec<Node> = residuals.iter().chain(jacobian.iter().flatten()).copied().collect();
-        let outside = self
+        let given = self
             .graph
             .reachable(&all)
             .into_iter()
@@ -48,9 +48,10 @@ impl Builder<'_> {
         self.steps.push(Step::Newton {
             part,
             unknowns: unknowns.to_vec(),
+            given,
+            body: Vec::new(),
             residuals,
             jacobian,
-            outside,
         });
     }
 

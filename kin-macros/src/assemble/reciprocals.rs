@@ -6,9 +6,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::program::{Names, Stage, Step};
 use super::units::Units;
 use crate::expr::{Graph, Node, Symbol};
+use crate::program::{Names, Stage, Step};
 
 /// What a closed form has taken the root of: the reciprocal of `base` is `factor * value / square`.
 pub(crate) struct Root {
@@ -21,6 +21,7 @@ pub(crate) struct Root {
 }
 
 /// The reciprocals that rates may refer to, each with two definitions: that of the square's, and its own.
+#[derive(Default)]
 pub(crate) struct Reciprocals(Vec<(Node, [(Symbol, Node); 2])>);
 
 impl Reciprocals {
@@ -53,7 +54,7 @@ impl Reciprocals {
     }
 
     /// Puts those that are referred to before the step that is the first to do so.
-    pub(crate) fn place(self, graph: &Graph, stages: &mut [Stage]) {
+    pub(crate) fn place(self, graph: &Graph, stages: &mut [Stage<Node>]) {
         let mut sought: BTreeMap<Node, [(Symbol, Node); 2]> = self.0.into_iter().collect();
         let mut seen = BTreeSet::new();
         for stage in stages {
@@ -64,7 +65,7 @@ impl Reciprocals {
                     if seen.insert(node) {
                         open.extend(graph.operands(node));
                         let definitions = sought.remove(&node).into_iter().flatten();
-                        steps.extend(definitions.map(|(symbol, node)| Step::Define { symbol, node }));
+                        steps.extend(definitions.map(|(symbol, value)| Step::Define { symbol, value }));
                     }
                 }
                 steps.push(step);
@@ -76,11 +77,10 @@ impl Reciprocals {
 
 #[cfg(test)]
 mod tests {
-    use crate::declarations::{four_bar, inverted_slider_crank, slider_crank};
-    use crate::expand::sound;
     use crate::passes::Passes;
-    use crate::plan::plan;
-    use crate::schedule::Statement;
+    use crate::program::Step;
+    use crate::testing::declarations::{four_bar, inverted_slider_crank, slider_crank};
+    use crate::testing::sound;
 
     /// Rates are divided by nothing but the square of a root, and that once.
     #[test]
@@ -90,11 +90,16 @@ mod tests {
             (slider_crank(), "inverse_l_x_squared", "inverse_l_x"),
             (inverted_slider_crank(), "inverse_r4_squared", "inverse_r4"),
         ] {
-            let plan = plan(&sound(declaration).task(Passes::ALL)).expect("it is small");
-            let [_, velocity, later @ ..] = plan.scheduled.stages.as_slice() else {
+            let solvers = sound(declaration).solvers(Passes::ALL);
+            let [_, velocity, later @ ..] = solvers.orders() else {
                 unreachable!("there is a velocity");
             };
-            let defined: Vec<String> = velocity.statements.iter().flat_map(Statement::defines).collect();
+            let defined: Vec<&str> = velocity
+                .steps
+                .iter()
+                .flat_map(Step::defines)
+                .map(|symbol| solvers.names().of(symbol))
+                .collect();
             assert_eq!(defined[..2], [of_square, own]);
             assert_eq!(velocity.cost.divisions, 1);
             assert!(later.iter().all(|stage| stage.cost.divisions == 0));

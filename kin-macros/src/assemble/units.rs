@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::program::Step;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 use crate::passes::{Pass, Passes};
+use crate::program::Step;
 use crate::structure::Complex;
 
 /// What is known of the directions of unknown angles.
@@ -133,7 +133,7 @@ impl Units {
         factors: Symbol,
         right: &[Node],
         results: Vec<Symbol>,
-    ) -> Step {
+    ) -> Step<Node> {
         Step::Substitute {
             factors: graph.symbol(factors),
             right: right.iter().map(|&node| self.rewrite(graph, node)).collect(),

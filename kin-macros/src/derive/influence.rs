@@ -12,14 +12,14 @@ use crate::expr::{Graph, Node, Term};
 
 /// How right-hand sides are multiplied by an adjugate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Way {
+pub(crate) enum Influences {
     /// As they are.
-    Whole,
+    Separate,
     /// With coefficients of the position collected, for all orders together.
     Collected,
 }
 
-impl Way {
+impl Influences {
     /// Σ weight · right.
     pub(super) fn combined(self, graph: &mut Graph, weights: &[Node], rights: &[Node]) -> Node {
         if self == Self::Collected {
@@ -43,7 +43,7 @@ impl Way {
                 .collect();
             return collected(graph, &quotients, rights);
         }
-        let numerator = Self::Whole.combined(graph, weights, rights);
+        let numerator = Self::Separate.combined(graph, weights, rights);
         graph.divide(numerator, determinant)
     }
 }

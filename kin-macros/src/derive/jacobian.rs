@@ -6,7 +6,7 @@
 //! solved by Cramer's rule up to three unknowns, and beyond by the factors that the position has left.
 
 use super::Rate;
-use super::influence::Way;
+use super::influence::Influences;
 use crate::expr::{Graph, Node, Symbol, Term};
 use crate::function::Function;
 use crate::passes::{Pass, Passes};
@@ -270,7 +270,7 @@ impl Jacobian {
     pub(super) fn solve(
         &self,
         graph: &mut Graph,
-        way: Way,
+        influences: Influences,
         right: &[Node],
         symbol: &impl Fn(usize) -> Symbol,
     ) -> Vec<Rate> {
@@ -303,8 +303,8 @@ impl Jacobian {
                     let [p, q] = *entries;
                     let opposite = graph.negate(p);
                     let own = rows.map(|row| right[row]);
-                    right[rows[0]] = way.combined(graph, &[p, q], &own);
-                    right[rows[1]] = way.combined(graph, &[q, opposite], &own);
+                    right[rows[0]] = influences.combined(graph, &[p, q], &own);
+                    right[rows[1]] = influences.combined(graph, &[q, opposite], &own);
                 }
                 Pivot::Last { .. } => {}
             }
@@ -323,7 +323,7 @@ impl Jacobian {
                 symbols: self.unknowns.iter().map(|&unknown| symbol(unknown)).collect(),
                 right: own,
             }),
-            None => rates.extend(self.cramer(graph, way, &own, symbol)),
+            None => rates.extend(self.cramer(graph, influences, &own, symbol)),
         }
         for pivot in self.pivots.iter().rev() {
             let (row, unknown, entry, others) = match pivot {
@@ -359,7 +359,13 @@ impl Jacobian {
     }
 
     /// The rates of what remains, up to three unknowns, by Cramer's rule.
-    fn cramer(&self, graph: &mut Graph, way: Way, right: &[Node], symbol: &impl Fn(usize) -> Symbol) -> Vec<Rate> {
+    fn cramer(
+        &self,
+        graph: &mut Graph,
+        influences: Influences,
+        right: &[Node],
+        symbol: &impl Fn(usize) -> Symbol,
+    ) -> Vec<Rate> {
         let rate = |column: usize, value: Node| Rate::Value {
             symbol: symbol(self.unknowns[column]),
             value,
@@ -368,16 +374,16 @@ impl Jacobian {
             [] => Vec::new(),
             [row] => {
                 let one = graph.one();
-                vec![rate(0, way.quotient(graph, &[one], right, row[0]))]
+                vec![rate(0, influences.quotient(graph, &[one], right, row[0]))]
             }
             [first, second] => {
-                if let Some(rates) = self.triangular(graph, way, right, symbol) {
+                if let Some(rates) = self.triangular(graph, influences, right, symbol) {
                     return rates;
                 }
                 let determinant = determinant(graph, &self.core);
                 let weights = [[second[1], graph.negate(first[1])], [graph.negate(second[0]), first[0]]];
                 (0..2)
-                    .map(|column| rate(column, way.quotient(graph, &weights[column], right, determinant)))
+                    .map(|column| rate(column, influences.quotient(graph, &weights[column], right, determinant)))
                     .collect()
             }
             matrix => {
@@ -391,7 +397,7 @@ impl Jacobian {
                 (0..3)
                     .map(|column| {
                         let weights = cofactors.map(|cofactor| cofactor[column]);
-                        rate(column, way.quotient(graph, &weights, right, determinant))
+                        rate(column, influences.quotient(graph, &weights, right, determinant))
                     })
                     .collect()
             }
@@ -402,7 +408,7 @@ impl Jacobian {
     fn triangular(
         &self,
         graph: &mut Graph,
-        way: Way,
+        influences: Influences,
         right: &[Node],
         symbol: &impl Fn(usize) -> Symbol,
     ) -> Option<Vec<Rate>> {
@@ -412,14 +418,14 @@ impl Jacobian {
             .find(|&(row, column)| graph.is_zero(self.core[row][column]))?;
         let (other_row, first) = (1 - row, 1 - column);
         let one = graph.one();
-        let first_value = way.quotient(graph, &[one], &right[row..=row], self.core[row][first]);
+        let first_value = influences.quotient(graph, &[one], &right[row..=row], self.core[row][first]);
         let mut rates = vec![Rate::Value {
             symbol: symbol(self.unknowns[first]),
             value: first_value,
         }];
         let known = [(self.unknowns[first], self.core[other_row][first])];
         let rest = without(graph, right[other_row], &known, &rates, symbol);
-        let value = way.quotient(graph, &[one], &[rest], self.core[other_row][column]);
+        let value = influences.quotient(graph, &[one], &[rest], self.core[other_row][column]);
         rates.push(Rate::Value {
             symbol: symbol(self.unknowns[column]),
             value,
@@ -528,7 +534,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::{Jacobian, Pivot, radius};
-    use crate::derive::{Rate, Way};
+    use crate::derive::{Influences, Rate};
     use crate::expr::{Graph, Node, Symbol};
     use crate::passes::{Pass, Passes};
     use crate::structure::Block;
@@ -571,7 +577,7 @@ mod tests {
 
     /// Solves J x = right for a Jacobian of some pattern, computes the rates one after the other, and puts them back into the
     /// equations. The steps of the reduction are handed back by their initials, and how large a system they left.
-    fn put_back(pattern: &[&str], passes: Passes, way: Way, is_still: bool) -> (String, usize) {
+    fn put_back(pattern: &[&str], passes: Passes, influences: Influences, is_still: bool) -> (String, usize) {
         let size = pattern.len();
         let mut graph = Graph::new();
         let (mut residuals, mut right) = (Vec::new(), Vec::new());
@@ -594,7 +600,9 @@ mod tests {
             check_jacobian: true,
         };
         let jacobian = Jacobian::new(&mut graph, &residuals, &block, passes);
-        let rates = jacobian.solve(&mut graph, way, &right, &|unknown| Symbol::UnknownRate(unknown, 1));
+        let rates = jacobian.solve(&mut graph, influences, &right, &|unknown| {
+            Symbol::UnknownRate(unknown, 1)
+        });
         let mut found: BTreeMap<Symbol, f64> = BTreeMap::new();
         let known = |found: &BTreeMap<Symbol, f64>, symbol: Symbol| match symbol {
             Symbol::Parameter(place) => value(size, place),
@@ -630,7 +638,7 @@ mod tests {
             // what is put back differs by a few dozen roundings of terms below ten
             assert!(
                 (left - right).abs() < 1e-13,
-                "{pattern:?}, {way:?}: {left} and not {right}"
+                "{pattern:?}, {influences:?}: {left} and not {right}"
             );
         }
         let steps = jacobian.pivots.iter().map(|pivot| match pivot {
@@ -663,11 +671,11 @@ mod tests {
             (&["ppppp", "ppppp", ".pppp", ".pppp", "..ppn"], "NT", 3),
         ];
         for (pattern, steps, left) in patterns {
-            for way in [Way::Whole, Way::Collected] {
+            for influences in [Influences::Separate, Influences::Collected] {
                 for is_still in [false, true] {
-                    let reduced = put_back(pattern, Passes::ALL, way, is_still);
+                    let reduced = put_back(pattern, Passes::ALL, influences, is_still);
                     assert_eq!(reduced, (steps.to_owned(), left), "{pattern:?}");
-                    let whole = put_back(pattern, Passes::without(Pass::ReducedJacobians), way, is_still);
+                    let whole = put_back(pattern, Passes::without(Pass::ReducedJacobians), influences, is_still);
                     assert_eq!(whole, (String::new(), pattern.len()), "{pattern:?}");
                 }
             }

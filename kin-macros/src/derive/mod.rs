@@ -10,7 +10,7 @@ mod sensitivity;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub(crate) use influence::Way;
+pub(crate) use influence::Influences;
 pub(crate) use sensitivity::{Definition, Row};
 
 use jacobian::Jacobian;
@@ -90,7 +90,7 @@ pub(crate) struct Task<'a> {
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
     pub(crate) outputs: &'a [Node],
-    pub(crate) way: Way,
+    pub(crate) influences: Influences,
     pub(crate) passes: Passes,
     /// More expressions than these are not handled.
     pub(crate) most_expressions: usize,
@@ -221,15 +221,12 @@ impl Derivatives {
                     right
                 })
                 .collect();
-            found.extend(jacobian.solve(
-                graph,
-                task.way,
-                &right,
-                &|unknown| match self.rates.lower(unknown, order) {
+            found.extend(jacobian.solve(graph, task.influences, &right, &|unknown| {
+                match self.rates.lower(unknown, order) {
                     Some(_) => Symbol::Turning(unknown, order),
                     None => Symbol::UnknownRate(unknown, order),
-                },
-            ));
+                }
+            }));
             for &unknown in &block.unknowns {
                 if let Some(lower) = self.rates.lower(unknown, order) {
                     let turning = graph.symbol(Symbol::Turning(unknown, order));

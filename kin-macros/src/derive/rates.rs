@@ -92,7 +92,11 @@ impl Rates {
             }
             Term::Symbol(Symbol::Turning(..)) => unreachable!("only what depends on positions alone is differentiated"),
             Term::Symbol(
-                Symbol::Parameter(_) | Symbol::OutputRate(..) | Symbol::OutputSensitivity(..) | Symbol::Step(_),
+                Symbol::Parameter(_)
+                | Symbol::OutputRate(..)
+                | Symbol::OutputSensitivity(..)
+                | Symbol::Step(_)
+                | Symbol::Value(_),
             ) => graph.zero(),
             Term::Sum(_, terms) => {
                 let terms: Vec<(Node, f64)> = terms
@@ -317,7 +321,8 @@ mod tests {
                     | Symbol::Sensitivity(..)
                     | Symbol::OutputSensitivity(..)
                     | Symbol::Turning(..)
-                    | Symbol::Step(_) => (f64::NAN, 0),
+                    | Symbol::Step(_)
+                    | Symbol::Value(_) => (f64::NAN, 0),
                 };
                 if matches!(symbol, Symbol::Parameter(_)) {
                     return value;

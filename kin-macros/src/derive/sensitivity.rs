@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use super::jacobian::Jacobian;
 use super::rates::{Rates, binomial};
-use super::{Derivatives, Rate, Task, TooLarge, Way};
+use super::{Derivatives, Influences, Rate, Task, TooLarge};
 use crate::expr::{Graph, Node, Symbol, Term};
 
 /// One step of the sensitivities' program.
@@ -181,7 +181,7 @@ impl Derivation<'_> {
     fn solve(&mut self, jacobian: &Jacobian, right: &[Node], parameter: usize, order: usize) {
         let symbol = |unknown: usize| Symbol::Sensitivity(unknown, parameter, order);
         // each of these right-hand sides has entries of its own order
-        for solution in jacobian.solve(self.graph, Way::Whole, right, &symbol) {
+        for solution in jacobian.solve(self.graph, Influences::Separate, right, &symbol) {
             match solution {
                 Rate::Value { symbol, value } => {
                     let node = if self.graph.is_zero(value) {

@@ -1,375 +1,265 @@
-//! The implementation of the trait that all mechanisms share.
+//! The mechanism to be written, and the names of its parts.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
-use syn::{Attribute, Expr, Lit, Meta};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
 
 use super::declaration::vector_type;
-use super::{Mechanism, assembly, attributes, description, local};
-use crate::model::Dimension;
+use crate::expr::Symbol;
+use crate::model::{Dimension, Model, Request, Shape};
+use crate::program::{Limits, Mode, Names, Solvers, order_name};
+use crate::structure::{Block, Part};
+use crate::syntax::Declaration;
 
-/// `impl Mechanism` and `impl Pose`.
-pub(super) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
-    let runtime = mechanism.runtime;
-    let model = mechanism.model;
-    let order = mechanism.order();
-    let (name, pose, attributes) = (&model.name, mechanism.pose(order), attributes());
-    let (assembly_type, value) = (mechanism.assembly_type(), mechanism.assembly_value());
-    let index = local("index");
-    let by_number = assembly::by_number(mechanism, &quote!(#index));
-    let assembly_count = Literal::usize_unsuffixed(1 << mechanism.choices().len());
-    let scalars = mechanism.scalar_parameters();
-    let size = |count: usize| Literal::usize_unsuffixed(count);
-    let residual_count = size(
-        model
-            .equations
+/// All that is known of a mechanism when it is written down.
+#[derive(Clone, Copy)]
+pub(super) struct Mechanism<'a> {
+    pub(super) declaration: &'a Declaration,
+    pub(super) model: &'a Model,
+    pub(super) blocks: &'a [Block],
+    pub(super) solvers: &'a Solvers,
+    /// The path to the items that generated code calls.
+    pub(super) runtime: &'a TokenStream,
+}
+
+/// A name in generated code that no name of the user's can capture.
+pub(super) fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// Generated items may go unused, and are not to be judged by the lints of the crate that they land in.
+pub(super) fn attributes() -> TokenStream {
+    quote! {
+        #[automatically_derived]
+        #[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    }
+}
+
+impl Mechanism<'_> {
+    pub(super) fn is_requested(&self, request: Request) -> bool {
+        self.model.is_requested(request)
+    }
+
+    /// The highest time derivative.
+    pub(super) fn order(&self) -> usize {
+        self.solvers.order()
+    }
+
+    /// The type of the pose through an order: `FourBarVelocity`.
+    pub(super) fn pose(&self, order: usize) -> Ident {
+        let mut name = order_name(order);
+        if let Some(first) = name.get_mut(..1) {
+            first.make_ascii_uppercase();
+        }
+        let name: String = name.split('_').collect();
+        format_ident!("{}{name}", self.model.name, span = self.model.name.span())
+    }
+
+    /// The parts of all blocks, in the order in which they are solved.
+    pub(super) fn parts(&self) -> Vec<&Part> {
+        self.blocks.iter().flat_map(|block| &block.parts).collect()
+    }
+
+    /// Whether a part is left to Newton's method, so that its assembly is told by values near by.
+    pub(super) fn is_coupled(&self) -> bool {
+        self.blocks.iter().any(Block::is_coupled)
+    }
+
+    /// The indices of the parts that leave a choice to the caller, in order.
+    pub(super) fn choices(&self) -> Vec<usize> {
+        (0..self.solvers.choices.len())
+            .filter(|&part| matches!(self.solvers.choices[part].mode, Mode::Assembly(_)))
+            .collect()
+    }
+
+    /// The names of unknowns, separated by commas.
+    pub(super) fn names(&self, unknowns: &[usize]) -> String {
+        let names: Vec<String> = unknowns
             .iter()
-            .map(|equation| equation.residual.nodes().len())
-            .sum(),
-    );
-    let (parameter_count, input_count, unknown_count) = (
-        size(scalars.len()),
-        size(model.inputs.len()),
-        size(model.unknowns.len()),
-    );
-    let output_count = size(model.outputs.iter().map(|output| output.value.nodes().len()).sum());
-    let values = scalars.iter().map(|(_, value, ..)| value);
-    let (parameters, convert) = (local("parameters"), local("convert"));
-    let mut next = 0;
-    let mut from_array = Vec::new();
-    let mut converted = Vec::new();
-    for parameter in &model.parameters {
-        let field = &parameter.name;
-        let shape = parameter.dimension.shape();
+            .map(|&unknown| self.model.unknowns[unknown].name.to_string())
+            .collect();
+        names.join(", ")
+    }
+
+    /// The names of a part's unknowns, separated by commas.
+    pub(super) fn part_name(&self, part: usize) -> String {
+        self.names(&self.parts()[part].unknowns)
+    }
+
+    pub(super) fn name_of(&self, symbol: Symbol) -> Ident {
+        local(self.solvers.names().of(symbol))
+    }
+
+    /// A name of the generated code's own, unlike any input or unknown.
+    pub(super) fn own(&self, name: &str) -> Ident {
+        local(&self.model.own_name(name))
+    }
+
+    /// A type parameter of the generated code's own, unlike the mechanism.
+    pub(super) fn type_parameter(&self, name: &str) -> Ident {
+        let underscore = if self.model.name == name { "_" } else { "" };
+        local(&format!("{name}{underscore}"))
+    }
+
+    /// The inputs as arguments of type `T`.
+    pub(super) fn input_names(&self) -> Vec<Ident> {
+        self.model
+            .inputs
+            .iter()
+            .map(|input| local(&input.name.to_string()))
+            .collect()
+    }
+
+    /// Whether an unknown is handed out as a unit vector.
+    pub(super) fn is_direction(&self, unknown: usize) -> bool {
+        self.model.unknowns[unknown].dimension == Dimension::Direction
+    }
+
+    /// Whether any is.
+    pub(super) fn has_directions(&self) -> bool {
+        (0..self.model.unknowns.len()).any(|unknown| self.is_direction(unknown))
+    }
+
+    /// An unknown's value, from a pose of any order. That of a direction is calculated, if the pose does not keep it.
+    pub(super) fn unknown_value(&self, unknown: usize) -> TokenStream {
+        let name = &self.model.unknowns[unknown].name;
+        match (self.is_direction(unknown), self.solvers.directions().angle(unknown)) {
+            (false, _) => quote!(self.#name.position()),
+            (true, None) => quote!(self.#name.angle()),
+            (true, Some(angle)) => {
+                let angle = self.name_of(angle);
+                quote!(self.#angle)
+            }
+        }
+    }
+
+    /// The same on the turn nearest to a value, if it is calculated.
+    pub(super) fn unknown_value_near(&self, unknown: usize, near: &TokenStream) -> TokenStream {
+        let name = &self.model.unknowns[unknown].name;
+        if self.is_direction(unknown) && self.solvers.directions().angle(unknown).is_none() {
+            quote!(self.#name.angle_near(#near))
+        } else {
+            self.unknown_value(unknown)
+        }
+    }
+
+    /// What holds an unknown through an order: `Motion<T, 5>`, or `Direction<T, 4>`.
+    pub(super) fn unknown_type(&self, unknown: usize, order: usize, number: &TokenStream) -> TokenStream {
+        let runtime = self.runtime;
+        if self.is_direction(unknown) {
+            let rates = Literal::usize_unsuffixed(order);
+            quote!(#runtime::Direction<#number, #rates>)
+        } else {
+            let length = Literal::usize_unsuffixed(order + 1);
+            quote!(#runtime::Motion<#number, #length>)
+        }
+    }
+
+    /// For each output, its scalar parts' numbers.
+    pub(super) fn output_parts(&self) -> Vec<Vec<usize>> {
+        let mut next = 0;
+        self.model
+            .outputs
+            .iter()
+            .map(|output| {
+                let count = output.value.nodes().len();
+                let parts = (next..next + count).collect();
+                next += count;
+                parts
+            })
+            .collect()
+    }
+
+    /// An output whose numbers are of a type `T`: `T`, `Plane<T>` or `Space<T>`.
+    pub(super) fn output_type(&self, shape: Shape, number: &TokenStream) -> TokenStream {
+        let runtime = self.runtime;
         if let Some(vector) = vector_type(shape) {
-            let axes = shape.axes();
-            let places = (next..next + axes.len()).map(size);
-            next += axes.len();
-            from_array.push(quote!(#field: #runtime::#vector::new(#(#parameters[#places]),*)));
-            let axes = axes.iter().map(|axis| local(&axis.to_string()));
-            converted.push(quote!(#field: #runtime::#vector::new(#(#convert(self.#field.#axes)),*)));
+            quote!(#runtime::#vector<#number>)
         } else {
-            let place = size(next);
-            next += 1;
-            from_array.push(quote!(#field: #parameters[#place]));
-            converted.push(quote!(#field: #convert(self.#field)));
+            number.clone()
         }
     }
-    let inputs = local("inputs");
-    let places: Vec<TokenStream> = (0..model.inputs.len())
-        .map(|place| {
-            let place = size(place);
-            quote!(#inputs[#place])
-        })
-        .collect();
-    let (unknowns, wanted, near) = (local("unknowns"), mechanism.own("assembly"), local("near"));
-    let length = size(order + 1);
-    let is_coupled = mechanism.is_coupled();
-    let (assembly_type, value) = if is_coupled {
-        (quote!(#runtime::Near<#unknown_count>), quote!(#wanted))
-    } else {
-        (assembly_type, value)
-    };
-    let assembly_count = if is_coupled { size(0) } else { assembly_count };
-    let assembly_by_number = if is_coupled {
-        quote!(let _ = #index; ::core::option::Option::None)
-    } else {
-        quote! {
-            if #index < Self::ASSEMBLY_COUNT {
-                ::core::option::Option::Some(#by_number)
-            } else {
-                ::core::option::Option::None
+
+    /// Each scalar parameter: its name in messages, its place in the structure, its dimension and its field.
+    pub(super) fn scalar_parameters(&self) -> Vec<(String, TokenStream, Dimension, usize)> {
+        let mut scalars = Vec::new();
+        for (index, parameter) in self.model.parameters.iter().enumerate() {
+            let name = &parameter.name;
+            let shape = parameter.dimension.shape();
+            if shape == Shape::Scalar {
+                scalars.push((name.to_string(), quote!(self.#name), parameter.dimension, index));
+            }
+            for axis in shape.axes() {
+                let part = local(&axis.to_string());
+                scalars.push((
+                    format!("{name}.{axis}"),
+                    quote!(self.#name.#part),
+                    Dimension::Length,
+                    index,
+                ));
             }
         }
-    };
-    let assembly_near = if is_coupled {
-        quote!(let _ = #inputs; #runtime::Near(#near.map(#runtime::Scalar::real)))
-    } else if value.is_empty() {
-        quote!(let _ = (#inputs, #near);)
-    } else {
-        quote!(self.assembly_at(#(#places,)* #near))
-    };
-    let description = description(mechanism);
-    let unknown_motions = model.unknowns.iter().enumerate().map(|(index, unknown)| {
-        let field = &unknown.name;
-        if mechanism.is_direction(index) {
-            let value = mechanism.unknown_value(index);
-            quote!(self.#field.motion_from(#value))
-        } else {
-            quote!(self.#field)
-        }
-    });
-    let directions = directions(mechanism);
-    let position_near = quote!(self.position_near(#(#places,)* #near));
-    let unknowns_near = if mechanism.has_directions() {
-        quote!(#position_near.map(|position| position.unknowns_near(#near)))
-    } else {
-        quote!(#position_near.map(|position| position.unknowns()))
-    };
-    let output_fields = model.outputs.iter().map(|output| {
-        let field = &output.name;
-        let axes = output.value.shape().axes();
-        if axes.is_empty() {
-            return quote!(self.#field);
-        }
-        let axes = axes.iter().map(|axis| local(&axis.to_string()));
-        quote!(#(self.#field.#axes()),*)
-    });
-    let ignore = if value.is_empty() {
-        quote!(let () = #wanted;)
-    } else {
-        TokenStream::new()
-    };
-    // The way of a batch, several poses at a time, is to be inlined from end to end.
-    let number = mechanism.type_parameter("Number");
-    let in_lanes = quote!(#[inline(always)]);
-    let complete = |position: TokenStream| {
-        quote! {
-            let position = #position?;
-            self.__complete(position, #(#places),*)
-        }
-    };
-    let (solve, solve_near) = if is_coupled {
-        (
-            quote!(self.solve(#(#places,)* #value)),
-            complete(quote!(self.position_near(#(#places.position(),)* #near))),
-        )
-    } else {
-        let value = if value.is_empty() { quote!() } else { quote!(#value,) };
-        (
-            complete(quote!(self.__position(#(#places.position(),)* #value ::core::option::Option::None))),
-            quote!(self.solve_near(#(#places,)* #near)),
-        )
-    };
-    quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
-            type Scalar = T;
-            type With<#number: #runtime::Scalar> = #name<#number>;
-            type Assembly = #assembly_type;
-            type Motion<Element: ::core::marker::Copy> = #runtime::Motion<Element, #length>;
-            type Pose = #pose<T>;
-            type Parameters<Element: ::core::marker::Copy> = [Element; #parameter_count];
-            type Inputs<Element: ::core::marker::Copy> = [Element; #input_count];
-            type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
-            type Residuals<Element: ::core::marker::Copy> = [Element; #residual_count];
-
-            const DESCRIPTION: #runtime::Description = #description;
-            const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
-
-            fn assembly(#index: ::core::primitive::usize) -> ::core::option::Option<Self::Assembly> {
-                #assembly_by_number
-            }
-
-            fn assembly_near(&self, #inputs: [T; #input_count], #near: [T; #unknown_count]) -> Self::Assembly {
-                #assembly_near
-            }
-
-            fn from_parameters(#parameters: [T; #parameter_count]) -> Self {
-                Self { #(#from_array),* }
-            }
-
-            fn parameters(&self) -> [T; #parameter_count] {
-                [#(#values),*]
-            }
-
-            fn convert<#number: #runtime::Scalar>(
-                &self,
-                mut #convert: impl ::core::ops::FnMut(T) -> #number,
-            ) -> #name<#number> {
-                #name { #(#converted),* }
-            }
-
-            #in_lanes
-            fn solve_motion(
-                &self,
-                #inputs: [#runtime::Motion<T, #length>; #input_count],
-                #wanted: Self::Assembly,
-            ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
-                #ignore
-                #solve
-            }
-
-            #in_lanes
-            fn solve_motion_near(
-                &self,
-                #inputs: [#runtime::Motion<T, #length>; #input_count],
-                #near: [T; #unknown_count],
-            ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
-                #solve_near
-            }
-
-            fn solve_position(
-                &self,
-                #inputs: [T; #input_count],
-                #wanted: Self::Assembly,
-            ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
-                #ignore
-                self.position(#(#places,)* #value).map(|position| position.unknowns())
-            }
-
-            fn solve_position_near(
-                &self,
-                #inputs: [T; #input_count],
-                #near: [T; #unknown_count],
-            ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
-                #unknowns_near
-            }
-
-            fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
-                self.closure(#(#places,)* #unknowns)
-            }
-        }
-
-        #attributes
-        impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {
-            type Scalar = T;
-            type Motion = #runtime::Motion<T, #length>;
-            type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
-            type Outputs<Element: ::core::marker::Copy> = [Element; #output_count];
-
-            fn unknown_motions(&self) -> [#runtime::Motion<T, #length>; #unknown_count] {
-                [#(#unknown_motions),*]
-            }
-
-            #directions
-
-            fn output_motions(&self) -> [#runtime::Motion<T, #length>; #output_count] {
-                [#(#output_fields),*]
-            }
-        }
+        scalars
     }
-}
 
-/// What a pose tells of unknowns that it holds as unit vectors.
-fn directions(mechanism: &Mechanism<'_>) -> TokenStream {
-    if !mechanism.has_directions() {
-        return TokenStream::new();
+    /// The structure of several choices: `SixBarAssembly`.
+    pub(super) fn assembly_structure(&self) -> Ident {
+        format_ident!("{}Assembly", self.model.name, span = self.model.name.span())
     }
-    let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let [length, count] = [mechanism.order() + 1, model.unknowns.len()].map(Literal::usize_unsuffixed);
-    let near = local("near");
-    let (mut motions_near, mut columns, mut sines) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, unknown) in model.unknowns.iter().enumerate() {
-        let (field, place) = (&unknown.name, Literal::usize_unsuffixed(index));
-        if mechanism.is_direction(index) {
-            let value = mechanism.unknown_value_near(index, &quote!(#near[#place]));
-            motions_near.push(quote!(self.#field.motion_from(#value)));
-            columns.push(quote!(self.#field.motion_from(self.#field.cosine())));
-            sines.push(quote!(::core::option::Option::Some(self.#field.sine())));
-        } else {
-            motions_near.push(quote!(self.#field));
-            columns.push(quote!(self.#field));
-            sines.push(quote!(::core::option::Option::None));
-        }
-    }
-    quote! {
-        fn unknown_motions_near(&self, #near: [T; #count]) -> [#runtime::Motion<T, #length>; #count] {
-            [#(#motions_near),*]
-        }
 
-        #[inline(always)]
-        fn unknown_columns(&self) -> [#runtime::Motion<T, #length>; #count] {
-            [#(#columns),*]
-        }
-
-        #[inline(always)]
-        fn unknown_sines(&self) -> [::core::option::Option<T>; #count] {
-            [#(#sines),*]
-        }
-    }
-}
-
-fn description(mechanism: &Mechanism<'_>) -> TokenStream {
-    let runtime = mechanism.runtime;
-    let model = mechanism.model;
-    let name = model.name.to_string();
-    let parameters = mechanism
-        .scalar_parameters()
-        .into_iter()
-        .map(|(label, _, dimension, index)| quantity(runtime, &label, dimension, &model.parameters[index].attributes));
-    let inputs = model
-        .inputs
-        .iter()
-        .map(|input| quantity(runtime, &input.name.to_string(), input.dimension, &input.documentation));
-    let unknowns = model.unknowns.iter().map(|unknown| {
-        quantity(
-            runtime,
-            &unknown.name.to_string(),
-            unknown.dimension,
-            &unknown.documentation,
-        )
-    });
-    let outputs = model.outputs.iter().flat_map(|output| {
-        let name = output.name.to_string();
-        let labels = output.value.shape().part_names(&name, ".");
-        labels
+    /// The fields of that structure: the unknowns of each block, joined.
+    pub(super) fn assembly_fields(&self) -> Vec<Ident> {
+        let mut names = Names::default();
+        self.choices()
             .into_iter()
-            .map(|label| quantity(runtime, &label, output.dimension, &output.documentation))
-            .collect::<Vec<_>>()
-    });
-    let equations = model.equations.iter().map(|equation| &equation.text);
-    let blocks = mechanism.blocks.iter().map(|block| {
-        let (unknowns, solution) = (mechanism.names(&block.unknowns), mechanism.solution(block));
-        let [members, equations] = [&block.unknowns, &block.equations].map(|places| {
-            places
-                .iter()
-                .map(|&place| Literal::usize_unsuffixed(place))
-                .collect::<Vec<_>>()
-        });
-        quote! {
-            #runtime::Block {
-                unknowns: #unknowns,
-                solution: #solution,
-                members: &[#(#members),*],
-                equations: &[#(#equations),*],
+            .map(|part| {
+                let unknowns: Vec<String> = self.parts()[part]
+                    .unknowns
+                    .iter()
+                    .map(|&unknown| self.model.unknowns[unknown].name.to_string())
+                    .collect();
+                // `a_b` and `c` come to the same as `a` and `b_c`
+                Ident::new(&names.unique(&unknowns.join("_")), self.model.name.span())
+            })
+            .collect()
+    }
+
+    /// The range declared for an unknown.
+    pub(super) fn limits(&self, unknown: usize) -> Option<Limits> {
+        let range = self.model.unknowns[unknown].range.as_ref()?;
+        Some(Limits {
+            low: range.low,
+            high: range.high,
+        })
+    }
+
+    /// The type that says which assembly of the parts with a closed form: one choice, a structure of several, or nothing.
+    pub(super) fn assembly_type(&self) -> TokenStream {
+        let runtime = self.runtime;
+        match self.choices().len() {
+            0 => quote!(()),
+            1 => quote!(#runtime::Assembly),
+            _ => {
+                let name = self.assembly_structure();
+                quote!(#name)
             }
         }
-    });
-    let order = Literal::usize_unsuffixed(mechanism.order());
-    let operations = description::operations(mechanism);
-    quote! {
-        #runtime::Description {
-            name: #name,
-            parameters: &[#(#parameters),*],
-            inputs: &[#(#inputs),*],
-            unknowns: &[#(#unknowns),*],
-            outputs: &[#(#outputs),*],
-            equations: &[#(#equations),*],
-            blocks: &[#(#blocks),*],
-            order: #order,
-            operations: &#operations,
-        }
     }
-}
 
-fn quantity(runtime: &TokenStream, name: &str, dimension: Dimension, attributes: &[Attribute]) -> TokenStream {
-    let dimension = match dimension {
-        Dimension::Length | Dimension::Point | Dimension::Vector | Dimension::Point3 | Dimension::Vector3 => {
-            local("Length").into_token_stream()
+    /// The assembly as an argument, absent where there is nothing to choose.
+    pub(super) fn assembly_argument(&self) -> TokenStream {
+        if self.choices().is_empty() {
+            return TokenStream::new();
         }
-        Dimension::Angle | Dimension::Direction => local("Angle").into_token_stream(),
-        Dimension::Scalar => local("Scalar").into_token_stream(),
-    };
-    let text = first_paragraph(attributes);
-    quote!(#runtime::Quantity { name: #name, dimension: #runtime::Dimension::#dimension, description: #text })
-}
+        let (assembly, kind) = (self.own("assembly"), self.assembly_type());
+        quote!(#assembly: #kind)
+    }
 
-/// The first paragraph of a documentation comment, on one line.
-fn first_paragraph(attributes: &[Attribute]) -> String {
-    attributes
-        .iter()
-        .filter_map(|attribute| match &attribute.meta {
-            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-                Expr::Lit(literal) => match &literal.lit {
-                    Lit::Str(text) => Some(text.value().trim().to_owned()),
-                    _ => None,
-                },
-                _ => None,
-            },
-            _ => None,
-        })
-        .take_while(|line| !line.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ")
+    /// The assembly where it is passed on.
+    pub(super) fn assembly_value(&self) -> TokenStream {
+        if self.choices().is_empty() {
+            return TokenStream::new();
+        }
+        let assembly = self.own("assembly");
+        quote!(#assembly)
+    }
 }

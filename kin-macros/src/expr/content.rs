@@ -84,7 +84,7 @@ impl Contents {
             Symbol::Parameter(_) => PARAMETER,
             Symbol::Input(_) => INPUT,
             Symbol::Unknown(_) => UNKNOWN,
-            Symbol::Step(_) => STEP,
+            Symbol::Step(_) | Symbol::Value(_) => STEP,
             Symbol::InputRate(..)
             | Symbol::UnknownRate(..)
             | Symbol::Turning(..)

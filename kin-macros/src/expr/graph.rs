@@ -43,8 +43,10 @@ pub(crate) enum Symbol {
     Sensitivity(usize, usize, usize),
     /// The same of a scalar part of an output.
     OutputSensitivity(usize, usize, usize),
-    /// A value that the program computes in a step of its own: what a closed form returns, or an abbreviation.
+    /// A value that the program computes in a step of its own: the result of a closed form, or an abbreviation.
     Step(usize),
+    /// A value that got its name when the program was scheduled.
+    Value(usize),
 }
 
 /// A number that can be compared and hashed: never NaN, never the negative zero.

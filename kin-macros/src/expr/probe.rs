@@ -35,6 +35,7 @@ impl Probe {
             Symbol::UnknownRate(index, order) => (5 + 16 * order, index),
             Symbol::Turning(index, order) => (11 + 16 * order, index),
             Symbol::Step(index) => (6, index),
+            Symbol::Value(index) => (10, index),
             Symbol::OutputRate(index, order) => (7 + 16 * order, index),
             Symbol::Sensitivity(index, parameter, order) => (8 + 16 * order, index + (parameter << 12)),
             Symbol::OutputSensitivity(index, parameter, order) => (9 + 16 * order, index + (parameter << 12)),

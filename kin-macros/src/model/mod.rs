@@ -2,6 +2,7 @@
 //! its place in the source.
 
 mod dimension;
+mod equations;
 mod length;
 mod lower;
 mod order;
@@ -25,7 +26,8 @@ use lower::{Lowering, Typed};
 use scope::{Meaning, Role, Scope};
 
 pub(crate) use crate::syntax::{Dimension, Request, Shape};
-pub(crate) use request::Requested;
+pub(crate) use equations::Origin;
+use request::Requested;
 pub(crate) use value::Value;
 
 /// A mechanism as it was declared, free of mistakes in itself. Whether it can be solved is the next pass's question.

@@ -1,89 +1,92 @@
-//! What each stage leaves for the later ones.
+//! The values that each stage leaves for the later ones.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::statement::{Carried, Scheduled, Statement};
-use crate::assemble::Program;
 use crate::expr::Symbol;
+use crate::program::{Carried, Expression, Program, Step};
 
-/// What each stage leaves for the later ones.
-pub(super) fn hand_on(scheduled: &mut Scheduled, program: &Program) {
-    let last = scheduled.stages.len();
+/// Finds out what each stage of a scheduled program leaves for the later ones.
+pub(super) fn hand_on(program: &mut Program<Expression>) {
+    let last = program.stages.len();
     // methods of the mechanism itself, which need not be handed its parameters
     let has_parameters = |stage: usize| stage == 0 || (program.has_sensitivities && stage + 1 == last);
     let mut uses: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
-    let mut symbols: Vec<BTreeSet<Symbol>> = vec![BTreeSet::new(); last];
+    let mut reads: Vec<BTreeSet<Symbol>> = vec![BTreeSet::new(); last];
     let mut carries: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
-    let mut born: BTreeMap<String, usize> = BTreeMap::new();
-    let mut systems: BTreeMap<String, usize> = BTreeMap::new();
-    for (stage, scheduled_stage) in scheduled.stages.iter().enumerate() {
-        for statement in &scheduled_stage.statements {
-            for name in statement.uses() {
-                let symbol = program.names.symbol(&name);
-                let (since, parameter) = match symbol {
-                    Some(Symbol::Parameter(index)) => {
-                        if has_parameters(stage) {
-                            symbols[stage].insert(Symbol::Parameter(index));
-                            continue;
-                        }
-                        (0, Some(index))
+    let mut born: BTreeMap<Symbol, usize> = BTreeMap::new();
+    let mut systems: BTreeMap<Symbol, usize> = BTreeMap::new();
+    for (stage, own) in program.stages.iter().enumerate() {
+        for step in &own.steps {
+            for symbol in step.uses() {
+                let since = match symbol {
+                    Symbol::Parameter(_) if has_parameters(stage) => {
+                        reads[stage].insert(symbol);
+                        continue;
                     }
-                    Some(symbol @ (Symbol::Input(_) | Symbol::Unknown(_)))
-                        if stage > 0 || matches!(symbol, Symbol::Input(_)) =>
-                    {
-                        symbols[stage].insert(symbol);
+                    Symbol::Parameter(_) => 0,
+                    Symbol::Input(_) => {
+                        reads[stage].insert(symbol);
+                        continue;
+                    }
+                    Symbol::Unknown(_) if stage > 0 => {
+                        reads[stage].insert(symbol);
                         continue;
                     }
                     // the pose tells cosine and sine of a direction as well
-                    Some(symbol @ Symbol::Step(_)) if stage > 0 && program.directions.meaning(symbol).is_some() => {
-                        symbols[stage].insert(symbol);
+                    Symbol::Step(_) if stage > 0 && program.directions.meaning(symbol).is_some() => {
+                        reads[stage].insert(symbol);
                         continue;
                     }
-                    Some(symbol @ (Symbol::InputRate(_, order) | Symbol::UnknownRate(_, order))) => {
-                        if stage > order || matches!(symbol, Symbol::InputRate(..)) {
-                            symbols[stage].insert(symbol);
+                    Symbol::InputRate(..) => {
+                        reads[stage].insert(symbol);
+                        continue;
+                    }
+                    Symbol::UnknownRate(_, order) => {
+                        if stage > order {
+                            reads[stage].insert(symbol);
                         }
                         continue;
                     }
-                    _ => match born.get(&name) {
-                        Some(&since) => (since, None),
+                    _ => match born.get(&symbol) {
+                        Some(&since) => since,
                         None => continue,
                     },
                 };
                 if stage > since {
                     let carried = Carried {
-                        name: name.clone(),
-                        parameter,
-                        factors: systems.get(&name).copied(),
+                        symbol,
+                        factors: systems.get(&symbol).copied(),
                     };
-                    uses[stage].insert(carried.clone());
+                    uses[stage].insert(carried);
                     for earlier in &mut carries[since..stage] {
-                        earlier.insert(carried.clone());
+                        earlier.insert(carried);
                     }
                 }
             }
-            if let Statement::Factor { name, matrix } = statement {
-                systems.insert(name.clone(), matrix.len());
+            if let Step::Factor { symbol, matrix } = step {
+                systems.insert(*symbol, matrix.len());
             }
-            for name in statement.defines() {
-                born.entry(name).or_insert(stage);
+            for symbol in step.defines() {
+                born.entry(symbol).or_insert(stage);
             }
         }
     }
     // an angle that is found beside its unit vector stays with every pose
     let poses = if program.has_sensitivities { last - 1 } else { last };
-    for angle in program.directions.angles() {
+    for symbol in program.directions.angles() {
         for carried in &mut carries[..poses] {
-            carried.insert(Carried {
-                name: program.names.of(angle).to_owned(),
-                parameter: None,
-                factors: None,
-            });
+            carried.insert(Carried { symbol, factors: None });
         }
     }
-    for (stage, scheduled_stage) in scheduled.stages.iter_mut().enumerate() {
-        scheduled_stage.uses = std::mem::take(&mut uses[stage]).into_iter().collect();
-        scheduled_stage.symbols = std::mem::take(&mut symbols[stage]).into_iter().collect();
-        scheduled_stage.carries = std::mem::take(&mut carries[stage]).into_iter().collect();
+    let names = &program.names;
+    let by_name = |values: &mut BTreeSet<Carried>| {
+        let mut values: Vec<Carried> = std::mem::take(values).into_iter().collect();
+        values.sort_by_key(|carried| names.of(carried.symbol));
+        values
+    };
+    for (index, stage) in program.stages.iter_mut().enumerate() {
+        stage.uses = by_name(&mut uses[index]);
+        stage.reads = std::mem::take(&mut reads[index]).into_iter().collect();
+        stage.carries = by_name(&mut carries[index]);
     }
 }

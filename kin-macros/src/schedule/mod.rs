@@ -10,7 +10,5 @@ mod operation;
 mod rows;
 mod scheduler;
 mod share;
-mod statement;
 
 pub(crate) use scheduler::{Factors, Style, schedule};
-pub(crate) use statement::{Expression, Scheduled, ScheduledStage, Statement};

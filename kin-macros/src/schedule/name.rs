@@ -2,24 +2,25 @@
 
 use super::operation::{Operation, Value};
 use super::scheduler::Scheduler;
+use crate::expr::Symbol;
 
 /// Longer names are not made.
 const NAME_LENGTH: usize = 36;
 
 impl Scheduler<'_> {
     /// Gives a value a name.
-    pub(super) fn bind(&mut self, value: Value) -> String {
+    pub(super) fn bind(&mut self, value: Value) -> Symbol {
         let wish = self.hints.get(&value).cloned().unwrap_or_else(|| self.describe(value));
-        let name = self.names.unique(&wish);
-        self.bound.insert(value, name.clone());
-        name
+        let symbol = self.names.value(&wish);
+        self.bound.insert(value, symbol);
+        symbol
     }
 
     /// The name of a leaf or of a value that has one.
     fn short_name(&self, value: Value) -> Option<String> {
         match self.operations.operation(value) {
             Operation::Leaf(symbol) => Some(self.names.of(*symbol).to_owned()),
-            _ => self.bound.get(&value).cloned(),
+            _ => self.bound.get(&value).map(|&symbol| self.names.of(symbol).to_owned()),
         }
     }
 

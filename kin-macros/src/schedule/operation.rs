@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::rows::{Row, RowId, Rows};
-use crate::assemble::Cost;
 use crate::expr::{HashMap, Number, Symbol};
 use crate::function::Function;
+use crate::program::Cost;
 
 /// An operation's number; operands have lower ones.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -1,4 +1,4 @@
-//! Operations as statements: what gets a name, and in which stage it is computed.
+//! Operations as steps: what gets a name, and in which stage it is computed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,11 +6,10 @@ use super::carry;
 use super::operation::{Operation, Operations, Value};
 use super::rows::Rows;
 use super::share;
-use super::statement::{Expression, Scheduled, ScheduledStage, Statement};
-use crate::assemble::{Argument, Cost, Directions, Mode, Names, Program, Solver, Stage, Step};
 use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
 use crate::passes::{Pass, Passes};
+use crate::program::{Cost, Expression, Mode, Names, Program, Solver, Stage, Step};
 
 /// Expressions with more operations than this are broken up.
 const READABLE: usize = 10;
@@ -30,11 +29,11 @@ pub(super) struct Scheduler<'a> {
     /// By value; none for what is not used.
     usage: Vec<Usage>,
     /// Values that have a name, and it.
-    pub(super) bound: BTreeMap<Value, String>,
-    program: &'a Program,
+    pub(super) bound: BTreeMap<Value, Symbol>,
+    program: &'a Program<Node>,
     style: Style,
     stage: usize,
-    statements: Vec<Statement>,
+    steps: Vec<Step<Expression>>,
     cost: Cost,
     /// How the block that is being written chooses between its solutions.
     mode: Mode,
@@ -47,12 +46,12 @@ pub(super) struct Scheduler<'a> {
 /// One iteration of Newton's method.
 #[derive(Clone)]
 struct Iteration {
-    statement: Statement,
+    step: Step<Expression>,
     cost: Cost,
 }
 
-/// Schedules the iterations of Newton's method, each a program of its own.
-fn iterations(graph: &Graph, program: &Program, passes: Passes) -> BTreeMap<usize, Iteration> {
+/// Schedules the iterations of Newton's method, each a program of its own. Their names are added to those of the program around them.
+fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes: Passes) -> BTreeMap<usize, Iteration> {
     let mut iterations = BTreeMap::new();
     for step in program.stages.iter().flat_map(|stage| &stage.steps) {
         let Step::Newton {
@@ -66,51 +65,31 @@ fn iterations(graph: &Graph, program: &Program, passes: Passes) -> BTreeMap<usiz
             continue;
         };
         // the same rows, in one piece, as an argument of no solver at all
-        let inner = Program {
-            stages: vec![Stage {
-                steps: vec![Step::Factor {
-                    symbol: RESIDUALS,
-                    matrix: [residuals.clone()]
-                        .into_iter()
-                        .chain(jacobian.iter().cloned())
-                        .collect(),
-                }],
-            }],
-            names: program.names.clone(),
-            directions: Directions::default(),
-            has_sensitivities: false,
+        let rows = Step::Factor {
+            symbol: RESIDUALS,
+            matrix: [residuals].into_iter().chain(jacobian).cloned().collect(),
         };
-        let mut scheduled = schedule(
-            graph,
-            &inner,
-            &[],
-            Style {
-                factors: Factors::Left,
-                check_domains: false,
-                passes,
-            },
-        );
-        let ScheduledStage {
-            mut statements, cost, ..
+        let inner = Program::single(vec![rows], names.clone());
+        let mut scheduled = schedule(graph, &inner, &[], Style::plain(passes));
+        names.adopt(scheduled.names);
+        let Stage {
+            steps: mut body, cost, ..
         } = scheduled.stages.swap_remove(0);
-        let Some(Statement::Factor { matrix, .. }) = statements.pop() else {
-            unreachable!("it is the last statement");
+        let Some(Step::Factor { matrix, .. }) = body.pop() else {
+            unreachable!("it is the last step");
         };
         let mut matrix = matrix.into_iter();
         let residuals = matrix.next().unwrap_or_default();
         let cost = cost + Cost::of_factors(unknowns.len()) + Cost::of_substitution(unknowns.len());
-        iterations.insert(
-            *part,
-            Iteration {
-                statement: Statement::Newton {
-                    unknowns: unknowns.clone(),
-                    body: statements,
-                    residuals,
-                    jacobian: matrix.collect(),
-                },
-                cost,
-            },
-        );
+        let step = Step::Newton {
+            part: *part,
+            unknowns: unknowns.clone(),
+            given: Vec::new(),
+            body,
+            residuals,
+            jacobian: matrix.collect(),
+        };
+        iterations.insert(*part, Iteration { step, cost });
     }
     iterations
 }
@@ -138,15 +117,34 @@ pub(crate) struct Style {
     pub(crate) passes: Passes,
 }
 
+impl Style {
+    /// A style in which nothing is taken out and nothing is checked.
+    pub(crate) const fn plain(passes: Passes) -> Self {
+        Self {
+            factors: Factors::Left,
+            check_domains: false,
+            passes,
+        }
+    }
+
+    /// A style in which the domains of functions are checked.
+    pub(crate) const fn checked(factors: Factors, passes: Passes) -> Self {
+        Self {
+            factors,
+            check_domains: true,
+            passes,
+        }
+    }
+}
+
 /// Schedules a program. `hints` are names for expressions that get one.
-pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)], style: Style) -> Scheduled {
-    let roots_of = |stages: &[Stage]| -> Vec<Node> {
-        stages
-            .iter()
-            .flat_map(|stage| &stage.steps)
-            .flat_map(Step::needs)
-            .collect()
-    };
+pub(crate) fn schedule(
+    graph: &Graph,
+    program: &Program<Node>,
+    hints: &[(Node, String)],
+    style: Style,
+) -> Program<Expression> {
+    let roots_of = |stages: &[Stage<Node>]| -> Vec<Node> { stages.iter().flat_map(Stage::needs).collect() };
     let roots = roots_of(&program.stages);
     let mut rows = Rows::new(graph, &roots, style);
     let reachable: BTreeSet<Node> = graph.reachable(&roots);
@@ -167,20 +165,22 @@ pub(crate) fn schedule(graph: &Graph, program: &Program, hints: &[(Node, String)
         .filter(|(node, _)| reachable.contains(node))
         .map(|(node, name)| (operations.lower(&rows, rows.of_node(*node)), name.clone()))
         .collect();
+    let mut names = program.names.clone();
+    let iterations = iterations(graph, program, &mut names, style.passes);
     let mut scheduler = Scheduler {
         operations,
-        names: program.names.clone(),
+        names,
         hints,
         usage: Vec::new(),
         bound: BTreeMap::new(),
         program,
         style,
         stage: 0,
-        statements: Vec::new(),
-        cost: Cost::default(),
+        steps: Vec::new(),
+        cost: Cost::NONE,
         mode: Mode::Only,
         modes: BTreeMap::new(),
-        iterations: iterations(graph, program, style.passes),
+        iterations,
     };
     scheduler.survey(&rows);
     scheduler.write(&rows)
@@ -195,7 +195,7 @@ impl Scheduler<'_> {
     fn survey(&mut self, rows: &Rows) {
         let program = self.program;
         for (stage, steps) in program.stages.iter().enumerate() {
-            for node in steps.steps.iter().flat_map(Step::needs) {
+            for node in steps.needs() {
                 let value = self.value(rows, node);
                 self.touch(value, stage);
             }
@@ -225,10 +225,10 @@ impl Scheduler<'_> {
         self.style.passes.include(pass)
     }
 
-    /// The name of a value that has been computed.
-    fn known(&self, value: Value) -> Option<&str> {
-        let name = self.bound.get(&value).map(String::as_str);
-        name.filter(|_| self.includes(Pass::CommonSubexpressions))
+    /// The symbol of a value that has been computed.
+    fn known(&self, value: Value) -> Option<Symbol> {
+        let symbol = self.bound.get(&value).copied();
+        symbol.filter(|_| self.includes(Pass::CommonSubexpressions))
     }
 
     fn is_circular(&self, value: Value) -> bool {
@@ -252,155 +252,107 @@ impl Scheduler<'_> {
         (self.usage(partner).count > 0 && self.includes(Pass::SineCosinePairs)).then_some(partner)
     }
 
-    /// Second pass: the statements.
-    fn write(mut self, rows: &Rows) -> Scheduled {
+    /// Second pass: the steps.
+    fn write(mut self, rows: &Rows) -> Program<Expression> {
         let program = self.program;
-        let mut scheduled = Scheduled::default();
-        for (stage, steps) in program.stages.iter().enumerate() {
-            self.stage = stage;
+        let mut stages = Vec::new();
+        for (index, stage) in program.stages.iter().enumerate() {
+            self.stage = index;
             if !self.includes(Pass::Carrying) {
                 self.bound.clear();
             }
-            for step in &steps.steps {
+            for step in &stage.steps {
                 self.step(rows, step);
             }
-            scheduled.stages.push(ScheduledStage {
-                statements: std::mem::take(&mut self.statements),
-                cost: std::mem::take(&mut self.cost),
-                ..ScheduledStage::default()
+            stages.push(Stage {
+                cost: std::mem::replace(&mut self.cost, Cost::NONE),
+                ..Stage::new(std::mem::take(&mut self.steps))
             });
         }
-        carry::hand_on(&mut scheduled, program);
+        let mut scheduled = Program {
+            stages,
+            names: self.names,
+            directions: program.directions.clone(),
+            has_sensitivities: program.has_sensitivities,
+        };
+        carry::hand_on(&mut scheduled);
         scheduled
     }
 
-    fn step(&mut self, rows: &Rows, step: &Step) {
-        match step {
-            Step::Define { symbol, node } => {
-                let value = self.value(rows, *node);
-                let name = self.names.of(*symbol).to_owned();
+    fn step(&mut self, rows: &Rows, step: &Step<Node>) {
+        let written = match step {
+            Step::Define { symbol, value } => {
+                let value = self.value(rows, *value);
                 let expression = self.root(value);
                 if !matches!(expression, Expression::Name(_) | Expression::Number(_) | Expression::Pi) {
-                    self.bound.insert(value, name.clone());
+                    self.bound.insert(value, *symbol);
                 }
-                self.statements.push(Statement::Let {
-                    name,
+                Step::Define {
+                    symbol: *symbol,
                     value: expression,
-                });
+                }
             }
-            Step::Solve {
-                solver,
-                arguments,
-                results,
-            } => {
-                let arguments = arguments
-                    .iter()
-                    .map(|argument: &Argument| {
-                        let parts = self.arguments(rows, &argument.nodes());
-                        (argument.shape(), parts)
-                    })
-                    .collect();
-                for &symbol in results {
-                    if let Symbol::Unknown(unknown) = symbol {
+            Step::Newton { part, .. } => {
+                let Iteration { step, cost } = self.iterations[part].clone();
+                self.charge(cost);
+                step
+            }
+            _ => {
+                let written = step.map(&mut |&node| {
+                    let value = self.value(rows, node);
+                    self.expression(value)
+                });
+                self.finished(rows, step, written)
+            }
+        };
+        self.steps.push(written);
+    }
+
+    /// A step whose expressions are written: what it costs, and what its parts have to know of each other.
+    fn finished(&mut self, rows: &Rows, step: &Step<Node>, mut written: Step<Expression>) -> Step<Expression> {
+        match &mut written {
+            Step::Solve { solver, results, .. } => {
+                for symbol in results.iter().flatten() {
+                    if let Symbol::Unknown(unknown) = *symbol {
                         self.modes.insert(unknown, self.mode);
                     }
                 }
-                let results = results.iter().map(|&symbol| self.result_name(symbol)).collect();
+                for result in results {
+                    *result = result.filter(|&symbol| self.is_used(symbol));
+                }
                 self.charge_solver(*solver);
-                self.statements.push(Statement::Solve {
-                    solver: *solver,
-                    arguments,
-                    results,
-                });
             }
-            Step::Angle { symbol, x, y, length } => {
-                let [y, x, length] = [*y, *x, *length].map(|node| self.value(rows, node));
-                let (y, x) = (self.argument(y), self.argument(x));
+            Step::Angle { length, .. } => {
+                let Step::Angle {
+                    length: Some(known), ..
+                } = step
+                else {
+                    return written;
+                };
+                let known = self.value(rows, *known);
                 let is_positive = matches!(
-                    self.operations.operation(length),
+                    self.operations.operation(known),
                     Operation::Number(number) if number.get() > 0.0
                 );
+                if is_positive {
+                    *length = None;
+                }
                 // an unknown length is negative in one of its two assemblies, and the vector is turned round there
-                if let Operation::Leaf(Symbol::Unknown(unknown)) = self.operations.operation(length)
+                if let Operation::Leaf(Symbol::Unknown(unknown)) = self.operations.operation(known)
                     && self.modes.get(unknown) != Some(&(Mode::Fixed { is_open: true }))
                 {
                     self.cost.negations += 2;
                 }
-                let length = (!is_positive).then(|| self.argument(length));
-                self.charge(Cost {
-                    arc_tangents: 1,
-                    ..Cost::default()
-                });
-                let name = self.names.of(*symbol).to_owned();
-                self.statements.push(Statement::Angle { name, y, x, length });
+                self.charge(Cost::ARC_TANGENT);
             }
-            Step::Bound { unknown, turns, wraps } => {
-                if *wraps {
-                    self.cost.additions += 1;
-                }
-                self.statements.push(Statement::Bound {
-                    unknown: *unknown,
-                    turns: *turns,
-                });
-            }
-            Step::Open { part, mode } => {
-                self.mode = *mode;
-                self.statements.push(Statement::Open { part: *part });
-            }
-            Step::Newton { part, .. } => {
-                let iteration = self.iterations[part].clone();
-                self.charge(iteration.cost);
-                self.statements.push(iteration.statement);
-            }
-            Step::Every {
-                block,
-                coefficients,
-                results,
-            } => {
-                let coefficients = self.arguments(rows, coefficients);
-                self.statements.push(Statement::Every {
-                    block: *block,
-                    coefficients,
-                    results: results.iter().map(|&symbol| self.names.of(symbol).to_owned()).collect(),
-                });
-            }
-            Step::Factor { symbol, matrix } => {
-                let matrix: Vec<Vec<Expression>> = matrix.iter().map(|row| self.arguments(rows, row)).collect();
-                if *symbol != RESIDUALS {
-                    self.charge(Cost::of_factors(matrix.len()));
-                }
-                self.statements.push(Statement::Factor {
-                    name: self.names.of(*symbol).to_owned(),
-                    matrix,
-                });
-            }
-            Step::Substitute {
-                factors,
-                right,
-                results,
-            } => {
-                let right = self.arguments(rows, right);
-                let factors = self.value(rows, *factors);
-                let Operation::Leaf(symbol) = *self.operations.operation(factors) else {
-                    unreachable!("factors are known by a symbol");
-                };
-                self.charge(Cost::of_substitution(right.len()));
-                self.statements.push(Statement::Substitute {
-                    factors: self.names.of(symbol).to_owned(),
-                    right,
-                    results: results.iter().map(|&symbol| self.names.of(symbol).to_owned()).collect(),
-                });
-            }
-            Step::Regular { node } => {
-                let value = self.value(rows, *node);
-                let value = self.argument(value);
-                self.statements.push(Statement::Regular { value });
-            }
-            Step::Close { part } => {
-                self.mode = Mode::Only;
-                self.statements.push(Statement::Close { part: *part });
-            }
+            Step::Bound { wraps: true, .. } => self.cost.additions += 1,
+            Step::Open { mode, .. } => self.mode = *mode,
+            Step::Close { .. } => self.mode = Mode::Only,
+            Step::Factor { symbol, matrix } if *symbol != RESIDUALS => self.charge(Cost::of_factors(matrix.len())),
+            Step::Substitute { right, .. } => self.charge(Cost::of_substitution(right.len())),
+            _ => {}
         }
+        written
     }
 
     /// Adds to the cost; a block whose range is looked up solves for both candidates.
@@ -423,10 +375,10 @@ impl Scheduler<'_> {
         self.cost = self.cost + cost;
     }
 
-    fn result_name(&mut self, symbol: Symbol) -> Option<String> {
+    /// Whether a result of a closed form is needed; a position has all unknowns.
+    fn is_used(&mut self, symbol: Symbol) -> bool {
         let leaf = self.operations.leaf(symbol);
-        let is_used = matches!(symbol, Symbol::Unknown(_)) || self.usage(leaf).count > 0;
-        is_used.then(|| self.names.of(symbol).to_owned())
+        matches!(symbol, Symbol::Unknown(_)) || self.usage(leaf).count > 0
     }
 
     /// The expression for a value that a `let` is about to name.
@@ -436,22 +388,6 @@ impl Scheduler<'_> {
         } else {
             self.unfold(value)
         }
-    }
-
-    /// The expression for a value handed to a function.
-    fn argument(&mut self, value: Value) -> Expression {
-        self.expression(value)
-    }
-
-    /// The same for several.
-    fn arguments(&mut self, rows: &Rows, nodes: &[Node]) -> Vec<Expression> {
-        nodes
-            .iter()
-            .map(|&node| {
-                let value = self.value(rows, node);
-                self.argument(value)
-            })
-            .collect()
     }
 
     /// A function with a partner or a check cannot stand within an expression.
@@ -470,8 +406,8 @@ impl Scheduler<'_> {
 
     /// A value by its name if it has or deserves one, else written out.
     fn expression(&mut self, value: Value) -> Expression {
-        if let Some(name) = self.known(value) {
-            return Expression::Name(name.to_owned());
+        if let Some(symbol) = self.known(value) {
+            return Expression::Name(symbol);
         }
         if self.is_circular(value) {
             return Expression::Name(self.bind_circular(value));
@@ -481,14 +417,14 @@ impl Scheduler<'_> {
                 unreachable!("only calls are checked");
             };
             let argument = self.expression(arguments[0]);
-            let name = self.bind(value);
+            let symbol = self.bind(value);
             self.charge(self.operations.operation(value).cost());
-            self.statements.push(Statement::Checked {
-                name: name.clone(),
+            self.steps.push(Step::Check {
+                symbol,
                 function,
                 argument,
             });
-            return Expression::Name(name);
+            return Expression::Name(symbol);
         }
         match self.operations.operation(value) {
             Operation::Number(_) | Operation::Pi | Operation::Leaf(_) => return self.unfold(value),
@@ -498,12 +434,12 @@ impl Scheduler<'_> {
         let is_shared = usage.count > 1 && self.includes(Pass::CommonSubexpressions);
         if is_shared || usage.last_stage > self.stage || self.is_long(value) {
             let expression = self.unfold(value);
-            let name = self.bind(value);
-            self.statements.push(Statement::Let {
-                name: name.clone(),
+            let symbol = self.bind(value);
+            self.steps.push(Step::Define {
+                symbol,
                 value: expression,
             });
-            return Expression::Name(name);
+            return Expression::Name(symbol);
         }
         self.unfold(value)
     }
@@ -542,7 +478,7 @@ impl Scheduler<'_> {
         match operation {
             Operation::Number(number) => Expression::Number(number.get()),
             Operation::Pi => Expression::Pi,
-            Operation::Leaf(symbol) => Expression::Name(self.names.of(symbol).to_owned()),
+            Operation::Leaf(symbol) => Expression::Name(symbol),
             Operation::Add(a, b) => Expression::Add(part(a), part(b)),
             Operation::Subtract(a, b) => Expression::Subtract(part(a), part(b)),
             Operation::Multiply(a, b) => Expression::Multiply(part(a), part(b)),
@@ -559,25 +495,22 @@ impl Scheduler<'_> {
     }
 
     /// Names a sine or cosine, and its partner with it.
-    fn bind_circular(&mut self, value: Value) -> String {
+    fn bind_circular(&mut self, value: Value) -> Symbol {
         let Operation::Call(_, arguments) = self.operations.operation(value).clone() else {
             unreachable!("sines and cosines are calls");
         };
-        let argument = self.expression(arguments[0]);
+        let angle = self.expression(arguments[0]);
         let partner = self.partner(value);
-        let name = self.bind(value);
+        let symbol = self.bind(value);
         let other = partner.map(|partner| self.bind(partner));
         let is_sine = matches!(self.operations.operation(value), Operation::Call(Function::Sin, _));
         let (sine, cosine) = if is_sine {
-            (Some(name.clone()), other)
+            (Some(symbol), other)
         } else {
-            (other, Some(name.clone()))
+            (other, Some(symbol))
         };
-        self.charge(Cost {
-            sine_cosines: 1,
-            ..Cost::default()
-        });
-        self.statements.push(Statement::SinCos { sine, cosine, argument });
-        name
+        self.charge(Cost::SINE_COSINE);
+        self.steps.push(Step::SineCosine { sine, cosine, angle });
+        symbol
     }
 }

@@ -1,6 +1,7 @@
 //! The closed forms that a block may have.
 
-use crate::expr::{Angle, Graph, Node, Symbol};
+use super::arm::Arm;
+use crate::expr::{Graph, Node, Symbol};
 use crate::function::Function;
 
 /// A complex number, or plane vector, of known expressions.
@@ -54,16 +55,6 @@ impl Complex {
         let reciprocal = graph.power(square, -1);
         product.scaled(graph, reciprocal)
     }
-}
-
-/// A link that turns: factor · cis(± angle).
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Arm {
-    /// Its direction, an integer combination of unknowns.
-    pub(crate) angle: Angle,
-    /// Whether it turns clockwise as the angle grows.
-    pub(crate) mirrored: bool,
-    pub(crate) factor: Complex,
 }
 
 /// How a block is solved. Every expression is free of the block's own unknowns.

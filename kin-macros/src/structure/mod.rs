@@ -4,7 +4,9 @@
 //! solved one after another, and each block is compared with the closed forms that are known. A block that fits none is torn
 //! into parts, of which as few as possible are left to Newton's method.
 
+mod arm;
 mod closed_form;
+mod dyads;
 mod matching;
 mod order;
 mod polynomials;
@@ -13,10 +15,12 @@ mod tear;
 
 use std::collections::BTreeSet;
 
-pub(crate) use closed_form::{Arm, ClosedForm, Complex};
+pub(crate) use arm::Arm;
+pub(crate) use closed_form::{ClosedForm, Complex};
+pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use polynomials::{System, Variable};
 
-use crate::expr::{Expansion, Graph, Node, Probe, Symbol, Variables};
+use crate::expr::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
 
 /// Unknowns that are solved together, the equations that determine them, and how.
 pub(crate) struct Block {
@@ -80,8 +84,36 @@ pub(crate) enum Fault {
     },
 }
 
-/// Orders the scalar equations `residual == 0` into solvable blocks.
-pub(crate) fn analyse(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<Block>, Vec<Fault>> {
+/// Equations `residual == 0` in blocks.
+pub(crate) struct Structure {
+    pub(crate) graph: Graph,
+    pub(crate) residuals: Vec<Node>,
+    /// The blocks in the order in which they are solved.
+    pub(crate) blocks: Vec<Block>,
+}
+
+/// Why equations have no structure.
+pub(crate) enum Refusal {
+    /// A constant follows from them that no number is.
+    Constants(Misfit),
+    Faults(Vec<Fault>),
+}
+
+/// Orders scalar equations into solvable blocks.
+pub(crate) fn analyse(mut graph: Graph, residuals: Vec<Node>, unknowns: usize) -> Result<Structure, Refusal> {
+    let blocks = blocks(&mut graph, &residuals, unknowns);
+    if let Some(misfit) = graph.misfit() {
+        return Err(Refusal::Constants(misfit));
+    }
+    Ok(Structure {
+        blocks: blocks.map_err(Refusal::Faults)?,
+        graph,
+        residuals,
+    })
+}
+
+/// The blocks, or all faults.
+fn blocks(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<Block>, Vec<Fault>> {
     let incidence = incidence(graph, residuals, Variables::AllUnknowns);
     let matching = matching::Matching::of(&incidence, unknowns);
     let mut faults = matching.faults(&incidence);

@@ -1,0 +1,84 @@
+//! Unknown angles that are handed out as unit vectors.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::units::Units;
+use crate::expr::{Graph, Node, Symbol};
+use crate::program::{Direction, Directions, Limits, Names, Stage, Step};
+
+/// The steps that find cosine and sine where everything that the closed forms find is known.
+pub(crate) fn define(
+    graph: &mut Graph,
+    names: &mut Names,
+    units: &mut Units,
+    unknowns: &BTreeSet<usize>,
+    position: &mut Stage<Node>,
+) -> Directions {
+    let mut directions = BTreeMap::new();
+    for &unknown in unknowns {
+        let own = graph.symbol(Symbol::Unknown(unknown));
+        let unit = units.direction(graph, own);
+        let name = names.of(Symbol::Unknown(unknown)).to_owned();
+        let mut part = |wish: String| {
+            let (symbol, _) = graph.new_step();
+            names.name(symbol, &wish);
+            symbol
+        };
+        let direction = Direction {
+            cosine: part(format!("cos_{name}")),
+            sine: part(format!("sin_{name}")),
+            angle: part(format!("{name}_angle")),
+            is_free: false,
+        };
+        for (symbol, node) in [(direction.cosine, unit.re), (direction.sine, unit.im)] {
+            position.steps.push(Step::Define { symbol, value: node });
+        }
+        directions.insert(unknown, direction);
+    }
+    Directions(directions)
+}
+
+/// Where the position is complete: the steps by which it leaves the angles to later stages.
+pub(crate) fn leave_angles(directions: &Directions, graph: &mut Graph, units: &mut Units, position: &mut Stage<Node>) {
+    for (&unknown, direction) in &directions.0 {
+        let (own, node) = (graph.symbol(Symbol::Unknown(unknown)), graph.symbol(direction.angle));
+        position.steps.push(Step::Define {
+            symbol: direction.angle,
+            value: own,
+        });
+        units.rename(own, node);
+    }
+}
+
+/// Leaves out the steps that find an angle which nothing asks for: no range, and no other step. An angle that was not found as
+/// a direction, but as a number, stays, for it stands as that number in its equation.
+pub(crate) fn drop_idle(
+    directions: &mut Directions,
+    graph: &mut Graph,
+    stages: &mut [Stage<Node>],
+    ranges: &BTreeMap<usize, Limits>,
+) {
+    for (&unknown, direction) in &mut directions.0 {
+        let own = Symbol::Unknown(unknown);
+        let is_own = |step: &Step<Node>| matches!(step, Step::Angle { symbol, .. } if *symbol == own);
+        let turns = stages.iter().flat_map(|stage| &stage.steps).any(is_own);
+        let of_angle = graph.symbol(direction.angle);
+        let of_own = graph.symbol(own);
+        let is_name = |step: &Step<Node>| matches!(step, Step::Define { symbol, .. } if *symbol == direction.angle);
+        let needs: Vec<Node> = stages
+            .iter()
+            .flat_map(|stage| &stage.steps)
+            .filter(|step| !is_name(step))
+            .flat_map(Step::needs)
+            .collect();
+        let used = graph.reachable(&needs);
+        direction.is_free =
+            turns && !ranges.contains_key(&unknown) && !used.contains(&of_own) && !used.contains(&of_angle);
+        if let (true, Some(position)) = (direction.is_free, stages.first_mut()) {
+            position.steps.retain(|step| {
+                let is_bound = matches!(step, Step::Bound { unknown: bound, .. } if *bound == unknown);
+                !(is_own(step) || is_name(step) || is_bound)
+            });
+        }
+    }
+}

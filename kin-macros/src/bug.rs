@@ -1,0 +1,93 @@
+//! The net under an expansion: a panic becomes an error that asks for a report.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use proc_macro2::{Span, TokenStream};
+
+use crate::expand::{expand, runtime};
+use crate::report::Report;
+use crate::{fallback, syntax};
+
+/// The expansion. A panic is told as a bug, where the declaration stands.
+pub(crate) fn expand_or_tell(tokens: TokenStream) -> TokenStream {
+    or_tell(tokens, expand)
+}
+
+/// Calls `expand`, and tells of its panic.
+fn or_tell(tokens: TokenStream, expand: impl FnOnce(TokenStream) -> TokenStream) -> TokenStream {
+    let copy = tokens.clone();
+    // nothing that a panic may have left half done outlives it
+    catch_unwind(AssertUnwindSafe(|| expand(copy))).unwrap_or_else(|panic| {
+        let words = panic.downcast_ref::<&str>().copied();
+        let words = words.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+        let bug = format!(
+            "this is a bug in kin: please report it with this declaration{}",
+            words.map(|words| format!(" ({words})")).unwrap_or_default()
+        );
+        let read = catch_unwind(AssertUnwindSafe(|| {
+            let (runtime, tokens) = runtime(tokens);
+            let mut report = Report::new();
+            let declaration = syntax::parse(tokens, &mut report);
+            match &declaration {
+                Some(declaration) => report.error(&declaration.name, &bug),
+                None => report.error_at(Span::call_site(), &bug),
+            }
+            fallback::tokens(declaration.as_ref(), report, &runtime)
+        }));
+        read.unwrap_or_else(|_| syn::Error::new(Span::call_site(), bug).to_compile_error())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use super::*;
+    use crate::room::with_room;
+
+    /// What panics is told as a mistake of ours, and the structure stays.
+    #[test]
+    fn a_panic_is_told_and_leaves_the_structure() {
+        let declaration = quote! {
+            ($crate)
+            pub struct Lever { pub arm: Length }
+            input theta: Angle;
+            unknown height: Length;
+            height == arm * sin(theta);
+        };
+        let at_once: fn(TokenStream) -> TokenStream = |_| panic!("at {} steps", 3);
+        let elsewhere: fn(TokenStream) -> TokenStream = |tokens| {
+            with_room::<()>(|| panic!("at {} steps", 3));
+            tokens
+        };
+        for panic in [at_once, elsewhere] {
+            let expansion = or_tell(declaration.clone(), panic).to_string();
+            assert!(
+                expansion.contains("this is a bug in kin: please report it with this declaration (at 3 steps)"),
+                "{expansion}"
+            );
+            assert!(expansion.contains("pub struct Lever"), "{expansion}");
+        }
+        // mistakes that are there as well are told beside it, and so is what leaves no structure
+        let expansion = or_tell(
+            quote!(
+                struct Lever {
+                    arm: Lenght,
+                }
+            ),
+            |_| panic!("here"),
+        )
+        .to_string();
+        assert_eq!(expansion.matches("compile_error").count(), 2, "{expansion}");
+        let expansion = or_tell(quote!(height == arm;), |_| std::panic::panic_any(3)).to_string();
+        assert!(expansion.contains("with this declaration\""), "{expansion}");
+    }
+
+    #[test]
+    fn without_a_panic_nothing_is_told() {
+        let declaration = quote!(height == arm;);
+        let mut expected = TokenStream::new();
+        expected.extend(declaration.clone());
+        assert_eq!(or_tell(declaration, |tokens| tokens).to_string(), expected.to_string());
+    }
+}

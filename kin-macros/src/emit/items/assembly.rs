@@ -1,0 +1,233 @@
+//! Which assemblies there are, and which of them a guess belongs to.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::values;
+use crate::emit::mechanism::{Mechanism, attributes};
+use crate::emit::text::Text;
+use crate::expr::Symbol;
+use crate::program::Step;
+
+/// Up to this many blocks with a choice, all assemblies are listed in a constant.
+const LISTED: usize = 6;
+
+/// The list and the finder.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let list = list(mechanism);
+    let finder = finder(mechanism);
+    let all = all(mechanism);
+    quote!(#list #finder #all)
+}
+
+/// `solve_all`: the motion in every assembly.
+fn all(mechanism: &Mechanism<'_>) -> TokenStream {
+    let count = mechanism.choices().len();
+    if count == 0 || count > LISTED || mechanism.is_coupled() {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let (name, pose, attributes) = (&mechanism.model.name, mechanism.pose(mechanism.order()), attributes());
+    let inputs = mechanism.input_names();
+    let length = Literal::usize_unsuffixed(mechanism.order() + 1);
+    let size = Literal::usize_unsuffixed(1 << count);
+    let index = mechanism.own("index");
+    let by_number = by_number(mechanism, &quote!(#index));
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            /// `solve` in every assembly, in the order of `ASSEMBLIES`.
+            #[must_use]
+            pub fn solve_all(&self, #(#inputs: #runtime::Motion<T, #length>),*)
+                -> [::core::result::Result<#pose<T>, #runtime::SolveError>; #size]
+            {
+                ::core::array::from_fn(|#index| self.solve(#(#inputs,)* #by_number))
+            }
+        }
+    }
+}
+
+/// The structure of several choices.
+pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
+    if mechanism.choices().len() < 2 {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let visibility = &mechanism.model.visibility;
+    let attributes = attributes();
+    let (name, fields) = (mechanism.assembly_structure(), mechanism.assembly_fields());
+    let summary = format!(
+        " The ways to assemble a [`{}`]: a choice for each block that can be put together in two ways.",
+        mechanism.model.name
+    );
+    let documentation = mechanism
+        .choices()
+        .into_iter()
+        .map(|part| mechanism.choice_documentation(part));
+    let fields = fields.iter().zip(documentation).map(|(field, lines)| {
+        quote! {
+            #(#[doc = #lines])*
+            pub #field: #runtime::Assembly
+        }
+    });
+    quote! {
+        #[doc = #summary]
+        #[derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq,
+            ::core::cmp::Eq,
+            ::core::hash::Hash
+        )]
+        #attributes
+        #visibility struct #name {
+            #(#fields,)*
+        }
+    }
+}
+
+/// An assembly from each block's choice.
+fn assembly(mechanism: &Mechanism<'_>, choice: impl Fn(usize) -> TokenStream) -> TokenStream {
+    let count = mechanism.choices().len();
+    match count {
+        0 => quote!(()),
+        1 => choice(0),
+        _ => {
+            let (name, fields) = (mechanism.assembly_structure(), mechanism.assembly_fields());
+            let choices = (0..count).map(choice);
+            quote!(#name { #(#fields: #choices),* })
+        }
+    }
+}
+
+/// The assembly of a number, bit by bit; the first block's choice changes slowest.
+pub(in crate::emit) fn by_number(mechanism: &Mechanism<'_>, index: &TokenStream) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let count = mechanism.choices().len();
+    assembly(mechanism, |position| {
+        let shift = Literal::usize_unsuffixed(count - 1 - position);
+        if count == 1 {
+            quote!(#runtime::Assembly::BOTH[#index & 1])
+        } else {
+            quote!(#runtime::Assembly::BOTH[(#index >> #shift) & 1])
+        }
+    })
+}
+
+fn list(mechanism: &Mechanism<'_>) -> TokenStream {
+    let count = mechanism.choices().len();
+    if count > LISTED || mechanism.is_coupled() {
+        return TokenStream::new();
+    }
+    let (name, runtime) = (&mechanism.model.name, mechanism.runtime);
+    let (attributes, kind) = (attributes(), mechanism.assembly_type());
+    let size = Literal::usize_unsuffixed(1 << count);
+    let all = (0..1_usize << count).map(|index| {
+        assembly(mechanism, |position| {
+            if (index >> (count - 1 - position)) & 1 == 0 {
+                quote!(#runtime::Assembly::Open)
+            } else {
+                quote!(#runtime::Assembly::Crossed)
+            }
+        })
+    });
+    let summary = match count {
+        0 => " The one way to assemble it.".to_owned(),
+        1 => " The ways to assemble it.".to_owned(),
+        _ => " The ways to assemble it, all combinations of the blocks' own two.".to_owned(),
+    };
+    quote! {
+        #attributes
+        impl #name<::core::primitive::f64> {
+            #[doc = #summary]
+            pub const ASSEMBLIES: [#kind; #size] = [#(#all),*];
+        }
+    }
+}
+
+/// `assembly_at`: the orientation of each block where the unknowns have given values.
+fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
+    let choices = mechanism.choices();
+    if choices.is_empty() {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let name = &mechanism.model.name;
+    let (attributes, kind) = (attributes(), mechanism.assembly_type());
+    let inputs = mechanism.input_names();
+    let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
+    let program = &mechanism.solvers.orientations;
+    let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
+    let near = mechanism.own("near");
+    let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
+    let symbols: Vec<Symbol> = (0..mechanism.model.unknowns.len()).map(Symbol::Unknown).collect();
+    let unknowns = values::bound(&text, &used, &symbols, &near);
+    let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
+    let readings = text.readings(stage, &given);
+    let unused_inputs = inputs
+        .iter()
+        .zip(&given)
+        .filter(|(_, symbol)| !used.contains(symbol))
+        .map(|(input, _)| input);
+    let body = text.plain_steps(stage);
+    // abbreviations stand between the definitions of the orientations
+    let orientations: Vec<Ident> = mechanism
+        .solvers
+        .orientation_symbols
+        .iter()
+        .map(|&symbol| text.name(symbol))
+        .collect();
+    let signs: Vec<TokenStream> = orientations
+        .iter()
+        .map(|name| quote!(#runtime::Assembly::from_sign(#runtime::Scalar::real(#name))))
+        .collect();
+    let result = if let [sign] = signs.as_slice() {
+        sign.clone()
+    } else {
+        let (name, fields) = (mechanism.assembly_structure(), mechanism.assembly_fields());
+        quote!(#name { #(#fields: #signs),* })
+    };
+    let summary = format!(
+        " The assembly of a mechanism whose unknowns are about `[{}]`: the side of the singular positions on which they lie.",
+        mechanism.unknown_order()
+    );
+    let way = quote! {
+        #(let _ = #unused_inputs;)*
+        #readings
+        #(#unknowns)*
+        #body
+    };
+    let finder = if mechanism.is_coupled() {
+        let side = quote!(self.__side(#(#inputs,)* #near));
+        quote! {
+            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
+                #side.0
+            }
+
+            /// The assembly, and the values near by: of several poses at once, those of the poses that are in the same one.
+            #[inline(always)]
+            fn __side(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> (#kind, [T; #unknown_count]) {
+                #way
+                (#result, #runtime::solve::agreeing(#near, [#(#orientations),*]))
+            }
+        }
+    } else {
+        quote! {
+            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
+                #way
+                #result
+            }
+        }
+    };
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            #[doc = #summary]
+            #[must_use]
+            #finder
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! Many poses in one call.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::program::order_name;
+
+/// The structure of columns: `FourBarBatch`.
+fn type_name(mechanism: &Mechanism<'_>) -> Ident {
+    format_ident!("{}Batch", mechanism.model.name, span = mechanism.model.name.span())
+}
+
+/// The motions of many poses, with a column in the place of each number.
+pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (structure, attributes, visibility) = (type_name(mechanism), attributes(), &model.visibility);
+    let length = Literal::usize_unsuffixed(mechanism.order() + 1);
+    let summary = format!(
+        " The motions of many poses of a [`{}`], with a column in the place of each number.",
+        model.name
+    );
+    let inputs = model
+        .inputs
+        .iter()
+        .map(|input| (&input.name, quote!(#runtime::Motion<Place, #length>)));
+    let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        (
+            &unknown.name,
+            mechanism.unknown_type(index, mechanism.order(), &quote!(Place)),
+        )
+    });
+    let outputs = model.outputs.iter().map(|output| {
+        let kind = mechanism.output_type(output.value.shape(), &quote!(Place));
+        (&output.name, quote!(#runtime::Motion<#kind, #length>))
+    });
+    let fields = inputs.chain(unknowns).chain(outputs).map(|(name, kind)| {
+        let line = format!(" As in [`{}`].", mechanism.pose(mechanism.order()));
+        quote! {
+            #[doc = #line]
+            pub #name: #kind
+        }
+    });
+    quote! {
+        #[doc = #summary]
+        #[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #attributes
+        #visibility struct #structure<Place> {
+            #(#fields,)*
+        }
+    }
+}
+
+/// `solve_batch`, for parameters that are the same for all poses and for columns of them, and how the structure is filled.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let methods = methods(mechanism);
+    let columns = columns(mechanism);
+    quote!(#methods #columns)
+}
+
+fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (name, structure, attributes) = (&model.name, type_name(mechanism), attributes());
+    let inputs = mechanism.input_names();
+    let length = Literal::usize_unsuffixed(mechanism.order() + 1);
+    let [near, poses, outcomes] = ["near", "poses", "outcomes"].map(|name| mechanism.own(name));
+    let (choice, chosen, solve) = if mechanism.is_coupled() {
+        let count = Literal::usize_unsuffixed(model.unknowns.len());
+        (
+            quote!(#near: [#runtime::batch::Column<'_>; #count],),
+            quote!(#near),
+            "solve_near",
+        )
+    } else if mechanism.choices().is_empty() {
+        (TokenStream::new(), quote!(()), "solve")
+    } else {
+        let (argument, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
+        (quote!(#argument,), value, "solve")
+    };
+    let place = mechanism.type_parameter("Place");
+    let same = quote!(#name<::core::primitive::f64>);
+    let summary = format!(
+        " Position and all time derivatives to {} of many poses.",
+        order_name(mechanism.order())
+    );
+    let scalars: Vec<TokenStream> = mechanism
+        .scalar_parameters()
+        .into_iter()
+        .map(|(_, value, ..)| value)
+        .collect();
+    let method = |name: &str, solve: &str, parameters: &TokenStream, sentence: &str| {
+        let (name, solve) = (local(name), local(solve));
+        quote! {
+            #[doc = #summary]
+            ///
+            #[doc = #sentence]
+            ///
+            /// # Errors
+            /// If a column is not as long as there are outcomes. What becomes of each pose is told by its outcome.
+            #[inline]
+            pub fn #name<#place: #runtime::batch::Target>(
+                &self,
+                #(#inputs: #runtime::Motion<#runtime::batch::Column<'_>, #length>,)*
+                #choice
+                #poses: &mut #structure<#place>,
+                #outcomes: &mut [#runtime::batch::Outcome],
+            ) -> ::core::result::Result<#runtime::batch::Summary, #runtime::batch::LengthMismatch> {
+                #runtime::batch::#solve::<#same, _, _>(
+                    #parameters,
+                    [#(#inputs),*],
+                    #chosen,
+                    #poses,
+                    #outcomes,
+                    #runtime::batch::Vectors::widest(),
+                )
+            }
+        }
+    };
+    let methods = |parameters: &TokenStream, sentence: &str| {
+        let one = method("solve_batch", solve, parameters, sentence);
+        let sentence = format!("{sentence} On all cores.");
+        let all = method(
+            "solve_batch_in_parallel",
+            &format!("{solve}_in_parallel"),
+            parameters,
+            &sentence,
+        );
+        quote! {
+            #one
+            #runtime::in_parallel! { #all }
+        }
+    };
+    let fixed = methods(
+        &quote!([#(#runtime::batch::Column::Same(#scalars)),*]),
+        " All of them are poses of this mechanism; inputs are the same for all of them, or a column with one for each.",
+    );
+    let varying = methods(
+        &quote!([#(#scalars),*]),
+        " Parameters and inputs are the same for all of them, or a column with one for each.",
+    );
+    quote! {
+        #attributes
+        impl #name<::core::primitive::f64> {
+            #fixed
+        }
+        #attributes
+        impl #name<#runtime::batch::Column<'_>> {
+            #varying
+        }
+    }
+}
+
+fn columns(mechanism: &Mechanism<'_>) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (structure, attributes) = (type_name(mechanism), attributes());
+    let [fill, visitor] = ["fill", "visitor"].map(|name| mechanism.own(name));
+    let inputs = model.inputs.iter().map(|input| &input.name);
+    let unknowns = model.unknowns.iter().map(|unknown| &unknown.name);
+    let outputs = model.outputs.iter().map(|output| &output.name);
+    let fields: Vec<_> = inputs.chain(unknowns).chain(outputs).collect();
+    let firsts = (0..model.inputs.len())
+        .chain(0..model.unknowns.len())
+        .chain(mechanism.output_parts().into_iter().map(|parts| parts[0]))
+        .map(Literal::usize_unsuffixed);
+    let kinds = [
+        ("Input", model.inputs.len()),
+        ("Unknown", model.unknowns.len()),
+        ("Output", model.outputs.len()),
+    ];
+    let kinds = kinds
+        .into_iter()
+        .flat_map(|(kind, count)| std::iter::repeat_n(local(kind), count));
+    quote! {
+        #attributes
+        impl<Place> #structure<Place> {
+            /// What a function gives in the place of each number: vectors for `solve_batch` to fill, or nothing where a number is
+            /// not wanted.
+            pub fn filled(mut #fill: impl ::core::ops::FnMut() -> Place) -> Self {
+                Self {
+                    #(#fields: #runtime::batch::MotionColumns::filled(&mut #fill)),*
+                }
+            }
+        }
+        #attributes
+        impl<Place> #runtime::batch::Columns<Place> for #structure<Place> {
+            #[inline(always)]
+            fn each<'a>(&'a mut self, #visitor: &mut impl #runtime::batch::Visitor<'a, Place>)
+            where
+                Place: 'a,
+            {
+                #(
+                    #runtime::batch::MotionColumns::each(
+                        &mut self.#fields, #firsts, #runtime::batch::Place::#kinds, #visitor,
+                    );
+                )*
+            }
+        }
+    }
+}

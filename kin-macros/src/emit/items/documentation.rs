@@ -1,0 +1,197 @@
+//! The documentation of generated items: what the compiler decided, in the words of the field.
+
+use crate::emit::mechanism::Mechanism;
+use crate::expr::Symbol;
+use crate::model::{Dimension, Quantity, Unknown};
+use crate::program::Cost;
+use crate::structure::{Block, Part, Solution};
+
+impl Mechanism<'_> {
+    /// The equations as a list of code lines.
+    pub(in crate::emit) fn equation_lines(&self) -> Vec<String> {
+        self.model
+            .equations
+            .iter()
+            .map(|equation| format!(" - `{}`", equation.text))
+            .collect()
+    }
+
+    /// The blocks and their closed forms, as a list.
+    pub(in crate::emit) fn block_lines(&self) -> Vec<String> {
+        self.blocks
+            .iter()
+            .map(|block| format!(" - `{}`: {}", self.names(&block.unknowns), self.solution(block)))
+            .collect()
+    }
+
+    /// Which form of the equations was differentiated, where a form was given up.
+    pub(in crate::emit) fn form_lines(&self) -> Vec<String> {
+        if !self.solvers.is_form_given_up {
+            return Vec::new();
+        }
+        let line =
+            " Multiplied out, the equations or outputs would be too large: some are differentiated as typed only.";
+        vec![String::new(), line.to_owned()]
+    }
+
+    /// How a block is solved, part by part.
+    pub(in crate::emit) fn solution(&self, block: &Block) -> String {
+        if let [only] = block.parts.as_slice() {
+            return self.solution_of_part(only);
+        }
+        let parts: Vec<String> = block
+            .parts
+            .iter()
+            .map(|part| format!("{} for {}", self.solution_of_part(part), self.names(&part.unknowns)))
+            .collect();
+        parts.join(", then ")
+    }
+
+    /// How a part is solved.
+    pub(in crate::emit) fn solution_of_part(&self, part: &Part) -> String {
+        match &part.solution {
+            Solution::Closed(form) => form.description(&self.solvers.graph),
+            Solution::Newton { is_given_up: false, .. } => "Newton's method".to_owned(),
+            Solution::Newton { is_given_up: true, .. } => {
+                "Newton's method (the equations are too large to look for a closed form)".to_owned()
+            }
+        }
+    }
+
+    /// What open and crossed mean for a part.
+    pub(in crate::emit) fn choice_documentation(&self, part: usize) -> Vec<String> {
+        vec![
+            format!(
+                " The block of `{}`: {}.",
+                self.part_name(part),
+                self.solution_of_part(self.parts()[part])
+            ),
+            String::new(),
+            format!(" Open where `{}`, crossed where it is negative.", self.criterion(part)),
+        ]
+    }
+
+    /// What the assembly decides, as a paragraph of its own; nothing if there is no choice.
+    pub(in crate::emit) fn assembly_lines(&self) -> Vec<String> {
+        let lines: Vec<String> = self
+            .choices()
+            .into_iter()
+            .map(|part| format!(" - `{}`: open where `{}`", self.part_name(part), self.criterion(part)))
+            .collect();
+        if lines.is_empty() {
+            return lines;
+        }
+        [String::new(), " Assemblies:".to_owned()]
+            .into_iter()
+            .chain(lines)
+            .collect()
+    }
+
+    /// What is positive in a part's open assembly.
+    fn criterion(&self, part: usize) -> String {
+        let names = |symbol: Symbol| self.solvers.names().of(symbol).to_owned();
+        self.solvers.choices[part].orientation.map_or_else(String::new, |node| {
+            format!("{} > 0", self.solvers.graph.print(node, &names))
+        })
+    }
+
+    /// What is known of an unknown.
+    pub(in crate::emit) fn unknown_line(&self, index: usize) -> String {
+        let unknown = &self.model.unknowns[index];
+        let part = self
+            .parts()
+            .into_iter()
+            .find(|part| part.unknowns.contains(&index))
+            .expect("every unknown is solved in a part of a block");
+        let with: Vec<String> = part
+            .unknowns
+            .iter()
+            .filter(|&&other| other != index)
+            .map(|&other| format!("`{}`", self.model.unknowns[other].name))
+            .collect();
+        let company = if with.is_empty() {
+            String::new()
+        } else {
+            format!(" together with {}", with.join(", "))
+        };
+        let range = unknown
+            .range
+            .as_ref()
+            .map_or_else(String::new, |range| format!(", `{}`", range.text));
+        format!(
+            " Unknown {}{range}; {}{company}.",
+            unit(unknown.dimension),
+            self.solution_of_part(part)
+        )
+    }
+
+    /// The line that says what a solver costs.
+    pub(in crate::emit) fn cost_line(&self, order: usize) -> String {
+        cost_line(self.solvers.orders()[order].cost)
+    }
+
+    /// The inputs' names and units, for a method's documentation.
+    pub(in crate::emit) fn input_line(&self) -> String {
+        let inputs: Vec<String> = self
+            .model
+            .inputs
+            .iter()
+            .map(|Quantity { name, dimension, .. }| format!("`{name}` ({})", unit(*dimension)))
+            .collect();
+        inputs.join(", ")
+    }
+
+    /// The unknowns' names, in order.
+    pub(in crate::emit) fn unknown_order(&self) -> String {
+        let names: Vec<String> = self
+            .model
+            .unknowns
+            .iter()
+            .map(|Unknown { name, .. }| name.to_string())
+            .collect();
+        names.join(", ")
+    }
+}
+
+/// A dimension with its unit.
+pub(in crate::emit) const fn unit(dimension: Dimension) -> &'static str {
+    match dimension {
+        Dimension::Length => "length, in the mechanism's unit",
+        Dimension::Angle => "angle, in radians",
+        Dimension::Direction => "angle as a unit vector, its rates in radians",
+        Dimension::Scalar => "number",
+        Dimension::Point | Dimension::Point3 => "point, in the mechanism's unit of length",
+        Dimension::Vector | Dimension::Vector3 => "vector, in the mechanism's unit of length",
+    }
+}
+
+/// The line that says what something costs.
+pub(in crate::emit) fn cost_line(cost: Cost) -> String {
+    format!(" Costs {}.", in_words(cost))
+}
+
+/// A cost in words.
+fn in_words(cost: Cost) -> String {
+    let functions = [
+        (cost.square_roots, "square root", "square roots"),
+        (cost.sine_cosines, "sine-cosine pair", "sine-cosine pairs"),
+        (cost.arc_tangents, "arctangent", "arctangents"),
+        (cost.others, "other function", "other functions"),
+    ];
+    let arithmetic = cost.arithmetic();
+    let mut parts = vec![format!(
+        "{arithmetic} {}",
+        if arithmetic == 1 { "operation" } else { "operations" }
+    )];
+    parts.extend(
+        functions
+            .into_iter()
+            .filter(|&(count, ..)| count > 0)
+            .map(|(count, one, many)| format!("{count} {}", if count == 1 { one } else { many })),
+    );
+    match parts.as_slice() {
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [] => String::new(),
+    }
+}

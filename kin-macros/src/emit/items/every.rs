@@ -1,0 +1,88 @@
+//! All assemblies of a mechanism with coupled blocks, by continuation.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::emit::mechanism::{Mechanism, attributes};
+use crate::emit::text::Text;
+use crate::expr::Symbol;
+
+/// The method `assemblies_at`; nothing if there is no such way to find them, or far too many.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    /// A mechanism with more assemblies than this is assembled from a guess.
+    const LARGEST: usize = 4096;
+
+    let Some(program) = &mechanism.solvers.every else {
+        return TokenStream::new();
+    };
+    let (text, stage) = (Text::of_every(mechanism, program), &program.stages[0]);
+    let paths = mechanism
+        .blocks
+        .iter()
+        .fold(1_usize << mechanism.choices().len().min(20), |product, block| {
+            product.saturating_mul(block.all.as_ref().map_or(1, |system| system.paths))
+        });
+    if paths > LARGEST {
+        return TokenStream::new();
+    }
+    let runtime = mechanism.runtime;
+    let (name, attributes) = (&mechanism.model.name, attributes());
+    let inputs = mechanism.input_names();
+    let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
+    let capacity = Literal::usize_unsuffixed(paths);
+    let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
+    let readings = text.readings(stage, &given);
+    let body = text.position_steps(stage);
+    let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
+    let [way, near] = ["choices", "near"].map(|name| mechanism.own(name));
+    let lines = mechanism
+        .blocks
+        .iter()
+        .filter_map(|block| Some((block, block.all.as_ref()?)))
+        .map(|(block, system)| {
+            format!(
+                " - `{}`: at most {} solutions, real and complex",
+                mechanism.names(&block.unknowns),
+                system.paths
+            )
+        });
+    let order = format!(
+        " They are told by the values of the unknowns, `[{}]`, and each is to be handed to `position` or `solve`.",
+        mechanism.unknown_order()
+    );
+    quote! {
+        #attributes
+        impl #name<::core::primitive::f64> {
+            /// All assemblies at given inputs: every regular position.
+            ///
+            #[doc = #order]
+            /// All solutions of the coupled equations are followed from those of a system whose solutions are known; see
+            /// the module `continuation` of the library for what that guarantees.
+            ///
+            #(#[doc = #lines])*
+            ///
+            /// # Errors
+            /// If a parameter or an input is not finite.
+            pub fn assemblies_at(&self, #(#inputs: ::core::primitive::f64),*)
+                -> ::core::result::Result<#runtime::Assemblies<#count, #capacity>, #runtime::SolveError>
+            {
+                #runtime::every(
+                    |#way| self.__one_of_all(#(#inputs,)* #way),
+                    |#near| #runtime::Mechanism::solve_position_near(self, [#(#inputs),*], #near),
+                )
+            }
+
+            fn __one_of_all(
+                &self,
+                #(#inputs: ::core::primitive::f64,)*
+                #way: &mut #runtime::Choices,
+            ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError> {
+                use #runtime::Scalar as _;
+                type T = ::core::primitive::f64;
+                #readings
+                #body
+                ::core::result::Result::Ok([#(#unknowns),*])
+            }
+        }
+    }
+}

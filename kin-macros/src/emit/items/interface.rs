@@ -1,0 +1,376 @@
+//! The implementation of the trait that all mechanisms share.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{Attribute, Expr, Lit, Meta};
+
+use super::{assembly, description};
+use crate::emit::declaration::vector_type;
+use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::model::Dimension;
+
+/// `impl Mechanism` and `impl Pose`.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let order = mechanism.order();
+    let (name, pose, attributes) = (&model.name, mechanism.pose(order), attributes());
+    let (assembly_type, value) = (mechanism.assembly_type(), mechanism.assembly_value());
+    let index = local("index");
+    let by_number = assembly::by_number(mechanism, &quote!(#index));
+    let assembly_count = Literal::usize_unsuffixed(1 << mechanism.choices().len());
+    let scalars = mechanism.scalar_parameters();
+    let size = |count: usize| Literal::usize_unsuffixed(count);
+    let residual_count = size(
+        model
+            .equations
+            .iter()
+            .map(|equation| equation.residual.nodes().len())
+            .sum(),
+    );
+    let (parameter_count, input_count, unknown_count) = (
+        size(scalars.len()),
+        size(model.inputs.len()),
+        size(model.unknowns.len()),
+    );
+    let output_count = size(model.outputs.iter().map(|output| output.value.nodes().len()).sum());
+    let values = scalars.iter().map(|(_, value, ..)| value);
+    let (parameters, convert) = (local("parameters"), local("convert"));
+    let mut next = 0;
+    let mut from_array = Vec::new();
+    let mut converted = Vec::new();
+    for parameter in &model.parameters {
+        let field = &parameter.name;
+        let shape = parameter.dimension.shape();
+        if let Some(vector) = vector_type(shape) {
+            let axes = shape.axes();
+            let places = (next..next + axes.len()).map(size);
+            next += axes.len();
+            from_array.push(quote!(#field: #runtime::#vector::new(#(#parameters[#places]),*)));
+            let axes = axes.iter().map(|axis| local(&axis.to_string()));
+            converted.push(quote!(#field: #runtime::#vector::new(#(#convert(self.#field.#axes)),*)));
+        } else {
+            let place = size(next);
+            next += 1;
+            from_array.push(quote!(#field: #parameters[#place]));
+            converted.push(quote!(#field: #convert(self.#field)));
+        }
+    }
+    let inputs = local("inputs");
+    let places: Vec<TokenStream> = (0..model.inputs.len())
+        .map(|place| {
+            let place = size(place);
+            quote!(#inputs[#place])
+        })
+        .collect();
+    let (unknowns, wanted, near) = (local("unknowns"), mechanism.own("assembly"), local("near"));
+    let length = size(order + 1);
+    let is_coupled = mechanism.is_coupled();
+    let (assembly_type, value) = if is_coupled {
+        (quote!(#runtime::Near<#unknown_count>), quote!(#wanted))
+    } else {
+        (assembly_type, value)
+    };
+    let assembly_count = if is_coupled { size(0) } else { assembly_count };
+    let assembly_by_number = if is_coupled {
+        quote!(let _ = #index; ::core::option::Option::None)
+    } else {
+        quote! {
+            if #index < Self::ASSEMBLY_COUNT {
+                ::core::option::Option::Some(#by_number)
+            } else {
+                ::core::option::Option::None
+            }
+        }
+    };
+    let assembly_near = if is_coupled {
+        quote!(let _ = #inputs; #runtime::Near(#near.map(#runtime::Scalar::real)))
+    } else if value.is_empty() {
+        quote!(let _ = (#inputs, #near);)
+    } else {
+        quote!(self.assembly_at(#(#places,)* #near))
+    };
+    let description = description(mechanism);
+    let unknown_motions = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let field = &unknown.name;
+        if mechanism.is_direction(index) {
+            let value = mechanism.unknown_value(index);
+            quote!(self.#field.motion_from(#value))
+        } else {
+            quote!(self.#field)
+        }
+    });
+    let directions = directions(mechanism);
+    let position_near = quote!(self.position_near(#(#places,)* #near));
+    let unknowns_near = if mechanism.has_directions() {
+        quote!(#position_near.map(|position| position.unknowns_near(#near)))
+    } else {
+        quote!(#position_near.map(|position| position.unknowns()))
+    };
+    let output_fields = model.outputs.iter().map(|output| {
+        let field = &output.name;
+        let axes = output.value.shape().axes();
+        if axes.is_empty() {
+            return quote!(self.#field);
+        }
+        let axes = axes.iter().map(|axis| local(&axis.to_string()));
+        quote!(#(self.#field.#axes()),*)
+    });
+    let ignore = if value.is_empty() {
+        quote!(let () = #wanted;)
+    } else {
+        TokenStream::new()
+    };
+    // The way of a batch, several poses at a time, is to be inlined from end to end.
+    let number = mechanism.type_parameter("Number");
+    let in_lanes = quote!(#[inline(always)]);
+    let complete = |position: TokenStream| {
+        quote! {
+            let position = #position?;
+            self.__complete(position, #(#places),*)
+        }
+    };
+    let (solve, solve_near) = if is_coupled {
+        (
+            quote!(self.solve(#(#places,)* #value)),
+            complete(quote!(self.position_near(#(#places.position(),)* #near))),
+        )
+    } else {
+        let value = if value.is_empty() { quote!() } else { quote!(#value,) };
+        (
+            complete(quote!(self.__position(#(#places.position(),)* #value ::core::option::Option::None))),
+            quote!(self.solve_near(#(#places,)* #near)),
+        )
+    };
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
+            type Scalar = T;
+            type With<#number: #runtime::Scalar> = #name<#number>;
+            type Assembly = #assembly_type;
+            type Motion<Element: ::core::marker::Copy> = #runtime::Motion<Element, #length>;
+            type Pose = #pose<T>;
+            type Parameters<Element: ::core::marker::Copy> = [Element; #parameter_count];
+            type Inputs<Element: ::core::marker::Copy> = [Element; #input_count];
+            type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
+            type Residuals<Element: ::core::marker::Copy> = [Element; #residual_count];
+
+            const DESCRIPTION: #runtime::Description = #description;
+            const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
+
+            fn assembly(#index: ::core::primitive::usize) -> ::core::option::Option<Self::Assembly> {
+                #assembly_by_number
+            }
+
+            fn assembly_near(&self, #inputs: [T; #input_count], #near: [T; #unknown_count]) -> Self::Assembly {
+                #assembly_near
+            }
+
+            fn from_parameters(#parameters: [T; #parameter_count]) -> Self {
+                Self { #(#from_array),* }
+            }
+
+            fn parameters(&self) -> [T; #parameter_count] {
+                [#(#values),*]
+            }
+
+            fn convert<#number: #runtime::Scalar>(
+                &self,
+                mut #convert: impl ::core::ops::FnMut(T) -> #number,
+            ) -> #name<#number> {
+                #name { #(#converted),* }
+            }
+
+            #in_lanes
+            fn solve_motion(
+                &self,
+                #inputs: [#runtime::Motion<T, #length>; #input_count],
+                #wanted: Self::Assembly,
+            ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
+                #ignore
+                #solve
+            }
+
+            #in_lanes
+            fn solve_motion_near(
+                &self,
+                #inputs: [#runtime::Motion<T, #length>; #input_count],
+                #near: [T; #unknown_count],
+            ) -> ::core::result::Result<Self::Pose, #runtime::SolveError> {
+                #solve_near
+            }
+
+            fn solve_position(
+                &self,
+                #inputs: [T; #input_count],
+                #wanted: Self::Assembly,
+            ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
+                #ignore
+                self.position(#(#places,)* #value).map(|position| position.unknowns())
+            }
+
+            fn solve_position_near(
+                &self,
+                #inputs: [T; #input_count],
+                #near: [T; #unknown_count],
+            ) -> ::core::result::Result<[T; #unknown_count], #runtime::SolveError> {
+                #unknowns_near
+            }
+
+            fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
+                self.closure(#(#places,)* #unknowns)
+            }
+        }
+
+        #attributes
+        impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {
+            type Scalar = T;
+            type Motion = #runtime::Motion<T, #length>;
+            type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
+            type Outputs<Element: ::core::marker::Copy> = [Element; #output_count];
+
+            fn unknown_motions(&self) -> [#runtime::Motion<T, #length>; #unknown_count] {
+                [#(#unknown_motions),*]
+            }
+
+            #directions
+
+            fn output_motions(&self) -> [#runtime::Motion<T, #length>; #output_count] {
+                [#(#output_fields),*]
+            }
+        }
+    }
+}
+
+/// What a pose tells of unknowns that it holds as unit vectors.
+fn directions(mechanism: &Mechanism<'_>) -> TokenStream {
+    if !mechanism.has_directions() {
+        return TokenStream::new();
+    }
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let [length, count] = [mechanism.order() + 1, model.unknowns.len()].map(Literal::usize_unsuffixed);
+    let near = local("near");
+    let (mut motions_near, mut columns, mut sines) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, unknown) in model.unknowns.iter().enumerate() {
+        let (field, place) = (&unknown.name, Literal::usize_unsuffixed(index));
+        if mechanism.is_direction(index) {
+            let value = mechanism.unknown_value_near(index, &quote!(#near[#place]));
+            motions_near.push(quote!(self.#field.motion_from(#value)));
+            columns.push(quote!(self.#field.motion_from(self.#field.cosine())));
+            sines.push(quote!(::core::option::Option::Some(self.#field.sine())));
+        } else {
+            motions_near.push(quote!(self.#field));
+            columns.push(quote!(self.#field));
+            sines.push(quote!(::core::option::Option::None));
+        }
+    }
+    quote! {
+        fn unknown_motions_near(&self, #near: [T; #count]) -> [#runtime::Motion<T, #length>; #count] {
+            [#(#motions_near),*]
+        }
+
+        #[inline(always)]
+        fn unknown_columns(&self) -> [#runtime::Motion<T, #length>; #count] {
+            [#(#columns),*]
+        }
+
+        #[inline(always)]
+        fn unknown_sines(&self) -> [::core::option::Option<T>; #count] {
+            [#(#sines),*]
+        }
+    }
+}
+
+fn description(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let name = model.name.to_string();
+    let parameters = mechanism
+        .scalar_parameters()
+        .into_iter()
+        .map(|(label, _, dimension, index)| quantity(runtime, &label, dimension, &model.parameters[index].attributes));
+    let inputs = model
+        .inputs
+        .iter()
+        .map(|input| quantity(runtime, &input.name.to_string(), input.dimension, &input.documentation));
+    let unknowns = model.unknowns.iter().map(|unknown| {
+        quantity(
+            runtime,
+            &unknown.name.to_string(),
+            unknown.dimension,
+            &unknown.documentation,
+        )
+    });
+    let outputs = model.outputs.iter().flat_map(|output| {
+        let name = output.name.to_string();
+        let labels = output.value.shape().part_names(&name, ".");
+        labels
+            .into_iter()
+            .map(|label| quantity(runtime, &label, output.dimension, &output.documentation))
+            .collect::<Vec<_>>()
+    });
+    let equations = model.equations.iter().map(|equation| &equation.text);
+    let blocks = mechanism.blocks.iter().map(|block| {
+        let (unknowns, solution) = (mechanism.names(&block.unknowns), mechanism.solution(block));
+        let [members, equations] = [&block.unknowns, &block.equations].map(|places| {
+            places
+                .iter()
+                .map(|&place| Literal::usize_unsuffixed(place))
+                .collect::<Vec<_>>()
+        });
+        quote! {
+            #runtime::Block {
+                unknowns: #unknowns,
+                solution: #solution,
+                members: &[#(#members),*],
+                equations: &[#(#equations),*],
+            }
+        }
+    });
+    let order = Literal::usize_unsuffixed(mechanism.order());
+    let operations = description::operations(mechanism);
+    quote! {
+        #runtime::Description {
+            name: #name,
+            parameters: &[#(#parameters),*],
+            inputs: &[#(#inputs),*],
+            unknowns: &[#(#unknowns),*],
+            outputs: &[#(#outputs),*],
+            equations: &[#(#equations),*],
+            blocks: &[#(#blocks),*],
+            order: #order,
+            operations: &#operations,
+        }
+    }
+}
+
+fn quantity(runtime: &TokenStream, name: &str, dimension: Dimension, attributes: &[Attribute]) -> TokenStream {
+    let dimension = match dimension {
+        Dimension::Length | Dimension::Point | Dimension::Vector | Dimension::Point3 | Dimension::Vector3 => {
+            local("Length").into_token_stream()
+        }
+        Dimension::Angle | Dimension::Direction => local("Angle").into_token_stream(),
+        Dimension::Scalar => local("Scalar").into_token_stream(),
+    };
+    let text = first_paragraph(attributes);
+    quote!(#runtime::Quantity { name: #name, dimension: #runtime::Dimension::#dimension, description: #text })
+}
+
+/// The first paragraph of a documentation comment, on one line.
+fn first_paragraph(attributes: &[Attribute]) -> String {
+    attributes
+        .iter()
+        .filter_map(|attribute| match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                Expr::Lit(literal) => match &literal.lit {
+                    Lit::Str(text) => Some(text.value().trim().to_owned()),
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        })
+        .take_while(|line| !line.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ")
+}

@@ -1,0 +1,17 @@
+//! The generated items, one file each.
+
+pub(super) mod assembly;
+pub(super) mod batch;
+pub(super) mod description;
+mod documentation;
+pub(super) mod every;
+pub(super) mod interface;
+pub(super) mod poses;
+pub(super) mod position;
+pub(super) mod rates;
+pub(super) mod sensitivities;
+pub(super) mod solve;
+pub(super) mod test;
+pub(super) mod track;
+pub(super) mod transmission;
+pub(super) mod values;

@@ -1,0 +1,143 @@
+//! The poses: a structure for each order, which holds all motions through that order and what later orders need.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::Attribute;
+
+use super::documentation::unit;
+use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::program::order_name;
+
+/// The structures.
+pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
+    (0..=mechanism.order())
+        .map(|order| structure(mechanism, order))
+        .collect()
+}
+
+/// What each can tell.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    (0..=mechanism.order()).map(|order| methods(mechanism, order)).collect()
+}
+
+/// A field's documentation: the user's own, then a line of ours.
+fn documented(own: &[Attribute], line: &str) -> TokenStream {
+    let separator = if own.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(#[doc = ""])
+    };
+    quote!(#(#own)* #separator #[doc = #line])
+}
+
+fn structure(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let visibility = &model.visibility;
+    let attributes = attributes();
+    let name = mechanism.pose(order);
+    let length = Literal::usize_unsuffixed(order + 1);
+    let summary = match order {
+        0 => format!(" The position of a [`{}`].", model.name),
+        1 => format!(" Position and velocity of a [`{}`].", model.name),
+        _ => format!(" The motion of a [`{}`] through {}.", model.name, order_name(order)),
+    };
+    let inputs = model.inputs.iter().map(|input| {
+        let name = &input.name;
+        let documentation = documented(&input.documentation, &format!(" Input {}.", unit(input.dimension)));
+        quote! {
+            #documentation
+            pub #name: #runtime::Motion<T, #length>
+        }
+    });
+    let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let name = &unknown.name;
+        let documentation = documented(&unknown.documentation, &mechanism.unknown_line(index));
+        let kind = mechanism.unknown_type(index, order, &quote!(T));
+        quote! {
+            #documentation
+            pub #name: #kind
+        }
+    });
+    let outputs = model.outputs.iter().map(|output| {
+        let name = &output.name;
+        let kind = mechanism.output_type(output.value.shape(), &quote!(T));
+        let line = format!(" Output {}: `{}`.", unit(output.dimension), output.text);
+        let documentation = documented(&output.documentation, &line);
+        quote! {
+            #documentation
+            pub #name: #runtime::Motion<#kind, #length>
+        }
+    });
+    let carried = mechanism.solvers.orders()[order].carries.iter().map(|carried| {
+        let name = mechanism.name_of(carried.symbol);
+        match carried.factors {
+            None => quote!(#name: T),
+            Some(size) => {
+                let size = Literal::usize_unsuffixed(size);
+                quote!(#name: #runtime::solve::Factors<T, #size>)
+            }
+        }
+    });
+    quote! {
+        #[doc = #summary]
+        #[derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq
+        )]
+        #attributes
+        #visibility struct #name<T = ::core::primitive::f64> {
+            #(#inputs,)*
+            #(#unknowns,)*
+            #(#outputs,)*
+            #(#carried,)*
+        }
+    }
+}
+
+fn methods(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (name, attributes) = (mechanism.pose(order), attributes());
+    let count = Literal::usize_unsuffixed(model.unknowns.len());
+    let values = (0..model.unknowns.len()).map(|index| mechanism.unknown_value(index));
+    let values_near = values_near(mechanism);
+    let unknown_line = format!(
+        " The values of the unknowns, `[{}]`, as `position_near` takes them.",
+        mechanism.unknown_order()
+    );
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            #[doc = #unknown_line]
+            #[must_use]
+            pub fn unknowns(&self) -> [T; #count] {
+                [#(#values),*]
+            }
+
+            #values_near
+        }
+    }
+}
+
+/// `unknowns_near`: the angles of directions on the turns that are wanted.
+fn values_near(mechanism: &Mechanism<'_>) -> TokenStream {
+    if !mechanism.has_directions() {
+        return TokenStream::new();
+    }
+    let model = mechanism.model;
+    let count = Literal::usize_unsuffixed(model.unknowns.len());
+    let near = local("near");
+    let values = (0..model.unknowns.len()).map(|index| {
+        let place = Literal::usize_unsuffixed(index);
+        mechanism.unknown_value_near(index, &quote!(#near[#place]))
+    });
+    quote! {
+        /// As `unknowns`, the angles that are calculated from unit vectors on the turns nearest to given values of the unknowns.
+        #[must_use]
+        pub fn unknowns_near(&self, #near: [T; #count]) -> [T; #count] {
+            [#(#values),*]
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! The position solvers.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::emit::declaration::vector_type;
+use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::text::Text;
+use crate::expr::Symbol;
+use crate::model::{Dimension, Value};
+use crate::program::UnitPart;
+
+/// `position`, `position_near`, and the solver that both call.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let (name, pose, attributes) = (&model.name, mechanism.pose(0), attributes());
+    let inputs = mechanism.input_names();
+    let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
+    let assembly_then = if assembly.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(#assembly,)
+    };
+    let value = if value.is_empty() { value } else { quote!(#value,) };
+    let near = mechanism.own("near");
+    let count = Literal::usize_unsuffixed(model.unknowns.len());
+    let stage = &mechanism.solvers.orders()[0];
+    let text = Text::of(mechanism, &mechanism.solvers.motion);
+    let given: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
+    let readings = text.readings(stage, &given);
+    let body = text.position_steps(stage);
+    let result = result(mechanism);
+    let (found, near_choice) = if value.is_empty() {
+        (TokenStream::new(), TokenStream::new())
+    } else if mechanism.is_coupled() {
+        let assembly = mechanism.own("assembly");
+        (
+            quote!(let (#assembly, #near) = self.__side(#(#inputs,)* #near);),
+            quote!(#assembly,),
+        )
+    } else {
+        (TokenStream::new(), quote!(self.assembly_at(#(#inputs,)* #near),))
+    };
+    let input_line = format!(" Inputs: {}.", mechanism.input_line());
+    let assemblies = mechanism.assembly_lines();
+    let (equations, blocks, cost) = (
+        mechanism.equation_lines(),
+        mechanism.block_lines().into_iter().chain(mechanism.form_lines()),
+        mechanism.cost_line(0),
+    );
+    let near_line = format!(
+        " The position nearest to given values of the unknowns, `[{}]`: in their assembly, and angles on their turn.",
+        mechanism.unknown_order()
+    );
+    let turns = turns(mechanism);
+    let near_errors = if turns.is_empty() {
+        " As for `position`."
+    } else {
+        " As for `position`; and if an angle has turned so often that it tells no direction."
+    };
+    let is_coupled = mechanism.is_coupled();
+    // the way of a batch is inlined from end to end
+    let inline_near = if is_coupled {
+        quote!(#[inline(always)])
+    } else {
+        quote!(#[inline])
+    };
+    let (choice, chosen) = if is_coupled {
+        let chosen = quote!(self.position_near(#(#inputs,)* #runtime::Guess::values(#near)));
+        (quote!(#near: impl #runtime::Guess<T, #count>), chosen)
+    } else {
+        let chosen = quote!(self.__position(#(#inputs,)* #value ::core::option::Option::None));
+        (assembly, chosen)
+    };
+    let (near_type, near_value) = if is_coupled {
+        (quote!([T; #count]), quote!(#near))
+    } else {
+        (
+            quote!(::core::option::Option<[T; #count]>),
+            quote!(::core::option::Option::Some(#near)),
+        )
+    };
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The position.
+            ///
+            #[doc = #input_line]
+            ///
+            /// Solves
+            #(#[doc = #equations])*
+            ///
+            /// block by block:
+            #(#[doc = #blocks])*
+            #(#[doc = #assemblies])*
+            ///
+            #[doc = #cost]
+            ///
+            /// # Errors
+            /// If there is no position, if it is singular, or if a number is not finite; the error says where and by
+            /// how much.
+            #[inline]
+            pub fn position(&self, #(#inputs: T,)* #choice)
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                #chosen
+            }
+
+            #[doc = #near_line]
+            ///
+            /// # Errors
+            #[doc = #near_errors]
+            #inline_near
+            pub fn position_near(&self, #(#inputs: T,)* #near: [T; #count])
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                #turns
+                #found
+                self.__position(#(#inputs,)* #near_choice #near_value)
+            }
+
+            #[inline(always)]
+            fn __position(&self, #(#inputs: T,)* #assembly_then #near: #near_type)
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+            {
+                #readings
+                #body
+                ::core::result::Result::Ok(#result)
+            }
+        }
+    }
+}
+
+/// The test that angles near by are on turns on which they tell directions.
+fn turns(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let near = mechanism.own("near");
+    let unknowns = mechanism.model.unknowns.iter().enumerate();
+    let angles: Vec<TokenStream> = unknowns
+        .filter(|(_, unknown)| matches!(unknown.dimension, Dimension::Angle | Dimension::Direction))
+        .map(|(place, unknown)| {
+            let (label, place) = (unknown.name.to_string(), Literal::usize_unsuffixed(place));
+            quote!((#label, #place))
+        })
+        .collect();
+    if angles.is_empty() {
+        return TokenStream::new();
+    }
+    let failed = mechanism.failed_at(&mechanism.unknown_order());
+    quote!(let #near = #runtime::solve::within_turns(#near, [#(#angles),*]) #failed;)
+}
+
+/// The pose made of what has been computed.
+fn result(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let pose = mechanism.pose(0);
+    let inputs = model.inputs.iter().map(|input| {
+        let (name, value) = (&input.name, local(&input.name.to_string()));
+        quote!(#name: #runtime::Motion::new([#value]))
+    });
+    let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let name = &unknown.name;
+        let part = |part| mechanism.solvers.directions().part(index, part);
+        if let (Some(cosine), Some(sine)) = (part(UnitPart::Cosine), part(UnitPart::Sine)) {
+            let [cosine, sine] = [cosine, sine].map(|symbol| mechanism.name_of(symbol));
+            return quote!(#name: #runtime::Direction::new(#runtime::Plane::new(#cosine, #sine), []));
+        }
+        let value = mechanism.name_of(Symbol::Unknown(index));
+        quote!(#name: #runtime::Motion::new([#value]))
+    });
+    let outputs = model
+        .outputs
+        .iter()
+        .zip(mechanism.output_parts())
+        .map(|(output, parts)| {
+            let name = &output.name;
+            let value = output_value(mechanism, &output.value, &parts, 0);
+            quote!(#name: #runtime::Motion::new([#value]))
+        });
+    let stage = &mechanism.solvers.orders()[0];
+    let parameters = mechanism.scalar_parameters();
+    let carried = stage.carries.iter().map(|carried| {
+        let name = mechanism.name_of(carried.symbol);
+        match carried.parameter() {
+            Some(index) if !stage.reads.contains(&carried.symbol) => {
+                let value = &parameters[index].1;
+                quote!(#name: #value)
+            }
+            _ => quote!(#name),
+        }
+    });
+    quote!(#pose { #(#inputs,)* #(#unknowns,)* #(#outputs,)* #(#carried,)* })
+}
+
+/// An output's derivative of an order from its parts.
+pub(in crate::emit) fn output_value(
+    mechanism: &Mechanism<'_>,
+    value: &Value,
+    parts: &[usize],
+    order: usize,
+) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let names: Vec<_> = parts
+        .iter()
+        .map(|&part| mechanism.name_of(Symbol::OutputRate(part, order)))
+        .collect();
+    if let Some(vector) = vector_type(value.shape()) {
+        quote!(#runtime::#vector::new(#(#names),*))
+    } else {
+        quote!(#(#names)*)
+    }
+}

@@ -1,0 +1,93 @@
+//! The solvers of the time derivatives, each a method of the pose of the order below.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::position::output_value;
+use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::text::Text;
+use crate::expr::Symbol;
+use crate::program::Step;
+use crate::program::order_name;
+
+/// `velocity`, `acceleration`, ….
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    (1..=mechanism.order()).map(|order| solver(mechanism, order)).collect()
+}
+
+fn solver(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let (below, pose, attributes) = (mechanism.pose(order - 1), mechanism.pose(order), attributes());
+    let stage = &mechanism.solvers.orders()[order];
+    let text = Text::of(mechanism, &mechanism.solvers.motion);
+    let method = local(&order_name(order));
+    let given: Vec<Symbol> = (0..model.inputs.len())
+        .map(|index| Symbol::InputRate(index, order))
+        .collect();
+    let arguments: Vec<_> = given.iter().map(|&symbol| mechanism.name_of(symbol)).collect();
+    let readings = text.readings(stage, &given);
+    let body = text.plain_steps(stage);
+
+    let known: BTreeSet<Symbol> = stage
+        .steps
+        .iter()
+        .flat_map(Step::defines)
+        .chain(stage.uses.iter().map(|carried| carried.symbol))
+        .collect();
+    let inputs = model.inputs.iter().zip(&arguments).map(|(input, rate)| {
+        let name = &input.name;
+        quote!(#name: self.#name.and(#rate))
+    });
+    let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let (name, rate) = (&unknown.name, mechanism.name_of(Symbol::UnknownRate(index, order)));
+        quote!(#name: self.#name.and(#rate))
+    });
+    let outputs = model
+        .outputs
+        .iter()
+        .zip(mechanism.output_parts())
+        .map(|(output, parts)| {
+            let name = &output.name;
+            let value = output_value(mechanism, &output.value, &parts, order);
+            quote!(#name: self.#name.and(#value))
+        });
+    let carried = stage.carries.iter().map(|carried| {
+        let name = text.name(carried.symbol);
+        if known.contains(&carried.symbol) {
+            quote!(#name)
+        } else {
+            quote!(#name: self.#name)
+        }
+    });
+
+    let summary = format!(
+        " Adds the {} to what is known, from the {} of the input{}.",
+        order_name(order),
+        order_name(order),
+        if model.inputs.len() == 1 { "" } else { "s" }
+    );
+    let cost = mechanism.cost_line(order);
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #below<T> {
+            #[doc = #summary]
+            ///
+            #[doc = #cost]
+            #[inline(always)]
+            #[must_use]
+            pub fn #method(&self, #(#arguments: T),*) -> #pose<T> {
+                #readings
+                #body
+                #pose {
+                    #(#inputs,)*
+                    #(#unknowns,)*
+                    #(#outputs,)*
+                    #(#carried,)*
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,262 @@
+//! The partial derivatives by the parameters: the structures that hold them, and the method that finds them.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::description;
+use super::documentation::{cost_line, unit};
+use crate::emit::declaration::vector_type;
+use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::text::Text;
+use crate::expr::Symbol;
+use crate::model::Shape;
+use crate::program::order_name;
+use crate::program::{Expression, Stage};
+
+/// `FourBarSensitivities` and `FourBarPartials`.
+pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
+    if mechanism.solvers.sensitivities().is_none() {
+        return TokenStream::new();
+    }
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (visibility, attributes) = (&model.visibility, attributes());
+    let (name, whole, partials) = (&model.name, whole(mechanism), partials(mechanism));
+    let length = Literal::usize_unsuffixed(mechanism.order() + 1);
+    let derives = quote! {
+        #[derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq
+        )]
+    };
+    let parameters = model.parameters.iter().map(|parameter| {
+        let field = &parameter.name;
+        let line = format!(" By `{field}`, a {}.", unit(parameter.dimension));
+        let kind = if let Some(vector) = vector_type(parameter.dimension.shape()) {
+            quote!(#runtime::#vector<#partials<T>>)
+        } else {
+            quote!(#partials<T>)
+        };
+        quote! {
+            #[doc = #line]
+            pub #field: #kind
+        }
+    });
+    let unknowns = model.unknowns.iter().map(|unknown| {
+        let field = &unknown.name;
+        let line = format!(" Of the unknown `{field}`, in its unit by the parameter's.");
+        quote! {
+            #[doc = #line]
+            pub #field: #runtime::Motion<T, #length>
+        }
+    });
+    let outputs = model.outputs.iter().map(|output| {
+        let field = &output.name;
+        let kind = mechanism.output_type(output.value.shape(), &quote!(T));
+        let line = format!(" Of the output `{field}`, in its unit by the parameter's.");
+        quote! {
+            #[doc = #line]
+            pub #field: #runtime::Motion<#kind, #length>
+        }
+    });
+    let highest = order_name(mechanism.order());
+    let whole_line = format!(
+        " The partial derivatives of the motion of a [`{name}`], position to {highest}, with respect to each of its parameters."
+    );
+    let partials_line =
+        format!(" The partial derivatives of the motion of a [`{name}`] with respect to one of its parameters.");
+    quote! {
+        #[doc = #whole_line]
+        #derives
+        #attributes
+        #visibility struct #whole<T = ::core::primitive::f64> {
+            #(#parameters,)*
+        }
+
+        #[doc = #partials_line]
+        #derives
+        #attributes
+        #visibility struct #partials<T = ::core::primitive::f64> {
+            #(#unknowns,)*
+            #(#outputs,)*
+        }
+    }
+}
+
+/// `sensitivities`, what it costs, and the implementation of the trait.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let Some(stage) = mechanism.solvers.sensitivities() else {
+        return TokenStream::new();
+    };
+    let (method, interface) = (method(mechanism, stage), interface(mechanism, stage));
+    quote!(#method #interface)
+}
+
+fn whole(mechanism: &Mechanism<'_>) -> Ident {
+    format_ident!(
+        "{}Sensitivities",
+        mechanism.model.name,
+        span = mechanism.model.name.span()
+    )
+}
+
+fn partials(mechanism: &Mechanism<'_>) -> Ident {
+    format_ident!("{}Partials", mechanism.model.name, span = mechanism.model.name.span())
+}
+
+fn method(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (name, whole, attributes) = (&model.name, whole(mechanism), attributes());
+    let (argument, pose) = (mechanism.own("pose"), mechanism.pose(mechanism.order()));
+    let text = Text::of(mechanism, &mechanism.solvers.motion);
+    let readings = text.readings_from(stage, &[], &quote!(#argument));
+    let body = text.plain_steps(stage);
+    let mut next = 0;
+    let fields: Vec<TokenStream> = model
+        .parameters
+        .iter()
+        .map(|parameter| {
+            let field = &parameter.name;
+            let shape = parameter.dimension.shape();
+            let mut scalar = || {
+                next += 1;
+                by_parameter(mechanism, next - 1)
+            };
+            if let Some(vector) = vector_type(shape) {
+                let fields = parts(shape).into_iter().map(|axis| {
+                    let value = scalar();
+                    quote!(#axis: #value)
+                });
+                quote!(#field: #runtime::#vector { #(#fields),* })
+            } else {
+                let value = scalar();
+                quote!(#field: #value)
+            }
+        })
+        .collect();
+    let cost = cost_line(stage.cost);
+    let operations = description::operations_of(runtime, stage.cost);
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to
+            /// each parameter, while inputs and assembly are kept. The pose must be one of this mechanism's own.
+            ///
+            /// This cannot fail: they exist wherever the Jacobian is regular, and where it is not there is no pose.
+            ///
+            #[doc = #cost]
+            #[must_use]
+            pub fn sensitivities(&self, #argument: &#pose<T>) -> #whole<T> {
+                #readings
+                #body
+                #whole { #(#fields),* }
+            }
+        }
+
+        #attributes
+        impl #name<::core::primitive::f64> {
+            /// What the partial derivatives with respect to all parameters cost, on top of the solvers.
+            pub const SENSITIVITY_OPERATIONS: #runtime::Operations = #operations;
+        }
+    }
+}
+
+/// The derivatives by one scalar parameter, put together.
+fn by_parameter(mechanism: &Mechanism<'_>, parameter: usize) -> TokenStream {
+    let (runtime, model, partials) = (mechanism.runtime, mechanism.model, partials(mechanism));
+    let orders = 0..=mechanism.order();
+    let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
+        let field = &unknown.name;
+        let values = orders
+            .clone()
+            .map(|order| mechanism.name_of(Symbol::Sensitivity(index, parameter, order)));
+        quote!(#field: #runtime::Motion::new([#(#values),*]))
+    });
+    let outputs = model
+        .outputs
+        .iter()
+        .zip(mechanism.output_parts())
+        .map(|(output, parts)| {
+            let field = &output.name;
+            let values = orders.clone().map(|order| {
+                let parts = parts
+                    .iter()
+                    .map(|&part| mechanism.name_of(Symbol::OutputSensitivity(part, parameter, order)));
+                if let Some(vector) = vector_type(output.value.shape()) {
+                    quote!(#runtime::#vector::new(#(#parts),*))
+                } else {
+                    quote!(#(#parts)*)
+                }
+            });
+            quote!(#field: #runtime::Motion::new([#(#values),*]))
+        });
+    quote!(#partials { #(#unknowns,)* #(#outputs,)* })
+}
+
+/// The names of a vector's parts, none for a scalar.
+fn parts(shape: Shape) -> Vec<Ident> {
+    shape.axes().iter().map(|axis| local(&axis.to_string())).collect()
+}
+
+fn interface(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let (name, partials, attributes) = (&model.name, partials(mechanism), attributes());
+    let pose = mechanism.pose(mechanism.order());
+    let [length, parameter_count, unknown_count, output_count] = [
+        mechanism.order() + 1,
+        mechanism.scalar_parameters().len(),
+        model.unknowns.len(),
+        mechanism.output_parts().iter().map(Vec::len).sum(),
+    ]
+    .map(Literal::usize_unsuffixed);
+    let (argument, found) = (local("pose"), local("found"));
+    let rows = model.parameters.iter().map(|parameter| {
+        let field = &parameter.name;
+        let parts = parts(parameter.dimension.shape());
+        if parts.is_empty() {
+            quote!(#found.#field)
+        } else {
+            quote!(#(#found.#field.#parts),*)
+        }
+    });
+    let unknowns = model.unknowns.iter().map(|unknown| &unknown.name);
+    let outputs = model.outputs.iter().map(|output| {
+        let field = &output.name;
+        let parts = parts(output.value.shape());
+        if parts.is_empty() {
+            quote!(self.#field)
+        } else {
+            quote!(#(self.#field.#parts()),*)
+        }
+    });
+    let operations = description::operations_of(runtime, stage.cost);
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #runtime::Sensitive for #name<T> {
+            type Partials = #partials<T>;
+
+            const SENSITIVITY_OPERATIONS: #runtime::Operations = #operations;
+
+            fn sensitivities_of(&self, #argument: &#pose<T>) -> [#partials<T>; #parameter_count] {
+                let #found = self.sensitivities(#argument);
+                [#(#rows),*]
+            }
+        }
+
+        #attributes
+        impl<T: #runtime::Scalar> #runtime::Partials for #partials<T> {
+            type Motion = #runtime::Motion<T, #length>;
+            type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];
+            type Outputs<Element: ::core::marker::Copy> = [Element; #output_count];
+
+            fn unknown_partials(&self) -> [#runtime::Motion<T, #length>; #unknown_count] {
+                [#(self.#unknowns),*]
+            }
+
+            fn output_partials(&self) -> [#runtime::Motion<T, #length>; #output_count] {
+                [#(#outputs),*]
+            }
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! From one pose to another, without leaving the assembly.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::values;
+use crate::emit::mechanism::{Mechanism, attributes};
+
+/// The method `track`.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let (name, position, attributes) = (&mechanism.model.name, mechanism.pose(0), attributes());
+    let inputs = mechanism.input_names();
+    let (pose, argument) = values::argument(mechanism);
+    let unknowns = mechanism.own("unknowns");
+    quote! {
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The position at other inputs that the mechanism reaches from a pose of any order, without leaving its assembly;
+            /// angles are carried along, turn after turn.
+            ///
+            /// # Errors
+            /// If a limit position or a change point is on the way, with its place; or if there is no position.
+            pub fn track(&self, #argument, #(#inputs: T),*)
+                -> ::core::result::Result<#position<T>, #runtime::TrackErrorOf<Self>>
+            {
+                let #unknowns =
+                    #runtime::track(self, #pose.input_values(), #pose.unknown_values(), [#(#inputs),*])?;
+                ::core::result::Result::Ok(self.position_near(#(#inputs,)* #unknowns)?)
+            }
+        }
+    }
+}

@@ -1,0 +1,598 @@
+//! The equations themselves, to be put to the proof.
+//!
+//! They are translated from the syntax tree, operator by operator, and not from the graph from which everything else is derived:
+//! what is left of them at a solution is an independent check of the algebra.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+
+use crate::emit::declaration::vector_type;
+use crate::function::Function;
+use crate::model::{Model, Shape};
+use crate::syntax::{
+    Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operation, Operator, Statement,
+};
+
+/// How tightly a translated formula holds together, to set parentheses where they are needed and nowhere else.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+/// So many operands stand in a row, each of which nests the expression deeper, before what they come to gets a name.
+const LONGEST: usize = 256;
+
+/// A formula in Rust.
+#[derive(Clone)]
+pub(super) struct Translated {
+    pub(super) shape: Shape,
+    pub(super) binding: Binding,
+    pub(super) tokens: TokenStream,
+}
+
+impl Translated {
+    pub(super) fn new(shape: Shape, tokens: TokenStream) -> Self {
+        Self {
+            shape,
+            binding: Binding::Atom,
+            tokens,
+        }
+    }
+
+    pub(super) fn scalar(tokens: TokenStream) -> Self {
+        Self::new(Shape::Scalar, tokens)
+    }
+
+    fn plane(tokens: TokenStream) -> Self {
+        Self::new(Shape::Plane, tokens)
+    }
+
+    /// In parentheses if it holds together less tightly than its place requires.
+    pub(super) fn within(self, place: Binding) -> TokenStream {
+        let tokens = self.tokens;
+        if self.binding < place {
+            quote_spanned!(Span::mixed_site()=> (#tokens))
+        } else {
+            tokens
+        }
+    }
+}
+
+/// The method `closure`.
+pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenStream) -> TokenStream {
+    let equations: Vec<&EquationStatement> = declaration
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            Statement::Equation(equation) => Some(equation),
+            _ => None,
+        })
+        .collect();
+    let formulas = equations.iter().flat_map(|equation| [&equation.left, &equation.right]);
+    let used = used_names(declaration, formulas);
+    let mut names = names(model);
+
+    let site = Span::mixed_site();
+    let unknowns = Ident::new("unknowns", site);
+    let mut body = TokenStream::new();
+    for input in &model.inputs {
+        let name = &input.name;
+        if !used.contains(&name.to_string()) {
+            body.extend(quote_spanned!(site=> let _ = #name;));
+        }
+    }
+    body.extend(bindings(declaration, model, runtime, &used, &mut names));
+    let translation = Translation { names: &names, runtime };
+    let mut residuals: Vec<TokenStream> = Vec::new();
+    let mut lines: Vec<String> = Vec::new();
+    for (number, equation) in equations.iter().enumerate() {
+        let left = translation.expression(&equation.left);
+        let right = translation.expression(&equation.right);
+        let residual = translation.sum(Operator::Subtract, left, right);
+        let index = residuals.len();
+        let tokens = residual.tokens;
+        let axes = residual.shape.axes();
+        if axes.is_empty() {
+            residuals.push(tokens);
+            lines.push(format!("- `[{index}]`: `{equation}`"));
+            continue;
+        }
+        let local = format_ident!("equation_{number}", span = site);
+        body.extend(quote_spanned!(site=> let #local = #tokens;));
+        for axis in axes {
+            let part = Ident::new(&axis.to_string(), site);
+            residuals.push(quote_spanned!(site=> #local.#part));
+        }
+        lines.push(match residual.shape {
+            Shape::Space => format!(
+                "- `[{index}]`, `[{}]` and `[{}]`: x, y and z of `{equation}`",
+                index + 1,
+                index + 2
+            ),
+            _ => format!("- `[{index}]` and `[{}]`: x and y of `{equation}`", index + 1),
+        });
+    }
+
+    let inputs = model.inputs.iter().map(|input| &input.name);
+    let unknown_count = Literal::usize_unsuffixed(model.unknowns.len());
+    let residual_count = Literal::usize_unsuffixed(residuals.len());
+    let order: Vec<String> = model.unknowns.iter().map(|unknown| unknown.name.to_string()).collect();
+    let summary = format!(
+        "What is left of the equations, left side less right, where the unknowns are `[{}]`: zero at a position of the mechanism.",
+        order.join(", ")
+    );
+    // the lines follow the summary in one paragraph each, as a doc comment would have them
+    let documentation = [summary, String::new()]
+        .into_iter()
+        .chain(lines)
+        .map(|line| format!(" {line}"));
+    quote_spanned! {site=>
+        #(#[doc = #documentation])*
+        #[must_use]
+        #[allow(
+            non_snake_case,
+            clippy::many_single_char_names,
+            clippy::similar_names,
+            clippy::too_many_arguments,
+            clippy::too_many_lines,
+            clippy::unused_self
+        )]
+        pub fn closure(&self, #(#inputs: T,)* #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
+            #body
+            [#(#residuals),*]
+        }
+    }
+}
+
+/// Binds the unknowns and the abbreviations that are used to local names, and adds the abbreviations to the names. The values of
+/// the unknowns are called `unknowns`.
+pub(super) fn bindings(
+    declaration: &Declaration,
+    model: &Model,
+    runtime: &TokenStream,
+    used: &BTreeSet<String>,
+    names: &mut BTreeMap<String, Translated>,
+) -> TokenStream {
+    let site = Span::mixed_site();
+    let unknowns = Ident::new("unknowns", site);
+    let mut body = TokenStream::new();
+    for (index, unknown) in model.unknowns.iter().enumerate() {
+        if used.contains(&unknown.name.to_string()) {
+            let index = Literal::usize_unsuffixed(index);
+            let local = local("unknown", &unknown.name);
+            body.extend(quote_spanned!(site=> let #local = #unknowns[#index];));
+        }
+    }
+    for statement in &declaration.statements {
+        if let Statement::Let(statement) = statement
+            && used.contains(&statement.name.to_string())
+        {
+            let value = Translation { names, runtime }.expression(&statement.value);
+            let local = local("let", &statement.name);
+            let tokens = &value.tokens;
+            body.extend(quote_spanned!(site=> let #local = #tokens;));
+            names.insert(statement.name.to_string(), Translated::new(value.shape, quote!(#local)));
+        }
+    }
+    body
+}
+
+/// Local names bear a prefix: a constant of the user's that is called like a parameter must not become a pattern.
+pub(super) fn local(prefix: &str, name: &Ident) -> Ident {
+    format_ident!("{prefix}_{name}", span = Span::mixed_site())
+}
+
+/// What the declared names are called in the method. Abbreviations are added as they are bound.
+pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
+    let site = Span::mixed_site();
+    let mut names = BTreeMap::new();
+    for parameter in &model.parameters {
+        let name = &parameter.name;
+        let tokens = quote_spanned!(site=> self.#name);
+        names.insert(name.to_string(), Translated::new(parameter.dimension.shape(), tokens));
+    }
+    for input in &model.inputs {
+        let name = &input.name;
+        names.insert(name.to_string(), Translated::scalar(quote!(#name)));
+    }
+    for unknown in &model.unknowns {
+        let local = local("unknown", &unknown.name);
+        names.insert(unknown.name.to_string(), Translated::scalar(quote!(#local)));
+    }
+    names
+}
+
+/// The names that formulas use, directly or by way of abbreviations.
+pub(super) fn used_names<'a>(
+    declaration: &'a Declaration,
+    formulas: impl Iterator<Item = &'a Expression>,
+) -> BTreeSet<String> {
+    let mut used = BTreeSet::new();
+    for formula in formulas {
+        formula.visit_names(&mut |name| {
+            used.insert(name.to_string());
+        });
+    }
+    // an abbreviation stands after those that it uses
+    for statement in declaration.statements.iter().rev() {
+        if let Statement::Let(statement) = statement
+            && used.contains(&statement.name.to_string())
+        {
+            statement.value.visit_names(&mut |name| {
+                used.insert(name.to_string());
+            });
+        }
+    }
+    used
+}
+
+pub(super) struct Translation<'a> {
+    pub(super) names: &'a BTreeMap<String, Translated>,
+    pub(super) runtime: &'a TokenStream,
+}
+
+impl Translation<'_> {
+    pub(super) fn expression(&self, expression: &Expression) -> Translated {
+        let runtime = self.runtime;
+        let site = Span::mixed_site();
+        match &expression.kind {
+            ExpressionKind::Number { value, .. } => Translated::scalar(self.constant(*value)),
+            ExpressionKind::Pi => {
+                Translated::scalar(quote_spanned!(site=> <T as #runtime::Scalar>::constant(::core::f64::consts::PI)))
+            }
+            // a name that is not there is a mistake that the model has reported
+            ExpressionKind::Name(name) => self
+                .names
+                .get(&name.to_string())
+                .cloned()
+                .unwrap_or_else(|| Translated::scalar(quote!(#name))),
+            ExpressionKind::Parenthesis(inner) => self.expression(inner),
+            ExpressionKind::Negate(of) => {
+                let of = self.expression(of);
+                let shape = of.shape;
+                let operand = of.within(Binding::Atom);
+                Translated {
+                    shape,
+                    binding: Binding::Sign,
+                    tokens: quote_spanned!(site=> -#operand),
+                }
+            }
+            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+                let mut result = self.expression(first);
+                let mut before = TokenStream::new();
+                for (place, Operation { operator, operand, .. }) in rest.iter().enumerate() {
+                    if place > 0 && place % LONGEST == 0 {
+                        let (value, tokens) = (Ident::new("value", site), result.tokens);
+                        before.extend(quote_spanned!(site=> let #value = #tokens;));
+                        result = Translated::new(result.shape, quote!(#value));
+                    }
+                    let right = self.expression(operand);
+                    result = match operator {
+                        Operator::Add | Operator::Subtract => self.sum(*operator, result, right),
+                        Operator::Multiply => self.product(result, right),
+                        Operator::Divide => self.quotient(result, right),
+                    };
+                }
+                if before.is_empty() {
+                    return result;
+                }
+                let tokens = result.tokens;
+                Translated::new(result.shape, quote_spanned!(site=> { #before #tokens }))
+            }
+            ExpressionKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
+            ExpressionKind::Power { base, exponent, .. } => self.power(self.expression(base), *exponent),
+            ExpressionKind::Part { of, axis } => {
+                let of = self.expression(of).within(Binding::Atom);
+                let part = Ident::new(&axis.to_string(), site);
+                Translated::scalar(quote_spanned!(site=> #of.#part))
+            }
+        }
+    }
+
+    pub(super) fn constant(&self, value: f64) -> TokenStream {
+        let runtime = self.runtime;
+        let value = Literal::f64_unsuffixed(value);
+        quote_spanned!(Span::mixed_site()=> <T as #runtime::Scalar>::constant(#value))
+    }
+
+    /// As a vector; a scalar lies along x.
+    pub(super) fn lifted(&self, of: Translated, shape: Shape) -> Translated {
+        if of.shape != Shape::Scalar {
+            return of;
+        }
+        let Some(vector) = vector_type(shape) else {
+            return of;
+        };
+        let (runtime, x, zero) = (self.runtime, of.tokens, self.constant(0.0));
+        let zeros = shape.axes().iter().skip(1).map(|_| &zero);
+        Translated::new(
+            shape,
+            quote_spanned!(Span::mixed_site()=> #runtime::#vector::new(#x #(, #zeros)*)),
+        )
+    }
+
+    pub(super) fn sum(&self, operator: Operator, left: Translated, right: Translated) -> Translated {
+        let (left_shape, right_shape) = (left.shape, right.shape);
+        let (left, right) = (self.lifted(left, right_shape), self.lifted(right, left_shape));
+        let shape = left.shape;
+        let (mut tokens, right) = (left.within(Binding::Sum), right.within(Binding::Product));
+        let site = Span::mixed_site();
+        // the left side is not copied: it may be long
+        tokens.extend(if operator == Operator::Subtract {
+            quote_spanned!(site=> - #right)
+        } else {
+            quote_spanned!(site=> + #right)
+        });
+        Translated {
+            shape,
+            binding: Binding::Sum,
+            tokens,
+        }
+    }
+
+    fn product(&self, left: Translated, right: Translated) -> Translated {
+        let runtime = self.runtime;
+        let site = Span::mixed_site();
+        let shapes = (left.shape, right.shape);
+        if shapes == (Shape::Scalar, Shape::Scalar) {
+            let (mut tokens, factor) = (left.within(Binding::Product), right.within(Binding::Sign));
+            tokens.extend(quote_spanned!(site=> * #factor));
+            return Translated {
+                shape: Shape::Scalar,
+                binding: Binding::Product,
+                tokens,
+            };
+        }
+        let scaled = |shape: Shape, vector: &TokenStream, factor: &TokenStream| {
+            let kind = vector_type(shape);
+            Translated::new(shape, quote_spanned!(site=> #runtime::#kind::scale(#vector, #factor)))
+        };
+        let (a, b) = (&left.tokens, &right.tokens);
+        match shapes {
+            (shape, Shape::Scalar) => scaled(shape, a, b),
+            (Shape::Scalar, shape) => scaled(shape, b, a),
+            (Shape::Rotation, Shape::Rotation) => Translated::new(
+                Shape::Rotation,
+                quote_spanned!(site=> #runtime::Rotation::times(#a, #b)),
+            ),
+            (Shape::Rotation, shape) => Translated::new(shape, quote_spanned!(site=> #runtime::Rotation::turn(#a, #b))),
+            (_, _) => Translated::plane(quote_spanned!(site=> #runtime::Plane::times(#a, #b))),
+        }
+    }
+
+    fn quotient(&self, left: Translated, right: Translated) -> Translated {
+        let site = Span::mixed_site();
+        let divisor = right.within(Binding::Sign);
+        if let Some(vector) = vector_type(left.shape) {
+            let (runtime, dividend, one) = (self.runtime, left.tokens, self.constant(1.0));
+            return Translated::new(
+                left.shape,
+                quote_spanned!(site=> #runtime::#vector::scale(#dividend, #one / #divisor)),
+            );
+        }
+        let mut tokens = left.within(Binding::Product);
+        tokens.extend(quote_spanned!(site=> / #divisor));
+        Translated {
+            shape: Shape::Scalar,
+            binding: Binding::Product,
+            tokens,
+        }
+    }
+
+    fn call(&self, callee: Callee, arguments: &[Expression]) -> Translated {
+        let runtime = self.runtime;
+        let site = Span::mixed_site();
+        let translated: Vec<Translated> = arguments.iter().map(|argument| self.expression(argument)).collect();
+        let shape = translated.first().map_or(Shape::Scalar, |first| first.shape);
+        let arguments: Vec<TokenStream> = translated.into_iter().map(|argument| argument.tokens).collect();
+        let rotation = |function: &str| {
+            let function = Ident::new(function, site);
+            Translated::new(
+                Shape::Rotation,
+                quote_spanned!(site=> #runtime::Rotation::#function(#(#arguments),*)),
+            )
+        };
+        let method = |result: Shape, function: &str| {
+            let (vector, function) = (vector_type(shape), Ident::new(function, site));
+            Translated::new(
+                result,
+                quote_spanned!(site=> #runtime::#vector::#function(#(#arguments),*)),
+            )
+        };
+        let turned = |angle: &TokenStream| {
+            quote_spanned! {site=> {
+                let (sine, cosine) = #runtime::Scalar::sin_cos(#angle);
+                #runtime::Plane::new(cosine, sine)
+            }}
+        };
+        match (callee, arguments.as_slice()) {
+            (Callee::Cis, [angle]) => Translated::plane(turned(angle)),
+            (Callee::Polar, [length, angle]) => {
+                let turned = turned(angle);
+                Translated::plane(quote_spanned!(site=> #runtime::Plane::scale(#turned, #length)))
+            }
+            (Callee::Elementary(Function::Sin), [x]) => {
+                Translated::scalar(quote_spanned!(site=> #runtime::Scalar::sin_cos(#x).0))
+            }
+            (Callee::Elementary(Function::Cos), [x]) => {
+                Translated::scalar(quote_spanned!(site=> #runtime::Scalar::sin_cos(#x).1))
+            }
+            (Callee::Elementary(Function::Tan), [x]) => Translated::scalar(quote_spanned! {site=> {
+                let (sine, cosine) = #runtime::Scalar::sin_cos(#x);
+                sine / cosine
+            }}),
+            (Callee::Elementary(function), arguments) => {
+                let method = Ident::new(function.name(), site);
+                Translated::scalar(quote_spanned!(site=> #runtime::Scalar::#method(#(#arguments),*)))
+            }
+            (Callee::RotX, _) => rotation("about_x"),
+            (Callee::RotY, _) => rotation("about_y"),
+            (Callee::RotZ, _) => rotation("about_z"),
+            (Callee::Rot, _) => rotation("about"),
+            (Callee::Dot, _) => method(Shape::Scalar, "dot"),
+            (Callee::Cross, _) if shape == Shape::Space => method(Shape::Space, "cross"),
+            (Callee::Cross, _) => method(Shape::Scalar, "cross"),
+            (Callee::Norm, _) => method(Shape::Scalar, "norm"),
+            (Callee::Vec3, arguments) => Translated::new(
+                Shape::Space,
+                quote_spanned!(site=> #runtime::Space::new(#(#arguments),*)),
+            ),
+            (_, arguments) => Translated::plane(quote_spanned!(site=> #runtime::Plane::new(#(#arguments),*))),
+        }
+    }
+
+    /// By repeated squaring, written out.
+    fn power(&self, base: Translated, exponent: i32) -> Translated {
+        let site = Span::mixed_site();
+        let base = base.tokens;
+        let size = exponent.unsigned_abs();
+        if size == 0 {
+            return Translated::scalar(self.constant(1.0));
+        }
+        let power = |n: u32| format_ident!("power_{n}", span = site);
+        let mut squares = TokenStream::new();
+        let mut factors = vec![];
+        let mut reached = 1;
+        loop {
+            let name = power(reached);
+            if size & reached != 0 {
+                factors.push(quote!(#name));
+            }
+            if reached > size / 2 {
+                break;
+            }
+            reached *= 2;
+            let square = power(reached);
+            squares.extend(quote_spanned!(site=> let #square = #name * #name;));
+        }
+        let first = power(1);
+        let (leading, further) = (&factors[..1], &factors[1..]);
+        let product = quote_spanned!(site=> #(#leading)* #(* #further)*);
+        let result = if exponent < 0 {
+            let one = self.constant(1.0);
+            let divisor = if factors.len() > 1 {
+                quote_spanned!(site=> (#product))
+            } else {
+                product
+            };
+            quote_spanned!(site=> #one / #divisor)
+        } else {
+            product
+        };
+        Translated::scalar(quote_spanned! {site=> {
+            let #first = #base;
+            #squares
+            #result
+        }})
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::needless_pass_by_value, reason = "formulas are quoted where they are passed")]
+mod tests {
+    use super::*;
+    use crate::model;
+    use crate::report::Report;
+    use crate::syntax;
+
+    fn body(statements: TokenStream) -> String {
+        let mut report = Report::new();
+        let tokens = quote! {
+            struct M { a: Length, b: Length, k: Scalar, p: Point }
+            #statements
+            output all: Vector = k * (p + a + b);
+        };
+        let declaration = syntax::parse(tokens, &mut report);
+        let model = declaration
+            .as_ref()
+            .and_then(|declaration| model::build(declaration, &mut report));
+        let (Some(declaration), Some(model)) = (declaration, model) else {
+            panic!("{:?}", report.into_messages());
+        };
+        let method = super::tokens(&declaration, &model, &quote!(rt));
+        let start = method.to_string().find("-> [").unwrap_or_default();
+        method.to_string()[start..].replace("< T as rt :: Scalar > :: ", "")
+    }
+
+    #[test]
+    fn powers_are_multiplied_out() {
+        let powers = |n: TokenStream| body(quote!(input t: Angle; unknown e: Scalar; powi(e, #n) == t;));
+        assert_eq!(
+            powers(quote!(1)),
+            "-> [T ; 1] { let unknown_e = unknowns [0] ; [{ let power_1 = unknown_e ; power_1 } - t] }"
+        );
+        assert_eq!(
+            powers(quote!(5)),
+            "-> [T ; 1] { let unknown_e = unknowns [0] ; [{ let power_1 = unknown_e ; let power_2 = power_1 * power_1 ; \
+             let power_4 = power_2 * power_2 ; power_1 * power_4 } - t] }"
+        );
+        assert_eq!(
+            powers(quote!(-6)),
+            "-> [T ; 1] { let unknown_e = unknowns [0] ; [{ let power_1 = unknown_e ; let power_2 = power_1 * power_1 ; \
+             let power_4 = power_2 * power_2 ; constant (1.0) / (power_2 * power_4) } - t] }"
+        );
+    }
+
+    #[test]
+    fn parentheses_stand_where_they_are_needed() {
+        assert_eq!(
+            body(quote!(input t: Angle; unknown e: Length; ((a)) - (b - e) * -(t) == -(-(a)) / (k * k);)),
+            "-> [T ; 1] { let unknown_e = unknowns [0] ; \
+             [self . a - (self . b - unknown_e) * - t - - (- self . a) / (self . k * self . k)] }"
+        );
+    }
+
+    #[test]
+    fn scalars_beside_vectors_lie_along_x() {
+        assert_eq!(
+            body(quote! {
+                input t: Angle; unknown e: Angle; unknown l: Length;
+                let wheel = b * cis(e) / 2;
+                let idle = p.x * t;
+                p * cis(t) - a == wheel + l;
+                output q: Length = idle;
+            }),
+            "-> [T ; 2] { let unknown_e = unknowns [0] ; let unknown_l = unknowns [1] ; \
+             let let_wheel = rt :: Plane :: scale (rt :: Plane :: scale ({ \
+             let (sine , cosine) = rt :: Scalar :: sin_cos (unknown_e) ; rt :: Plane :: new (cosine , sine) } , self . b) , \
+             constant (1.0) / constant (2.0)) ; \
+             let equation_0 = rt :: Plane :: times (self . p , { \
+             let (sine , cosine) = rt :: Scalar :: sin_cos (t) ; rt :: Plane :: new (cosine , sine) }) \
+             - rt :: Plane :: new (self . a , constant (0.0)) \
+             - (let_wheel + rt :: Plane :: new (unknown_l , constant (0.0))) ; [equation_0 . x , equation_0 . y] }"
+        );
+    }
+
+    #[test]
+    fn vectors_of_space_have_three_parts() {
+        assert_eq!(
+            body(quote! {
+                input t: Angle; unknown e: Length; unknown l: Length; unknown m: Length;
+                let axis = vec3(a, b, e) / 2;
+                rot(axis, t) * (rot_x(t) * rot_y(t) * axis) == -vec3(l, m, norm(p)) + cross(axis, axis) / e;
+            }),
+            "-> [T ; 3] { let unknown_e = unknowns [0] ; let unknown_l = unknowns [1] ; let unknown_m = unknowns [2] ; \
+             let let_axis = rt :: Space :: scale (rt :: Space :: new (self . a , self . b , unknown_e) , \
+             constant (1.0) / constant (2.0)) ; \
+             let equation_0 = rt :: Rotation :: turn (rt :: Rotation :: about (let_axis , t) , \
+             rt :: Rotation :: turn (rt :: Rotation :: times (rt :: Rotation :: about_x (t) , rt :: Rotation :: about_y (t)) , let_axis)) \
+             - (- rt :: Space :: new (unknown_l , unknown_m , rt :: Plane :: norm (self . p)) \
+             + rt :: Space :: scale (rt :: Space :: cross (let_axis , let_axis) , constant (1.0) / unknown_e)) ; \
+             [equation_0 . x , equation_0 . y , equation_0 . z] }"
+        );
+    }
+
+    #[test]
+    fn inputs_of_outputs_alone_leave_no_warning() {
+        let body = body(quote!(input t: Angle, u: Length; unknown e: Angle; e == t; output v: Length = 2 * u;));
+        assert_eq!(
+            body,
+            "-> [T ; 1] { let _ = u ; let unknown_e = unknowns [0] ; [unknown_e - t] }"
+        );
+    }
+}

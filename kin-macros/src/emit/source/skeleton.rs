@@ -1,0 +1,372 @@
+//! The picture: joints and links from the vector equations.
+//!
+//! Either side of such an equation is a chain of links that begins at the origin; the partial sums of its terms are the joints.
+//! Like the closure, the terms are translated from the syntax tree.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
+
+use super::closure::{self, Binding, Translated, Translation};
+use crate::emit::items::values;
+use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::model::{Dimension, Shape};
+use crate::syntax::{Declaration, Expression, ExpressionKind, Operation, Operator, OutputStatement, Statement};
+
+/// So many abbreviations are written out on one side of an equation.
+const WRITTEN_OUT: usize = 256;
+
+/// One side of a vector equation.
+struct Chain<'a> {
+    equation: usize,
+    shape: Shape,
+    side: &'a Expression,
+    links: Vec<Link<'a>>,
+}
+
+/// A term of the sum.
+struct Link<'a> {
+    negative: bool,
+    term: &'a Expression,
+}
+
+/// The method `skeleton`; nothing if there is nothing to see.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    let (declaration, model, runtime) = (mechanism.declaration, mechanism.model, mechanism.runtime);
+    let chains = chains(mechanism);
+    let points: Vec<&OutputStatement> = declaration
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            Statement::Output(output) if matches!(output.dimension, Dimension::Point | Dimension::Point3) => {
+                Some(output)
+            }
+            _ => None,
+        })
+        .collect();
+    if chains.is_empty() && points.is_empty() {
+        return TokenStream::new();
+    }
+
+    // a plane chain beside one of space lies in the plane of x and y
+    let shape = if chains.iter().any(|chain| chain.shape == Shape::Space)
+        || points.iter().any(|output| output.dimension == Dimension::Point3)
+    {
+        Shape::Space
+    } else {
+        Shape::Plane
+    };
+    let kind = if shape == Shape::Space {
+        local("Space")
+    } else {
+        local("Plane")
+    };
+    let terms = chains.iter().flat_map(|chain| &chain.links).map(|link| link.term);
+    let used = closure::used_names(declaration, terms.chain(points.iter().map(|output| &output.value)));
+    let mut names = closure::names(model);
+    let (pose, argument) = values::argument(mechanism);
+    let mut body = inputs(mechanism, &pose, &used, &mut names);
+    if model
+        .unknowns
+        .iter()
+        .any(|unknown| used.contains(&unknown.name.to_string()))
+    {
+        let unknowns = local("unknowns");
+        body.extend(quote!(let #unknowns = #pose.unknown_values();));
+    }
+    body.extend(closure::bindings(declaration, model, runtime, &used, &mut names));
+    let translation = Translation { names: &names, runtime };
+
+    let mut joints: Vec<Ident> = Vec::new();
+    for chain in &chains {
+        let mut last: Option<Ident> = None;
+        let mut add = |joints: &mut Vec<Ident>, last: &mut Option<Ident>, value: &TokenStream| {
+            let joint = format_ident!("joint_{}", joints.len(), span = Span::mixed_site());
+            body.extend(quote!(let #joint: #runtime::#kind<T> = #value;));
+            joints.push(joint.clone());
+            *last = Some(joint);
+        };
+        let zero = translation.constant(0.0);
+        let zeros = shape.axes().iter().map(|_| &zero);
+        add(&mut joints, &mut last, &quote!(#runtime::#kind::new(#(#zeros),*)));
+        for (place, link) in chain.links.iter().enumerate() {
+            let term = on(&translation, translation.expression(link.term), shape);
+            let value = match (&last, place, link.negative) {
+                (Some(last), 1.., negative) => {
+                    let operator = if negative { quote!(-) } else { quote!(+) };
+                    let term = term.within(Binding::Product);
+                    quote!(#last #operator #term)
+                }
+                (_, _, true) => {
+                    let term = term.within(Binding::Atom);
+                    quote!(-#term)
+                }
+                (_, _, false) => term.tokens,
+            };
+            add(&mut joints, &mut last, &value);
+        }
+    }
+    let places = points
+        .iter()
+        .map(|output| on(&translation, translation.expression(&output.value), shape).tokens);
+    let labels = points.iter().map(|output| output.name.to_string());
+    let [joint_count, point_count] = [joints.len(), points.len()].map(Literal::usize_unsuffixed);
+    let tables = chains.iter().map(|chain| {
+        let (side, equation) = (chain.side.to_string(), Literal::usize_unsuffixed(chain.equation));
+        let links = chain.links.iter().map(Link::text);
+        quote!(#runtime::Chain { name: #side, equation: #equation, links: &[#(#links),*] })
+    });
+    let lines = documentation(&chains, &points);
+    let (name, attributes) = (&model.name, attributes());
+    let ignored = used.is_empty().then(|| quote!(let _ = #pose;));
+    // `self` is the one that the translation speaks of
+    quote_spanned! {Span::mixed_site()=>
+        #attributes
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The joints and links of a pose of any order, as polylines from the origin, and its points.
+            ///
+            #(#[doc = #lines])*
+            #[must_use]
+            pub fn skeleton(
+                &self,
+                #argument,
+            ) -> #runtime::Skeleton<#runtime::#kind<T>, #joint_count, #point_count> {
+                #ignored
+                #body
+                #runtime::Skeleton::new(&[#(#tables),*], [#(#joints),*], &[#(#labels),*], [#(#places),*])
+            }
+        }
+    }
+}
+
+/// A term as a vector of the shape of the whole picture.
+fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translated {
+    if (term.shape, shape) != (Shape::Plane, Shape::Space) {
+        return translation.lifted(term, shape);
+    }
+    let (runtime, tokens, zero) = (translation.runtime, term.tokens, translation.constant(0.0));
+    let plane = local("plane");
+    let lifted = quote!({ let #plane = #tokens; #runtime::Space::new(#plane.x, #plane.y, #zero) });
+    Translated::new(shape, lifted)
+}
+
+/// Local names for the inputs that are used.
+fn inputs(
+    mechanism: &Mechanism<'_>,
+    pose: &Ident,
+    used: &BTreeSet<String>,
+    names: &mut BTreeMap<String, Translated>,
+) -> TokenStream {
+    let inputs = local("inputs");
+    let mut body = TokenStream::new();
+    for (index, input) in mechanism.model.inputs.iter().enumerate() {
+        let word = input.name.to_string();
+        if used.contains(&word) {
+            let (own, index) = (closure::local("input", &input.name), Literal::usize_unsuffixed(index));
+            body.extend(quote!(let #own = #inputs[#index];));
+            names.insert(word, Translated::scalar(quote!(#own)));
+        }
+    }
+    if body.is_empty() {
+        return body;
+    }
+    quote!(let #inputs = #pose.input_values(); #body)
+}
+
+/// What the method's documentation lists.
+fn documentation(chains: &[Chain<'_>], points: &[&OutputStatement]) -> Vec<String> {
+    let chains = chains.iter().map(|chain| format!(" - `{}`", chain.side));
+    let points = points.iter().map(|output| format!(" - point `{}`", output.name));
+    chains.chain(points).collect()
+}
+
+/// The sides of all vector equations, without those that are zero.
+fn chains<'a>(mechanism: &Mechanism<'a>) -> Vec<Chain<'a>> {
+    let sums = sums(mechanism);
+    let equations = mechanism
+        .declaration
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            Statement::Equation(equation) => Some(equation),
+            _ => None,
+        });
+    let mut chains = Vec::new();
+    for (number, (equation, declared)) in equations.zip(&mechanism.model.equations).enumerate() {
+        let shape = declared.residual.shape();
+        if !matches!(shape, Shape::Plane | Shape::Space) {
+            continue;
+        }
+        for side in [&equation.left, &equation.right] {
+            let mut terms = Terms {
+                sums: &sums,
+                left: WRITTEN_OUT,
+                links: Vec::new(),
+            };
+            terms.add(side, false);
+            if !terms.links.is_empty() {
+                chains.push(Chain {
+                    equation: number,
+                    shape,
+                    side,
+                    links: terms.links,
+                });
+            }
+        }
+    }
+    chains
+}
+
+/// The abbreviations of vectors that are sums, by name.
+fn sums<'a>(mechanism: &Mechanism<'a>) -> BTreeMap<String, &'a Expression> {
+    let declaration: &'a Declaration = mechanism.declaration;
+    let all = declaration
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            Statement::Let(statement) => Some(statement.name.to_string()),
+            _ => None,
+        })
+        .collect();
+    let mut names = closure::names(mechanism.model);
+    closure::bindings(declaration, mechanism.model, mechanism.runtime, &all, &mut names);
+    let mut sums = BTreeMap::new();
+    for statement in &declaration.statements {
+        if let Statement::Let(statement) = statement {
+            let word = statement.name.to_string();
+            if names.get(&word).is_some_and(|value| value.shape != Shape::Scalar) && is_sum(&statement.value, &sums) {
+                sums.insert(word, &statement.value);
+            }
+        }
+    }
+    sums
+}
+
+fn is_sum(expression: &Expression, sums: &BTreeMap<String, &Expression>) -> bool {
+    match &expression.kind {
+        ExpressionKind::Parenthesis(inner) | ExpressionKind::Negate(inner) => is_sum(inner, sums),
+        ExpressionKind::Sum { .. } => true,
+        ExpressionKind::Name(name) => sums.contains_key(&name.to_string()),
+        _ => false,
+    }
+}
+
+/// The terms of a sum, however it is put in parentheses, negated and abbreviated.
+struct Terms<'a, 'b> {
+    /// The abbreviations that are sums themselves.
+    sums: &'b BTreeMap<String, &'a Expression>,
+    /// How many of them may still be written out: there are as many terms in them as two to the power of their number.
+    left: usize,
+    links: Vec<Link<'a>>,
+}
+
+impl<'a> Terms<'a, '_> {
+    fn add(&mut self, expression: &'a Expression, negative: bool) {
+        match &expression.kind {
+            ExpressionKind::Parenthesis(inner) => self.add(inner, negative),
+            ExpressionKind::Negate(inner) => self.add(inner, !negative),
+            ExpressionKind::Sum { first, rest } => {
+                self.add(first, negative);
+                for Operation { operator, operand, .. } in rest {
+                    self.add(operand, negative != (*operator == Operator::Subtract));
+                }
+            }
+            ExpressionKind::Number { value: 0.0, .. } => {}
+            ExpressionKind::Name(name) => match self.sums.get(&name.to_string()) {
+                Some(sum) if self.left > 0 => {
+                    self.left -= 1;
+                    self.add(sum, negative);
+                }
+                _ => self.link(expression, negative),
+            },
+            _ => self.link(expression, negative),
+        }
+    }
+
+    fn link(&mut self, term: &'a Expression, negative: bool) {
+        self.links.push(Link { negative, term });
+    }
+}
+
+impl Link<'_> {
+    /// The term with its sign.
+    fn text(&self) -> String {
+        let term = self.term.to_string();
+        match (self.negative, term.starts_with('-')) {
+            (false, _) => term,
+            (true, false) => format!("-{term}"),
+            (true, true) => format!("-({term})"),
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::needless_pass_by_value, reason = "formulas are quoted where they are passed")]
+mod tests {
+    use quote::ToTokens;
+
+    use super::*;
+    use crate::expand::expand;
+
+    /// The links of all chains, as they are named in the expansion.
+    fn links(statements: TokenStream) -> Vec<Vec<String>> {
+        let expansion = expand(quote! {
+            struct M { a: Length, b: Length, p: Point }
+            input t: Angle;
+            #statements
+            output used: Vector = p + a + b;
+        })
+        .to_string();
+        let Ok(expansion) = syn::parse_str::<TokenStream>(&expansion) else {
+            return Vec::new();
+        };
+        let expansion = expansion.to_token_stream().to_string();
+        expansion
+            .split("links : & [")
+            .skip(1)
+            .map(|rest| {
+                let list = rest.split_once(']').map_or("", |(list, _)| list);
+                list.split(" , ")
+                    .map(|text| text.trim().trim_matches('"').to_owned())
+                    .collect()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn every_term_is_a_link() {
+        assert_eq!(
+            links(quote! {
+                unknown u: Angle, v: Angle;
+                a * cis(t) + b * cis(u) == p - a * cis(v);
+            }),
+            [vec!["a * cis(t)", "b * cis(u)"], vec!["p", "-a * cis(v)"]]
+        );
+    }
+
+    #[test]
+    fn terms_are_found_behind_signs_parentheses_and_abbreviations() {
+        assert_eq!(
+            links(quote! {
+                unknown u: Angle, v: Angle;
+                let pin = p - (a * cis(t) - b);
+                let rod = b * cis(u);
+                let reach = a + b;
+                -(-pin - rod) + -(-a * cis(v)) - reach == 0;
+            }),
+            [vec!["p", "-a * cis(t)", "b", "rod", "-(-a * cis(v))", "-reach"]]
+        );
+    }
+
+    #[test]
+    fn scalar_equations_are_no_picture() {
+        assert!(
+            links(quote! {
+                unknown u: Length;
+                u == a * t;
+            })
+            .is_empty()
+        );
+    }
+}

@@ -1,0 +1,103 @@
+//! The terms of numbers that decide by their sign or by not being zero, for `kin_core::solve::decisive`.
+//!
+//! A closed form knows the terms of the number under its root. Some forms decide on a number that they are given: the coefficient of a linear
+//! equation, a determinant, the argument of a root. Only the expression of such a number tells how large its terms are.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::Text;
+use crate::expr::Symbol;
+use crate::program::{Expression, Solver, Step};
+
+/// A product of sums is multiplied out into so many terms at most.
+const MOST_TERMS: usize = 12;
+
+/// A number that decides by its sign or by not being zero, of which the terms are those of its expression, or of the statement that
+/// defines it if that is one of some statements.
+pub(super) fn decisive(text: &Text<'_>, value: &Expression, among: &[&Step<Expression>]) -> TokenStream {
+    let (runtime, own) = (text.mechanism.runtime, text.formula(value));
+    let terms = terms(value, among);
+    if terms.len() < 2 {
+        return own;
+    }
+    let terms = text.formulas(&terms);
+    quote!(#runtime::solve::decisive(#own, || [#(#terms),*]))
+}
+
+/// The same for a vector that decides by not being zero.
+pub(super) fn decisive_vector(text: &Text<'_>, [x, y]: &[Expression; 2], among: &[&Step<Expression>]) -> TokenStream {
+    let runtime = text.mechanism.runtime;
+    let (own_x, own_y) = (text.formula(x), text.formula(y));
+    let own = quote!(#runtime::Plane::new(#own_x, #own_y));
+    let mut terms = terms(x, among);
+    terms.extend(self::terms(y, among));
+    if terms.len() < 3 {
+        return own;
+    }
+    let terms = text.formulas(&terms);
+    quote!(#runtime::solve::decisive_vector(#own, || [#(#terms),*]))
+}
+
+/// Whether a closed form decides on an argument of which it does not know the terms.
+pub(super) fn decides_on(solver: Solver, place: usize) -> bool {
+    place == 0
+        && matches!(
+            solver,
+            Solver::Linear
+                | Solver::SquareRoot
+                | Solver::Quadratic
+                | Solver::SquareOfRoot
+                | Solver::Logarithm
+                | Solver::Polar
+        )
+}
+
+fn terms(value: &Expression, among: &[&Step<Expression>]) -> Vec<Expression> {
+    let definition = |own: Symbol| {
+        among.iter().find_map(|step| match step {
+            Step::Define { symbol, value } if *symbol == own => Some(value),
+            _ => None,
+        })
+    };
+    match value {
+        Expression::Name(symbol) => definition(*symbol).map_or_else(|| vec![value.clone()], sum_of),
+        _ => sum_of(value),
+    }
+}
+
+/// The terms of an expression, without their signs where that is simpler.
+fn sum_of(value: &Expression) -> Vec<Expression> {
+    let whole = || vec![value.clone()];
+    match value {
+        Expression::Add(a, b) | Expression::Subtract(a, b) => {
+            let mut terms = sum_of(a);
+            terms.extend(sum_of(b));
+            terms
+        }
+        Expression::Negate(a) => sum_of(a),
+        Expression::Multiply(a, b) => {
+            let (first, second) = (sum_of(a), sum_of(b));
+            let count = first.len() * second.len();
+            if !(2..=MOST_TERMS).contains(&count) {
+                return whole();
+            }
+            let product = |a: &Expression, b: &Expression| Expression::Multiply(a.clone().into(), b.clone().into());
+            first
+                .iter()
+                .flat_map(|a| second.iter().map(move |b| product(a, b)))
+                .collect()
+        }
+        Expression::Divide(a, b) => {
+            let above = sum_of(a);
+            if above.len() < 2 {
+                return whole();
+            }
+            above
+                .into_iter()
+                .map(|term| Expression::Divide(term.into(), b.clone()))
+                .collect()
+        }
+        _ => whole(),
+    }
+}

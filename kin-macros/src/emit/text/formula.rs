@@ -1,0 +1,113 @@
+//! Expressions to Rust, with parentheses where they are needed and nowhere else.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::Text;
+use crate::emit::mechanism::local;
+use crate::program::Expression;
+
+/// How tightly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Atom,
+}
+
+fn binding(expression: &Expression) -> Binding {
+    match expression {
+        _ if sum_with_product(expression).is_some() => Binding::Atom,
+        Expression::Add(..) | Expression::Subtract(..) => Binding::Sum,
+        Expression::Multiply(..) | Expression::Divide(..) => Binding::Product,
+        Expression::Negate(_) => Binding::Sign,
+        _ => Binding::Atom,
+    }
+}
+
+/// What a product is added to or subtracted from, by which method, and its factors: one rounding less where the machine can.
+fn sum_with_product<'a>(
+    expression: &'a Expression,
+) -> Option<(&'a Expression, &'static str, &'a Expression, &'a Expression)> {
+    let factors = |expression: &'a Expression| match expression {
+        Expression::Multiply(a, b) => Some((&**a, &**b)),
+        _ => None,
+    };
+    match expression {
+        Expression::Subtract(rest, product) => factors(product).map(|(a, b)| (&**rest, "minus_product", a, b)),
+        Expression::Add(one, other) => {
+            let last = factors(other).map(|(a, b)| (&**one, "plus_product", a, b));
+            last.or_else(|| factors(one).map(|(a, b)| (&**other, "plus_product", a, b)))
+        }
+        _ => None,
+    }
+}
+
+impl Text<'_> {
+    /// Expressions in the number type `T`.
+    pub(super) fn formulas(&self, expressions: &[Expression]) -> Vec<TokenStream> {
+        expressions.iter().map(|expression| self.formula(expression)).collect()
+    }
+
+    /// An expression in the number type `T`.
+    pub(super) fn formula(&self, expression: &Expression) -> TokenStream {
+        if let Some((rest, method, a, b)) = sum_with_product(expression) {
+            let (rest, method) = (self.within(rest, Binding::Atom), local(method));
+            let (a, b) = (self.formula(a), self.formula(b));
+            return quote!(#rest.#method(#a, #b));
+        }
+        match expression {
+            Expression::Name(symbol) => {
+                let name = self.name(*symbol);
+                quote!(#name)
+            }
+            Expression::Number(value) if *value < 0.0 => {
+                let value = Literal::f64_unsuffixed(-value);
+                quote!(T::constant(-#value))
+            }
+            Expression::Number(value) => {
+                let value = Literal::f64_unsuffixed(*value);
+                quote!(T::constant(#value))
+            }
+            Expression::Pi => quote!(T::constant(::core::f64::consts::PI)),
+            Expression::Add(a, b) => self.binary(a, &quote!(+), b, Binding::Sum, Binding::Product),
+            Expression::Subtract(a, b) => self.binary(a, &quote!(-), b, Binding::Sum, Binding::Product),
+            Expression::Multiply(a, b) => self.binary(a, &quote!(*), b, Binding::Product, Binding::Sign),
+            Expression::Divide(a, b) => self.binary(a, &quote!(/), b, Binding::Product, Binding::Sign),
+            Expression::Negate(a) => {
+                let a = self.within(a, Binding::Atom);
+                quote!(-#a)
+            }
+            Expression::Call(function, arguments) => {
+                let method = local(function.name());
+                let (first, others) = arguments.split_first().expect("functions have arguments");
+                let first = self.within(first, Binding::Atom);
+                let others = self.formulas(others);
+                quote!(#first.#method(#(#others),*))
+            }
+        }
+    }
+
+    fn binary(
+        &self,
+        a: &Expression,
+        operator: &TokenStream,
+        b: &Expression,
+        left: Binding,
+        right: Binding,
+    ) -> TokenStream {
+        let (a, b) = (self.within(a, left), self.within(b, right));
+        quote!(#a #operator #b)
+    }
+
+    /// In parentheses if it holds together less tightly than its place requires.
+    fn within(&self, expression: &Expression, place: Binding) -> TokenStream {
+        let inner = self.formula(expression);
+        if binding(expression) < place {
+            quote!((#inner))
+        } else {
+            inner
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Newton's method, and the way through all solutions of a block.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::Text;
+use crate::emit::mechanism::local;
+use crate::expr::Symbol;
+use crate::model::Dimension;
+use crate::program::{Expression, Step};
+use crate::structure::System;
+
+impl Text<'_> {
+    /// Newton's method from the guess.
+    pub(super) fn newton(
+        &self,
+        part: usize,
+        unknowns: &[usize],
+        body: &[Step<Expression>],
+        residuals: &[Expression],
+        jacobian: &[Vec<Expression>],
+    ) -> TokenStream {
+        let (runtime, model) = (self.mechanism.runtime, self.mechanism.model);
+        let near = self.mechanism.own("near");
+        let names: Vec<_> = unknowns
+            .iter()
+            .map(|&unknown| self.name(Symbol::Unknown(unknown)))
+            .collect();
+        let guesses = unknowns.iter().map(|&unknown| {
+            let place = Literal::usize_unsuffixed(unknown);
+            quote!(#near[#place])
+        });
+        let is_length = |unknown: &usize| model.unknowns[*unknown].dimension == Dimension::Length;
+        let size = self.mechanism.own("size");
+        let sizes = unknowns.iter().map(|unknown| {
+            if is_length(unknown) {
+                quote!(#size)
+            } else {
+                quote!(T::constant(1.0))
+            }
+        });
+        let largest = unknowns.iter().any(is_length).then(|| {
+            let lengths = self.lengths();
+            quote!(let #size = #runtime::solve::largest([#(#lengths),*]);)
+        });
+        let count = Literal::usize_unsuffixed(unknowns.len());
+        let body: Vec<&Step<Expression>> = body.iter().collect();
+        let body = body.iter().map(|step| self.step(step, Some(part), &body));
+        let residuals = self.formulas(residuals);
+        let jacobian = jacobian.iter().map(|row| {
+            let row = self.formulas(row);
+            quote!([#(#row),*])
+        });
+        let failed = self.mechanism.failed(part);
+        quote! {
+            #largest
+            let [#(#names),*] = #runtime::solve::newton(
+                [#(#guesses),*],
+                [#(#sizes),*],
+                |[#(#names),*]: [T; #count]| {
+                    #(#body)*
+                    ([#(#residuals),*], [#(#jacobian),*])
+                },
+            ) #failed;
+        }
+    }
+
+    /// The parameters and inputs that are lengths.
+    fn lengths(&self) -> Vec<TokenStream> {
+        let parameters = self
+            .mechanism
+            .scalar_parameters()
+            .into_iter()
+            .filter(|(_, _, dimension, _)| *dimension == Dimension::Length)
+            .map(|(_, value, ..)| value);
+        let inputs = self
+            .mechanism
+            .model
+            .inputs
+            .iter()
+            .filter(|input| input.dimension == Dimension::Length)
+            .map(|input| {
+                let name = local(&input.name.to_string());
+                quote!(#name)
+            });
+        parameters.chain(inputs).collect()
+    }
+
+    /// The next solution of a block's equations.
+    pub(super) fn every_solution(
+        &self,
+        block: usize,
+        part: usize,
+        coefficients: &[Expression],
+        results: &[Symbol],
+    ) -> TokenStream {
+        let Some(all) = &self.mechanism.blocks[block].all else {
+            return TokenStream::new();
+        };
+        let runtime = self.mechanism.runtime;
+        let way = self.mechanism.own("choices");
+        let system = local(&format!("SYSTEM_{}", block + 1));
+        let (size, paths) = (
+            Literal::usize_unsuffixed(results.len()),
+            Literal::usize_unsuffixed(all.paths),
+        );
+        let terms = terms(runtime, all);
+        let results = results.iter().map(|&symbol| self.name(symbol));
+        let coefficients = self.formulas(coefficients);
+        let failed = self.mechanism.failed(part);
+        quote! {
+            const #system: #runtime::continuation::PolynomialSystem<#size> =
+                #runtime::continuation::PolynomialSystem::new(&[#(#terms),*]);
+            let [#(#results),*] = #way.solution::<#size, #paths>(&#system, &[#(#coefficients),*]) #failed;
+        }
+    }
+}
+
+fn terms<'a>(runtime: &'a TokenStream, system: &'a System) -> impl Iterator<Item = TokenStream> + 'a {
+    system.terms.iter().map(move |term| {
+        let (equation, coefficient) = (
+            Literal::usize_unsuffixed(term.equation),
+            Literal::usize_unsuffixed(term.coefficient),
+        );
+        let powers = term.powers.iter().map(|&(variable, power)| {
+            let (variable, power) = (Literal::usize_unsuffixed(variable), Literal::u32_unsuffixed(power));
+            quote!((#variable, #power))
+        });
+        quote! {
+            #runtime::continuation::Term { equation: #equation, coefficient: #coefficient, powers: &[#(#powers),*] }
+        }
+    })
+}

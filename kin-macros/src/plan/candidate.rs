@@ -1,0 +1,312 @@
+//! One way to the program: a list of passes, from derivatives to schedule.
+
+use super::Task;
+use super::extras::Extras;
+use super::forms::Derived;
+use super::guards::unguarded_divisors;
+use super::naming::{name_rates, name_sensitivities};
+use super::telltales::telltales;
+use crate::assemble::{self, Assembled, Reciprocals, Root, Units};
+use crate::derive::{Definition, Hint, Influences, Rate};
+use crate::expr::{Graph, Node, Symbol};
+use crate::passes::{Pass, Passes};
+use crate::program::{
+    Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Summary, Trial, Way, order_name,
+};
+use crate::schedule::{Factors, Style, schedule};
+
+/// A program that was derived in one way, and its schedule.
+pub(super) struct Candidate {
+    pub(super) way: Way,
+    pub(super) graph: Graph,
+    pub(super) program: Program<Node>,
+    hints: Vec<(Node, String)>,
+    pub(super) choices: Vec<Choice>,
+    scheduled: Program<Expression>,
+}
+
+impl Candidate {
+    /// All passes, one after the other.
+    pub(super) fn new(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -> Self {
+        let mut draft = Draft::of_position(task, derived);
+        draft.learn_reciprocals();
+        draft.define_unit_vectors();
+        draft.define_outputs();
+        draft.leave_angles();
+        draft.add_rates();
+        draft.add_sensitivities(sensitivities);
+        draft.hint_names();
+        draft.check_divisors();
+        draft.drop_idle_angles();
+        draft.place_reciprocals();
+        draft.schedule()
+    }
+
+    /// The operations of all orders.
+    pub(super) fn cost(&self) -> usize {
+        self.scheduled.cost().total()
+    }
+
+    /// What this way costs.
+    pub(super) fn trial(&self) -> Trial {
+        Trial {
+            way: self.way,
+            cost: self.scheduled.cost(),
+        }
+    }
+
+    /// Takes out factors that terms share, if that is cheaper.
+    pub(super) fn take_out_factors(&mut self, factors: Factors, passes: Passes) {
+        if !passes.include(Pass::SharedFactors) {
+            return;
+        }
+        let style = Style::checked(factors, passes);
+        let other = schedule(&self.graph, &self.program, &self.hints, style);
+        if other.cost().arithmetic() < self.scheduled.cost().arithmetic() {
+            self.scheduled = other;
+            self.way.takes_out_factors = true;
+        }
+    }
+
+    /// The solvers, with the programs beside them.
+    pub(super) fn finish(mut self, extras: Extras, is_form_given_up: bool, summary: Summary) -> Solvers {
+        let telltales = telltales(&mut self.graph, &self.program.stages);
+        Solvers {
+            motion: self.scheduled,
+            choices: self.choices,
+            graph: self.graph,
+            telltales,
+            orientations: extras.orientations,
+            orientation_symbols: extras.orientation_symbols,
+            every: extras.every,
+            transmission: extras.transmission,
+            is_form_given_up,
+            summary,
+        }
+    }
+}
+
+/// A program in the making.
+struct Draft<'a> {
+    task: &'a Task<'a>,
+    derived: &'a Derived,
+    graph: Graph,
+    names: Names,
+    stages: Vec<Stage<Node>>,
+    /// The directions of links, by which every expression is rewritten.
+    units: Units,
+    roots: Vec<Root>,
+    reciprocals: Reciprocals,
+    directions: Directions,
+    choices: Vec<Choice>,
+    /// The values that the position has found not to be zero.
+    nonzero: Vec<Node>,
+    hints: Vec<(Node, String)>,
+    has_sensitivities: bool,
+}
+
+impl<'a> Draft<'a> {
+    /// The position, block by block.
+    fn of_position(task: &'a Task<'a>, derived: &'a Derived) -> Self {
+        let (mut graph, mut names) = (derived.graph.clone(), task.names.clone());
+        let unknowns: Vec<usize> = task.blocks.iter().flat_map(|block| &block.unknowns).copied().collect();
+        name_rates(
+            &mut names,
+            &derived.derivatives,
+            task.inputs,
+            &unknowns,
+            task.outputs.len(),
+        );
+        let Assembled {
+            stage,
+            units,
+            nonzero,
+            roots,
+            choices,
+        } = assemble::assemble(
+            &mut graph,
+            &mut names,
+            task.blocks,
+            &task.ranges,
+            &derived.derivatives.regularity,
+            task.passes,
+        );
+        Self {
+            task,
+            derived,
+            graph,
+            names,
+            stages: vec![stage],
+            units,
+            roots,
+            reciprocals: Reciprocals::default(),
+            directions: Directions::default(),
+            choices,
+            nonzero,
+            hints: Vec::new(),
+            has_sensitivities: false,
+        }
+    }
+
+    /// Rates divide by the reciprocals of the roots that closed forms take.
+    fn learn_reciprocals(&mut self) {
+        if self.task.passes.include(Pass::InvertedRoots) {
+            self.reciprocals = Reciprocals::learn(&mut self.graph, &mut self.names, &mut self.units, &self.roots);
+        } else {
+            self.reciprocals = Reciprocals::learn(&mut self.graph, &mut self.names, &mut self.units, &[]);
+        }
+    }
+
+    /// Cosine and sine of the unknowns that are handed out as unit vectors.
+    fn define_unit_vectors(&mut self) {
+        self.directions = assemble::define(
+            &mut self.graph,
+            &mut self.names,
+            &mut self.units,
+            &self.task.directions,
+            &mut self.stages[0],
+        );
+    }
+
+    /// The outputs' values.
+    fn define_outputs(&mut self) {
+        for (index, &output) in self.task.outputs.iter().enumerate() {
+            let step = self.definition(Symbol::OutputRate(index, 0), output);
+            self.stages[0].steps.push(step);
+        }
+    }
+
+    /// Later stages know the angles beside unit vectors by names of their own.
+    fn leave_angles(&mut self) {
+        assemble::leave_angles(&self.directions, &mut self.graph, &mut self.units, &mut self.stages[0]);
+    }
+
+    /// A stage for each order: the rates of the unknowns and of the outputs.
+    fn add_rates(&mut self) {
+        let derivatives = &self.derived.derivatives;
+        for (order, (rates, outputs)) in derivatives.orders.iter().zip(&derivatives.outputs).enumerate() {
+            let mut steps = Vec::new();
+            for rate in rates {
+                steps.push(match rate {
+                    Rate::Value { symbol, value } => self.definition(*symbol, *value),
+                    Rate::System {
+                        factors,
+                        symbols,
+                        right,
+                    } => self
+                        .units
+                        .substitution(&mut self.graph, *factors, right, symbols.clone()),
+                });
+            }
+            for (index, &output) in outputs.iter().enumerate() {
+                steps.push(self.definition(Symbol::OutputRate(index, order + 1), output));
+            }
+            self.stages.push(Stage::new(steps));
+        }
+    }
+
+    /// A stage after the highest order: the partial derivatives by the parameters.
+    fn add_sensitivities(&mut self, definitions: &[Definition]) {
+        if definitions.is_empty() {
+            return;
+        }
+        self.has_sensitivities = true;
+        name_sensitivities(definitions, &mut self.names);
+        let mut steps = Vec::new();
+        for definition in definitions {
+            steps.push(match definition {
+                Definition::Value { symbol, node } | Definition::Entry { symbol, node, .. } => {
+                    self.definition(*symbol, *node)
+                }
+                // the factors are the position's own: where it could not factor there is no pose
+                Definition::System {
+                    factors,
+                    right,
+                    results,
+                } => self
+                    .units
+                    .substitution(&mut self.graph, *factors, right, results.clone()),
+            });
+        }
+        self.stages.push(Stage::new(steps));
+    }
+
+    /// Names for parts of the formulas that have a meaning.
+    fn hint_names(&mut self) {
+        let derivatives = &self.derived.derivatives;
+        for &determinant in derivatives.regular() {
+            let node = self.units.rewrite(&mut self.graph, determinant);
+            self.hints.push((node, "determinant".to_owned()));
+        }
+        for (node, hint) in derivatives.hints(&self.derived.graph) {
+            let name = match hint {
+                Hint::Right { equation, order } => format!("right_{}_{}", equation + 1, order_name(order)),
+                Hint::Influence => "influence".to_owned(),
+                Hint::P { angle, order } => format!("{}_p{order}", self.names.of(angle)),
+                Hint::Q { angle, order } => format!("{}_q{order}", self.names.of(angle)),
+            };
+            let node = self.units.rewrite(&mut self.graph, node);
+            let opposite = self.graph.negate(node);
+            self.hints.extend([(node, name.clone()), (opposite, name)]);
+        }
+    }
+
+    /// The position checks what later stages divide by.
+    fn check_divisors(&mut self) {
+        let derivatives = &self.derived.derivatives;
+        let guaranteed: Vec<Node> = derivatives
+            .guaranteed
+            .iter()
+            .chain(derivatives.regular())
+            .chain(&self.nonzero)
+            .map(|&node| self.units.rewrite(&mut self.graph, node))
+            .collect();
+        let divisors = unguarded_divisors(&self.graph, &self.stages, &guaranteed);
+        let checks = divisors.into_iter().map(|value| Step::Regular { value });
+        self.stages[0].steps.extend(checks);
+    }
+
+    /// An angle that nothing asks for is not found, if its unit vector is.
+    fn drop_idle_angles(&mut self) {
+        assemble::drop_idle(
+            &mut self.directions,
+            &mut self.graph,
+            &mut self.stages,
+            &self.task.ranges,
+        );
+    }
+
+    /// Reciprocals are computed before the first step that needs them.
+    fn place_reciprocals(&mut self) {
+        std::mem::take(&mut self.reciprocals).place(&self.graph, &mut self.stages);
+    }
+
+    fn schedule(self) -> Candidate {
+        let program = Program {
+            stages: self.stages,
+            names: self.names,
+            directions: self.directions,
+            has_sensitivities: self.has_sensitivities,
+        };
+        let style = Style::checked(Factors::Left, self.task.passes);
+        let scheduled = schedule(&self.graph, &program, &self.hints, style);
+        Candidate {
+            way: Way {
+                is_multiplied_out: self.derived.form.is_multiplied_out,
+                has_influences: self.derived.influences == Influences::Collected,
+                takes_out_factors: false,
+            },
+            graph: self.graph,
+            program,
+            hints: self.hints,
+            choices: self.choices,
+            scheduled,
+        }
+    }
+
+    /// A definition in terms of what is known where it stands.
+    fn definition(&mut self, symbol: Symbol, node: Node) -> Step<Node> {
+        let value = self.units.rewrite(&mut self.graph, node);
+        Step::Define { symbol, value }
+    }
+}

@@ -1,0 +1,74 @@
+//! The forms in which equations and outputs are differentiated.
+
+use super::Task;
+use crate::derive::{self, Derivatives, Formulas, Influences, TooLarge};
+use crate::expr::Graph;
+use crate::passes::Pass;
+
+/// Equations and outputs in one form, and the graph that has it.
+#[derive(Clone)]
+pub(super) struct Form {
+    pub(super) graph: Graph,
+    pub(super) formulas: Formulas,
+    pub(super) is_multiplied_out: bool,
+}
+
+impl Form {
+    /// The equations in this form, to be differentiated.
+    pub(super) fn task<'a>(&'a self, task: &Task<'a>, influences: Influences) -> derive::Task<'a> {
+        derive::Task {
+            residuals: &self.formulas.residuals,
+            blocks: task.blocks,
+            outputs: &self.formulas.outputs,
+            influences,
+            passes: task.passes,
+            most_expressions: task.most_expressions,
+        }
+    }
+}
+
+/// The equations multiplied out, and as typed if that is something else.
+pub(super) fn forms(task: &Task<'_>) -> Vec<Form> {
+    let mut graph = task.graph.clone();
+    let mut form = |is_multiplied_out| {
+        let formulas = derive::formulas(&mut graph, task.residuals, &task.outputs, is_multiplied_out);
+        Form {
+            graph: graph.clone(),
+            formulas,
+            is_multiplied_out,
+        }
+    };
+    let (multiplied_out, typed) = (form(true), form(false));
+    let nodes = |form: &Form| [form.formulas.residuals.clone(), form.formulas.outputs.clone()];
+    if nodes(&multiplied_out) == nodes(&typed) || !task.passes.include(Pass::AsTyped) {
+        return vec![multiplied_out];
+    }
+    if !task.passes.include(Pass::MultipliedOut) {
+        return vec![typed];
+    }
+    vec![multiplied_out, typed]
+}
+
+/// Equations and outputs in one form, with their derivatives.
+pub(super) struct Derived {
+    pub(super) form: Form,
+    pub(super) influences: Influences,
+    pub(super) graph: Graph,
+    pub(super) derivatives: Derivatives,
+}
+
+impl Derived {
+    pub(super) fn new(task: &Task<'_>, form: Form, influences: Influences) -> Result<Self, TooLarge> {
+        let mut graph = form.graph.clone();
+        if !task.passes.include(Pass::ConstantFolding) {
+            graph.keep_numbers();
+        }
+        let derivatives = Derivatives::new(&mut graph, form.task(task, influences), task.order)?;
+        Ok(Self {
+            form,
+            influences,
+            graph,
+            derivatives,
+        })
+    }
+}

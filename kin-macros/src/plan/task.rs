@@ -1,0 +1,128 @@
+//! The task: what a declaration asks for, as the planner needs it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::MOST_EXPRESSIONS;
+use crate::expr::{Graph, Node, Symbol};
+use crate::model::{Dimension, Model, Request, Shape};
+use crate::passes::Passes;
+use crate::program::{Limits, Names, OWN_NAMES};
+use crate::structure::{Block, Structure};
+
+/// The equations to be solved, and what has been decided about their solution.
+pub(crate) struct Task<'a> {
+    pub(crate) graph: &'a Graph,
+    pub(crate) residuals: &'a [Node],
+    pub(crate) blocks: &'a [Block],
+    pub(crate) ranges: BTreeMap<usize, Limits>,
+    /// The unknown angles that are handed out as unit vectors.
+    pub(crate) directions: BTreeSet<usize>,
+    /// The scalar parts of the outputs.
+    pub(crate) outputs: Vec<Node>,
+    pub(crate) inputs: usize,
+    pub(crate) order: usize,
+    /// The number of scalar parameters by which the motion is to be differentiated: all of them, or none.
+    pub(crate) parameters: usize,
+    pub(crate) has_transmission_angles: bool,
+    /// Names of parameters, inputs, unknowns and outputs.
+    pub(crate) names: Names,
+    /// The passes that make the program cheaper.
+    pub(crate) passes: Passes,
+    /// The planner gives up beyond this number of expressions.
+    pub(crate) most_expressions: usize,
+}
+
+impl<'a> Task<'a> {
+    pub(crate) fn new(model: &Model, structure: &'a Structure, passes: Passes) -> Self {
+        Self {
+            graph: &structure.graph,
+            residuals: &structure.residuals,
+            blocks: &structure.blocks,
+            ranges: ranges(model),
+            directions: directions(model),
+            outputs: model.outputs.iter().flat_map(|output| output.value.nodes()).collect(),
+            inputs: model.inputs.len(),
+            order: model.order,
+            parameters: sensitive_parameters(model),
+            has_transmission_angles: model.is_requested(Request::TransmissionAngles),
+            names: names(model),
+            passes,
+            most_expressions: MOST_EXPRESSIONS,
+        }
+    }
+}
+
+/// The ranges that were declared for unknowns.
+fn ranges(model: &Model) -> BTreeMap<usize, Limits> {
+    let unknowns = model.unknowns.iter().enumerate();
+    unknowns
+        .filter_map(|(index, unknown)| {
+            let range = unknown.range.as_ref()?;
+            let limits = Limits {
+                low: range.low,
+                high: range.high,
+            };
+            Some((index, limits))
+        })
+        .collect()
+}
+
+/// The unknowns that are found as unit vectors.
+fn directions(model: &Model) -> BTreeSet<usize> {
+    (0..model.unknowns.len())
+        .filter(|&unknown| model.unknowns[unknown].dimension == Dimension::Direction)
+        .collect()
+}
+
+/// The number of scalar parameters, if sensitivities are requested.
+fn sensitive_parameters(model: &Model) -> usize {
+    if !model.is_requested(Request::Sensitivities) {
+        return 0;
+    }
+    let parameters = model.parameters.iter();
+    parameters
+        .map(|parameter| parameter.dimension.shape().axes().len().max(1))
+        .sum()
+}
+
+/// The names that the declaration gives, beside those that generated code needs for itself.
+fn names(model: &Model) -> Names {
+    let mut names = Names::default();
+    for own in OWN_NAMES {
+        names.reserve(own);
+        names.reserve(&model.own_name(own));
+    }
+    let mut scalar = 0;
+    let mut parameter = |names: &mut Names, wish: &str| {
+        names.name(Symbol::Parameter(scalar), wish);
+        scalar += 1;
+    };
+    for (index, input) in model.inputs.iter().enumerate() {
+        names.name_exactly(Symbol::Input(index), &input.name.to_string());
+    }
+    for (index, unknown) in model.unknowns.iter().enumerate() {
+        names.name_exactly(Symbol::Unknown(index), &unknown.name.to_string());
+    }
+    let mut output_part = 0;
+    for output in &model.outputs {
+        // the field of a pose bears the output's own name
+        names.reserve(&output.name.to_string());
+    }
+    for own in &model.parameters {
+        for part in own.dimension.shape().part_names(&own.name.to_string(), "_") {
+            parameter(&mut names, &part);
+        }
+    }
+    for output in &model.outputs {
+        let name = output.name.to_string();
+        let parts = match output.value.shape() {
+            Shape::Scalar => vec![format!("{name}_value")],
+            shape => shape.part_names(&name, "_"),
+        };
+        for part in parts {
+            names.name(Symbol::OutputRate(output_part, 0), &part);
+            output_part += 1;
+        }
+    }
+    names
+}

@@ -1,0 +1,83 @@
+//! Telltales: the smallest set of rates whose finiteness proves that all rates are finite.
+//!
+//! A sum or a product of floating-point numbers is not finite if one of them is not: ∞ · 0 and ∞ - ∞ are NaN. (IEEE 754-2019, sections
+//! 6.1 and 6.2.) So a value that is not finite shows in everything that is computed from it by additions and multiplications, or by
+//! dividing it. P and Q of the highest rate of an angle are made of its lower rates, which therefore need no test of their own.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::expr::{Graph, Node, Symbol, Term};
+use crate::program::{Stage, Step};
+
+/// The rates of unknowns that show in no other rate, by unknown and order.
+pub(crate) fn telltales(graph: &mut Graph, stages: &[Stage<Node>]) -> BTreeSet<(usize, usize)> {
+    let steps = || stages.iter().flat_map(|stage| &stage.steps);
+    let mut definitions = BTreeMap::new();
+    for step in steps() {
+        if let Step::Define { symbol, value } = step {
+            definitions.insert(graph.symbol(*symbol), *value);
+        }
+    }
+    let (mut shown, mut telltales) = (BTreeSet::new(), BTreeSet::new());
+    for step in steps().rev() {
+        let symbols = match step {
+            Step::Define { symbol, .. } => std::slice::from_ref(symbol),
+            Step::Substitute { results, .. } => results,
+            _ => &[],
+        };
+        for &symbol in symbols {
+            if let Symbol::UnknownRate(unknown, order) = symbol {
+                let rate = graph.symbol(symbol);
+                if !shown.contains(&rate) {
+                    telltales.insert((unknown, order));
+                    show(graph, &definitions, rate, &mut shown);
+                }
+            }
+        }
+    }
+    telltales
+}
+
+/// Adds a value, and all values that show in it.
+fn show(graph: &Graph, definitions: &BTreeMap<Node, Node>, value: Node, shown: &mut BTreeSet<Node>) {
+    let mut open = vec![value];
+    while let Some(node) = open.pop() {
+        if !shown.insert(node) {
+            continue;
+        }
+        match graph.term(node) {
+            Term::Symbol(_) => open.extend(definitions.get(&node)),
+            Term::Sum(_, terms) => open.extend(terms.iter().map(|&(term, _)| term)),
+            Term::Product(factors) => open.extend(
+                factors
+                    .iter()
+                    .filter(|&&(_, exponent)| exponent > 0)
+                    .map(|&(factor, _)| factor),
+            ),
+            Term::Number(_) | Term::Pi | Term::Call(..) => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenStream;
+
+    use crate::passes::Passes;
+    use crate::testing::declarations::{four_bar, slider_crank};
+    use crate::testing::sound;
+
+    fn telltales(declaration: TokenStream) -> Vec<(usize, usize)> {
+        sound(declaration).solvers(Passes::ALL).telltales.into_iter().collect()
+    }
+
+    #[test]
+    fn lower_rates_show_in_higher_ones_where_they_turn_something() {
+        assert_eq!(telltales(four_bar()), [(0, 4), (1, 4)]);
+    }
+
+    #[test]
+    fn rates_that_nothing_is_made_of_are_tested_themselves() {
+        assert_eq!(telltales(slider_crank()), [(0, 4), (1, 1), (1, 2), (1, 3), (1, 4)]);
+    }
+}

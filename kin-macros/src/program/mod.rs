@@ -1,0 +1,29 @@
+//! The middle language: a program of stages and steps, whose expressions are nodes of a graph at first, and are written out when the
+//! program is scheduled.
+//!
+//! Values are known by symbols. Their names are looked up where a program becomes text, and nowhere before.
+
+mod choice;
+mod cost;
+mod directions;
+mod expression;
+mod names;
+mod order;
+mod printout;
+mod solver;
+mod solvers;
+mod stage;
+mod step;
+mod summary;
+
+pub(crate) use choice::{Choice, Limits, Mode};
+pub(crate) use cost::Cost;
+pub(crate) use directions::{Direction, Directions, UnitPart};
+pub(crate) use expression::Expression;
+pub(crate) use names::{Names, OWN_NAMES};
+pub(crate) use order::order_name;
+pub(crate) use solver::{Argument, Returns, Solver};
+pub(crate) use solvers::{Solvers, TransmissionAngles};
+pub(crate) use stage::{Carried, Program, Stage};
+pub(crate) use step::Step;
+pub(crate) use summary::{Summary, Trial, Way};

@@ -1,0 +1,11 @@
+//! The names of the time derivatives.
+
+/// Position, velocity, acceleration, jerk, snap, ….
+const NAMES: [&str; 7] = ["position", "velocity", "acceleration", "jerk", "snap", "crackle", "pop"];
+
+/// The name of the n-th time derivative.
+pub(crate) fn order_name(order: usize) -> String {
+    NAMES
+        .get(order)
+        .map_or_else(|| format!("derivative_{order}"), |name| (*name).to_owned())
+}

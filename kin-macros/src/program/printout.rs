@@ -1,0 +1,160 @@
+//! A printout of the middle language: which way was kept and why, and the steps of each order with their costs.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::{Cost, Expression, Names, Program, Solvers, Step, order_name};
+use crate::expr::Symbol;
+
+/// The widest line of names.
+const WIDTH: usize = 120;
+
+impl Display for Solvers {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(formatter, "ways (`>` is kept):")?;
+        write!(formatter, "{}", self.summary)?;
+        for (order, stage) in self.orders().iter().enumerate() {
+            stage_of(formatter, &order_name(order), &self.motion, order, stage.cost)?;
+        }
+        if let Some(stage) = self.sensitivities() {
+            let place = self.motion.stages.len() - 1;
+            stage_of(formatter, "sensitivities", &self.motion, place, stage.cost)?;
+        }
+        let further = [
+            ("assembly of a guess", Some(&self.orientations)),
+            ("all positions", self.every.as_ref()),
+            (
+                "transmission angles",
+                self.transmission.as_ref().map(|angles| &angles.program),
+            ),
+        ];
+        for (title, program) in further {
+            if let Some(program) = program.filter(|program| !program.stages[0].steps.is_empty()) {
+                stage_of(formatter, title, program, 0, program.cost())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn stage_of(
+    formatter: &mut Formatter<'_>,
+    title: &str,
+    program: &Program<Expression>,
+    place: usize,
+    cost: Cost,
+) -> fmt::Result {
+    let stage = &program.stages[place];
+    writeln!(
+        formatter,
+        "\n{title}: {} operations{}",
+        cost.arithmetic(),
+        functions(cost)
+    )?;
+    let mut values = Vec::new();
+    for step in &stage.steps {
+        // values of no other kind than an expression stand on lines of their own
+        if let Step::Define { symbol, .. } = step {
+            values.push(program.names.of(*symbol));
+            continue;
+        }
+        write_values(formatter, &mut values)?;
+        if let Some(line) = line(step, &program.names) {
+            writeln!(formatter, "  {line}")?;
+        }
+    }
+    write_values(formatter, &mut values)?;
+    let carried: Vec<&str> = stage
+        .carries
+        .iter()
+        .map(|carried| program.names.of(carried.symbol))
+        .collect();
+    wrapped(formatter, "  later orders use", &carried)
+}
+
+fn write_values(formatter: &mut Formatter<'_>, values: &mut Vec<&str>) -> fmt::Result {
+    wrapped(formatter, "  let", &std::mem::take(values))
+}
+
+/// Names behind a word, on as many lines as they need.
+fn wrapped(formatter: &mut Formatter<'_>, word: &str, names: &[&str]) -> fmt::Result {
+    let mut line = String::new();
+    for (place, name) in names.iter().enumerate() {
+        if line.is_empty() {
+            line = word.to_owned();
+        }
+        line.push(' ');
+        line.push_str(name);
+        let is_last = place + 1 == names.len();
+        if !is_last {
+            line.push(',');
+        }
+        if is_last || line.len() > WIDTH {
+            writeln!(formatter, "{line}")?;
+            line.clear();
+        }
+    }
+    Ok(())
+}
+
+/// A step without its expressions; nothing for one that computes nothing.
+fn line(step: &Step<Expression>, names: &Names) -> Option<String> {
+    let list = |symbols: Vec<Symbol>| -> String {
+        let list: Vec<&str> = symbols.into_iter().map(|symbol| names.of(symbol)).collect();
+        list.join(", ")
+    };
+    let defined = list(step.defines());
+    Some(match step {
+        Step::Define { .. } | Step::Bound { .. } | Step::Open { .. } | Step::Close { .. } => return None,
+        Step::Check { function, .. } => format!("{} (checked): {defined}", function.name()),
+        Step::SineCosine { .. } => format!("sine and cosine: {defined}"),
+        Step::Solve { solver, .. } => format!("{}: {defined}", solver.name()),
+        Step::Angle { .. } => format!("direction: {defined}"),
+        Step::Newton { unknowns, body, .. } => {
+            let unknowns = unknowns.iter().map(|&unknown| Symbol::Unknown(unknown)).collect();
+            let body = body.iter().flat_map(Step::defines).collect();
+            format!("Newton's method for {}, each time with {}", list(unknowns), list(body))
+        }
+        Step::Every { .. } => format!("all solutions: {defined}"),
+        Step::Factor { matrix, .. } => format!("factors of {0} × {0}: {defined}", matrix.len()),
+        Step::Substitute { .. } => format!("substitution: {defined}"),
+        Step::Regular { .. } => "a divisor is checked".to_owned(),
+    })
+}
+
+/// The functions of a cost in words, behind a comma each.
+fn functions(cost: Cost) -> String {
+    [
+        (cost.square_roots, "square root"),
+        (cost.sine_cosines, "sine-cosine"),
+        (cost.arc_tangents, "arctangent"),
+        (cost.others, "other function"),
+    ]
+    .into_iter()
+    .filter(|&(count, _)| count > 0)
+    .map(|(count, name)| format!(", {count} {name}{}", if count == 1 { "" } else { "s" }))
+    .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::passes::Passes;
+    use crate::testing::{declarations, sound};
+
+    #[test]
+    fn of_the_four_bar() {
+        insta::assert_snapshot!(sound(declarations::four_bar()).solvers(Passes::ALL));
+    }
+
+    #[test]
+    fn of_a_triad() {
+        insta::assert_snapshot!(sound(declarations::triad()).solvers(Passes::ALL));
+    }
+
+    /// The architecture shows the printout of the four-bar.
+    #[test]
+    fn the_book_shows_it() {
+        let book = include_str!("../../../docs/architecture.md");
+        let printout = sound(declarations::four_bar()).solvers(Passes::ALL).to_string();
+        assert!(book.contains(&printout), "docs/architecture.md should show\n{printout}");
+    }
+}

@@ -1,0 +1,183 @@
+//! The closed forms of `kin_core::solve` that generated code calls: their names, what they take and return, and what they cost.
+
+use super::Cost;
+
+/// An argument of a closed form.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) enum Argument<E> {
+    Scalar(E),
+    Plane([E; 2]),
+    Pair([E; 2]),
+    Matrix([[E; 2]; 2]),
+}
+
+impl<E> Argument<E> {
+    /// The expressions in it, in the order in which they are written.
+    pub(crate) fn expressions(&self) -> Vec<&E> {
+        match self {
+            Self::Scalar(value) => vec![value],
+            Self::Plane(pair) | Self::Pair(pair) => pair.iter().collect(),
+            Self::Matrix(rows) => rows.iter().flatten().collect(),
+        }
+    }
+
+    /// The same argument in other expressions.
+    pub(crate) fn map<F>(&self, mut other: impl FnMut(&E) -> F) -> Argument<F> {
+        match self {
+            Self::Scalar(value) => Argument::Scalar(other(value)),
+            Self::Plane(pair) => Argument::Plane(pair.each_ref().map(other)),
+            Self::Pair(pair) => Argument::Pair(pair.each_ref().map(other)),
+            Self::Matrix(rows) => Argument::Matrix(rows.each_ref().map(|row| row.each_ref().map(&mut other))),
+        }
+    }
+}
+
+/// The shape of the results of a closed form.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Returns {
+    Scalar,
+    Pair,
+    Plane,
+    Root,
+    PlaneAndRoot,
+    RootAndScalar,
+    PlaneAndScalar,
+    ScalarAndPlane,
+}
+
+/// A closed form of `kin_core::solve`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Solver {
+    CircleCircle,
+    CircleCircleSquared,
+    CircleLine,
+    CircleLineX,
+    CircleLineY,
+    Polar,
+    PolarOffset,
+    CosineSine,
+    InverseCosine,
+    InverseSine,
+    Linear,
+    LinearPair,
+    Quadratic,
+    SquareRoot,
+    SineOfArc,
+    CosineOfArc,
+    TangentOfArc,
+    SquareOfRoot,
+    Logarithm,
+}
+
+impl Solver {
+    /// Its name in `kin_core::solve`.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::CircleCircle => "circle_circle",
+            Self::CircleCircleSquared => "circle_circle_squared",
+            Self::CircleLine => "circle_line",
+            Self::CircleLineX => "circle_line_x",
+            Self::CircleLineY => "circle_line_y",
+            Self::Polar => "polar",
+            Self::PolarOffset => "polar_offset",
+            Self::CosineSine => "cosine_sine",
+            Self::InverseCosine => "inverse_cosine",
+            Self::InverseSine => "inverse_sine",
+            Self::Linear => "linear",
+            Self::LinearPair => "linear_pair",
+            Self::Quadratic => "quadratic",
+            Self::SquareRoot => "square_root",
+            Self::SineOfArc => "sine_of_arc",
+            Self::CosineOfArc => "cosine_of_arc",
+            Self::TangentOfArc => "tangent_of_arc",
+            Self::SquareOfRoot => "square_of_root",
+            Self::Logarithm => "logarithm",
+        }
+    }
+
+    /// Whether it takes an assembly.
+    pub(crate) const fn takes_assembly(self) -> bool {
+        !matches!(
+            self,
+            Self::Linear
+                | Self::LinearPair
+                | Self::SineOfArc
+                | Self::CosineOfArc
+                | Self::TangentOfArc
+                | Self::SquareOfRoot
+                | Self::Logarithm
+        )
+    }
+
+    pub(crate) const fn returns(self) -> Returns {
+        match self {
+            Self::CircleCircle => Returns::PlaneAndRoot,
+            Self::CircleCircleSquared | Self::CosineSine => Returns::Plane,
+            Self::CircleLine => Returns::PlaneAndScalar,
+            Self::CircleLineX | Self::CircleLineY => Returns::RootAndScalar,
+            Self::Polar | Self::InverseCosine | Self::InverseSine => Returns::Root,
+            Self::PolarOffset => Returns::ScalarAndPlane,
+            Self::LinearPair => Returns::Pair,
+            _ => Returns::Scalar,
+        }
+    }
+
+    /// What it costs in the assembly that costs more.
+    pub(crate) const fn dearest(self) -> Cost {
+        let (open, crossed) = (self.cost(true), self.cost(false));
+        if open.negations > crossed.negations {
+            open
+        } else {
+            crossed
+        }
+    }
+
+    /// What it costs in an assembly; a test runs every library mechanism with counting numbers and compares.
+    pub(crate) const fn cost(self, is_open: bool) -> Cost {
+        let (additions, multiplications, divisions, square_roots) = match self {
+            Self::CircleCircle => (8, 12, 1, 1),
+            Self::CircleCircleSquared => (6, 11, 1, 1),
+            Self::CircleLine => (7, 10, 1, 1),
+            Self::CircleLineX | Self::CircleLineY => (2, 1, 0, 1),
+            Self::Polar => (1, 2, 0, 1),
+            Self::PolarOffset => (5, 9, 1, 1),
+            Self::CosineSine => (4, 9, 1, 1),
+            Self::InverseCosine | Self::InverseSine => (2, 1, 0, 1),
+            Self::Linear => (0, 0, 1, 0),
+            Self::LinearPair => (3, 8, 1, 0),
+            Self::Quadratic => (2, 3, 1, 1),
+            Self::SquareRoot => (0, 0, 0, 1),
+            Self::SquareOfRoot => (0, 1, 0, 0),
+            Self::TangentOfArc => (0, 0, 1, 0),
+            Self::SineOfArc | Self::CosineOfArc | Self::Logarithm => (0, 0, 0, 0),
+        };
+        // one of the assemblies changes a sign
+        let changes_sign = match self {
+            Self::CircleLineX | Self::CircleLineY => is_open,
+            Self::CircleCircle
+            | Self::CircleCircleSquared
+            | Self::Polar
+            | Self::PolarOffset
+            | Self::InverseCosine
+            | Self::InverseSine
+            | Self::SquareRoot => !is_open,
+            _ => false,
+        };
+        let negations = if changes_sign { 1 } else { 0 };
+        let (sine_cosines, others) = match self {
+            Self::SineOfArc | Self::CosineOfArc | Self::TangentOfArc => (1, 0),
+            Self::Logarithm => (0, 1),
+            _ => (0, 0),
+        };
+        Cost {
+            additions,
+            multiplications,
+            divisions,
+            negations,
+            square_roots,
+            sine_cosines,
+            arc_tangents: 0,
+            others,
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! A step of a program.
+
+use super::choice::Mode;
+use super::expression::Expression;
+use super::solver::{Argument, Solver};
+use crate::expr::{Node, Symbol};
+use crate::function::Function;
+
+/// One step. The expressions `E` are nodes of a graph until the program is scheduled, and then expressions to be written.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) enum Step<E> {
+    /// A value under a name.
+    Define { symbol: Symbol, value: E },
+    /// A function that is not defined everywhere, with a check. Scheduling makes this step.
+    Check {
+        symbol: Symbol,
+        function: Function,
+        argument: E,
+    },
+    /// Sine and cosine of one angle, of which one may not be needed. Scheduling makes this step.
+    SineCosine {
+        sine: Option<Symbol>,
+        cosine: Option<Symbol>,
+        angle: E,
+    },
+    /// A closed form. Its results are in order; scheduling leaves out those that nothing needs.
+    Solve {
+        solver: Solver,
+        arguments: Vec<Argument<E>>,
+        results: Vec<Option<Symbol>>,
+    },
+    /// The direction of a vector. Its length may be negative, unless there is none.
+    Angle {
+        symbol: Symbol,
+        y: E,
+        x: E,
+        length: Option<E>,
+    },
+    /// The unknown, just computed, is compared with the range declared for it. An angle that `turns` came from a direction, so it may
+    /// be moved by whole turns; any other value stands in its equation as a number and may not. An angle that `wraps` may have
+    /// to be moved by a turn to lie in its range.
+    Bound { unknown: usize, turns: bool, wraps: bool },
+    /// The beginning of a part of a block.
+    Open { part: usize, mode: Mode },
+    /// The end of that part.
+    Close { part: usize },
+    /// Newton's method from the guess that the caller gave: values of the unknowns at which the residuals vanish. `given` are the values
+    /// of earlier steps that the residuals refer to. Scheduling fills `body` with the steps of an iteration.
+    Newton {
+        part: usize,
+        unknowns: Vec<usize>,
+        given: Vec<E>,
+        body: Vec<Self>,
+        residuals: Vec<E>,
+        jacobian: Vec<Vec<E>>,
+    },
+    /// All solutions of a block's equations, one after the other, as values of its variables.
+    Every {
+        block: usize,
+        coefficients: Vec<E>,
+        results: Vec<Symbol>,
+    },
+    /// The factors of a matrix by which later stages solve.
+    Factor { symbol: Symbol, matrix: Vec<Vec<E>> },
+    /// matrix · results = right, by the factors of the matrix.
+    Substitute {
+        factors: E,
+        right: Vec<E>,
+        results: Vec<Symbol>,
+    },
+    /// A value that must not vanish, because something is divided by it later.
+    Regular { value: E },
+}
+
+impl<E> Step<E> {
+    /// All expressions in it, in the order in which they are written.
+    pub(crate) fn expressions(&self) -> Vec<&E> {
+        match self {
+            Self::Define { value, .. } | Self::Regular { value } => vec![value],
+            Self::Check { argument, .. } => vec![argument],
+            Self::SineCosine { angle, .. } => vec![angle],
+            Self::Solve { arguments, .. } => arguments.iter().flat_map(Argument::expressions).collect(),
+            Self::Angle { y, x, length, .. } => [y, x].into_iter().chain(length).collect(),
+            Self::Newton {
+                given,
+                body,
+                residuals,
+                jacobian,
+                ..
+            } => {
+                let inside = body.iter().flat_map(Self::expressions);
+                given
+                    .iter()
+                    .chain(inside)
+                    .chain(residuals)
+                    .chain(jacobian.iter().flatten())
+                    .collect()
+            }
+            Self::Every { coefficients, .. } => coefficients.iter().collect(),
+            Self::Factor { matrix, .. } => matrix.iter().flatten().collect(),
+            Self::Substitute { factors, right, .. } => [factors].into_iter().chain(right).collect(),
+            Self::Bound { .. } | Self::Open { .. } | Self::Close { .. } => Vec::new(),
+        }
+    }
+
+    /// The same step in other expressions, which are made in the order in which they are written.
+    pub(crate) fn map<F>(&self, other: &mut impl FnMut(&E) -> F) -> Step<F> {
+        match self {
+            Self::Define { symbol, value } => Step::Define {
+                symbol: *symbol,
+                value: other(value),
+            },
+            Self::Check {
+                symbol,
+                function,
+                argument,
+            } => Step::Check {
+                symbol: *symbol,
+                function: *function,
+                argument: other(argument),
+            },
+            Self::SineCosine { sine, cosine, angle } => Step::SineCosine {
+                sine: *sine,
+                cosine: *cosine,
+                angle: other(angle),
+            },
+            Self::Solve {
+                solver,
+                arguments,
+                results,
+            } => Step::Solve {
+                solver: *solver,
+                arguments: arguments.iter().map(|argument| argument.map(&mut *other)).collect(),
+                results: results.clone(),
+            },
+            Self::Angle { symbol, y, x, length } => Step::Angle {
+                symbol: *symbol,
+                y: other(y),
+                x: other(x),
+                length: length.as_ref().map(other),
+            },
+            &Self::Bound { unknown, turns, wraps } => Step::Bound { unknown, turns, wraps },
+            &Self::Open { part, mode } => Step::Open { part, mode },
+            &Self::Close { part } => Step::Close { part },
+            Self::Newton {
+                part,
+                unknowns,
+                given,
+                body,
+                residuals,
+                jacobian,
+            } => Step::Newton {
+                part: *part,
+                unknowns: unknowns.clone(),
+                given: given.iter().map(&mut *other).collect(),
+                body: body.iter().map(|step| step.map(other)).collect(),
+                residuals: residuals.iter().map(&mut *other).collect(),
+                jacobian: rows(jacobian, other),
+            },
+            Self::Every {
+                block,
+                coefficients,
+                results,
+            } => Step::Every {
+                block: *block,
+                coefficients: coefficients.iter().map(other).collect(),
+                results: results.clone(),
+            },
+            Self::Factor { symbol, matrix } => Step::Factor {
+                symbol: *symbol,
+                matrix: rows(matrix, other),
+            },
+            Self::Substitute {
+                factors,
+                right,
+                results,
+            } => Step::Substitute {
+                factors: other(factors),
+                right: right.iter().map(other).collect(),
+                results: results.clone(),
+            },
+            Self::Regular { value } => Step::Regular { value: other(value) },
+        }
+    }
+
+    /// The symbols that it defines for the steps after it.
+    pub(crate) fn defines(&self) -> Vec<Symbol> {
+        match self {
+            Self::Define { symbol, .. }
+            | Self::Check { symbol, .. }
+            | Self::Angle { symbol, .. }
+            | Self::Factor { symbol, .. } => vec![*symbol],
+            Self::SineCosine { sine, cosine, .. } => sine.iter().chain(cosine).copied().collect(),
+            Self::Solve { results, .. } => results.iter().flatten().copied().collect(),
+            Self::Substitute { results, .. } | Self::Every { results, .. } => results.clone(),
+            Self::Newton { .. }
+            | Self::Bound { .. }
+            | Self::Regular { .. }
+            | Self::Open { .. }
+            | Self::Close { .. } => Vec::new(),
+        }
+    }
+}
+
+fn rows<E, F>(matrix: &[Vec<E>], other: &mut impl FnMut(&E) -> F) -> Vec<Vec<F>> {
+    matrix.iter().map(|row| row.iter().map(&mut *other).collect()).collect()
+}
+
+impl Step<Expression> {
+    /// The symbols that it reads and does not define itself.
+    pub(crate) fn uses(&self) -> Vec<Symbol> {
+        let mut symbols = Vec::new();
+        for expression in self.expressions() {
+            expression.collect_symbols(&mut symbols);
+        }
+        if let Self::Newton { body, .. } = self {
+            let inside: Vec<Symbol> = body.iter().flat_map(Self::defines).collect();
+            symbols.retain(|symbol| !inside.contains(symbol));
+        }
+        symbols
+    }
+}
+
+impl Step<Node> {
+    /// The expressions that have to be known where the step stands. An iteration of Newton's method is a program of its own.
+    pub(crate) fn needs(&self) -> Vec<Node> {
+        match self {
+            Self::Newton { given, .. } => given.clone(),
+            _ => self.expressions().into_iter().copied().collect(),
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The decisions behind a program: which ways to derive it were tried, and what each costs.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::Cost;
+
+/// A way to derive a program.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Way {
+    /// Whether the equations are multiplied out before they are differentiated.
+    pub(crate) is_multiplied_out: bool,
+    /// Whether the influences of rates on each other are collected in coefficients.
+    pub(crate) has_influences: bool,
+    /// Whether factors that terms share are taken out.
+    pub(crate) takes_out_factors: bool,
+}
+
+impl Display for Way {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        formatter.write_str(if self.is_multiplied_out {
+            "the equations multiplied out"
+        } else {
+            "the equations as typed"
+        })?;
+        if self.has_influences {
+            formatter.write_str(", with influence coefficients")?;
+        }
+        if self.takes_out_factors {
+            formatter.write_str(", shared factors taken out")?;
+        }
+        Ok(())
+    }
+}
+
+/// A way that was tried.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trial {
+    pub(crate) way: Way,
+    pub(crate) cost: Cost,
+}
+
+/// All trials, and the way that was kept.
+#[derive(Clone, Debug)]
+pub(crate) struct Summary {
+    pub(crate) trials: Vec<Trial>,
+    pub(crate) kept: Way,
+}
+
+impl Display for Summary {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        for Trial { way, cost } in &self.trials {
+            let mark = if *way == self.kept { '>' } else { ' ' };
+            writeln!(
+                formatter,
+                "{mark} {:5} operations, weighted {:5}: {way}",
+                cost.arithmetic(),
+                cost.total()
+            )?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,38 @@
+//! Links that turn.
+
+use super::closed_form::Complex;
+use crate::expr::{Angle, Graph, Node};
+
+/// A link that turns: factor · cis(± angle).
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Arm {
+    /// Its direction, an integer combination of unknowns.
+    pub(crate) angle: Angle,
+    /// Whether it turns clockwise as the angle grows.
+    pub(crate) mirrored: bool,
+    pub(crate) factor: Complex,
+}
+
+impl Arm {
+    /// The link as a vector.
+    pub(crate) fn vector(&self, graph: &mut Graph) -> Complex {
+        let angle = self.signed_angle(graph);
+        let unit = Complex::new(graph.cosine(angle), graph.sine(angle));
+        self.factor.times(graph, unit)
+    }
+
+    /// The quotient of another link's vector and this one, times the square of this one's length, in two factors: a constant, and
+    /// the unit vector of the angle between their directions.
+    pub(crate) fn turn_to(&self, graph: &mut Graph, other: &Self) -> (Complex, Complex) {
+        let (own_angle, other_angle) = (self.signed_angle(graph), other.signed_angle(graph));
+        let between = graph.subtract(other_angle, own_angle);
+        let conjugate = self.factor.conjugate(graph);
+        let ratio = conjugate.times(graph, other.factor);
+        (ratio, Complex::new(graph.cosine(between), graph.sine(between)))
+    }
+
+    fn signed_angle(&self, graph: &mut Graph) -> Node {
+        let angle = self.angle.node(graph);
+        if self.mirrored { graph.negate(angle) } else { angle }
+    }
+}

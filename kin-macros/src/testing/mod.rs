@@ -1,0 +1,43 @@
+//! What tests of several rooms share.
+
+pub(crate) mod declarations;
+
+use proc_macro2::TokenStream;
+
+use crate::model::{self, Model};
+use crate::passes::Passes;
+use crate::plan::{Task, plan};
+use crate::program::Solvers;
+use crate::report::Report;
+use crate::structure::Structure;
+use crate::{expand, syntax};
+
+/// A declaration without mistakes.
+pub(crate) struct Sound {
+    model: Model,
+    structure: Structure,
+}
+
+/// Reads a declaration that is known to have no mistakes.
+pub(crate) fn sound(declaration: TokenStream) -> Sound {
+    let mut report = Report::new();
+    let sound = syntax::parse(declaration, &mut report).and_then(|declaration| {
+        let model = model::build(&declaration, &mut report)?;
+        let structure = expand::structure(&declaration, &model, &mut report)?;
+        Some(Sound { model, structure })
+    });
+    assert!(report.is_empty(), "the declaration has mistakes");
+    sound.expect("there are no mistakes")
+}
+
+impl Sound {
+    /// The task to plan its solvers.
+    pub(crate) fn task(&self, passes: Passes) -> Task<'_> {
+        Task::new(&self.model, &self.structure, passes)
+    }
+
+    /// Its solvers. The declaration must not be too large.
+    pub(crate) fn solvers(&self, passes: Passes) -> Solvers {
+        plan(&self.task(passes)).expect("it is small")
+    }
+}
