@@ -65,6 +65,7 @@
 //!
 //! All of them may be written as methods of their first argument: `theta.cis()`, `y.atan2(x)`.
 
+mod algebra;
 mod assemble;
 mod bug;
 mod derive;
@@ -72,11 +73,9 @@ mod emit;
 mod expand;
 #[cfg(test)]
 mod expansion_tests;
-mod expr;
 mod fallback;
 #[cfg(test)]
 mod families;
-mod function;
 #[cfg(test)]
 mod growth_tests;
 #[cfg(test)]

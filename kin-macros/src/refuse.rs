@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use quote::ToTokens;
 
-use crate::expr::Misfit;
+use crate::algebra::Misfit;
 use crate::model::{Model, Origin, Request};
 use crate::program::order_name;
 use crate::report::Report;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Graph, Node, Symbol};
+use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{Limits, Mode};
 use crate::structure::{ClosedForm, Part, Solution};
 

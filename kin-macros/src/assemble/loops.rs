@@ -2,7 +2,7 @@
 
 use super::blocks::Builder;
 use super::reciprocals::Root;
-use crate::expr::{Node, Symbol};
+use crate::algebra::{Node, Symbol};
 use crate::program::{Argument, Solver, Step};
 use crate::structure::{Arm, Complex};
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::blocks::Builder;
-use crate::expr::{Node, Symbol, Term};
+use crate::algebra::{Node, Symbol, Term};
 use crate::program::{Mode, Step};
 use crate::structure::{System, Variable};
 

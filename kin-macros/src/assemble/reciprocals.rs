@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::units::Units;
-use crate::expr::{Graph, Node, Symbol};
+use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{Names, Stage, Step};
 
 /// What a closed form has taken the root of: the reciprocal of `base` is `factor * value / square`.

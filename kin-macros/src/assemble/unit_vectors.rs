@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::units::Units;
-use crate::expr::{Graph, Node, Symbol};
+use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{Direction, Directions, Limits, Names, Stage, Step};
 
 /// The steps that find cosine and sine where everything that the closed forms find is known.

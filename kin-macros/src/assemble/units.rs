@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Graph, Node, Symbol, Term};
-use crate::function::Function;
+use crate::algebra::{Function, Graph, Node, Symbol, Term};
 use crate::passes::{Pass, Passes};
 use crate::program::Step;
 use crate::structure::Complex;

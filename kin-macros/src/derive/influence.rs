@@ -7,8 +7,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::jacobian::radius;
-use crate::expr::{Graph, Node, Term};
+use super::radius::radius;
+use crate::algebra::{Graph, Node, Term};
 
 /// How right-hand sides are multiplied by an adjugate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -5,6 +5,7 @@
 
 mod influence;
 mod jacobian;
+mod radius;
 mod rates;
 mod sensitivity;
 
@@ -16,7 +17,7 @@ pub(crate) use sensitivity::{Definition, Row};
 use jacobian::Jacobian;
 use rates::Rates;
 
-use crate::expr::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
+use crate::algebra::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
 use crate::passes::Passes;
 use crate::structure::Block;
 

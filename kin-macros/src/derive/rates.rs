@@ -6,8 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::Hint;
-use crate::expr::{Graph, Node, Symbol, Term};
-use crate::function::Function;
+use crate::algebra::{Function, Graph, Node, Symbol, Term};
 use crate::passes::{Pass, Passes};
 
 /// The derivatives found so far.

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use super::jacobian::Jacobian;
 use super::rates::{Rates, binomial};
 use super::{Derivatives, Influences, Rate, Task, TooLarge};
-use crate::expr::{Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, Node, Symbol, Term};
 
 /// One step of the sensitivities' program.
 pub(crate) enum Definition {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::declaration::vector_type;
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 use crate::model::{Dimension, Model, Request, Shape};
 use crate::program::{Limits, Mode, Names, Solvers, order_name};
 use crate::structure::{Block, Part};

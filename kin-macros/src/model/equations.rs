@@ -1,7 +1,7 @@
 //! The equations, scalar by scalar.
 
 use super::{Model, Request};
-use crate::expr::Node;
+use crate::algebra::Node;
 
 /// The declared equation that a scalar equation is a part of, and which part.
 #[derive(Clone, Copy)]

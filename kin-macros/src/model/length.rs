@@ -1,6 +1,6 @@
 //! How long a way leads through a formula, and where that ends.
 
-use crate::expr::{Graph, Node, Term};
+use crate::algebra::{Graph, Node, Term};
 use crate::report::{Extent, Report};
 
 /// So many operations may wait for each other. The passes after this one go that deep, each on a stack that has room for it.

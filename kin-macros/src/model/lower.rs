@@ -2,43 +2,13 @@
 
 use proc_macro2::Span;
 
-use crate::expr::{Graph, Node};
-use crate::function::Function;
+use crate::algebra::{Function, Graph, Node};
 use crate::model::Value;
 use crate::model::dimension::{Exponent, Measure, common, product};
 use crate::model::scope::Scope;
+use crate::model::value::Typed;
 use crate::report::{Extent, Report};
 use crate::syntax::{Axis, Callee, EquationStatement, Expression, ExpressionKind, Operation, Operator, Shape};
-
-/// A formula's value and what it measures.
-#[derive(Clone, Debug)]
-pub(super) struct Typed {
-    pub(super) value: Value,
-    pub(super) exponent: Option<Exponent>,
-}
-
-impl Typed {
-    pub(super) fn scalar(node: Node, exponent: Exponent) -> Self {
-        Self {
-            value: Value::scalar(node),
-            exponent: Some(exponent),
-        }
-    }
-
-    fn number(value: Value) -> Self {
-        Self {
-            value,
-            exponent: Some(Exponent::NUMBER),
-        }
-    }
-
-    pub(super) fn measure(&self) -> Measure {
-        Measure {
-            shape: self.value.shape(),
-            exponent: self.exponent,
-        }
-    }
-}
 
 /// What formulas are lowered with. Every method returns `None` after a mistake, which has been reported then.
 pub(super) struct Lowering<'a, 'b> {

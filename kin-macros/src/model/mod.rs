@@ -16,18 +16,19 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, TokenStream};
 use syn::{Attribute, Visibility};
 
-use crate::expr::{Graph, Node, Symbol};
+use crate::algebra::{Graph, Node, Symbol};
 use crate::report::{Extent, Report};
 use crate::syntax::{self, Declaration, Expression, Statement};
 
 use dimension::{Exponent, Measure, common};
 use length::Lengths;
-use lower::{Lowering, Typed};
+use lower::Lowering;
 use scope::{Meaning, Role, Scope};
 
 pub(crate) use crate::syntax::{Dimension, Request, Shape};
 pub(crate) use equations::Origin;
 use request::Requested;
+use value::Typed;
 pub(crate) use value::Value;
 
 /// A mechanism as it was declared, free of mistakes in itself. Whether it can be solved is the next pass's question.

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::expr::Graph;
+use crate::algebra::Graph;
 use crate::model::Range;
 use crate::model::lower::Lowering;
 use crate::model::scope::Scope;

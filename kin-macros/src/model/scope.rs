@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Ident;
 
-use crate::model::lower::Typed;
+use crate::model::value::Typed;
 use crate::report::{Report, nearest, suggestion};
 use crate::syntax::{Declaration, FUNCTION_NAMES, form, is_keyword};
 

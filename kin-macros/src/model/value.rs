@@ -1,6 +1,7 @@
 //! The value of a formula: scalars, one for each part of what it is.
 
-use crate::expr::{Graph, Node};
+use super::dimension::{Exponent, Measure};
+use crate::algebra::{Graph, Node};
 use crate::syntax::Shape;
 
 /// A formula's value.
@@ -93,5 +94,35 @@ impl Value {
         let mut parts = self.parts.clone();
         parts.resize_with(shape.axes().len(), || graph.zero());
         Self { shape, parts }
+    }
+}
+
+/// A formula's value and what it measures.
+#[derive(Clone, Debug)]
+pub(super) struct Typed {
+    pub(super) value: Value,
+    pub(super) exponent: Option<Exponent>,
+}
+
+impl Typed {
+    pub(super) fn scalar(node: Node, exponent: Exponent) -> Self {
+        Self {
+            value: Value::scalar(node),
+            exponent: Some(exponent),
+        }
+    }
+
+    pub(super) fn number(value: Value) -> Self {
+        Self {
+            value,
+            exponent: Some(Exponent::NUMBER),
+        }
+    }
+
+    pub(super) fn measure(&self) -> Measure {
+        Measure {
+            shape: self.value.shape(),
+            exponent: self.exponent,
+        }
     }
 }

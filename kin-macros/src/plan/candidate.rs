@@ -1,14 +1,14 @@
 //! One way to the program: a list of passes, from derivatives to schedule.
 
 use super::Task;
-use super::extras::Extras;
+use super::extras::extras;
 use super::forms::Derived;
 use super::guards::unguarded_divisors;
 use super::naming::{name_rates, name_sensitivities};
 use super::telltales::telltales;
+use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble::{self, Assembled, Reciprocals, Root, Units};
 use crate::derive::{Definition, Hint, Influences, Rate};
-use crate::expr::{Graph, Node, Symbol};
 use crate::passes::{Pass, Passes};
 use crate::program::{
     Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Summary, Trial, Way, order_name,
@@ -18,10 +18,10 @@ use crate::schedule::{Factors, Style, schedule};
 /// A program that was derived in one way, and its schedule.
 pub(super) struct Candidate {
     pub(super) way: Way,
-    pub(super) graph: Graph,
-    pub(super) program: Program<Node>,
+    graph: Graph,
+    program: Program<Node>,
     hints: Vec<(Node, String)>,
-    pub(super) choices: Vec<Choice>,
+    choices: Vec<Choice>,
     scheduled: Program<Expression>,
 }
 
@@ -69,7 +69,8 @@ impl Candidate {
     }
 
     /// The solvers, with the programs beside them.
-    pub(super) fn finish(mut self, extras: Extras, is_form_given_up: bool, summary: Summary) -> Solvers {
+    pub(super) fn finish(mut self, task: &Task<'_>, trials: Vec<Trial>, is_form_given_up: bool) -> Solvers {
+        let extras = extras(task, &mut self.graph, &self.program.names, &self.choices);
         let telltales = telltales(&mut self.graph, &self.program.stages);
         Solvers {
             motion: self.scheduled,
@@ -81,7 +82,7 @@ impl Candidate {
             every: extras.every,
             transmission: extras.transmission,
             is_form_given_up,
-            summary,
+            summary: Summary { trials, kept: self.way },
         }
     }
 }

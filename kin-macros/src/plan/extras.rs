@@ -1,9 +1,8 @@
 //! Programs beside the motion: the assembly of a guess, all positions, the transmission angles.
 
 use super::Task;
-use super::candidate::Candidate;
+use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble;
-use crate::expr::{Graph, Node, Symbol};
 use crate::passes::Passes;
 use crate::program::{Choice, Expression, Mode, Names, Program, Step, TransmissionAngles};
 use crate::schedule::{Factors, Style, schedule};
@@ -18,13 +17,7 @@ pub(super) struct Extras {
 }
 
 /// Plans all of them, those that were requested and those that every mechanism has.
-pub(super) fn extras(task: &Task<'_>, candidate: &mut Candidate) -> Extras {
-    let Candidate {
-        graph,
-        program: Program { names, .. },
-        choices,
-        ..
-    } = candidate;
+pub(super) fn extras(task: &Task<'_>, graph: &mut Graph, names: &Names, choices: &[Choice]) -> Extras {
     let (orientations, orientation_symbols) = orientations(graph, names, choices);
     Extras {
         orientations,

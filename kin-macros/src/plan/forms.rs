@@ -1,8 +1,8 @@
 //! The forms in which equations and outputs are differentiated.
 
 use super::Task;
+use crate::algebra::Graph;
 use crate::derive::{self, Derivatives, Formulas, Influences, TooLarge};
-use crate::expr::Graph;
 use crate::passes::Pass;
 
 /// Equations and outputs in one form, and the graph that has it.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::{Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, Node, Symbol, Term};
 use crate::program::Stage;
 
 /// The divisors of later stages that nothing before them has found to be regular.

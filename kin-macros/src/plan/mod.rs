@@ -20,7 +20,7 @@ use forms::{Derived, Form, forms};
 
 use crate::derive::{Influences, TooLarge};
 use crate::passes::Pass;
-use crate::program::{Solvers, Summary, Trial};
+use crate::program::{Solvers, Trial};
 use crate::schedule::Factors;
 
 /// As many expressions as the largest declarations that compile in minutes have: some hundred thousand operations.
@@ -49,12 +49,7 @@ pub(crate) fn plan(task: &Task<'_>) -> Result<Solvers, TooLarge> {
         candidate = with_sensitivities(task, derived)?;
     }
     candidate.take_out_factors(Factors::TakenOutOfRates, task.passes);
-    let summary = Summary {
-        trials,
-        kept: candidate.way,
-    };
-    let extras = extras::extras(task, &mut candidate);
-    Ok(candidate.finish(extras, is_form_given_up, summary))
+    Ok(candidate.finish(task, trials, is_form_given_up))
 }
 
 /// One way, with the factors that terms share taken out if that is cheaper.

@@ -1,7 +1,7 @@
 //! Names for rates and partial derivatives.
 
+use crate::algebra::Symbol;
 use crate::derive::{Definition, Derivatives, Rate, Row};
-use crate::expr::Symbol;
 use crate::program::{Names, order_name};
 
 /// Names the rates of all orders: `theta4_velocity`, `theta4_q2`.

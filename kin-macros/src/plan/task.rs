@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::MOST_EXPRESSIONS;
-use crate::expr::{Graph, Node, Symbol};
+use crate::algebra::{Graph, Node, Symbol};
 use crate::model::{Dimension, Model, Request, Shape};
 use crate::passes::Passes;
 use crate::program::{Limits, Names, OWN_NAMES};

@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::{Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, Node, Symbol, Term};
 use crate::program::{Stage, Step};
 
 /// The rates of unknowns that show in no other rate, by unknown and order.

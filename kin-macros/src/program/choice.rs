@@ -1,6 +1,6 @@
 //! The choice between two solutions.
 
-use crate::expr::Node;
+use crate::algebra::Node;
 
 /// How one of two solutions is chosen.
 #[derive(Clone, Copy, PartialEq, Debug)]

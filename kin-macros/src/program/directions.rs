@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 
 /// The symbols of the unit vectors, by the unknowns' places.
 #[derive(Clone, Default)]

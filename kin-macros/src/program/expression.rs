@@ -1,7 +1,6 @@
 //! Expressions as they are written.
 
-use crate::expr::Symbol;
-use crate::function::Function;
+use crate::algebra::{Function, Symbol};
 
 /// What stands on the right of a `let`.
 #[derive(Clone, PartialEq, Debug)]

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 
 /// The names that generated code needs for itself where the names of a program stand as well.
 pub(crate) const OWN_NAMES: [&str; 13] = [

@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::{Cost, Expression, Names, Program, Solvers, Step, order_name};
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 
 /// The widest line of names.
 const WIDTH: usize = 120;
@@ -123,16 +123,18 @@ fn line(step: &Step<Expression>, names: &Names) -> Option<String> {
 
 /// The functions of a cost in words, behind a comma each.
 fn functions(cost: Cost) -> String {
-    [
+    let counts = [
         (cost.square_roots, "square root"),
         (cost.sine_cosines, "sine-cosine"),
         (cost.arc_tangents, "arctangent"),
         (cost.others, "other function"),
-    ]
-    .into_iter()
-    .filter(|&(count, _)| count > 0)
-    .map(|(count, name)| format!(", {count} {name}{}", if count == 1 { "" } else { "s" }))
-    .collect()
+    ];
+    let words: Vec<String> = counts
+        .into_iter()
+        .filter(|&(count, _)| count > 0)
+        .map(|(count, name)| format!(", {count} {name}{}", if count == 1 { "" } else { "s" }))
+        .collect();
+    words.concat()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Choice, Directions, Expression, Names, Program, Stage, Summary};
-use crate::expr::{Graph, Symbol};
+use crate::algebra::{Graph, Symbol};
 use crate::structure::Dyad;
 
 /// The programs that a mechanism needs, and what has been decided about them.

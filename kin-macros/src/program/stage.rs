@@ -1,7 +1,7 @@
 //! Programs and their stages.
 
 use super::{Cost, Directions, Expression, Names, Step};
-use crate::expr::{Node, Symbol};
+use crate::algebra::{Node, Symbol};
 
 /// The steps of one order: 0 is position, 1 velocity, and so on. What else a stage holds is known when it is scheduled.
 #[derive(Clone, PartialEq, Debug)]

@@ -3,8 +3,7 @@
 use super::choice::Mode;
 use super::expression::Expression;
 use super::solver::{Argument, Solver};
-use crate::expr::{Node, Symbol};
-use crate::function::Function;
+use crate::algebra::{Function, Node, Symbol};
 
 /// One step. The expressions `E` are nodes of a graph until the program is scheduled, and then expressions to be written.
 #[derive(Clone, PartialEq, Debug)]

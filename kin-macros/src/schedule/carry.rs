@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 use crate::program::{Carried, Expression, Program, Step};
 
 /// Finds out what each stage of a scheduled program leaves for the later ones.

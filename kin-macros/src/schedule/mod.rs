@@ -10,5 +10,7 @@ mod operation;
 mod rows;
 mod scheduler;
 mod share;
+mod style;
 
-pub(crate) use scheduler::{Factors, Style, schedule};
+pub(crate) use scheduler::schedule;
+pub(crate) use style::{Factors, Style};

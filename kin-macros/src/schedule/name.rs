@@ -2,7 +2,7 @@
 
 use super::operation::{Operation, Value};
 use super::scheduler::Scheduler;
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 
 /// Longer names are not made.
 const NAME_LENGTH: usize = 36;

@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::rows::{Row, RowId, Rows};
-use crate::expr::{HashMap, Number, Symbol};
-use crate::function::Function;
+use crate::algebra::{Function, HashMap, Number, Symbol};
 use crate::program::Cost;
 
 /// An operation's number; operands have lower ones.

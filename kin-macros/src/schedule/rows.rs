@@ -3,9 +3,8 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::scheduler::{Factors, Style};
-use crate::expr::{Graph, HashMap, Node, Number, Symbol, Term};
-use crate::function::Function;
+use super::style::{Factors, Style};
+use crate::algebra::{Function, Graph, HashMap, Node, Number, Symbol, Term};
 use crate::passes::Pass;
 use crate::work;
 

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::mem;
 
 use super::rows::{Row, RowId, Rows};
-use crate::expr::HashMap;
+use crate::algebra::HashMap;
 use crate::passes::Pass;
 use crate::work;
 

@@ -1,7 +1,7 @@
 //! Links that turn.
 
-use super::closed_form::Complex;
-use crate::expr::{Angle, Graph, Node};
+use super::complex::Complex;
+use crate::algebra::{Angle, Graph, Node};
 
 /// A link that turns: factor · cis(± angle).
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -1,7 +1,7 @@
 //! The angles at which the links of dyads meet.
 
 use super::{Block, ClosedForm, Part, Solution};
-use crate::expr::{Graph, Node, Symbol};
+use crate::algebra::{Graph, Node, Symbol};
 
 /// A dyad of two links, or of a link and a slider, and its transmission angle.
 pub(crate) struct Dyad {

@@ -6,6 +6,7 @@
 
 mod arm;
 mod closed_form;
+mod complex;
 mod dyads;
 mod matching;
 mod order;
@@ -16,11 +17,12 @@ mod tear;
 use std::collections::BTreeSet;
 
 pub(crate) use arm::Arm;
-pub(crate) use closed_form::{ClosedForm, Complex};
+pub(crate) use closed_form::ClosedForm;
+pub(crate) use complex::Complex;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use polynomials::{System, Variable};
 
-use crate::expr::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
+use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
 
 /// Unknowns that are solved together, the equations that determine them, and how.
 pub(crate) struct Block {

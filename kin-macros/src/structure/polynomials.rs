@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::ClosedForm;
 use super::tear::Whole;
-use crate::expr::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomial, Symbol, Variables};
+use crate::algebra::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomial, Symbol, Variables};
 
 /// More paths than this are not followed.
 const LARGEST: usize = 1024;
@@ -262,7 +262,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::{Numeric, Variable, system, turned};
-    use crate::expr::{Angle, Graph, Symbol};
+    use crate::algebra::{Angle, Graph, Symbol};
     use crate::structure::tear::Whole;
 
     /// Cosine and sine of a sum of multiples of angles are what their polynomials are, at any angles.

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Matching;
 use super::{ClosedForm, Part, Solution, incidence, order, recognise};
-use crate::expr::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
+use crate::algebra::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
 
 /// The parts that equations fall into, in the order in which they are solved.
 pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {

@@ -9,7 +9,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Lifetime, Lit, Token, parenthesized, token};
 
-use crate::expr::Misfit;
+use crate::algebra::Misfit;
 use crate::report::{Extent, suggestion};
 use crate::syntax::{Axis, Callee, Expression, ExpressionKind, Operation, Operator, nesting};
 

@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::{Attribute, Visibility};
 
-use crate::function::Function;
+use crate::algebra::Function;
 use crate::report::{Extent, Report};
 
 pub(crate) use dimension::{Dimension, Shape};

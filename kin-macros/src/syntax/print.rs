@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::function::Function;
+use crate::algebra::Function;
 use crate::syntax::{
     Axis, Callee, Comparison, EquationStatement, Expression, ExpressionKind, Operator, RangeClause, RangeKind,
 };

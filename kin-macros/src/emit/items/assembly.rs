@@ -6,9 +6,9 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::values;
+use crate::algebra::Symbol;
 use crate::emit::mechanism::{Mechanism, attributes};
 use crate::emit::text::Text;
-use crate::expr::Symbol;
 use crate::program::Step;
 
 /// Up to this many blocks with a choice, all assemblies are listed in a constant.

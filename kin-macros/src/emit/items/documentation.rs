@@ -1,7 +1,7 @@
 //! The documentation of generated items: what the compiler decided, in the words of the field.
 
+use crate::algebra::Symbol;
 use crate::emit::mechanism::Mechanism;
-use crate::expr::Symbol;
 use crate::model::{Dimension, Quantity, Unknown};
 use crate::program::Cost;
 use crate::structure::{Block, Part, Solution};

@@ -3,9 +3,9 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use crate::algebra::Symbol;
 use crate::emit::mechanism::{Mechanism, attributes};
 use crate::emit::text::Text;
-use crate::expr::Symbol;
 
 /// The method `assemblies_at`; nothing if there is no such way to find them, or far too many.
 pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {

@@ -3,10 +3,10 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use crate::algebra::Symbol;
 use crate::emit::declaration::vector_type;
 use crate::emit::mechanism::{Mechanism, attributes, local};
 use crate::emit::text::Text;
-use crate::expr::Symbol;
 use crate::model::{Dimension, Value};
 use crate::program::UnitPart;
 

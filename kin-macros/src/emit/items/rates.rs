@@ -6,9 +6,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::position::output_value;
+use crate::algebra::Symbol;
 use crate::emit::mechanism::{Mechanism, attributes, local};
 use crate::emit::text::Text;
-use crate::expr::Symbol;
 use crate::program::Step;
 use crate::program::order_name;
 

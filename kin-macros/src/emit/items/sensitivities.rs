@@ -5,10 +5,10 @@ use quote::{format_ident, quote};
 
 use super::description;
 use super::documentation::{cost_line, unit};
+use crate::algebra::Symbol;
 use crate::emit::declaration::vector_type;
 use crate::emit::mechanism::{Mechanism, attributes, local};
 use crate::emit::text::Text;
-use crate::expr::Symbol;
 use crate::model::Shape;
 use crate::program::order_name;
 use crate::program::{Expression, Stage};

@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use crate::algebra::Symbol;
 use crate::emit::mechanism::{Mechanism, attributes};
 use crate::emit::text::Text;
-use crate::expr::Symbol;
 
 /// `impl PoseOf`, for the pose of each order.
 pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {

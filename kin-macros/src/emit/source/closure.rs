@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
+use crate::algebra::Function;
 use crate::emit::declaration::vector_type;
-use crate::function::Function;
 use crate::model::{Model, Shape};
 use crate::syntax::{
     Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operation, Operator, Statement,

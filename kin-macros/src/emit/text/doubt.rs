@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Text;
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 use crate::program::{Expression, Solver, Step};
 
 /// A product of sums is multiplied out into so many terms at most.

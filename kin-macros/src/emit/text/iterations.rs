@@ -4,8 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Text;
+use crate::algebra::Symbol;
 use crate::emit::mechanism::local;
-use crate::expr::Symbol;
 use crate::model::Dimension;
 use crate::program::{Expression, Step};
 use crate::structure::System;

@@ -10,7 +10,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::mechanism::{Mechanism, local};
-use crate::expr::Symbol;
+use crate::algebra::Symbol;
 use crate::program::{Expression, Names, Program, Stage, UnitPart, order_name};
 
 /// Writes a program of a mechanism.

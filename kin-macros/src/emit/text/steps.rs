@@ -4,9 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{Text, doubt};
+use crate::algebra::{Function, Symbol};
 use crate::emit::mechanism::local;
-use crate::expr::Symbol;
-use crate::function::Function;
 use crate::program::{Argument, Expression, Mode, Returns, Solver, Stage, Step};
 
 type Written = Step<Expression>;

@@ -1,6 +1,6 @@
 //! a cos x + b sin x = c.
 
-use crate::expr::{Angle, Graph, Harmonic, Node, Polynomial, Symbol, Term};
+use crate::algebra::{Angle, Graph, Harmonic, Node, Polynomial, Symbol, Term};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {

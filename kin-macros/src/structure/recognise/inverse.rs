@@ -1,8 +1,7 @@
 //! An unknown inside of one invertible function: f(g(x)) = v, solved as g(x) = f⁻¹(v).
 
 use super::single;
-use crate::expr::{Expansion, Graph, Harmonic, Polynomial, Term, Variables};
-use crate::function::Function;
+use crate::algebra::{Expansion, Function, Graph, Harmonic, Polynomial, Term, Variables};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {

@@ -1,6 +1,6 @@
 //! Two equations that are linear in both unknowns: a plane loop with two unknown lengths is one.
 
-use crate::expr::{Graph, Harmonic, Node, Polynomial, Symbol};
+use crate::algebra::{Graph, Harmonic, Node, Polynomial, Symbol};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns: [usize; 2]) -> Option<ClosedForm> {

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::{Angle, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
+use crate::algebra::{Angle, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
 use crate::structure::{Arm, ClosedForm, Complex};
 
 /// A pair of rows, `rows[0] = 0` the real part and `rows[1] = 0` the imaginary part of a loop.

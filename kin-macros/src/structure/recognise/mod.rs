@@ -11,7 +11,7 @@ mod powers;
 pub(in crate::structure) use loops::arm;
 
 use super::ClosedForm;
-use crate::expr::{Graph, Polynomial};
+use crate::algebra::{Graph, Polynomial};
 
 /// The first closed form that fits.
 pub(super) fn closed_form(graph: &mut Graph, equations: &[Polynomial], unknowns: &[usize]) -> Option<ClosedForm> {

@@ -1,6 +1,6 @@
 //! Linear and quadratic equations of one unknown.
 
-use crate::expr::{Graph, Harmonic, Polynomial, Symbol};
+use crate::algebra::{Graph, Harmonic, Polynomial, Symbol};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {

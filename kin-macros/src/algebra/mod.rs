@@ -1,4 +1,4 @@
-//! The algebra: a hash-consed graph of expressions in normal form.
+//! The algebra: a hash-consed graph of expressions in normal form, and the elementary functions in them.
 //!
 //! Equal expressions are one node, because every constructor brings its result into a normal form before it looks
 //! whether it is there already: sums are flat with numeric coefficients, products are flat with integer exponents,
@@ -8,6 +8,7 @@
 mod construct;
 mod content;
 mod evaluate;
+mod function;
 mod graph;
 mod harmonic;
 mod hash;
@@ -16,6 +17,7 @@ mod print;
 mod probe;
 mod substitute;
 
+pub(crate) use function::Function;
 pub(crate) use graph::{Graph, Misfit, Node, Number, Symbol, Term, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
 pub(crate) use hash::HashMap;

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::{Graph, Node, Symbol, Term, Variables};
-use crate::function::Function;
+use crate::algebra::Function;
 
 /// Expressions with more monomials than this are not expanded: no closed form has as many. In the library 82 is the largest number.
 const LARGEST: usize = 512;

@@ -15,7 +15,7 @@ mod sin;
 mod sqrt;
 mod tan;
 
-use crate::expr::{Graph, Node};
+use crate::algebra::{Graph, Node};
 
 /// What a file of this folder says of its function.
 struct Elementary {
@@ -117,7 +117,7 @@ fn everywhere(arguments: &[f64]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::Symbol;
+    use crate::algebra::Symbol;
 
     /// Each partial derivative agrees with a central difference of the value.
     #[test]

@@ -176,7 +176,7 @@ const fn place(symbol: Symbol) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use crate::expr::{Graph, Symbol};
+    use crate::algebra::{Graph, Symbol};
 
     #[test]
     fn contents_are_those_of_all_operands() {

@@ -1,7 +1,7 @@
 //! cos x: the derivative is -sin x.
 
 use super::Elementary;
-use crate::function::Function;
+use crate::algebra::Function;
 
 pub(super) const COS: Elementary = Elementary {
     name: "cos",

@@ -9,7 +9,7 @@ use super::HashMap;
 use super::content::{Content, Contents};
 use super::harmonic::{Expanded, ExpandedKey};
 use super::probe::POINTS;
-use crate::function::Function;
+use crate::algebra::Function;
 use crate::work;
 
 /// An expression: its number in the graph.

@@ -1,7 +1,7 @@
 //! sin x: the derivative is cos x.
 
 use super::Elementary;
-use crate::function::Function;
+use crate::algebra::Function;
 
 pub(super) const SIN: Elementary = Elementary {
     name: "sin",

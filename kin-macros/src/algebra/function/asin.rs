@@ -1,8 +1,7 @@
 //! asin x: the derivative is 1 / √(1 - x²).
 
 use super::Elementary;
-use crate::expr::{Graph, Node};
-use crate::function::Function;
+use crate::algebra::{Function, Graph, Node};
 
 /// √(1 - x²), the other leg of the right triangle with hypotenuse 1.
 pub(super) fn leg(graph: &mut Graph, x: Node) -> Node {

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::graph::Number;
 use super::{Graph, Misfit, Node, Symbol, Term};
-use crate::function::Function;
+use crate::algebra::Function;
 
 /// A sum of more terms than this is a term of other sums, and is not merged with them: a chain of long sums would take the square
 /// of its length. In the library 123 is the largest number.
