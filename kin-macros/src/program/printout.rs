@@ -80,7 +80,7 @@ fn wrapped(formatter: &mut Formatter<'_>, word: &str, names: &[&str]) -> fmt::Re
     let mut line = String::new();
     for (place, name) in names.iter().enumerate() {
         if line.is_empty() {
-            line = word.to_owned();
+            word.clone_into(&mut line);
         }
         line.push(' ');
         line.push_str(name);
