@@ -312,6 +312,7 @@ pub mod __private {
     pub use crate::__assert_verified as assert_verified;
     pub use crate::__in_parallel as in_parallel;
     pub use crate::assemblies::every;
+    pub use crate::scalar::Scalar as Number;
     pub use crate::{
         Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Direction, Failure, Guess, InputValues,
         Mechanism, Motion, Near, Operations, Partials, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Sensitive,

@@ -182,7 +182,7 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
         .collect();
     let signs: Vec<TokenStream> = orientations
         .iter()
-        .map(|name| quote!(#runtime::Assembly::from_sign(#runtime::Scalar::real(#name))))
+        .map(|name| quote!(#runtime::Assembly::from_sign(#runtime::Number::real(#name))))
         .collect();
     let result = if let [sign] = signs.as_slice() {
         sign.clone()

@@ -77,7 +77,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #(#inputs: ::core::primitive::f64,)*
                 #way: &mut #runtime::Choices,
             ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError> {
-                use #runtime::Scalar as _;
+                use #runtime::Number as _;
                 type T = ::core::primitive::f64;
                 #readings
                 #body

@@ -84,7 +84,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         }
     };
     let assembly_near = if is_coupled {
-        quote!(let _ = #inputs; #runtime::Near(#near.map(#runtime::Scalar::real)))
+        quote!(let _ = #inputs; #runtime::Near(#near.map(#runtime::Number::real)))
     } else if value.is_empty() {
         quote!(let _ = (#inputs, #near);)
     } else {

@@ -60,7 +60,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let parameter_pairs: Vec<TokenStream> = mechanism
         .scalar_parameters()
         .into_iter()
-        .map(|(label, value, ..)| quote!((#label, #runtime::Scalar::real(#value))))
+        .map(|(label, value, ..)| quote!((#label, #runtime::Number::real(#value))))
         .collect();
     let labels: Vec<String> = inputs.iter().map(ToString::to_string).collect();
     let closure = closure::tokens(mechanism.declaration, model, runtime);
@@ -153,10 +153,10 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                     #(#inputs: T),*
                 ) -> #runtime::SolveError {
                     #failure
-                        .traced(&[#(#parameter_pairs,)* #((#labels, #runtime::Scalar::real(#inputs)),)*])
+                        .traced(&[#(#parameter_pairs,)* #((#labels, #runtime::Number::real(#inputs)),)*])
                         .at(#block, #runtime::InputValues::new(
                             &[#(#labels),*],
-                            &[#(#runtime::Scalar::real(#inputs)),*],
+                            &[#(#runtime::Number::real(#inputs)),*],
                         ))
                 }
             }

@@ -243,7 +243,7 @@ impl Translation<'_> {
         match &expression.kind {
             ExpressionKind::Number { value, .. } => Translated::scalar(self.constant(*value)),
             ExpressionKind::Pi => {
-                Translated::scalar(quote_spanned!(site=> <T as #runtime::Scalar>::constant(::core::f64::consts::PI)))
+                Translated::scalar(quote_spanned!(site=> <T as #runtime::Number>::constant(::core::f64::consts::PI)))
             }
             // a name that is not there is a mistake that the model has reported
             ExpressionKind::Name(name) => self
@@ -297,7 +297,7 @@ impl Translation<'_> {
     pub(super) fn constant(&self, value: f64) -> TokenStream {
         let runtime = self.runtime;
         let value = Literal::f64_unsuffixed(value);
-        quote_spanned!(Span::mixed_site()=> <T as #runtime::Scalar>::constant(#value))
+        quote_spanned!(Span::mixed_site()=> <T as #runtime::Number>::constant(#value))
     }
 
     /// As a vector; a scalar lies along x.
@@ -406,7 +406,7 @@ impl Translation<'_> {
         };
         let turned = |angle: &TokenStream| {
             quote_spanned! {site=> {
-                let (sine, cosine) = #runtime::Scalar::sin_cos(#angle);
+                let (sine, cosine) = #runtime::Number::sin_cos(#angle);
                 #runtime::Plane::new(cosine, sine)
             }}
         };
@@ -417,18 +417,18 @@ impl Translation<'_> {
                 Translated::plane(quote_spanned!(site=> #runtime::Plane::scale(#turned, #length)))
             }
             (Callee::Elementary(Function::Sin), [x]) => {
-                Translated::scalar(quote_spanned!(site=> #runtime::Scalar::sin_cos(#x).0))
+                Translated::scalar(quote_spanned!(site=> #runtime::Number::sin_cos(#x).0))
             }
             (Callee::Elementary(Function::Cos), [x]) => {
-                Translated::scalar(quote_spanned!(site=> #runtime::Scalar::sin_cos(#x).1))
+                Translated::scalar(quote_spanned!(site=> #runtime::Number::sin_cos(#x).1))
             }
             (Callee::Elementary(Function::Tan), [x]) => Translated::scalar(quote_spanned! {site=> {
-                let (sine, cosine) = #runtime::Scalar::sin_cos(#x);
+                let (sine, cosine) = #runtime::Number::sin_cos(#x);
                 sine / cosine
             }}),
             (Callee::Elementary(function), arguments) => {
                 let method = Ident::new(function.name(), site);
-                Translated::scalar(quote_spanned!(site=> #runtime::Scalar::#method(#(#arguments),*)))
+                Translated::scalar(quote_spanned!(site=> #runtime::Number::#method(#(#arguments),*)))
             }
             (Callee::RotX, _) => rotation("about_x"),
             (Callee::RotY, _) => rotation("about_y"),
@@ -516,7 +516,7 @@ mod tests {
         };
         let method = super::tokens(&declaration, &model, &quote!(rt));
         let start = method.to_string().find("-> [").unwrap_or_default();
-        method.to_string()[start..].replace("< T as rt :: Scalar > :: ", "")
+        method.to_string()[start..].replace("< T as rt :: Number > :: ", "")
     }
 
     #[test]
@@ -559,10 +559,10 @@ mod tests {
             }),
             "-> [T ; 2] { let unknown_e = unknowns [0] ; let unknown_l = unknowns [1] ; \
              let let_wheel = rt :: Plane :: scale (rt :: Plane :: scale ({ \
-             let (sine , cosine) = rt :: Scalar :: sin_cos (unknown_e) ; rt :: Plane :: new (cosine , sine) } , self . b) , \
+             let (sine , cosine) = rt :: Number :: sin_cos (unknown_e) ; rt :: Plane :: new (cosine , sine) } , self . b) , \
              constant (1.0) / constant (2.0)) ; \
              let equation_0 = rt :: Plane :: times (self . p , { \
-             let (sine , cosine) = rt :: Scalar :: sin_cos (t) ; rt :: Plane :: new (cosine , sine) }) \
+             let (sine , cosine) = rt :: Number :: sin_cos (t) ; rt :: Plane :: new (cosine , sine) }) \
              - rt :: Plane :: new (self . a , constant (0.0)) \
              - (let_wheel + rt :: Plane :: new (unknown_l , constant (0.0))) ; [equation_0 . x , equation_0 . y] }"
         );
