@@ -78,62 +78,39 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("kin-core needs the functions of either the feature `std` or the feature `libm`");
 
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
 mod assemblies;
 mod assembly;
 pub mod batch;
-mod condition;
-pub mod continuation;
-#[cfg(feature = "std")]
-pub mod count;
-mod direction;
-mod elementary;
-mod error;
-mod figures;
-mod inputs;
+mod failure;
+mod geometry;
 mod interop;
-mod lanes;
 #[cfg(feature = "library")]
 pub mod library;
-mod link;
 mod mechanism;
 mod motion;
-mod near;
-mod path;
-mod plane;
-mod pose_of;
-mod positions;
-mod rotation;
-mod scalar;
-mod sensitivity;
-pub mod series;
-mod skeleton;
+mod number;
+mod picture;
+pub mod prelude;
 pub mod solve;
-mod space;
-mod split_mix;
 mod track;
-mod transmission;
 #[cfg(feature = "num-dual")]
 pub mod verify;
 
-pub use assemblies::{Assemblies, Choices};
-pub use assembly::Assembly;
-pub use direction::Direction;
-pub use error::{Failure, SolveError};
-pub use inputs::InputValues;
-pub use link::LinkMotion;
-pub use mechanism::{Block, Description, Dimension, Mechanism, Operations, Pose, Quantity, Row};
-pub use motion::Motion;
-pub use near::{Guess, Near};
-pub use plane::Plane;
-pub use pose_of::PoseOf;
-pub use positions::Positions;
-pub use rotation::Rotation;
-pub use scalar::Scalar;
-pub use sensitivity::{Partials, Sensitive};
-pub use skeleton::{Chain, Polyline, Skeleton};
-pub use space::Space;
+pub use assemblies::{Assemblies, Choices, Positions, continuation};
+pub use assembly::{Assembly, Guess, Near};
+pub use failure::{Failure, InputValues, SolveError};
+pub use geometry::{Plane, Rotation, Space};
+pub use mechanism::{Block, Description, Dimension, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive};
+pub use motion::{Direction, LinkMotion, Motion};
+#[cfg(feature = "std")]
+pub use number::count;
+pub use number::{Number, Operations, Row, series};
+pub use picture::{Chain, Polyline, Skeleton, TransmissionAngle};
+pub use solve::Scalar;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
-pub use transmission::TransmissionAngle;
 
 /// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap,
 /// or to any other order.
@@ -294,33 +271,4 @@ macro_rules! __assert_verified {
              kin-core = { version = \"0.1\", features = [\"num-dual\"] }"
         )
     };
-}
-
-/// What a program that solves mechanisms needs: `use kin_core::prelude::*;`.
-pub mod prelude {
-    // Of this name only the macro is public, the module is not.
-    pub use crate::mechanism;
-    pub use crate::{
-        Assembly, Direction, Failure, Mechanism, Motion, Near, Partials, Plane, Pose, PoseOf, Row, Scalar, Sensitive,
-        SolveError, Space,
-    };
-}
-
-/// What generated code refers to; not for direct use, and free to change.
-#[doc(hidden)]
-pub mod __private {
-    pub use crate::__assert_verified as assert_verified;
-    pub use crate::__in_parallel as in_parallel;
-    pub use crate::assemblies::every;
-    pub use crate::scalar::Scalar as Number;
-    pub use crate::{
-        Assemblies, Assembly, Block, Chain, Choices, Description, Dimension, Direction, Failure, Guess, InputValues,
-        Mechanism, Motion, Near, Operations, Partials, Plane, Pose, PoseOf, Quantity, Rotation, Row, Scalar, Sensitive,
-        Skeleton, SolveError, Space, TrackErrorOf, TransmissionAngle, batch, continuation, series, solve, track,
-    };
-    pub use core;
-    pub use kin_macros::mechanism_in;
-
-    /// What local names of generated code are imported as, so that in patterns they are no items of other kinds.
-    pub const fn unbound() {}
 }

@@ -71,7 +71,7 @@ mechanism! {
 /// A motion with the angle of a unit vector.
 fn derivatives(unit: [f64; 2], rates: [f64; 4]) -> [f64; 5] {
     let [a, b, c, d] = rates;
-    [Scalar::atan2(unit[1], unit[0]), a, b, c, d]
+    [Number::atan2(unit[1], unit[0]), a, b, c, d]
 }
 
 type Nested = HyperDual<HyperDual<f64>>;
@@ -208,11 +208,11 @@ fn four_bar() {
     race.enter("four_bar.single_precision", inputs, move |motion| {
         black_box(single).solve(motion, Assembly::Open)
     });
-    let lifted = linkage.convert(<Nested as Scalar>::constant);
+    let lifted = linkage.convert(<Nested as Number>::constant);
     race.enter("four_bar.nested_dual_numbers", motions.clone(), move |motion| {
         black_box(lifted).position(nested(motion), Assembly::Open)
     });
-    let lifted = linkage.convert(<Mixed as Scalar>::constant);
+    let lifted = linkage.convert(<Mixed as Number>::constant);
     race.enter("four_bar.mixed_dual_numbers", motions.clone(), move |motion| {
         black_box(lifted).position(mixed(motion), Assembly::Open)
     });
@@ -221,8 +221,8 @@ fn four_bar() {
         black_box(lifted).position(Series::from_derivatives(motion), Assembly::Open)
     });
     race.enter("four_bar.sine_cosine_and_two_arctangents", values(), |angle| {
-        let (sine, cosine) = Scalar::sin_cos(black_box(angle));
-        [Scalar::atan2(sine, cosine + 0.5), Scalar::atan2(sine, cosine - 0.5)]
+        let (sine, cosine) = Number::sin_cos(black_box(angle));
+        [Number::atan2(sine, cosine + 0.5), Number::atan2(sine, cosine - 0.5)]
     });
     race.enter(
         "four_bar.the_library_s_sine_cosine_and_two_arctangents",

@@ -3,7 +3,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use kin_core::Scalar;
+use kin_core::{Number, Scalar};
 
 /// A number and its time derivative. Nested n times it carries the derivatives through the n-th, most of them several times.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +14,7 @@ pub struct Nested<T> {
     pub rate: T,
 }
 
-impl<T: Scalar> Nested<T> {
+impl<T: Number> Nested<T> {
     /// A number with its derivative.
     #[must_use]
     pub const fn new(value: T, rate: T) -> Self {
@@ -31,7 +31,7 @@ impl<T: Scalar> Nested<T> {
     }
 }
 
-impl<T: Scalar> Add for Nested<T> {
+impl<T: Number> Add for Nested<T> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -39,7 +39,7 @@ impl<T: Scalar> Add for Nested<T> {
     }
 }
 
-impl<T: Scalar> Sub for Nested<T> {
+impl<T: Number> Sub for Nested<T> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -47,7 +47,7 @@ impl<T: Scalar> Sub for Nested<T> {
     }
 }
 
-impl<T: Scalar> Neg for Nested<T> {
+impl<T: Number> Neg for Nested<T> {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -55,7 +55,7 @@ impl<T: Scalar> Neg for Nested<T> {
     }
 }
 
-impl<T: Scalar> Mul for Nested<T> {
+impl<T: Number> Mul for Nested<T> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -66,7 +66,7 @@ impl<T: Scalar> Mul for Nested<T> {
     }
 }
 
-impl<T: Scalar> Div for Nested<T> {
+impl<T: Number> Div for Nested<T> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
@@ -75,7 +75,7 @@ impl<T: Scalar> Div for Nested<T> {
     }
 }
 
-impl<T: Scalar> Scalar for Nested<T> {
+impl<T: Number> Number for Nested<T> {
     const EPSILON: f64 = T::EPSILON;
     const SMALLEST: f64 = T::SMALLEST;
     const ORDER: usize = T::ORDER + 1;
@@ -133,9 +133,11 @@ impl<T: Scalar> Scalar for Nested<T> {
     }
 }
 
+impl<T: Scalar> Scalar for Nested<T> {}
+
 #[cfg(test)]
 mod tests {
-    use kin_core::Scalar;
+    use kin_core::Number;
     use kin_core::series::Series;
 
     use super::Nested;
@@ -191,10 +193,10 @@ mod tests {
             "arc sine" |x, _| x.asin();
             "arc cosine" |x, _| x.acos();
             "arctangent" |x, _| x.atan();
-            "arctangent of two" Scalar::atan2;
+            "arctangent of two" Number::atan2;
             "exponential" |x, _| x.exp();
             "logarithm" |_, y| y.ln();
         }
-        assert_eq!(<Fourth as Scalar>::ORDER, 4);
+        assert_eq!(<Fourth as Number>::ORDER, 4);
     }
 }

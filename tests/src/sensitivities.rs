@@ -77,7 +77,7 @@ pub fn by_differentiation<M: SensitiveThroughSnap>(
     let parameters = mechanism.parameters().as_ref().len();
     let inputs = <<Lifted<M> as Mechanism>::Inputs<M::Motion<Dual64>> as Row<_>>::from_fn(|index| {
         let motion = inputs.as_ref()[index];
-        <M::Motion<Dual64> as Row<Dual64>>::from_fn(|order| <Dual64 as Scalar>::constant(motion.as_ref()[order]))
+        <M::Motion<Dual64> as Row<Dual64>>::from_fn(|order| <Dual64 as Number>::constant(motion.as_ref()[order]))
     });
     (0..parameters)
         .map(|parameter| {

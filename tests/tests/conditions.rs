@@ -3,6 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use kin_core::Number as _;
 use kin_core::batch::{Column, Outcome};
 use kin_core::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar};
 use kin_core::prelude::*;

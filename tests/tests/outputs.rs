@@ -79,11 +79,11 @@ fn outputs_by_differentiation() {
                     };
                     let unknowns = pose.unknown_motions();
                     let gauge = Gauge::new(&mechanism, &inputs, &unknowns);
-                    let lifted = mechanism.convert(<Nested as Scalar>::constant);
+                    let lifted = mechanism.convert(<Nested as Number>::constant);
                     let still =
                         <<M::With<Nested> as Mechanism>::Inputs<M::Motion<Nested>> as Row<_>>::from_fn(|index| {
                             let value = nested(inputs.as_ref()[index]);
-                            let zero = <Nested as Scalar>::constant(0.0);
+                            let zero = <Nested as Number>::constant(0.0);
                             <M::Motion<Nested> as Row<Nested>>::from_fn(|order| if order == 0 { value } else { zero })
                         });
                     let lifted: Pose<M> = lifted.solve_motion(still, assembly).expect("it closes on dual numbers");

@@ -169,7 +169,7 @@ fn what_does_not_depend_has_none() {
         assert_eq!((by.trace.x.theta3, by.trace.y.theta4), (still, still));
         assert_eq!((by.r3.diagonal, by.r4.diagonal), (still, still));
         // a point of the coupler moves along the coupler's axes as its own coordinates change
-        let (sine, cosine) = Scalar::sin_cos(pose.theta3.value());
+        let (sine, cosine) = Number::sin_cos(pose.theta3.value());
         let rounding = 4.0 * f64::EPSILON;
         assert!((by.trace.x.coupler_point.value().x - cosine).abs() < rounding);
         assert!((by.trace.y.coupler_point.value().x + sine).abs() < rounding);
@@ -207,7 +207,7 @@ fn rows_are_fields() {
 fn second_derivatives_are_symmetric() {
     use num_dual::Dual64;
     let parameters = [90.0, 30.0, 60.0, 45.0];
-    let crank = [1.0, -10.0, 2.0, -0.5, 0.3].map(<Dual64 as Scalar>::constant);
+    let crank = [1.0, -10.0, 2.0, -0.5, 0.3].map(<Dual64 as Number>::constant);
     for assembly in Assembly::BOTH {
         let second: Vec<Vec<[f64; 5]>> = (0..4)
             .map(|seeded| {
@@ -373,7 +373,7 @@ fn of_any_order() {
             let number = |index: usize| Dual64::new(parameters[index], if index == parameter { 1.0 } else { 0.0 });
             let lifted = SensitiveThroughPop::from_parameters(core::array::from_fn(number));
             let pose = lifted
-                .solve(Motion::new(crank.map(<Dual64 as Scalar>::constant)), assembly)
+                .solve(Motion::new(crank.map(<Dual64 as Number>::constant)), assembly)
                 .expect("it closes");
             for (own, other) in by.unknown_partials().iter().zip(pose.unknown_motions()) {
                 let (own, other) = (own.derivatives(), other.derivatives());

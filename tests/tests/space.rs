@@ -437,7 +437,7 @@ fn stewart_gough_leg_by_hand() {
         );
         // leg² = 2² + 1² - 2 · 2 · 1 cos(yaw + 0.3) + (height + 0.2)²
         let series = |motion: Motion<f64, 5>| Series::<5>::from_derivatives(motion.derivatives());
-        let number = <Series<5> as Scalar>::constant;
+        let number = <Series<5> as Number>::constant;
         let (_, cosine) = (series(yaw) + number(0.3)).sin_cos();
         let rise = series(height) + number(0.2);
         let expected = (number(5.0) - number(4.0) * cosine + rise * rise).sqrt().derivatives();
@@ -494,7 +494,7 @@ fn bennett_closes_in_space() {
             let pose = linkage.solve(input).expect("it closes");
             let gauge = Gauge::new(&linkage, &[input], &pose.unknown_motions());
             let b = 2.0 * beta.sin() / alpha.sin();
-            let number = <Series<5> as Scalar>::constant;
+            let number = <Series<5> as Number>::constant;
             let zero = number(0.0);
             let mut turned = Rotation::about_z(zero);
             let mut reached = Space::new(zero, zero, zero);

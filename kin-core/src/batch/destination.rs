@@ -4,8 +4,9 @@ use core::cell::Cell;
 
 use super::outcome::LengthMismatch;
 use super::target::{Columns, Place, Target, Visitor};
-use crate::lanes::Lanes;
-use crate::{Mechanism, Pose, Row};
+use crate::batch::lanes::Lanes;
+use crate::mechanism::{Mechanism, Pose};
+use crate::number::Row;
 
 /// A place for one number of each pose, empty if the number is not wanted; of cells, as rows are copied.
 type Entries<'t> = &'t [Cell<f64>];

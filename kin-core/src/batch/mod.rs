@@ -34,6 +34,7 @@
 mod column;
 mod destination;
 mod dispatch;
+pub(crate) mod lanes;
 mod outcome;
 #[cfg(feature = "rayon")]
 mod parallel;

@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::{Failure, SolveError};
+use crate::failure::{Failure, SolveError};
 
 /// What has become of one pose.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -130,7 +130,7 @@ impl Error for LengthMismatch {}
 #[cfg(test)]
 mod tests {
     use super::{Outcome, Summary};
-    use crate::{Failure, InputValues, SolveError};
+    use crate::failure::{Failure, InputValues, SolveError};
 
     fn error(failure: Failure) -> SolveError {
         failure.at("theta3, theta4", InputValues::new(&["theta2"], &[1.1]))

@@ -9,9 +9,10 @@ use super::Column;
 use super::destination::Destination;
 use super::dispatch::{MOST_LANES, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
-use super::sweep::{Guide, InAssembly, Near, Problem};
+use super::sweep::{Guide, InAssembly, Nearest, Problem};
 use super::target::{Columns, Place, Target, Visitor};
-use crate::{Mechanism, Row};
+use crate::mechanism::Mechanism;
+use crate::number::Row;
 
 /// Poses that are solved in one go: long enough to hand over, short enough for the first of the caches.
 const PIECE: usize = 512;
@@ -66,7 +67,7 @@ where
     let problem = Problem::<M, _> {
         parameters,
         inputs,
-        guide: Near(near),
+        guide: Nearest(near),
     };
     solve_pieces(&problem, poses, outcomes, vectors)
 }

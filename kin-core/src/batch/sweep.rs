@@ -6,8 +6,10 @@ use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
 use super::view::{View, gather, look, repeat};
-use crate::lanes::Lanes;
-use crate::{Mechanism, Pose, Row, Scalar, SolveError};
+use crate::batch::lanes::Lanes;
+use crate::failure::SolveError;
+use crate::mechanism::{Mechanism, Pose};
+use crate::number::{Number, Row};
 
 /// What `solve_batch` of a mechanism does, by the places of its parameters, inputs, unknowns and outputs.
 ///
@@ -54,7 +56,7 @@ where
     let problem = Problem::<M, _> {
         parameters,
         inputs,
-        guide: Near(near),
+        guide: Nearest(near),
     };
     problem.solve(poses, outcomes, vectors)
 }
@@ -93,7 +95,7 @@ pub(super) struct InAssembly<A>(pub(super) A);
 
 /// That next to values of the unknowns.
 #[derive(Clone, Copy)]
-pub(super) struct Near<C>(pub(super) C);
+pub(super) struct Nearest<C>(pub(super) C);
 
 impl<'a, M: Mechanism> Guide<'a, M> for InAssembly<M::Assembly> {
     const IS_NEAR: bool = false;
@@ -118,7 +120,7 @@ impl<'a, M: Mechanism> Guide<'a, M> for InAssembly<M::Assembly> {
     }
 }
 
-impl<'a, M: Mechanism, C: Row<Column<'a>>> Guide<'a, M> for Near<C> {
+impl<'a, M: Mechanism, C: Row<Column<'a>>> Guide<'a, M> for Nearest<C> {
     const IS_NEAR: bool = true;
 
     fn near(self) -> M::Unknowns<Column<'a>> {

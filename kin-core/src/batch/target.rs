@@ -1,6 +1,7 @@
 //! Where the motions of a batch go.
 
-use crate::{Direction, Motion, Plane, Space};
+use crate::geometry::{Plane, Space};
+use crate::motion::{Direction, Motion};
 
 /// A place for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
 pub trait Target {

@@ -1,8 +1,8 @@
 //! Columns as lanes read them.
 
 use super::Column;
-use crate::Row;
-use crate::lanes::Lanes;
+use crate::batch::lanes::Lanes;
+use crate::number::Row;
 
 /// A column of which each chunk is read in the same way, by one comparison: the next numbers, or the same ones every time.
 #[derive(Clone, Copy, Default)]

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Scalar, Vector2, Vector3};
 
-use crate::{Plane, Space};
+use crate::geometry::{Plane, Space};
 
 impl<T> From<Plane<T>> for Vector2<T> {
     fn from(vector: Plane<T>) -> Self {

@@ -2,14 +2,15 @@
 
 use num_dual::{Dual, Dual2, Dual3, DualNum, DualNumFloat, HyperDual, HyperHyperDual};
 
-use crate::Scalar;
+use crate::number::Number;
+use crate::solve::Scalar;
 
 macro_rules! dual_scalar {
     ($($dual:ident: $order:literal, $($part:ident)+;)+) => {
         $(
-            impl<T, F> Scalar for $dual<T>
+            impl<T, F> Number for $dual<T>
             where
-                T: Scalar + DualNum<Primitive = F>,
+                T: Number + DualNum<Primitive = F>,
                 F: DualNumFloat,
             {
                 const EPSILON: f64 = T::EPSILON;
@@ -28,7 +29,7 @@ macro_rules! dual_scalar {
 
                 #[inline]
                 fn is_finite(self) -> bool {
-                    Scalar::is_finite(self.re) $(&& Scalar::is_finite(self.$part))+
+                    Number::is_finite(self.re) $(&& Number::is_finite(self.$part))+
                 }
 
                 #[inline]
@@ -61,12 +62,12 @@ macro_rules! dual_scalar {
                 #[inline]
                 fn atan2(self, x: Self) -> Self {
                     let y = self;
-                    let mut angle = if Scalar::real(y).abs() <= Scalar::real(x).abs() {
+                    let mut angle = if Number::real(y).abs() <= Number::real(x).abs() {
                         DualNum::atan(&(y / x))
                     } else {
                         -DualNum::atan(&(x / y))
                     };
-                    angle.re = Scalar::atan2(y.re, x.re);
+                    angle.re = Number::atan2(y.re, x.re);
                     angle
                 }
 
@@ -79,6 +80,13 @@ macro_rules! dual_scalar {
                 fn ln(self) -> Self {
                     DualNum::ln(&self)
                 }
+            }
+
+            impl<T, F> Scalar for $dual<T>
+            where
+                T: Scalar + DualNum<Primitive = F>,
+                F: DualNumFloat,
+            {
             }
         )+
     };
@@ -97,8 +105,10 @@ mod tests {
     use core::f64::consts::PI;
 
     use super::{Dual, Dual2, Dual3, HyperDual, HyperHyperDual};
-    use crate::series::Series;
-    use crate::{Assembly, Plane, Scalar, solve};
+    use crate::assembly::Assembly;
+    use crate::geometry::Plane;
+    use crate::number::{Number, series::Series};
+    use crate::solve::{self, Scalar};
 
     type Nested = HyperDual<HyperDual<f64>>;
     type Mixed = Dual<Dual3<f64>>;
@@ -139,7 +149,7 @@ mod tests {
                 [m.re.re, m.re.v1, m.re.v2, m.eps.v2, m.eps.v3],
                 expected,
             );
-            assert!(Scalar::is_finite(n) && Scalar::is_finite(m));
+            assert!(Number::is_finite(n) && Number::is_finite(m));
         }};
     }
 
@@ -150,14 +160,14 @@ mod tests {
     fn arithmetic_and_functions_agree_with_series() {
         agree!("product", |x, y| x * y, X, Y);
         agree!("quotient", |x, y| x / y, X, Y);
-        agree!("sqrt", Scalar::sqrt, X);
-        agree!("sin", |x| Scalar::sin_cos(x).0, X);
-        agree!("cos", |x| Scalar::sin_cos(x).1, X);
-        agree!("asin", Scalar::asin, X);
-        agree!("acos", Scalar::acos, X);
-        agree!("atan", Scalar::atan, X);
-        agree!("exp", Scalar::exp, X);
-        agree!("ln", Scalar::ln, X);
+        agree!("sqrt", Number::sqrt, X);
+        agree!("sin", |x| Number::sin_cos(x).0, X);
+        agree!("cos", |x| Number::sin_cos(x).1, X);
+        agree!("asin", Number::asin, X);
+        agree!("acos", Number::acos, X);
+        agree!("atan", Number::atan, X);
+        agree!("exp", Number::exp, X);
+        agree!("ln", Number::ln, X);
     }
 
     #[test]
@@ -165,11 +175,11 @@ mod tests {
         let zero = [0.0, 0.3, -0.4, 1.1, 0.5];
         agree!("product", |x, y| x * y, zero, zero);
         agree!("quotient", |x, y| x / y, zero, X);
-        agree!("sin", |x| Scalar::sin_cos(x).0, zero);
-        agree!("asin", Scalar::asin, zero);
-        agree!("acos", Scalar::acos, zero);
-        agree!("atan", Scalar::atan, zero);
-        agree!("exp", Scalar::exp, zero);
+        agree!("sin", |x| Number::sin_cos(x).0, zero);
+        agree!("asin", Number::asin, zero);
+        agree!("acos", Number::acos, zero);
+        agree!("atan", Number::atan, zero);
+        agree!("exp", Number::exp, zero);
     }
 
     #[test]
@@ -181,12 +191,12 @@ mod tests {
         for y in [-2.0, -0.5, 0.0, 0.5, 2.0] {
             for x in [-1.0, 0.0, 1.0] {
                 if (x, y) != (0.0, 0.0) {
-                    agree!("atan2", Scalar::atan2, with(y, Y), with(x, X));
+                    agree!("atan2", Number::atan2, with(y, Y), with(x, X));
                 }
             }
         }
         // Fourth derivative of atan2(sin t, cos t) = t.
-        let angle = Scalar::atan2(nested([0.0, -1.0, 0.0, 1.0, 0.0]), nested([-1.0, 0.0, 1.0, 0.0, -1.0]));
+        let angle = Number::atan2(nested([0.0, -1.0, 0.0, 1.0, 0.0]), nested([-1.0, 0.0, 1.0, 0.0, -1.0]));
         check(
             "half a turn",
             [
@@ -216,18 +226,18 @@ mod tests {
         assert_eq!(hyper.eps1eps2, 1.0);
         let hyper = program(HyperHyperDual::new(0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0));
         assert_eq!(hyper.eps1eps2eps3, 0.0);
-        assert_eq!(<Dual<f32> as Scalar>::EPSILON, f64::from(f32::EPSILON));
+        assert_eq!(<Dual<f32> as Number>::EPSILON, f64::from(f32::EPSILON));
     }
 
     #[test]
     fn orders_add_up() {
-        assert_eq!(<Dual<f64> as Scalar>::ORDER, 1);
-        assert_eq!(<Dual2<f64> as Scalar>::ORDER, 2);
-        assert_eq!(<Dual3<f64> as Scalar>::ORDER, 3);
-        assert_eq!(<HyperDual<f32> as Scalar>::ORDER, 2);
-        assert_eq!(<HyperHyperDual<f64> as Scalar>::ORDER, 3);
-        assert_eq!(<Nested as Scalar>::ORDER, 4);
-        assert_eq!(<Mixed as Scalar>::ORDER, 4);
+        assert_eq!(<Dual<f64> as Number>::ORDER, 1);
+        assert_eq!(<Dual2<f64> as Number>::ORDER, 2);
+        assert_eq!(<Dual3<f64> as Number>::ORDER, 3);
+        assert_eq!(<HyperDual<f32> as Number>::ORDER, 2);
+        assert_eq!(<HyperHyperDual<f64> as Number>::ORDER, 3);
+        assert_eq!(<Nested as Number>::ORDER, 4);
+        assert_eq!(<Mixed as Number>::ORDER, 4);
     }
 
     #[test]
@@ -243,7 +253,7 @@ mod tests {
         agree!("x + sin(x) / 2 = t", angle, X);
         // And t from x gives back the motion of t.
         let motion = nested(X);
-        let [x] = solve::newton([Nested::constant(0.3)], [Scalar::constant(1.0)], |[x]: [Nested; 1]| {
+        let [x] = solve::newton([Nested::constant(0.3)], [Number::constant(1.0)], |[x]: [Nested; 1]| {
             (
                 [x * x * x + x - motion],
                 [[x * x * Nested::constant(3.0) + Nested::constant(1.0)]],
@@ -274,7 +284,7 @@ mod tests {
                 |x, y| {
                     let c = Plane::new(x, y);
                     let (first, _) =
-                        solve::circle_circle(Scalar::constant(3.0), Scalar::constant(4.0), c, assembly).unwrap();
+                        solve::circle_circle(Number::constant(3.0), Number::constant(4.0), c, assembly).unwrap();
                     first.x * (c - first).y
                 },
                 x,
@@ -284,14 +294,14 @@ mod tests {
                 "polar",
                 |x, y| {
                     let s = solve::polar(Plane::new(x, y), assembly).unwrap().value;
-                    Scalar::atan2(y / s, x / s) * s
+                    Number::atan2(y / s, x / s) * s
                 },
                 x,
                 y
             );
             agree!(
                 "quadratic",
-                |x, y| solve::quadratic(y, x, Scalar::constant(0.7), assembly).unwrap(),
+                |x, y| solve::quadratic(y, x, Number::constant(0.7), assembly).unwrap(),
                 x,
                 y
             );

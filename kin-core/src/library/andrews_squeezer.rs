@@ -1,6 +1,7 @@
 //! Andrews' squeezing mechanism.
 
-use crate::{Assembly, Plane};
+use crate::assembly::Assembly;
+use crate::geometry::Plane;
 
 crate::mechanism! {
     /// Andrews' squeezing mechanism: seven bodies in three loops, a well-known test of solvers for mechanical systems.

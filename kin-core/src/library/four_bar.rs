@@ -1,6 +1,7 @@
 //! The planar four-bar linkage, as one vector loop.
 
-use crate::Scalar;
+use crate::number::Number;
+use crate::solve::Scalar;
 
 crate::mechanism! {
     /// Planar four-bar linkage: ground 1, crank 2, coupler 3, rocker 4.
@@ -80,11 +81,11 @@ impl<T: Scalar> FourBar<T> {
         if !(nearest.is_finite() && farthest.is_finite()) || nearest <= -1.0 || farthest >= 1.0 {
             return None;
         }
-        let low = if nearest >= 1.0 { 0.0 } else { Scalar::acos(nearest) };
+        let low = if nearest >= 1.0 { 0.0 } else { Number::acos(nearest) };
         let high = if farthest <= -1.0 {
             core::f64::consts::PI
         } else {
-            Scalar::acos(farthest)
+            Number::acos(farthest)
         };
         Some(CrankRange { low, high })
     }

@@ -1,6 +1,6 @@
 //! The planar four-bar linkage by Freudenstein's equations: one for the rocker, one for the coupler.
 
-use crate::Assembly;
+use crate::assembly::Assembly;
 
 crate::mechanism! {
     /// Planar four-bar linkage by Freudenstein's two scalar equations.

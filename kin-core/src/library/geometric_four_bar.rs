@@ -1,6 +1,8 @@
 //! The planar four-bar linkage by the geometric method: one scalar equation after another.
 
-use crate::{Assembly, Scalar};
+use crate::assembly::Assembly;
+use crate::number::Number;
+use crate::solve::Scalar;
 
 crate::mechanism! {
     /// Planar four-bar linkage, solved triangle by triangle over the diagonal `e` from the crank's pin B to the
@@ -51,9 +53,9 @@ impl<T: Scalar> GeometricFourBar<T> {
     /// only through a right angle, where the sine rule is singular.
     #[must_use]
     pub fn assembly(&self, theta2: T, assembly: Assembly) -> GeometricFourBarAssembly {
-        let [r1, r2, r3, r4, theta2] = [self.r1, self.r2, self.r3, self.r4, theta2].map(Scalar::real);
-        let along = r1 - r2 * Scalar::sin_cos(theta2).1;
-        let square = r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * Scalar::sin_cos(theta2).1;
+        let [r1, r2, r3, r4, theta2] = [self.r1, self.r2, self.r3, self.r4, theta2].map(Number::real);
+        let along = r1 - r2 * Number::sin_cos(theta2).1;
+        let square = r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * Number::sin_cos(theta2).1;
         GeometricFourBarAssembly {
             alpha: Assembly::from_sign(along),
             gamma: assembly,

@@ -1,6 +1,6 @@
 //! Jansen's walking leg.
 
-use crate::Assembly;
+use crate::assembly::Assembly;
 
 crate::mechanism! {
     /// Jansen's leg: eleven bars and a crank that let a foot slide along a flat path and lift it back.

@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use crate::{Assembly, Plane};
+use crate::assembly::Assembly;
+use crate::geometry::Plane;
 
 crate::mechanism! {
     /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot goes straight for half a turn of the

@@ -1,6 +1,6 @@
 //! The pantograph.
 
-use crate::Assembly;
+use crate::assembly::Assembly;
 
 crate::mechanism! {
     /// Pantograph: whatever the tracer draws, the pen draws `factor` times as large.

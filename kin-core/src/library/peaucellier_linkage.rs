@@ -1,6 +1,6 @@
 //! Peaucellier's exact straight-line linkage.
 
-use crate::Assembly;
+use crate::assembly::Assembly;
 
 crate::mechanism! {
     /// Peaucellier's linkage, also Lipkin's: seven bars that draw an exact straight line.

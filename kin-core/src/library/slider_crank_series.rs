@@ -1,6 +1,7 @@
 //! The slider-crank's slider as a series in the crank's angle, to any even order of R/L.
 
-use crate::{Motion, Scalar};
+use crate::motion::Motion;
+use crate::solve::Scalar;
 
 /// How many terms of the tail are added up before a geometric series bounds the rest.
 const TAIL: u32 = 20_000;
@@ -116,7 +117,7 @@ mod tests {
     use std::println;
 
     use super::*;
-    use crate::Assembly;
+    use crate::assembly::Assembly;
     use crate::library::{SliderCrank, SliderCrankFirstApproximation, SliderCrankHigherApproximation};
 
     /// What is cut off stays below the bound at every order, and the bound is no more than a small factor above it.

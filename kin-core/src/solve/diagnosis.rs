@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use crate::Failure;
+use crate::failure::Failure;
 
 /// Whether a number is positive, and it and its reciprocal have full precision: both, or not. NaN is not. A square root of such a
 /// number is such a number.

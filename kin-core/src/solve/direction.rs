@@ -1,6 +1,6 @@
 //! The angle of a vector that was found with its length.
 
-use crate::Scalar;
+use crate::solve::Scalar;
 
 /// The angle of the unit vector u, given the vector `(x, y)` = `length` u: as `atan2(y, x)`, in -π ..= π.
 ///
@@ -30,12 +30,12 @@ pub fn directions<T: Scalar>(y: [T; 2], x: [T; 2], length: [T; 2]) -> [T; 2] {
 #[cfg(test)]
 mod tests {
     use super::{direction, directions};
-    use crate::Scalar;
+    use crate::number::Number;
 
     #[test]
     fn a_negative_length_turns_the_direction_round() {
         for angle in [-3.0_f64, -1.0, 0.0, 0.5, 2.0, 3.1] {
-            let (sine, cosine) = Scalar::sin_cos(angle);
+            let (sine, cosine) = Number::sin_cos(angle);
             for length in [0.1, 2.0, -0.1, -2.0] {
                 let found = direction(length * sine, length * cosine, length);
                 assert!((found - angle).abs() < 1e-15, "{angle} {length}");

@@ -1,6 +1,7 @@
 //! Numbers too near to zero for several poses at once to decide about.
 
-use crate::{Plane, Scalar};
+use crate::geometry::Plane;
+use crate::solve::Scalar;
 
 /// A number whose sign decides, and the terms that it is the sum of. Of a number that stands for several poses, those become NaN that are
 /// smaller than [a part](Scalar::DOUBT) of their terms; any other number is returned as it is, and the terms are not asked for.
@@ -30,7 +31,7 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
     Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
 }
 
-/// The least positive number that decides, where it is a sum of terms of the given size: for one pose [the smallest](Scalar::SMALLEST) that
+/// The least positive number that decides, where it is a sum of terms of the given size: for one pose [the smallest](Number::SMALLEST) that
 /// is divided by.
 #[inline(always)]
 pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
@@ -67,12 +68,14 @@ pub(super) fn sum_of_sizes<const N: usize>(terms: [f64; N]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{decisive, decisive_vector};
-    use crate::lanes::Lanes;
+    use crate::assembly::Assembly;
+    use crate::batch::lanes::Lanes;
+    use crate::geometry::Plane;
+    use crate::number::Number;
     use crate::solve::{
         arc_sine, check_angle, check_value, circle_circle, circle_circle_squared, circle_line, circle_line_x,
         cosine_sine, factor, inverse_sine, linear_pair, polar_offset, quadratic, sine_of_arc,
     };
-    use crate::{Assembly, Plane, Scalar};
     use core::f64::consts::{FRAC_PI_2, PI};
 
     type Four = Lanes<4, false>;

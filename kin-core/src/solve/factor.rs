@@ -1,7 +1,9 @@
 //! A small square matrix as a product of two triangular ones.
 
 use super::doubt::decisive;
-use crate::{Failure, Row, Scalar};
+use crate::failure::Failure;
+use crate::number::{Number, Row};
+use crate::solve::Scalar;
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
 
@@ -257,7 +259,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     pub fn condition(&self) -> f64 {
         let mut sums = [0.0; N];
         let real = Factors {
-            entries: self.entries.map(|row| row.map(Scalar::real)),
+            entries: self.entries.map(|row| row.map(Number::real)),
             row_exponents: [0; N],
             column_exponents: [0; N],
             origins: self.origins,
@@ -364,9 +366,9 @@ mod tests {
     use proptest::test_runner::TestCaseResult;
 
     use super::factor;
-    use crate::series::Series;
+    use crate::failure::Failure;
+    use crate::number::{Number, series::Series};
     use crate::solve::strategies::coordinate;
-    use crate::{Failure, Scalar};
 
     fn matrix<const N: usize>() -> impl Strategy<Value = [[f64; N]; N]> {
         proptest::collection::vec(coordinate(), N * N)

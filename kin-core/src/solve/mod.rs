@@ -34,49 +34,27 @@
 //! whether there is one. If there is not, the diagnosis is made out of line, in double precision. What is returned
 //! as `Ok` is finite.
 
-mod circle_circle;
-mod circle_line;
-mod cosine_sine;
 mod diagnosis;
 mod direction;
-mod domain;
 mod doubt;
 mod factor;
-mod inverse;
-mod linear;
+mod forms;
+mod guard;
 mod newton;
-mod polar;
-mod quadratic;
-mod range;
-mod root;
+mod scalar;
 mod size;
-mod square_root;
-mod turn;
-mod usable;
 
 pub use crate::assembly::both;
-pub use circle_circle::{circle_circle, circle_circle_squared};
-pub use circle_line::{circle_line, circle_line_x, circle_line_y};
-pub use cosine_sine::cosine_sine;
 pub use direction::{direction, directions};
-pub use domain::{
-    arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
-};
 pub use doubt::{decisive, decisive_vector};
 pub(crate) use factor::{Elimination, eliminate, level, substitute};
 pub use factor::{Factors, factor};
-pub use inverse::{inverse_cosine, inverse_sine};
-pub use linear::{linear, linear_pair};
+pub use forms::*;
+pub use guard::*;
 pub use newton::newton;
-pub(crate) use newton::{FIRST_STEP, LINEAR_STEP, damped_root};
-pub use polar::{polar, polar_offset};
-pub use quadratic::quadratic;
-pub use range::{check_angle, check_value, choose_angle, choose_value};
-pub use root::Root;
+pub(crate) use newton::{FIRST_STEP, LINEAR_STEP};
+pub use scalar::Scalar;
 pub use size::largest;
-pub use square_root::square_root;
-pub use turn::{agreeing, nearest_turn, on_turn, within_turns};
-pub use usable::{culprit, finite, regular};
 
 #[cfg(test)]
 mod operation_counts;

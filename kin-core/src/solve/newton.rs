@@ -1,7 +1,9 @@
 //! Unknowns that no closed form gives: Newton's method.
 
 use super::factor::{Factors, factor, factor_to};
-use crate::{Failure, Scalar};
+use crate::failure::Failure;
+use crate::number::Number;
+use crate::solve::Scalar;
 
 const QUANTITY: &str = "guess, size of an unknown, or residual or Jacobian there";
 const SOLUTION: &str = "solution of a block without closed form, or its derivatives";
@@ -80,13 +82,13 @@ pub(crate) fn damped_root<T: Scalar, const N: usize>(
 
 /// A point on the way, with what is needed to go on from it. All in sizes of the unknowns.
 #[derive(Clone, Copy)]
-struct Point<T, const N: usize> {
+struct Iterate<T, const N: usize> {
     unknowns: [T; N],
     residuals: [f64; N],
     jacobian: [[f64; N]; N],
 }
 
-impl<T: Scalar, const N: usize> Point<T, N> {
+impl<T: Scalar, const N: usize> Iterate<T, N> {
     /// `None` if residuals or Jacobian are not finite.
     fn new(
         unknowns: [T; N],
@@ -94,7 +96,7 @@ impl<T: Scalar, const N: usize> Point<T, N> {
         evaluate: &mut impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
     ) -> Option<Self> {
         let (residuals, jacobian) = evaluate(unknowns);
-        let residuals = residuals.map(Scalar::real);
+        let residuals = residuals.map(Number::real);
         let jacobian = jacobian.map(|row| core::array::from_fn(|column| row[column].real() * sizes[column]));
         let mut all = residuals.iter().chain(jacobian.iter().flatten());
         all.all(|entry| entry.is_finite()).then_some(Self {
@@ -123,7 +125,7 @@ fn real_root<T: Scalar, const N: usize>(
         return Err(nothing);
     }
     let start = guess.map(|entry| T::constant(entry.real()));
-    let mut point = Point::new(start, &sizes, evaluate).ok_or(nothing)?;
+    let mut point = Iterate::new(start, &sizes, evaluate).ok_or(nothing)?;
     let mut factors = factor_to(point.jacobian, T::EPSILON)?;
     let mut limit = FIRST_STEP;
     // Of the step before: its length, its damping, the correction foreseen after it, and the factors it was taken with.
@@ -162,7 +164,7 @@ fn real_root<T: Scalar, const N: usize>(
         for _ in 0..TRIALS {
             let trial = moved(&point.unknowns, &correction, part, &sizes);
             let mut advice = 0.5 * part;
-            if let Some(next) = Point::new(trial, &sizes, evaluate) {
+            if let Some(next) = Iterate::new(trial, &sizes, evaluate) {
                 let expected = factors.solve(next.residuals).map(|entry| -entry);
                 let fall = largest(&expected) / length;
                 if fall < 1.0 - 0.25 * part {
@@ -205,7 +207,7 @@ fn real_root<T: Scalar, const N: usize>(
 /// over the step, which [`distinct`] makes sure of, and only rounding can hold up what should fall at once.
 fn is_rounding<T: Scalar, const N: usize>(
     length: f64,
-    point: &Point<T, N>,
+    point: &Iterate<T, N>,
     sizes: &[f64; N],
     factors: &Factors<f64, N>,
 ) -> bool {
@@ -266,9 +268,14 @@ mod tests {
     use proptest::prelude::*;
 
     use super::newton;
-    use crate::series::Series;
-    use crate::solve::strategies::{angle, dimension};
-    use crate::{Assembly, Failure, Plane, Scalar, solve};
+    use crate::assembly::Assembly;
+    use crate::failure::Failure;
+    use crate::geometry::Plane;
+    use crate::number::{Number, series::Series};
+    use crate::solve::{
+        self, Scalar,
+        strategies::{angle, dimension},
+    };
 
     /// The loop of a four-bar linkage for its coupler and rocker angles, which has a closed form to compare with.
     fn four_bar<T: Scalar>(links: [f64; 4], crank: T) -> impl FnMut([T; 2]) -> ([T; 2], [[T; 2]; 2]) {
@@ -440,7 +447,7 @@ mod tests {
             let expected = closed_form(GRASHOF, crank, Assembly::Open).unwrap();
             // The guess brings derivatives of its own, which must not matter.
             let guess = expected.map(|angle| Series::from_coefficients([angle.real() + 0.3; N]));
-            let root = newton(guess, [Scalar::constant(1.0); 2], four_bar(GRASHOF, crank)).unwrap();
+            let root = newton(guess, [Number::constant(1.0); 2], four_bar(GRASHOF, crank)).unwrap();
             for (actual, expected) in root.into_iter().zip(expected) {
                 let pairs = actual.coefficients().into_iter().zip(expected.coefficients());
                 for (order, (actual, expected)) in pairs.enumerate() {

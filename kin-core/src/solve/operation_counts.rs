@@ -5,8 +5,10 @@
 use std::format;
 use std::string::String;
 
-use crate::count::{self, Counted};
-use crate::{Assembly, Plane, solve};
+use crate::assembly::Assembly;
+use crate::geometry::Plane;
+use crate::number::count::{self, Counted};
+use crate::solve;
 
 fn number(value: f64) -> Counted {
     Counted::new(value)

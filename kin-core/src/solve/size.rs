@@ -1,6 +1,6 @@
 //! How large things are.
 
-use crate::Scalar;
+use crate::solve::Scalar;
 
 /// The largest magnitude of some lengths: what a length of the mechanism is compared with. 1 if all of them are zero.
 ///

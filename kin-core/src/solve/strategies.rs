@@ -4,7 +4,8 @@ use core::f64::consts::PI;
 
 use proptest::strategy::Strategy;
 
-use crate::{Plane, Scalar};
+use crate::geometry::Plane;
+use crate::number::Number;
 
 /// Link lengths over twelve decades, evenly on a logarithmic scale.
 pub(super) fn dimension() -> impl Strategy<Value = f64> {
@@ -23,7 +24,7 @@ pub(super) fn angle() -> impl Strategy<Value = f64> {
 
 /// The unit vector at an angle.
 pub(super) fn direction(angle: f64) -> Plane {
-    let (sine, cosine) = Scalar::sin_cos(angle);
+    let (sine, cosine) = Number::sin_cos(angle);
     Plane::new(cosine, sine)
 }
 

@@ -1,13 +1,15 @@
 //! What stands in the way.
 
-use super::path::{Path, Point, largest};
 use super::rounding::{blur, is_indistinct};
+use super::sides::Sides;
 use super::steps::Steps;
-use super::system::Sides;
+use super::way::{Point, Way, largest};
 use super::{
     ANCHOR, BLUR, FAR, Halt, Obstacle, ObstacleOf, SECANTS, Station, TrackError, TrackErrorOf, predicted, rates,
 };
-use crate::{Dimension, Failure, Mechanism, Row, SolveError};
+use crate::failure::{Failure, SolveError};
+use crate::mechanism::{Dimension, Mechanism};
+use crate::number::Row;
 
 /// Where rounding errors move the unknowns by more than this, nothing can be said of what is near.
 const FIRM: f64 = 1e-3;
@@ -18,13 +20,13 @@ const BISECTIONS: usize = 64;
 
 /// A change point, or a limit if several blocks reach theirs at once, so that nothing goes on beyond.
 fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     point: &Point<M>,
     sides: &Sides<M>,
     beginning: &Sides<M>,
 ) -> TrackErrorOf<M> {
-    let obstacle = obstacle(path, point, sides, beginning);
-    if is_out_of_reach(path, point) {
+    let obstacle = obstacle(way, point, sides, beginning);
+    if is_out_of_reach(way, point) {
         TrackError::Limit(obstacle)
     } else {
         TrackError::ChangePoint(obstacle)
@@ -33,65 +35,65 @@ fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
 
 /// The change point to which shorter and shorter steps lead, found from a station before where that is more exact.
 pub(super) fn crossed_near<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     near: &Point<M>,
     sides: &Sides<M>,
     anchor: &Station<M>,
     beginning: &Sides<M>,
 ) -> TrackErrorOf<M> {
-    let (point, sides) = crossing(path, near, anchor).unwrap_or((*near, *sides));
-    crossed_or_ended(path, &point, &sides, beginning)
+    let (point, sides) = crossing(way, near, anchor).unwrap_or((*near, *sides));
+    crossed_or_ended(way, &point, &sides, beginning)
 }
 
 /// Whether the links do not reach beyond a point.
-fn is_out_of_reach<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>) -> bool {
+fn is_out_of_reach<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> bool {
     [ANCHOR, 0.1 * ANCHOR].into_iter().all(|beyond| {
-        let inputs = path.inputs(point.travel + beyond);
-        let failure = path.mechanism.solve_position_near(inputs, point.unknowns).err();
+        let inputs = way.inputs(point.travel + beyond);
+        let failure = way.mechanism.solve_position_near(inputs, point.unknowns).err();
         matches!(failure, Some(error) if matches!(error.failure, Failure::OutOfReach { .. }))
     })
 }
 
 /// What stands in the way where no step succeeds, however short. `error` is what the solvers said last.
 pub(super) fn blocked<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     here: &Station<M>,
     anchor: &Station<M>,
     beginning: &Sides<M>,
     error: Option<SolveError>,
     steps: &Steps,
 ) -> TrackErrorOf<M> {
-    if let Some(obstacle) = pole(path, here) {
+    if let Some(obstacle) = pole(way, here) {
         return TrackError::Unbounded(obstacle);
     }
-    if let Some(error) = end_of_domain(path, here) {
+    if let Some(error) = end_of_domain(way, here) {
         return TrackError::Failed(error);
     }
-    if let Some((point, sides)) = crossing(path, &here.point, anchor) {
-        return crossed_or_ended(path, &point, &sides, beginning);
+    if let Some((point, sides)) = crossing(way, &here.point, anchor) {
+        return crossed_or_ended(way, &point, &sides, beginning);
     }
     let is_range = |failure: &Failure| matches!(failure, Failure::OutOfRange { .. } | Failure::Ambiguous { .. });
-    if let Some((_, error)) = first_failure(path, here, |error| is_range(&error.failure)) {
+    if let Some((_, error)) = first_failure(way, here, |error| is_range(&error.failure)) {
         return TrackError::Failed(error);
     }
-    if let Some(error) = end_of_closure(path, here) {
+    if let Some(error) = end_of_closure(way, here) {
         return TrackError::Failed(error);
     }
-    let is_firm = blur(path, &here.point) < FIRM;
-    if is_firm && is_indistinct(path, &here.point) {
-        return crossed_or_ended(path, &here.point, &here.sides, beginning);
+    let is_firm = blur(way, &here.point) < FIRM;
+    if is_firm && is_indistinct(way, &here.point) {
+        return crossed_or_ended(way, &here.point, &here.sides, beginning);
     }
     match error {
         Some(error) if is_firm => TrackError::Failed(error),
-        _ => TrackError::Lost(halt(path, &here.point, steps)),
+        _ => TrackError::Lost(halt(way, &here.point, steps)),
     }
 }
 
 /// The place at which an unknown runs to infinity, if it is near by.
-fn pole<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option<ObstacleOf<M>> {
+fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<ObstacleOf<M>> {
     let values = here.point.unknowns;
-    let grown = |index: &usize| values.as_ref()[*index].abs() / path.sizes.as_ref()[*index];
-    let index = (0..Path::<M>::COUNT).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
+    let grown = |index: &usize| values.as_ref()[*index].abs() / way.sizes.as_ref()[*index];
+    let index = (0..Way::<M>::COUNT).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
     let is_angle = M::DESCRIPTION.unknowns[index].dimension == Dimension::Angle;
     // The zero of the reciprocal.
     let distance = values.as_ref()[index] / here.motions.as_ref()[index].as_ref().get(1)?;
@@ -99,8 +101,8 @@ fn pole<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option
         return None;
     }
     // Half the way to a pole an unknown grows to more than 1.6 times itself; at a fold that is just as fast it has ended.
-    let inputs = path.inputs(here.point.travel + 0.5 * distance);
-    let halfway = path.mechanism.solve_position_near(inputs, values).ok()?;
+    let inputs = way.inputs(here.point.travel + 0.5 * distance);
+    let halfway = way.mechanism.solve_position_near(inputs, values).ok()?;
     if halfway.as_ref()[index].abs() < 1.5 * values.as_ref()[index].abs() {
         return None;
     }
@@ -111,25 +113,25 @@ fn pole<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option
     let travel = here.point.travel + distance;
     Some(Obstacle {
         block: super::name::<M>(block),
-        fraction: (travel / path.length).min(1.0),
-        inputs: path.inputs(travel),
+        fraction: (travel / way.length).min(1.0),
+        inputs: way.inputs(travel),
         unknowns: values,
         names: M::DESCRIPTION.inputs,
     })
 }
 
 /// The error of the first place near by and ahead that lies outside of the domain of a function.
-fn end_of_domain<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option<SolveError> {
+fn end_of_domain<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<SolveError> {
     let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
     let is_of_a_block = |error: &SolveError| M::DESCRIPTION.blocks.iter().any(|block| block.unknowns == error.block);
-    let (travel, error) = first_failure(path, here, is_outside)?;
+    let (travel, error) = first_failure(way, here, is_outside)?;
     if is_of_a_block(&error) {
         return Some(error);
     }
     // A root may be taken again for the rates, by another formula that rounding ends a little before; the block is the
     // cause.
-    match first_failure(path, here, |error| is_outside(error) && is_of_a_block(error)) {
-        Some((block_travel, cause)) if block_travel - travel <= 8.0 * path.shortest() => Some(cause),
+    match first_failure(way, here, |error| is_outside(error) && is_of_a_block(error)) {
+        Some((block_travel, cause)) if block_travel - travel <= 8.0 * way.shortest() => Some(cause),
         _ => Some(error),
     }
 }
@@ -137,18 +139,18 @@ fn end_of_domain<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) 
 /// The first place near by and ahead at which the solvers fail in a given way, to the last digit of the inputs, with
 /// their error.
 fn first_failure<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     here: &Station<M>,
     is_wanted: impl Fn(&SolveError) -> bool,
 ) -> Option<(f64, SolveError)> {
     let error_at = |travel: f64| {
-        let solved = path
+        let solved = way
             .mechanism
-            .solve_motion_near(path.motions(travel), here.point.unknowns);
+            .solve_motion_near(way.motions(travel), here.point.unknowns);
         solved.err().filter(&is_wanted)
     };
     let mut low = here.point.travel;
-    let (mut high, mut error) = ahead(path, here).find_map(|travel| {
+    let (mut high, mut error) = ahead(way, here).find_map(|travel| {
         let error = error_at(travel);
         if error.is_none() {
             low = travel;
@@ -157,7 +159,7 @@ fn first_failure<M: Mechanism<Scalar = f64>>(
     })?;
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (low + high);
-        if path.are_same(low, middle) || path.are_same(middle, high) {
+        if way.are_same(low, middle) || way.are_same(middle, high) {
             break;
         }
         match error_at(middle) {
@@ -169,8 +171,8 @@ fn first_failure<M: Mechanism<Scalar = f64>>(
 }
 
 /// Places ahead, further and further, but near by.
-fn ahead<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> impl Iterator<Item = f64> {
-    let (start, end, shortest) = (here.point.travel, path.length, path.shortest());
+fn ahead<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> impl Iterator<Item = f64> {
+    let (start, end, shortest) = (here.point.travel, way.length, way.shortest());
     let steps = core::iter::successors(Some(shortest), |step| Some(4.0 * step));
     let steps = steps.take_while(move |step| *step <= BLUR.max(256.0 * shortest));
     steps.map(move |step| end.min(start + step))
@@ -178,16 +180,16 @@ fn ahead<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> impl 
 
 /// The error of a block that is solved by Newton's method at the end of the domain of a function of its unknowns: ahead
 /// the closure is not finite, and the solvers find nothing.
-fn end_of_closure<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>) -> Option<SolveError> {
+fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<SolveError> {
     let rates = rates(here, &M::Unknowns::from_fn(|_| 1.0));
-    ahead(path, here).find_map(|travel| {
+    ahead(way, here).find_map(|travel| {
         // Near such an end the higher terms of a series are of no use.
         let along = |index: usize| rates.as_ref()[index] * (travel - here.point.travel);
         let unknowns = M::Unknowns::from_fn(|index| here.point.unknowns.as_ref()[index] + along(index));
-        if path.linearise(&Point { unknowns, travel }).is_some() {
+        if way.linearise(&Point { unknowns, travel }).is_some() {
             return None;
         }
-        let error = path.mechanism.solve_motion_near(path.motions(travel), unknowns).err()?;
+        let error = way.mechanism.solve_motion_near(way.motions(travel), unknowns).err()?;
         let failure = Failure::NotFinite {
             quantity: "closure ahead, where the domain of a function of the unknowns ends",
         };
@@ -200,7 +202,7 @@ fn end_of_closure<M: Mechanism<Scalar = f64>>(path: &Path<M>, here: &Station<M>)
 /// Where two branches cross, both are smooth, and a determinant goes through zero at a finite rate. Near by, rounding
 /// confuses the branches, which is why the determinant is followed along the Taylor series of a station before.
 fn crossing<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     near: &Point<M>,
     anchor: &Station<M>,
 ) -> Option<(Point<M>, Sides<M>)> {
@@ -209,12 +211,12 @@ fn crossing<M: Mechanism<Scalar = f64>>(
         let (unknowns, _) = predicted(anchor, step);
         let travel = anchor.point.travel + step;
         let point = Point { unknowns, travel };
-        let linear = path.linearise(&point)?;
+        let linear = way.linearise(&point)?;
         Some((point, Sides::of(&linear)))
     };
     let mut step = travel - anchor.point.travel;
     if step == 0.0 {
-        step = path.shortest();
+        step = way.shortest();
     }
     let (_, sides) = at(step)?;
     let (block, _) = sides.most_shrunk(&anchor.sides);
@@ -223,8 +225,8 @@ fn crossing<M: Mechanism<Scalar = f64>>(
         let (point, sides) = at(step)?;
         let value = sides.relative(&anchor.sides, block);
         let change = value * (step - previous) / (value_before - value);
-        if value == 0.0 || change.abs() <= f64::EPSILON * path.length.max(1.0) {
-            return is_beside(path, &point, near).then_some((point, sides));
+        if value == 0.0 || change.abs() <= f64::EPSILON * way.length.max(1.0) {
+            return is_beside(way, &point, near).then_some((point, sides));
         }
         (previous, value_before) = (step, value);
         step += change;
@@ -236,9 +238,9 @@ fn crossing<M: Mechanism<Scalar = f64>>(
 }
 
 /// Whether a point found by extrapolation is so near to another one as to be what blocks it.
-fn is_beside<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>, here: &Point<M>) -> bool {
+fn is_beside<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, here: &Point<M>) -> bool {
     let pairs = point.unknowns.as_ref().iter().zip(here.unknowns.as_ref());
-    let sizes = path.sizes_at(here);
+    let sizes = way.sizes_at(here);
     let distances = pairs
         .zip(sizes.as_ref())
         .map(|((one, other), size)| (one - other) / size);
@@ -246,7 +248,7 @@ fn is_beside<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>, here:
 }
 
 pub(super) fn obstacle<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     point: &Point<M>,
     sides: &Sides<M>,
     beginning: &Sides<M>,
@@ -254,8 +256,8 @@ pub(super) fn obstacle<M: Mechanism<Scalar = f64>>(
     let (block, _) = sides.most_shrunk(beginning);
     Obstacle {
         block: super::name::<M>(block),
-        fraction: (point.travel / path.length).clamp(0.0, 1.0),
-        inputs: path.inputs(point.travel),
+        fraction: (point.travel / way.length).clamp(0.0, 1.0),
+        inputs: way.inputs(point.travel),
         unknowns: point.unknowns,
         names: M::DESCRIPTION.inputs,
     }
@@ -263,16 +265,16 @@ pub(super) fn obstacle<M: Mechanism<Scalar = f64>>(
 
 /// Where the way came to a halt.
 pub(super) fn halt<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     point: &Point<M>,
     steps: &Steps,
 ) -> Halt<M::Inputs<f64>, M::Unknowns<f64>> {
     Halt {
         steps: steps.taken(),
-        fraction: (point.travel / path.length).clamp(0.0, 1.0),
-        inputs: path.inputs(point.travel),
+        fraction: (point.travel / way.length).clamp(0.0, 1.0),
+        inputs: way.inputs(point.travel),
         unknowns: point.unknowns,
-        rounding: blur(path, point),
+        rounding: blur(way, point),
         names: M::DESCRIPTION.inputs,
     }
 }

@@ -2,24 +2,26 @@
 
 mod cause;
 mod obstacle;
-mod path;
 mod rounding;
+mod sides;
 mod steps;
-mod system;
 mod turning;
+mod way;
 
 pub use obstacle::{Halt, Obstacle, TrackError};
 pub use steps::MOST_TRACK_STEPS;
 
 use cause::{blocked, crossed_near, halt, obstacle};
 use num_traits::Float;
-use path::{Linear, Path, Point, largest};
 use rounding::{blur, is_crossed};
+use sides::Sides;
 use steps::Steps;
-use system::Sides;
 use turning::Passage;
+use way::{Linear, Point, Way, largest};
 
-use crate::{Failure, InputValues, Mechanism, Pose, Row, Scalar, SolveError};
+use crate::failure::{Failure, InputValues, SolveError};
+use crate::mechanism::{Mechanism, Pose};
+use crate::number::{Number, Row};
 
 /// The longest step by the inputs, in their sizes.
 const LONGEST: f64 = 0.5;
@@ -126,7 +128,7 @@ pub fn track<M: Mechanism>(
     let to = to_inputs.as_ref();
     let near = from_unknowns.as_ref();
     let end = follow(
-        mechanism.convert(Scalar::real),
+        mechanism.convert(Number::real),
         Row::from_fn(|index| from[index].real()),
         Row::from_fn(|index| near[index].real()),
         Row::from_fn(|index| to[index].real()),
@@ -188,8 +190,8 @@ fn follow<M: Mechanism<Scalar = f64>>(
     to: M::Inputs<f64>,
 ) -> Result<M::Unknowns<f64>, TrackErrorOf<M>> {
     let start = mechanism.solve_position_near(from, near)?;
-    let path = Path::new(mechanism, from, &start, to);
-    if !path.length.is_finite() {
+    let way = Way::new(mechanism, from, &start, to);
+    if !way.length.is_finite() {
         // The solver knows best which input it is.
         mechanism.solve_position_near(to, start)?;
         return Err(TrackError::Failed(lost::<M>(
@@ -199,10 +201,10 @@ fn follow<M: Mechanism<Scalar = f64>>(
             },
         )));
     }
-    if path.length == 0.0 {
+    if way.length == 0.0 {
         return Ok(start);
     }
-    let mut here = station(&path, 0.0, start).map_err(|missing| match missing {
+    let mut here = station(&way, 0.0, start).map_err(|missing| match missing {
         Missing::Unsolved(error) => error,
         Missing::Elsewhere => lost::<M>(
             0,
@@ -227,7 +229,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
         }
         // Fast and straight, as behind a gear, is not near a limit.
         if rate > FAST && rate * trusted < LONGEST && !is_lost {
-            match round_the_turn(&path, &here, &anchor, &beginning, &mut steps)? {
+            match round_the_turn(&way, &here, &anchor, &beginning, &mut steps)? {
                 Arrival::Station(there) if there.point.travel > here.point.travel => {
                     (here, anchor, longest, creeping) = (there, there, LONGEST, 0);
                     continue;
@@ -237,20 +239,20 @@ fn follow<M: Mechanism<Scalar = f64>>(
                 _ => is_lost = true,
             }
         }
-        let rest = path.length - here.point.travel;
+        let rest = way.length - here.point.travel;
         let mut step = trusted;
         let mut error = None;
         let there = loop {
-            if step < path.shortest() || creeping > MOST_CREEPING {
+            if step < way.shortest() || creeping > MOST_CREEPING {
                 break None;
             }
             if !steps.take() {
-                return Err(TrackError::TooManySteps(halt(&path, &here.point, &steps)));
+                return Err(TrackError::TooManySteps(halt(&way, &here.point, &steps)));
             }
             let is_last = step >= rest;
-            let travel = if is_last { path.length } else { here.point.travel + step };
-            match attempted(&path, &here, travel) {
-                Ok(there) if has(&mechanism, &path, &there, assembly) => {
+            let travel = if is_last { way.length } else { here.point.travel + step };
+            match attempted(&way, &here, travel) {
+                Ok(there) if has(&mechanism, &way, &there, assembly) => {
                     if is_last {
                         return Ok(there.point.unknowns);
                     }
@@ -262,21 +264,21 @@ fn follow<M: Mechanism<Scalar = f64>>(
             step = 0.5 * step.min(rest);
         };
         let Some(there) = there else {
-            match round_the_turn(&path, &here, &anchor, &beginning, &mut steps)? {
+            match round_the_turn(&way, &here, &anchor, &beginning, &mut steps)? {
                 // Not if it only creeps through the neighbourhood of a change point.
                 Arrival::Station(there) if there.point.travel > here.point.travel + BLUR => {
                     (here, anchor, longest, creeping) = (there, there, LONGEST, 0);
                     continue;
                 }
                 Arrival::End(unknowns) => return Ok(unknowns),
-                _ => return Err(blocked(&path, &here, &anchor, &beginning, error, &steps)),
+                _ => return Err(blocked(&way, &here, &anchor, &beginning, error, &steps)),
             }
         };
         // Rounding errors part the branches that cross there, so that a way around seems to lead on.
-        if step < BLUR && is_crossed(&path, &there.point, turning::fastest(&rates(&there, &path.sizes))) {
-            return Err(crossed_near(&path, &there.point, &there.sides, &anchor, &beginning));
+        if step < BLUR && is_crossed(&way, &there.point, turning::fastest(&rates(&there, &way.sizes))) {
+            return Err(crossed_near(&way, &there.point, &there.sides, &anchor, &beginning));
         }
-        creeping = if step < CREEPING * path.length.min(1.0) {
+        creeping = if step < CREEPING * way.length.min(1.0) {
             creeping + 1
         } else {
             0
@@ -291,13 +293,13 @@ fn follow<M: Mechanism<Scalar = f64>>(
 
 /// The mechanism at a given travel, near given unknowns.
 fn station<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     travel: f64,
     near: M::Unknowns<f64>,
 ) -> Result<Station<M>, Missing> {
-    let pose = path
+    let pose = way
         .mechanism
-        .solve_motion_near(path.motions(travel), near)
+        .solve_motion_near(way.motions(travel), near)
         .map_err(Missing::Unsolved)?;
     let turns = Row::from_fn(|index| near.as_ref()[index]);
     let motions = pose.unknown_motions_near(turns);
@@ -305,21 +307,17 @@ fn station<M: Mechanism<Scalar = f64>>(
         unknowns: M::Unknowns::from_fn(|index| motions.as_ref()[index].as_ref()[0]),
         travel,
     };
-    let linear: Linear<M> = path.linearise(&point).ok_or(Missing::Elsewhere)?;
+    let linear: Linear<M> = way.linearise(&point).ok_or(Missing::Elsewhere)?;
     Ok(Station {
         point,
         motions,
-        sizes: path.sizes_at(&point),
+        sizes: way.sizes_at(&point),
         sides: Sides::of(&linear),
     })
 }
 
 /// The station at the end of a step, if it is certain that it lies on the same branch and nothing happens in between.
-fn attempted<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
-    here: &Station<M>,
-    travel: f64,
-) -> Result<Station<M>, Missing> {
+fn attempted<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>, travel: f64) -> Result<Station<M>, Missing> {
     let step = travel - here.point.travel;
     for part in [0.25, 0.5, 0.75, 1.0] {
         let (unknowns, _) = predicted(here, part * step);
@@ -327,13 +325,13 @@ fn attempted<M: Mechanism<Scalar = f64>>(
             unknowns,
             travel: here.point.travel + part * step,
         };
-        let linear = path.linearise(&point).ok_or(Missing::Elsewhere)?;
+        let linear = way.linearise(&point).ok_or(Missing::Elsewhere)?;
         if !Sides::of(&linear).are_near(&here.sides) {
             return Err(Missing::Elsewhere);
         }
     }
     let (near, foreseen) = predicted(here, step);
-    let there = station(path, travel, near)?;
+    let there = station(way, travel, near)?;
     let pairs = there.point.unknowns.as_ref().iter().zip(near.as_ref());
     let distance = largest(
         pairs
@@ -352,7 +350,7 @@ fn attempted<M: Mechanism<Scalar = f64>>(
         && there.sides.are_near(&here.sides)
         && (distance <= allowed || {
             // More than a correction may be, rounding would excuse everything.
-            let blur = blur(path, &there.point);
+            let blur = blur(way, &there.point);
             blur <= CORRECTION && distance <= allowed + blur
         });
     if is_same { Ok(there) } else { Err(Missing::Elsewhere) }
@@ -360,8 +358,8 @@ fn attempted<M: Mechanism<Scalar = f64>>(
 
 /// Whether a station is of the given assembly. Assemblies that depend on the dimensions have no names to compare; the
 /// determinants tell them apart.
-fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, path: &Path<M>, there: &Station<M>, assembly: M::Assembly) -> bool {
-    M::ASSEMBLY_COUNT == 0 || mechanism.assembly_near(path.inputs(there.point.travel), there.point.unknowns) == assembly
+fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, way: &Way<M>, there: &Station<M>, assembly: M::Assembly) -> bool {
+    M::ASSEMBLY_COUNT == 0 || mechanism.assembly_near(way.inputs(there.point.travel), there.point.unknowns) == assembly
 }
 
 /// The first derivatives by the travel, in given sizes.
@@ -425,21 +423,21 @@ enum Arrival<M: Mechanism> {
 }
 
 fn round_the_turn<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     here: &Station<M>,
     anchor: &Station<M>,
     beginning: &Sides<M>,
     steps: &mut Steps,
 ) -> Result<Arrival<M>, TrackErrorOf<M>> {
-    match turning::pass(path, here.point, &rates(here, &path.sizes), steps) {
+    match turning::pass(way, here.point, &rates(here, &way.sizes), steps) {
         Passage::Onwards(point) => {
-            Ok(station(path, point.travel, point.unknowns).map_or(Arrival::None, Arrival::Station))
+            Ok(station(way, point.travel, point.unknowns).map_or(Arrival::None, Arrival::Station))
         }
         Passage::Target(unknowns) => Ok(Arrival::End(unknowns)),
-        Passage::Limit(point, sides) => Err(TrackError::Limit(obstacle(path, &point, &sides, beginning))),
-        Passage::ChangePoint(point, sides) => Err(crossed_near(path, &point, &sides, anchor, beginning)),
+        Passage::Limit(point, sides) => Err(TrackError::Limit(obstacle(way, &point, &sides, beginning))),
+        Passage::ChangePoint(point, sides) => Err(crossed_near(way, &point, &sides, anchor, beginning)),
         Passage::Lost => Ok(Arrival::None),
-        Passage::Spent(point) => Err(TrackError::TooManySteps(halt(path, &point, steps))),
+        Passage::Spent(point) => Err(TrackError::TooManySteps(halt(way, &point, steps))),
     }
 }
 

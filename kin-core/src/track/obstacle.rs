@@ -3,8 +3,8 @@
 use core::error::Error;
 use core::fmt::{self, Debug};
 
-use crate::figures::Figures;
-use crate::{Quantity, SolveError};
+use crate::failure::{SolveError, digits::Digits};
+use crate::mechanism::Quantity;
 
 /// A position on the way at which the motion ends, or is not determined.
 ///
@@ -77,25 +77,25 @@ impl<I, U> From<SolveError> for TrackError<I, U> {
 }
 
 /// Where something happened, after its description.
-struct Place<'a> {
+struct Location<'a> {
     names: &'static [Quantity],
     inputs: &'a [f64],
     fraction: f64,
 }
 
-impl fmt::Display for Place<'_> {
+impl fmt::Display for Location<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (name, value)) in self.names.iter().zip(self.inputs).enumerate() {
             let before = if index == 0 { " at " } else { ", " };
-            write!(formatter, "{before}{} = {}", name.name, Figures(*value))?;
+            write!(formatter, "{before}{} = {}", name.name, Digits(*value))?;
         }
-        write!(formatter, ", after {} of the way", Figures(self.fraction))
+        write!(formatter, ", after {} of the way", Digits(self.fraction))
     }
 }
 
 impl<I: AsRef<[f64]>, U> Obstacle<I, U> {
-    fn place(&self) -> Place<'_> {
-        Place {
+    fn place(&self) -> Location<'_> {
+        Location {
             names: self.names,
             inputs: self.inputs.as_ref(),
             fraction: self.fraction,
@@ -104,8 +104,8 @@ impl<I: AsRef<[f64]>, U> Obstacle<I, U> {
 }
 
 impl<I: AsRef<[f64]>, U> Halt<I, U> {
-    fn place(&self) -> Place<'_> {
-        Place {
+    fn place(&self) -> Location<'_> {
+        Location {
             names: self.names,
             inputs: self.inputs.as_ref(),
             fraction: self.fraction,
@@ -148,7 +148,7 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
                  {} (radians, or sizes of lengths); bring the lengths of each loop nearer to each other",
                 halt.place(),
                 halt.steps,
-                Figures(halt.rounding)
+                Digits(halt.rounding)
             ),
             Self::Failed(error) => write!(formatter, "{error}"),
         }

@@ -5,12 +5,13 @@
 //! (Local parametrisation: W. C. Rheinboldt and J. V. Burkardt, A locally parameterized continuation process, ACM
 //! Transactions on Mathematical Software 9, 1983, 215-235.)
 
-use super::path::{Linear, Path, Point, largest};
 use super::rounding::{is_crossed, rounding};
+use super::sides::{Orientation, Sides, System, bordered};
 use super::steps::Steps;
-use super::system::{Orientation, Sides, System, bordered};
+use super::way::{Linear, Point, Way, largest};
 use super::{BLUR, CREEPING, FAR, MOST_CREEPING};
-use crate::{Mechanism, Row};
+use crate::mechanism::Mechanism;
+use crate::number::Row;
 
 /// The longest step, in sizes of the parameter.
 const LONGEST: f64 = 0.05;
@@ -57,13 +58,13 @@ struct Local<M: Mechanism> {
 
 impl<M: Mechanism<Scalar = f64>> Local<M> {
     /// `None` if the closure is not finite there, or another parameter is needed.
-    fn new(path: &Path<M>, point: Point<M>, parameter: usize) -> Option<Self> {
-        let linear = path.linearise(&point)?;
+    fn new(way: &Way<M>, point: Point<M>, parameter: usize) -> Option<Self> {
+        let linear = way.linearise(&point)?;
         let system = bordered(&linear, parameter);
         let column = M::Unknowns::from_fn(|row| -linear.jacobian.as_ref()[row].as_ref()[parameter]);
         let mut rates = system.solve(&column);
         let travel_rate = core::mem::replace(&mut rates.as_mut()[parameter], 1.0);
-        let right = path.bend(&point, &rates, travel_rate);
+        let right = way.bend(&point, &rates, travel_rate);
         let mut bends = system.solve(&M::Unknowns::from_fn(|row| -right.as_ref()[row]));
         let travel_bend = core::mem::replace(&mut bends.as_mut()[parameter], 0.0);
         let all = rates.as_ref().iter().chain(bends.as_ref());
@@ -80,20 +81,20 @@ impl<M: Mechanism<Scalar = f64>> Local<M> {
     }
 
     /// Where the curve is after a step of the parameter, to second order.
-    fn predicted(&self, path: &Path<M>, step: f64) -> Point<M> {
+    fn predicted(&self, way: &Way<M>, step: f64) -> Point<M> {
         let along = |index: usize| (self.rates.as_ref()[index] + self.bends.as_ref()[index] * step) * step;
         Point {
             unknowns: M::Unknowns::from_fn(|index| {
-                self.point.unknowns.as_ref()[index] + along(index) * path.sizes.as_ref()[index]
+                self.point.unknowns.as_ref()[index] + along(index) * way.sizes.as_ref()[index]
             }),
             travel: self.point.travel + (self.travel_rate + self.travel_bend * step) * step,
         }
     }
 
     /// The curve after a step of the parameter.
-    fn moved(&self, path: &Path<M>, parameter: usize, step: f64) -> Option<Self> {
-        let point = corrected(path, self.predicted(path, step), parameter)?;
-        Self::new(path, point, parameter)
+    fn moved(&self, way: &Way<M>, parameter: usize, step: f64) -> Option<Self> {
+        let point = corrected(way, self.predicted(way, step), parameter)?;
+        Self::new(way, point, parameter)
     }
 
     fn fastest(&self) -> usize {
@@ -114,23 +115,23 @@ pub(super) fn fastest<R: Row<f64>>(rates: &R) -> usize {
 }
 
 /// The point of the curve with the same value of the parameter, by Newton's method.
-fn corrected<M: Mechanism<Scalar = f64>>(path: &Path<M>, start: Point<M>, parameter: usize) -> Option<Point<M>> {
+fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: Point<M>, parameter: usize) -> Option<Point<M>> {
     let mut point = start;
     let mut previous = f64::INFINITY;
     for _ in 0..ITERATIONS {
-        let linear: Linear<M> = path.linearise(&point)?;
+        let linear: Linear<M> = way.linearise(&point)?;
         let system = bordered(&linear, parameter);
         let correction = system.solve(&linear.residuals);
         let length = largest(correction.as_ref().iter().copied());
         let stalls = length >= 0.5 * previous;
-        if !length.is_finite() || (stalls && length > NOISE && length > blur(path, &point, &system)) {
+        if !length.is_finite() || (stalls && length > NOISE && length > blur(way, &point, &system)) {
             return None;
         }
         for (index, change) in correction.as_ref().iter().enumerate() {
             if index == parameter {
                 point.travel -= change;
             } else {
-                point.unknowns.as_mut()[index] -= change * path.sizes.as_ref()[index];
+                point.unknowns.as_mut()[index] -= change * way.sizes.as_ref()[index];
             }
         }
         if length <= f64::EPSILON || stalls {
@@ -143,8 +144,8 @@ fn corrected<M: Mechanism<Scalar = f64>>(path: &Path<M>, start: Point<M>, parame
 
 /// How far rounding errors may lead from the curve. No more than a fifth of the longest step: beyond that they would
 /// excuse everything.
-fn blur<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>, system: &System<M>) -> f64 {
-    let size = largest(rounding(path, point, system).as_ref().iter().copied());
+fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, system: &System<M>) -> f64 {
+    let size = largest(rounding(way, point, system).as_ref().iter().copied());
     if size <= 0.2 * LONGEST { size } else { 0.0 }
 }
 
@@ -152,13 +153,13 @@ fn blur<M: Mechanism<Scalar = f64>>(path: &Path<M>, point: &Point<M>, system: &S
 ///
 /// `rates` are those of the unknowns by the travel, in sizes.
 pub(super) fn pass<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     start: Point<M>,
     rates: &M::Unknowns<f64>,
     steps: &mut Steps,
 ) -> Passage<M> {
     let mut parameter = fastest(rates);
-    let Some(mut here) = Local::new(path, start, parameter) else {
+    let Some(mut here) = Local::new(way, start, parameter) else {
         return Passage::Lost;
     };
     let entry = here.orientation.logarithm;
@@ -167,7 +168,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     loop {
         let best = here.fastest();
         if best != parameter {
-            let Some(again) = Local::new(path, here.point, best) else {
+            let Some(again) = Local::new(way, here.point, best) else {
                 return Passage::Lost;
             };
             (parameter, here) = (best, again);
@@ -187,40 +188,40 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
             if !steps.take() {
                 return Passage::Spent(here.point);
             }
-            if let Some(there) = attempted(path, &here, parameter, size) {
+            if let Some(there) = attempted(way, &here, parameter, size) {
                 break there;
             }
             size *= 0.5;
         };
         creeping = if size < CREEPING { creeping + 1 } else { 0 };
-        let growth = path.sizes_at(&there.point).as_ref()[parameter] / path.sizes.as_ref()[parameter];
+        let growth = way.sizes_at(&there.point).as_ref()[parameter] / way.sizes.as_ref()[parameter];
         if growth > FAR {
             return Passage::Lost;
         }
         longest = (LONGEST * growth).min(2.0 * size);
         let step = size.copysign(here.travel_rate);
         // Rounding errors part the branches that cross there, so that a way around seems to lead on.
-        if size < BLUR && is_crossed(path, &there.point, parameter) {
+        if size < BLUR && is_crossed(way, &there.point, parameter) {
             return Passage::ChangePoint(there.point, there.sides);
         }
         if there.travel_rate * here.travel_rate <= 0.0 {
-            let Some((turn, reach)) = turned(path, &here, parameter, step) else {
+            let Some((turn, reach)) = turned(way, &here, parameter, step) else {
                 return Passage::Lost;
             };
-            let rounding = 16.0 * f64::EPSILON * path.length.max(1.0);
-            return if turn.point.travel > path.length + rounding {
-                Passage::Target(arrived(path, &here, parameter, reach))
-            } else if is_crossed(path, &turn.point, parameter) {
+            let rounding = 16.0 * f64::EPSILON * way.length.max(1.0);
+            return if turn.point.travel > way.length + rounding {
+                Passage::Target(arrived(way, &here, parameter, reach))
+            } else if is_crossed(way, &turn.point, parameter) {
                 // Rounding errors make limits of a change point, as errors of the dimensions do.
                 Passage::ChangePoint(turn.point, turn.sides)
             } else {
                 Passage::Limit(turn.point, turn.sides)
             };
         }
-        if there.point.travel >= path.length {
-            return Passage::Target(arrived(path, &here, parameter, step));
+        if there.point.travel >= way.length {
+            return Passage::Target(arrived(way, &here, parameter, step));
         }
-        still = if path.are_same(here.point.travel, there.point.travel) {
+        still = if way.are_same(here.point.travel, there.point.travel) {
             still + 1
         } else {
             0
@@ -239,29 +240,29 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
 /// The end of a step in the direction of growing travel, if it is certain that it lies on the same curve, and that
 /// nothing happens on the way but one limit position at most.
 fn attempted<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     here: &Local<M>,
     parameter: usize,
     size: f64,
 ) -> Option<Local<M>> {
     let step = size.copysign(here.travel_rate);
-    let middle = Local::new(path, here.predicted(path, 0.5 * step), parameter)?;
-    let there = here.moved(path, parameter, step)?;
-    let predicted = here.predicted(path, step);
+    let middle = Local::new(way, here.predicted(way, 0.5 * step), parameter)?;
+    let there = here.moved(way, parameter, step)?;
+    let predicted = here.predicted(way, step);
     let pairs = there.point.unknowns.as_ref().iter().zip(predicted.unknowns.as_ref());
     let differences = pairs
-        .zip(path.sizes.as_ref())
+        .zip(way.sizes.as_ref())
         .map(|((one, other), size)| (one - other) / size);
     let distance = largest(differences.chain([there.point.travel - predicted.travel]));
     if distance > 0.05 * size {
-        let system = bordered(&path.linearise(&there.point)?, parameter);
-        if distance > 0.05 * size + blur(path, &there.point, &system) {
+        let system = bordered(&way.linearise(&there.point)?, parameter);
+        if distance > 0.05 * size + blur(way, &there.point, &system) {
             return None;
         }
     }
     for (local, part) in [(&middle, 0.5), (&there, 1.0)] {
         let foreseen = |rate: f64, bend: f64| rate + 2.0 * bend * part * step;
-        let changes = (0..Path::<M>::COUNT).map(|index| {
+        let changes = (0..Way::<M>::COUNT).map(|index| {
             local.rates.as_ref()[index] - foreseen(here.rates.as_ref()[index], here.bends.as_ref()[index])
         });
         let turn = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
@@ -281,7 +282,7 @@ fn attempted<M: Mechanism<Scalar = f64>>(
 
 /// The limit position within a step, and the step to it: the zero of the travel's rate.
 fn turned<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
+    way: &Way<M>,
     here: &Local<M>,
     parameter: usize,
     step: f64,
@@ -293,7 +294,7 @@ fn turned<M: Mechanism<Scalar = f64>>(
         if !(reach - low).is_finite() || (reach - low) * (reach - high) > 0.0 {
             reach = 0.5 * (low + high);
         }
-        let Some(local) = here.moved(path, parameter, reach) else {
+        let Some(local) = here.moved(way, parameter, reach) else {
             break;
         };
         if local.travel_rate * here.travel_rate > 0.0 {
@@ -302,7 +303,7 @@ fn turned<M: Mechanism<Scalar = f64>>(
             high = reach;
         }
         let next = reach - local.travel_rate / (2.0 * local.travel_bend);
-        let size = (here.point.unknowns.as_ref()[parameter] / path.sizes.as_ref()[parameter]).abs();
+        let size = (here.point.unknowns.as_ref()[parameter] / way.sizes.as_ref()[parameter]).abs();
         let done = (next - reach).abs() <= 2.0 * f64::EPSILON * size.max(1.0) || low == high;
         let is_better = best
             .as_ref()
@@ -319,24 +320,19 @@ fn turned<M: Mechanism<Scalar = f64>>(
 }
 
 /// The unknowns where the inputs are as wanted, within a step along which they only go on.
-fn arrived<M: Mechanism<Scalar = f64>>(
-    path: &Path<M>,
-    here: &Local<M>,
-    parameter: usize,
-    step: f64,
-) -> M::Unknowns<f64> {
+fn arrived<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Local<M>, parameter: usize, step: f64) -> M::Unknowns<f64> {
     let (mut low, mut high) = (0.0, step);
-    let mut reach = (path.length - here.point.travel) / here.travel_rate;
+    let mut reach = (way.length - here.point.travel) / here.travel_rate;
     let mut unknowns = here.point.unknowns;
     for _ in 0..ITERATIONS {
         if !(reach - low).is_finite() || (reach - low) * (reach - high) > 0.0 {
             reach = 0.5 * (low + high);
         }
-        let Some(local) = here.moved(path, parameter, reach) else {
+        let Some(local) = here.moved(way, parameter, reach) else {
             break;
         };
         unknowns = local.point.unknowns;
-        let missing = path.length - local.point.travel;
+        let missing = way.length - local.point.travel;
         if missing > 0.0 {
             low = reach;
         } else {

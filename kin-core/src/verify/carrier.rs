@@ -2,8 +2,8 @@
 
 use num_dual::{HyperDual, HyperDual64};
 
-use crate::Scalar;
-use crate::series::Series;
+use crate::number::series::Series;
+use crate::solve::Scalar;
 
 /// A number that holds a function of time by its value and its derivatives at one moment.
 pub(super) trait Carrier: Scalar {

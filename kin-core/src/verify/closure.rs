@@ -4,8 +4,8 @@ use std::vec::Vec;
 
 use super::carrier::Carrier;
 use super::{Inputs, Unknowns};
-use crate::series::Series;
-use crate::{Mechanism, Row};
+use crate::mechanism::Mechanism;
+use crate::number::{Row, series::Series};
 
 /// What is left of each scalar equation and of its derivatives, when the motions are put into it: zero up to rounding,
 /// if the motions are right.

@@ -4,8 +4,9 @@ use std::vec::Vec;
 
 use super::Inputs;
 use super::carrier::{Carrier, Nested};
-use crate::series::Series;
-use crate::{Mechanism, Pose, Row, SolveError};
+use crate::failure::SolveError;
+use crate::mechanism::{Mechanism, Pose};
+use crate::number::{Row, series::Series};
 
 /// What differentiation of the position solution gives.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use std::vec::Vec;
 
-use super::condition::condition;
 use super::gradients::{gradients, jacobian_rates, rounding_errors, values};
+use super::matrix_condition::condition;
 use super::{Inputs, Unknowns};
-use crate::{Dimension, Mechanism, Quantity};
+use crate::mechanism::{Dimension, Mechanism, Quantity};
 
 /// The units of error at a pose.
 ///

@@ -5,9 +5,10 @@ use std::vec::Vec;
 use num_dual::{Dual, Dual64};
 
 use super::carrier::{Carrier, Nested};
-use super::rounding::Rounded;
+use super::rounded::Rounded;
 use super::{Inputs, Unknowns};
-use crate::{Mechanism, Row, Scalar};
+use crate::mechanism::Mechanism;
+use crate::number::{Number, Row};
 
 /// The value of each motion.
 pub(super) fn values<R: Row<f64>>(motions: &[R]) -> Vec<f64> {
@@ -77,9 +78,9 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
 ) -> Vec<Vec<[f64; 4]>> {
     // outside along one unknown, inside along time
     type D = Dual<Nested>;
-    let lifted = mechanism.convert(<D as Scalar>::constant);
+    let lifted = mechanism.convert(<D as Number>::constant);
     let number = |motion: &M::Motion<f64>, seed: f64| {
-        D::new(Nested::carrying(motion.as_ref()), <Nested as Scalar>::constant(seed))
+        D::new(Nested::carrying(motion.as_ref()), <Nested as Number>::constant(seed))
     };
     let columns: Vec<Vec<D>> = (0..unknowns.as_ref().len())
         .map(|seeded| {

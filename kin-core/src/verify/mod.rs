@@ -49,13 +49,13 @@
 
 mod carrier;
 mod closure;
-mod condition;
 mod differentiation;
 mod gauge;
 mod gradients;
+mod matrix_condition;
 mod random;
 mod report;
-mod rounding;
+mod rounded;
 mod sampling;
 #[cfg(test)]
 mod tests;
@@ -69,7 +69,7 @@ pub use report::Report;
 pub use sampling::Sampling;
 pub use worst::{Finding, Oracle, Worst};
 
-use crate::Mechanism;
+use crate::mechanism::Mechanism;
 
 /// A motion for each input of a mechanism.
 pub type Inputs<M> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<f64>>;

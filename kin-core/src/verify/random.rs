@@ -1,6 +1,6 @@
 //! Random dimensions and motions, the same in every run.
 
-use crate::split_mix::{INCREMENT, fraction};
+use crate::number::scatter::{INCREMENT, fraction};
 
 /// Scattered numbers, by `SplitMix64` (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
 ///

@@ -4,7 +4,8 @@ use core::f64::consts::PI;
 use std::vec::Vec;
 
 use super::{Inputs, Random, Report, Worst};
-use crate::{Dimension, Mechanism, Quantity, Row};
+use crate::mechanism::{Dimension, Mechanism, Quantity};
+use crate::number::Row;
 
 /// How many poses are looked at, and which.
 ///

@@ -5,11 +5,13 @@ use std::string::ToString;
 use std::{assert, assert_eq, println};
 
 use super::{Sampling, mechanism, of};
+use crate::assembly::{Assembly, Near};
+use crate::failure::{Failure, InputValues, SolveError};
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
-use crate::{
-    Assembly, Block, Description, Dimension, Failure, InputValues, Mechanism, Motion, Near, Operations, Pose, Quantity,
-    Scalar, SolveError,
-};
+use crate::mechanism::{Block, Description, Dimension, Mechanism, Pose, Quantity};
+use crate::motion::Motion;
+use crate::number::{Number, Operations};
+use crate::solve::Scalar;
 
 /// One more than the order of the [`Hyperbola`].
 const LENGTH: usize = 7;
@@ -124,7 +126,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     }
 
     fn assembly_near(&self, _: [T; 1], near: [T; 1]) -> Near<1> {
-        Near(near.map(Scalar::real))
+        Near(near.map(Number::real))
     }
 
     fn from_parameters([a]: [T; 1]) -> Self {

@@ -6,7 +6,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::{Gauge, Inputs, allowed, by_differentiation, closure};
-use crate::{Mechanism, Pose, Quantity};
+use crate::mechanism::{Mechanism, Pose, Quantity};
 
 /// What a motion is held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -7,7 +7,7 @@
 //! `BESIDE` are the same kernels after a look at the generated code: a root is inverted beside it and not after it, and two arctangents are
 //! found at once.
 
-use kin_core::Scalar;
+use kin_core::Number;
 
 /// Of coupler and rocker.
 pub(crate) type Pair<T> = [T; 2];
@@ -32,9 +32,9 @@ impl FourBar {
         let [w3, a3, j3, s3] = rates3;
         let [w4, a4, j4, s4] = rates4;
         let [theta3, theta4] = if BESIDE {
-            Scalar::atan2_of_two([y3, y4], [x3, x4])
+            Number::atan2_of_two([y3, y4], [x3, x4])
         } else {
-            [Scalar::atan2(y3, x3), Scalar::atan2(y4, x4)]
+            [Number::atan2(y3, x3), Number::atan2(y4, x4)]
         };
         Some([[theta3, w3, a3, j3, s3], [theta4, w4, a4, j4, s4]])
     }
@@ -45,7 +45,7 @@ impl FourBar {
         let Self { r1, r2, r3, r4 } = *self;
         let [theta2, w2, a2, j2, s2] = theta2;
 
-        let (sine, cosine) = Scalar::sin_cos(theta2);
+        let (sine, cosine) = Number::sin_cos(theta2);
         let (x2, y2) = (r2 * cosine, r2 * sine);
         let (dx, dy) = (r1 - x2, -y2);
         let d2 = dx * dx + dy * dy;
@@ -114,7 +114,7 @@ impl SliderCrank {
     #[inline]
     pub(crate) fn solve<const BESIDE: bool>(&self, theta: [f64; 5]) -> Option<Pair<[f64; 5]>> {
         let [theta, w, a, j, s] = theta;
-        let (sine, cosine) = Scalar::sin_cos(theta);
+        let (sine, cosine) = Number::sin_cos(theta);
         let (x, y) = (self.r * cosine, self.r * sine);
         // the rod's vector is (u, -y), with phi clockwise
         let u2 = (self.l - y) * (self.l + y);
@@ -123,7 +123,7 @@ impl SliderCrank {
         }
         let u = u2.sqrt();
         let inverse = if BESIDE { u * (1.0 / u2) } else { 1.0 / u };
-        let phi = Scalar::atan2(y, u);
+        let phi = Number::atan2(y, u);
 
         // x Q - y (-P) = u Qφ + y Pφ across the line; along it lies what remains
         let w_2 = w * w;
@@ -162,7 +162,7 @@ impl InvertedSliderCrank {
     #[inline]
     pub(crate) fn solve<const BESIDE: bool>(&self, theta2: [f64; 5]) -> Option<Pair<[f64; 5]>> {
         let [theta2, w, a, j, s] = theta2;
-        let (sine, cosine) = Scalar::sin_cos(theta2);
+        let (sine, cosine) = Number::sin_cos(theta2);
         let (x2, y2) = (self.r2 * cosine, self.r2 * sine);
         let x = self.r1 + x2;
         let r_2 = x * x + y2 * y2;
@@ -171,7 +171,7 @@ impl InvertedSliderCrank {
         }
         let r = r_2.sqrt();
         let inverse = if BESIDE { r * (1.0 / r_2) } else { 1.0 / r };
-        let theta4 = Scalar::atan2(y2, x);
+        let theta4 = Number::atan2(y2, x);
         // the crank as seen from the lever
         let (c, d) = (x * inverse, y2 * inverse);
         let (along, across) = (c * x2 + d * y2, c * y2 - d * x2);

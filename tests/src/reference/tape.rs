@@ -100,7 +100,7 @@ impl Neg for Place {
     }
 }
 
-impl Scalar for Place {
+impl kin_core::Number for Place {
     const EPSILON: f64 = f64::EPSILON;
 
     /// π for the nearest `f64`, and the number itself for any other.
@@ -155,3 +155,5 @@ impl Scalar for Place {
         self.map(Series::ln)
     }
 }
+
+impl Scalar for Place {}

@@ -1,0 +1,446 @@
+//! The system that is deformed from one with known solutions into the one to be solved.
+
+use num_traits::Float;
+
+use super::complex::{Complex, largest};
+use super::factors::ComplexFactors;
+use super::reduction::Coordinates;
+use super::scaling::Scales;
+use super::sequence::{self, Sequence};
+use super::system::PolynomialSystem;
+
+/// H(X, t) = t γ G(X) + (1 - t) F(X), homogeneous in X, with a random γ of modulus one for each equation.
+///
+/// The known solutions are those at t = 1, the wanted ones those at t = 0. G is a product of linear forms, of which
+/// products with other coefficients make up F as well:
+///
+/// - of a(x² + y²) + b x + c y + d, the circle, the forms are x + i y - p and x - i y - q with random p, q;
+/// - of an equation of second degree without squares, of which the variables can be divided into two sets such that no
+///   product is of two from the same set, the forms are of the one set and 1, and of the other and 1, with random
+///   coefficients;
+/// - of any other equation of degree d there are d forms of all its variables and 1, with random coefficients.
+#[derive(Clone, Debug)]
+pub(super) struct Homotopy<'a, const M: usize> {
+    system: &'a PolynomialSystem<M>,
+    coefficients: &'a [f64],
+    coordinates: Coordinates<M>,
+    /// The equations of higher degree than one; as many are used as there are free coordinates.
+    equations: [Equation<M>; M],
+    /// In which forms of coordinates marks are made.
+    number: u64,
+}
+
+/// An equation of higher degree than one.
+#[derive(Clone, Copy, Debug)]
+struct Equation<const M: usize> {
+    /// Its first term and the one after its last.
+    terms: [usize; 2],
+    degree: u8,
+    /// By which it is multiplied.
+    scale: f64,
+    /// The variables that occur, and their number.
+    support: [usize; M],
+    occurring: usize,
+    /// γ.
+    turn: Complex,
+    start: Start<M>,
+}
+
+/// The linear forms of which G is the product.
+#[derive(Clone, Copy, Debug)]
+enum Start<const M: usize> {
+    /// The first two variables are the coordinates on a circle, these are p and q.
+    Circle {
+        /// Of the variables.
+        unit: f64,
+        constants: [Complex; 2],
+    },
+    /// Random coefficients, drawn when they are needed: there is no room for as many as there may be.
+    Random {
+        number: u64,
+        /// Whether each variable that occurs does so in the first and in the second form; in all further ones it does.
+        members: [[bool; 2]; M],
+        /// The inverse units of the variables that occur.
+        inverse_units: [f64; M],
+    },
+}
+
+/// The system with its derivatives at one point.
+#[derive(Clone, Debug)]
+pub(super) struct Linearised<const M: usize> {
+    /// H.
+    pub(super) value: [Complex; M],
+    /// ∂H/∂t.
+    pub(super) rate: [Complex; M],
+    /// ∂H/∂y, or its factors.
+    pub(super) factors: ComplexFactors<M>,
+}
+
+impl<const M: usize> Linearised<M> {
+    pub(super) const fn new() -> Self {
+        Self {
+            value: [Complex::ZERO; M],
+            rate: [Complex::ZERO; M],
+            factors: ComplexFactors::new(),
+        }
+    }
+}
+
+/// A function of X with its slopes.
+#[derive(Clone, Copy)]
+struct Slopes<const M: usize> {
+    value: Complex,
+    /// Along the variables.
+    along: [Complex; M],
+    /// Along X₀.
+    infinity: Complex,
+}
+
+impl<const M: usize> Slopes<M> {
+    const ZERO: Self = Self {
+        value: Complex::ZERO,
+        along: [Complex::ZERO; M],
+        infinity: Complex::ZERO,
+    };
+}
+
+impl<const M: usize> Start<M> {
+    /// The coefficient of a variable, by its place among those that occur, in one of the factors.
+    #[inline]
+    fn coefficient(&self, factor: u8, place: usize) -> Complex {
+        match self {
+            Self::Circle { unit, .. } => match (place, factor) {
+                (0, _) => Complex::real(1.0 / unit),
+                (_, 0) => Complex::new(0.0, 1.0 / unit),
+                _ => Complex::new(0.0, -1.0 / unit),
+            },
+            Self::Random {
+                number,
+                members,
+                inverse_units,
+            } => {
+                if members[place].get(usize::from(factor)).is_none_or(|member| *member) {
+                    sequence::entry(*number, factor, place).scale(inverse_units[place])
+                } else {
+                    Complex::ZERO
+                }
+            }
+        }
+    }
+
+    /// The coefficient of X₀ in one of the factors.
+    #[inline]
+    fn constant(&self, factor: u8) -> Complex {
+        match self {
+            Self::Circle { constants, .. } => constants[usize::from(factor.min(1))],
+            Self::Random { number, .. } => sequence::entry(*number, factor, M),
+        }
+    }
+}
+
+impl<const M: usize> Equation<M> {
+    const UNUSED: Self = Self {
+        terms: [0; 2],
+        degree: 0,
+        scale: 0.0,
+        support: [0; M],
+        occurring: 0,
+        turn: Complex::ZERO,
+        start: Start::Circle {
+            unit: 1.0,
+            constants: [Complex::ZERO; 2],
+        },
+    };
+
+    /// One of the forms of which G is the product.
+    #[inline]
+    fn factor(&self, factor: u8, x: &[Complex; M], infinity: Complex) -> Complex {
+        self.support[..self.occurring]
+            .iter()
+            .enumerate()
+            .fold(self.start.constant(factor) * infinity, |sum, (place, &variable)| {
+                sum + self.start.coefficient(factor, place) * x[variable]
+            })
+    }
+
+    /// G, with its slopes added to those there are, both times a factor.
+    #[inline]
+    fn add_start(&self, x: &[Complex; M], infinity: Complex, times: Complex, slopes: &mut Slopes<M>) -> Complex {
+        let mut product = Complex::ZERO;
+        for factor in 0..self.degree {
+            let mut others = Complex::ONE;
+            for other in 0..self.degree {
+                if other != factor {
+                    others = others * self.factor(other, x, infinity);
+                }
+            }
+            if factor == 0 {
+                product = others * self.factor(0, x, infinity);
+            }
+            let others = others * times;
+            slopes.infinity += others * self.start.constant(factor);
+            for (place, &variable) in self.support[..self.occurring].iter().enumerate() {
+                slopes.along[variable] += others * self.start.coefficient(factor, place);
+            }
+        }
+        slopes.value += product * times;
+        product
+    }
+}
+
+impl<'a, const M: usize> Homotopy<'a, M> {
+    pub(super) fn new(
+        system: &'a PolynomialSystem<M>,
+        coefficients: &'a [f64],
+        degrees: &[u8; M],
+        scales: &Scales<M>,
+        coordinates: Coordinates<M>,
+        number: u64,
+    ) -> Self {
+        let mut random = Sequence::new(number);
+        let mut equations = [Equation::UNUSED; M];
+        let mut row = 0;
+        for (equation, &degree) in degrees.iter().enumerate() {
+            if degree > 1 {
+                let terms = system.range(equation);
+                let (support, occurring) = system.support(terms, coefficients);
+                let inverse_units = core::array::from_fn(|place| 1.0 / scales.variables[support[place]]);
+                equations[row] = Equation {
+                    terms,
+                    degree,
+                    scale: scales.equations[equation],
+                    support,
+                    occurring,
+                    turn: random.unit(),
+                    start: if system.is_circle(terms, coefficients) {
+                        Start::Circle {
+                            unit: scales.variables[support[0]],
+                            constants: [random.complex(), random.complex()],
+                        }
+                    } else {
+                        Start::Random {
+                            number: random.next(),
+                            members: system.members(terms, coefficients, &support[..occurring], degree),
+                            inverse_units,
+                        }
+                    },
+                };
+                row += 1;
+            }
+        }
+        Self {
+            system,
+            coefficients,
+            coordinates,
+            equations,
+            number: random.next(),
+        }
+    }
+
+    /// The number of coordinates that move.
+    #[inline]
+    pub(super) fn free(&self) -> usize {
+        self.coordinates.free
+    }
+
+    /// The number of ways to choose one factor of each equation.
+    pub(super) fn choices(&self) -> usize {
+        self.equations[..self.free()].iter().fold(1, |choices, equation| {
+            choices.saturating_mul(usize::from(equation.degree))
+        })
+    }
+
+    /// The known solution in which one chosen factor of each equation is zero, if there is one and it is finite.
+    pub(super) fn start(&mut self, choice: usize, at: &mut Linearised<M>) -> Option<[Complex; M]> {
+        let free = self.free();
+        let mut rest = choice;
+        for (row, equation) in self.equations[..free].iter().enumerate() {
+            let degree = usize::from(equation.degree);
+            let factor = u8::try_from(rest % degree).unwrap_or(0);
+            rest /= degree;
+            let mut slopes = Slopes::ZERO;
+            slopes.infinity = equation.start.constant(factor);
+            for (place, &variable) in equation.support[..equation.occurring].iter().enumerate() {
+                slopes.along[variable] = equation.start.coefficient(factor, place);
+            }
+            at.value[row] = -self.coordinates.restrict(
+                &equation.support[..equation.occurring],
+                &slopes.along,
+                slopes.infinity,
+                &mut at.factors.rows[row],
+            );
+        }
+        if !at.factors.factorise(free) {
+            return None;
+        }
+        let mut point = at.value;
+        at.factors.solve(free, &mut point);
+        // The size of the inverse: by so much roundings of the forms are enlarged.
+        let mut sums = [0.0; M];
+        for row in 0..free {
+            let mut column = [Complex::ZERO; M];
+            column[row] = Complex::ONE;
+            at.factors.solve(free, &mut column);
+            for (sum, entry) in sums.iter_mut().zip(&column[..free]) {
+                *sum += entry.norm();
+            }
+        }
+        let condition = sums[..free].iter().fold(1.0, |most: f64, &sum| most.max(sum));
+        let size = self.size(&point).max(1.0);
+        let (_, infinity) = self.homogeneous(&point);
+        // Where the forms contradict each other, their solution is at infinity.
+        let finite = infinity.norm() > 1e3 * f64::EPSILON * condition * size;
+        finite.then_some(point)
+    }
+
+    /// Pins the largest coordinate if it is much larger than the one that is pinned, and says whether it did.
+    pub(super) fn pin_largest(&mut self, point: &mut [Complex; M]) -> bool {
+        let free = self.free();
+        let (mut place, mut most) = (free, 4.0);
+        for (candidate, value) in point[..free].iter().enumerate() {
+            if value.norm_squared() > most {
+                (place, most) = (candidate, value.norm_squared());
+            }
+        }
+        if place == free {
+            return false;
+        }
+        let inverse = point[place].inverse();
+        for value in &mut point[..free] {
+            *value = *value * inverse;
+        }
+        point[place] = inverse;
+        self.coordinates.exchange(place);
+        true
+    }
+
+    /// X₁ ... and X₀ of a point.
+    #[inline]
+    pub(super) fn homogeneous(&self, point: &[Complex; M]) -> ([Complex; M], Complex) {
+        let free = self.free();
+        let sum = |shares: &[f64; M], pinned: f64| {
+            shares[..free]
+                .iter()
+                .zip(&point[..free])
+                .fold(Complex::real(pinned), |sum, (share, value)| sum + value.scale(*share))
+        };
+        let coordinates = &self.coordinates;
+        let mut x = [Complex::ZERO; M];
+        for (variable, x) in x.iter_mut().enumerate() {
+            *x = sum(&coordinates.basis[variable], coordinates.pinned[variable]);
+        }
+        (x, sum(&coordinates.infinity, coordinates.infinity_pinned))
+    }
+
+    /// Two numbers that do not depend on which coordinate is pinned, and differ from point to point.
+    pub(super) fn marks(&self, point: &[Complex; M]) -> [Complex; 2] {
+        let (x, infinity) = self.homogeneous(point);
+        let [below, first, second] = [0, 1, 2].map(|form| {
+            x.iter().zip(&self.coordinates.inverse_units).enumerate().fold(
+                sequence::entry(self.number, form, M) * infinity,
+                |sum, (variable, (x, inverse_unit))| {
+                    sum + sequence::entry(self.number, form, variable) * x.scale(*inverse_unit)
+                },
+            )
+        });
+        let inverse = below.inverse();
+        [first * inverse, second * inverse]
+    }
+
+    /// Evaluates H, its rate and its Jacobian.
+    pub(super) fn evaluate(&self, point: &[Complex; M], t: Complex, at: &mut Linearised<M>) {
+        let (x, infinity) = self.homogeneous(point);
+        let rest = Complex::ONE - t;
+        for (row, equation) in self.equations[..self.free()].iter().enumerate() {
+            let mut slopes = Slopes::ZERO;
+            self.add_target(equation, &x, infinity, &mut slopes);
+            let target = slopes.value;
+            let support = &equation.support[..equation.occurring];
+            slopes.value = rest * target;
+            slopes.infinity = rest * slopes.infinity;
+            for &variable in support {
+                slopes.along[variable] = rest * slopes.along[variable];
+            }
+            let start = equation.add_start(&x, infinity, t * equation.turn, &mut slopes);
+            at.value[row] = slopes.value;
+            at.rate[row] = equation.turn * start - target;
+            self.coordinates
+                .restrict(support, &slopes.along, slopes.infinity, &mut at.factors.rows[row]);
+        }
+    }
+
+    /// F of one equation, with its slopes.
+    #[inline]
+    fn add_target(&self, equation: &Equation<M>, x: &[Complex; M], infinity: Complex, slopes: &mut Slopes<M>) {
+        let [first, end] = equation.terms;
+        for term in &self.system.terms()[first..end] {
+            let coefficient = self.coefficients[usize::from(term.coefficient)] * equation.scale;
+            if coefficient == 0.0 {
+                continue;
+            }
+            let degree = term.powers.iter().fold(0, |sum, &(_, power)| sum + power);
+            let missing = equation.degree - degree;
+            let lifted = infinity.power(missing).scale(coefficient);
+            let mut product = Complex::real(coefficient);
+            for (place, &(variable, power)) in term.powers.iter().enumerate() {
+                let variable = usize::from(variable);
+                let less = x[variable].power(power - 1);
+                let mut slope = lifted * less;
+                for (other, &(variable, power)) in term.powers.iter().enumerate() {
+                    if other != place {
+                        slope = slope * x[usize::from(variable)].power(power);
+                    }
+                }
+                slopes.along[variable] += slope.scale(f64::from(power));
+                product = product * less * x[variable];
+            }
+            if missing > 0 {
+                let slope = product * infinity.power(missing - 1);
+                slopes.infinity += slope.scale(f64::from(missing));
+                product = slope * infinity;
+            }
+            slopes.value += product;
+        }
+    }
+
+    /// The sums of the moduli of the terms of each equation at t = 0, of which the roundings are a multiple.
+    pub(super) fn magnitudes(&self, point: &[Complex; M]) -> [f64; M] {
+        let free = self.free();
+        // The sums of which the variables are made round to their largest share, not to themselves.
+        let sum = |shares: &[f64; M], pinned: f64| {
+            shares[..free]
+                .iter()
+                .zip(point)
+                .fold(pinned.abs(), |sum, (share, value)| sum + share.abs() * value.norm())
+        };
+        let coordinates = &self.coordinates;
+        let infinity = sum(&coordinates.infinity, coordinates.infinity_pinned);
+        let mut magnitudes = [0.0; M];
+        for (magnitude, equation) in magnitudes.iter_mut().zip(&self.equations[..free]) {
+            let [first, end] = equation.terms;
+            for term in &self.system.terms()[first..end] {
+                let coefficient = self.coefficients[usize::from(term.coefficient)] * equation.scale;
+                if coefficient == 0.0 {
+                    continue;
+                }
+                let degree = term.powers.iter().fold(0, |sum, &(_, power)| sum + power);
+                let missing = i32::from(equation.degree - degree);
+                *magnitude += term.powers.iter().fold(
+                    coefficient.abs() * Float::powi(infinity, missing),
+                    |size, &(variable, power)| {
+                        let variable = usize::from(variable);
+                        let x = sum(&coordinates.basis[variable], coordinates.pinned[variable]);
+                        size * Float::powi(x, i32::from(power))
+                    },
+                );
+            }
+        }
+        magnitudes
+    }
+
+    /// The largest modulus of the free coordinates.
+    #[inline]
+    pub(super) fn size(&self, step: &[Complex; M]) -> f64 {
+        largest(&step[..self.free()])
+    }
+}

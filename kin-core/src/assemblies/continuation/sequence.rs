@@ -1,0 +1,72 @@
+//! Numbers in general position.
+
+use core::f64::consts::TAU;
+
+use super::complex::Complex;
+use crate::number::scatter::{INCREMENT, fraction, mix};
+
+/// A fixed sequence of numbers without any relation to the mechanism.
+#[derive(Clone, Debug)]
+pub(super) struct Sequence {
+    state: u64,
+}
+
+impl Sequence {
+    /// One of many sequences.
+    pub(super) const fn new(number: u64) -> Self {
+        Self {
+            state: number.wrapping_mul(0xD1B5_4A32_D192_ED03),
+        }
+    }
+
+    /// 64 bits.
+    pub(super) fn next(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(INCREMENT);
+        mix(self.state)
+    }
+
+    /// Evenly distributed between 0 and 1.
+    pub(super) fn fraction(&mut self) -> f64 {
+        self.state = self.state.wrapping_add(INCREMENT);
+        fraction(self.state)
+    }
+
+    /// A complex number of modulus between 1/2 and 3/2.
+    pub(super) fn complex(&mut self) -> Complex {
+        self.unit().scale(0.5 + self.fraction())
+    }
+
+    /// A complex number of modulus one.
+    pub(super) fn unit(&mut self) -> Complex {
+        Complex::unit(TAU * self.fraction())
+    }
+}
+
+/// One of the coefficients of several forms, complex, with parts between -1 and 1.
+#[inline]
+pub(super) fn entry(number: u64, form: u8, place: usize) -> Complex {
+    // A usize has at most 64 bits.
+    let place = (place as u64).wrapping_mul(256).wrapping_add(u64::from(form));
+    let at = number.wrapping_add(place.wrapping_mul(2).wrapping_mul(INCREMENT));
+    Complex::new(
+        2.0 * fraction(at) - 1.0,
+        2.0 * fraction(at.wrapping_add(INCREMENT)) - 1.0,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sequence;
+
+    #[test]
+    fn evenly_distributed_and_always_the_same() {
+        let mut sequence = Sequence::new(1);
+        let values: [f64; 1000] = core::array::from_fn(|_| sequence.fraction());
+        let mean = values.iter().sum::<f64>() / 1000.0;
+        // Five standard deviations of the mean of a thousand.
+        assert!((mean - 0.5).abs() < 5.0 * (1.0 / 12_000.0_f64).sqrt());
+        assert_eq!(values[0], Sequence::new(1).fraction());
+        assert_ne!(values[0], Sequence::new(2).fraction());
+        assert!((sequence.unit().norm() - 1.0).abs() < 1e-15);
+    }
+}

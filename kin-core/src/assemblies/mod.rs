@@ -1,0 +1,8 @@
+//! All assemblies of a mechanism with coupled blocks.
+
+pub mod continuation;
+mod every;
+mod list;
+
+pub use every::{Assemblies, Choices, every};
+pub use list::Positions;

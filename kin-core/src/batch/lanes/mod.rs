@@ -1,0 +1,279 @@
+//! Several numbers in one, for several poses at once.
+//!
+//! Every operation is a short loop over an array, without a branch, which a compiler turns into the instructions of the widest
+//! vectors that the function around it may use. There are no intrinsics.
+//!
+//! Each lane decides for itself: where a solver would go no further with one of the numbers, that lane becomes NaN, and stays it
+//! in whatever is calculated with it, while the others go on. So a lane that is finite to the end has passed every test. What
+//! the lanes cannot do (huge angles, an iteration that must be damped) and what [rounding](Scalar::DOUBT) would decide makes NaN of them as
+//! well; whoever solves in lanes asks the ordinary solver about these poses.
+
+mod newton;
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_traits::Float;
+
+use crate::failure::Failure;
+use crate::number::Number;
+use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, turned_round};
+use crate::solve::Scalar;
+
+/// `W` numbers; multiplied and added in one step where functions say so, if they are `FUSED`.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Lanes<const W: usize, const FUSED: bool>(pub(crate) [f64; W]);
+
+impl<const W: usize, const FUSED: bool> Lanes<W, FUSED> {
+    #[inline(always)]
+    pub(crate) fn from_fn(mut function: impl FnMut(usize) -> f64) -> Self {
+        let mut lanes = [0.0; W];
+        for (lane, entry) in lanes.iter_mut().enumerate() {
+            *entry = function(lane);
+        }
+        Self(lanes)
+    }
+
+    #[inline(always)]
+    fn map(self, function: impl Fn(f64) -> f64) -> Self {
+        Self::from_fn(|lane| function(self.0[lane]))
+    }
+
+    #[inline(always)]
+    fn with(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
+        Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
+    }
+
+    /// The sum of all lanes: not finite if one of them is not.
+    #[inline(always)]
+    pub(crate) fn sum(self) -> f64 {
+        // One by one: in pairs, a compiler would take pairs for the vectors that everything before is arranged in.
+        let mut sum = 0.0;
+        for entry in self.0 {
+            sum += entry;
+        }
+        sum
+    }
+
+    /// The values of a lane.
+    #[inline(always)]
+    fn at<const N: usize>(numbers: &[Self; N], lane: usize) -> [f64; N] {
+        let mut values = [0.0; N];
+        for (value, number) in values.iter_mut().zip(numbers) {
+            *value = number.0[lane];
+        }
+        values
+    }
+}
+
+impl<const W: usize, const FUSED: bool> Add for Lanes<W, FUSED> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.with(other, |a, b| a + b)
+    }
+}
+
+impl<const W: usize, const FUSED: bool> Sub for Lanes<W, FUSED> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.with(other, |a, b| a - b)
+    }
+}
+
+impl<const W: usize, const FUSED: bool> Mul for Lanes<W, FUSED> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.with(other, |a, b| a * b)
+    }
+}
+
+impl<const W: usize, const FUSED: bool> Div for Lanes<W, FUSED> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.with(other, |a, b| a / b)
+    }
+}
+
+impl<const W: usize, const FUSED: bool> Neg for Lanes<W, FUSED> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|a| -a)
+    }
+}
+
+impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
+    const EPSILON: f64 = f64::EPSILON;
+
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Self([value; W])
+    }
+
+    /// Of the first lane. Lanes decide each for itself, so that this is for reports only, which nobody reads.
+    #[inline(always)]
+    fn real(self) -> f64 {
+        self.0[0]
+    }
+
+    /// Always: whoever solves in lanes looks at each in the end.
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(Float::sqrt)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (mut sine, mut cosine) = (self, self);
+        for lane in 0..W {
+            let angle = self.0[lane];
+            // NaN where the polynomials do not hold.
+            let angle = if is_near(angle) { angle } else { f64::NAN };
+            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, FUSED>(angle);
+        }
+        (sine, cosine)
+    }
+
+    #[inline(always)]
+    fn asin(self) -> Self {
+        self.atan2(leg(self))
+    }
+
+    #[inline(always)]
+    fn acos(self) -> Self {
+        leg(self).atan2(self)
+    }
+
+    #[inline(always)]
+    fn atan(self) -> Self {
+        self.atan2(Self::constant(1.0))
+    }
+
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        self.with(x, |y, x| {
+            let (angle, ordinary) = ordinary_arc_tangent::<FUSED, FUSED>(y, x);
+            if FUSED || ordinary { angle } else { f64::NAN }
+        })
+    }
+
+    #[inline(always)]
+    fn exp(self) -> Self {
+        self.map(Float::exp)
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        self.map(Float::ln)
+    }
+
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        if FUSED {
+            Self::from_fn(|lane| Float::mul_add(a.0[lane], b.0[lane], self.0[lane]))
+        } else {
+            self + a * b
+        }
+    }
+
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        if FUSED {
+            Self::from_fn(|lane| Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]))
+        } else {
+            self - a * b
+        }
+    }
+}
+
+impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
+    /// Some 4500 units of rounding: what comes before the sum may have magnified them a thousand times.
+    const DOUBT: f64 = 1e-12;
+
+    #[inline(always)]
+    fn provided<const N: usize, const K: usize>(
+        self,
+        judges: [Self; N],
+        conditions: impl Fn([f64; N]) -> [bool; K],
+    ) -> Option<Self> {
+        let mut kept = self;
+        for lane in 0..W {
+            // One after the other: a comparison and a selection are arranged in vectors, a conjunction is not.
+            for holds in conditions(Self::at(&judges, lane)) {
+                kept.0[lane] = if holds { kept.0[lane] } else { f64::NAN };
+            }
+        }
+        Some(kept)
+    }
+
+    #[inline(always)]
+    fn either<const N: usize>(
+        judges: [Self; N],
+        test: impl Fn([f64; N]) -> bool,
+        one: impl FnOnce() -> Self,
+        other: impl FnOnce() -> Self,
+    ) -> Self {
+        let (one, other) = (one(), other());
+        Self::from_fn(|lane| {
+            if test(Self::at(&judges, lane)) {
+                one.0[lane]
+            } else {
+                other.0[lane]
+            }
+        })
+    }
+
+    #[inline(always)]
+    fn times_sign_of(self, other: Self) -> Self {
+        self.with(other, |a, b| turned_round(a, b.to_bits()))
+    }
+
+    #[inline(always)]
+    fn constant_of<const N: usize>(judges: [Self; N], function: impl Fn([f64; N]) -> f64) -> Self {
+        Self::from_fn(|lane| function(Self::at(&judges, lane)))
+    }
+
+    #[inline(always)]
+    fn decided<const N: usize, R: PartialEq>(
+        judges: [Self; N],
+        decision: impl Fn([f64; N]) -> Result<R, Failure>,
+    ) -> Result<R, Failure> {
+        let first = decision(Self::at(&judges, 0))?;
+        for lane in 1..W {
+            if decision(Self::at(&judges, lane))? != first {
+                return Err(Failure::NotFinite { quantity: "lanes" });
+            }
+        }
+        Ok(first)
+    }
+
+    #[inline(always)]
+    fn root<const N: usize>(
+        guess: [Self; N],
+        sizes: [Self; N],
+        evaluate: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
+    ) -> Result<[Self; N], Failure> {
+        newton::root(guess, sizes, evaluate)
+    }
+}
+
+/// The other leg of a right triangle with a hypotenuse of 1.
+#[inline(always)]
+fn leg<const W: usize, const FUSED: bool>(known: Lanes<W, FUSED>) -> Lanes<W, FUSED> {
+    let one = Lanes::constant(1.0);
+    ((one - known) * (one + known)).sqrt()
+}

@@ -1,0 +1,152 @@
+//! Newton's method in lanes: the steps that the ordinary method takes where it has no need to shorten them.
+//!
+//! A lane whose first step is too long, or whose corrections do not fall as they must for a full step, becomes NaN; the ordinary
+//! method, with its damping, decides about it. So a lane that arrives has come by the steps of the ordinary method, and at the same root.
+
+#![expect(clippy::needless_range_loop, reason = "lanes are an index into several arrays")]
+
+use super::Lanes;
+use crate::failure::Failure;
+use crate::number::Number;
+use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
+
+/// Full steps from a good guess double the digits; who needs more than this is better damped.
+const ITERATIONS: u32 = 12;
+
+/// A step that has been taken.
+struct Step<const W: usize, const FUSED: bool, const N: usize> {
+    from: [Lanes<W, FUSED>; N],
+    length: Lanes<W, FUSED>,
+    factors: Factors<Lanes<W, FUSED>, N>,
+}
+
+#[inline(always)]
+pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
+    guess: [Lanes<W, FUSED>; N],
+    sizes: [Lanes<W, FUSED>; N],
+    mut evaluate: impl FnMut([Lanes<W, FUSED>; N]) -> ([Lanes<W, FUSED>; N], [[Lanes<W, FUSED>; N]; N]),
+) -> Result<[Lanes<W, FUSED>; N], Failure> {
+    let mut point = guess;
+    let mut root = [Lanes([f64::NAN; W]); N];
+    let mut pending = [true; W];
+    let mut last: Option<Step<W, FUSED, N>> = None;
+    for _ in 0..ITERATIONS {
+        // In one place only: called from two, it would be no part of this function, and know nothing of the machine's vectors.
+        let (residuals, mut jacobian) = evaluate(point);
+        for row in &mut jacobian {
+            for (entry, size) in row.iter_mut().zip(sizes) {
+                *entry = *entry * size;
+            }
+        }
+        let factors = factor(jacobian)?;
+        let correction = negated(factors.solve(residuals));
+        let length = largest(&correction);
+        let mut end = point;
+        for (index, entry) in end.iter_mut().enumerate() {
+            *entry = *entry + correction[index] * sizes[index];
+        }
+        let mut previous = Lanes::constant(f64::INFINITY);
+        let mut ratio = Lanes::constant(1.0);
+        // A forecast of the length of the next full step is a quotient of these two.
+        let mut forecast = [Lanes::constant(1.0), Lanes::constant(0.0)];
+        if let Some(step) = &last {
+            let expected = negated(step.factors.solve(residuals));
+            let mut difference = expected;
+            for (entry, correction) in difference.iter_mut().zip(correction) {
+                *entry = *entry - correction;
+            }
+            let fall = largest(&expected);
+            previous = step.length;
+            forecast = [previous * fall, largest(&difference) * length];
+            ratio = factors.determinant_relative_to(&step.factors);
+            for lane in 0..W {
+                let (previous, fall) = (previous.0[lane], fall.0[lane]);
+                let falls = fall < 0.75 * previous;
+                // What does not fall and is small is rounding.
+                let ends = !falls && previous * previous <= LINEAR_STEP * f64::EPSILON;
+                if pending[lane] && ends && is_distinct(ratio.0[lane]) {
+                    arrive(&mut root, if fall < previous { &point } else { &step.from }, lane);
+                }
+                pending[lane] &= falls;
+            }
+        }
+        for lane in 0..W {
+            let lost = (0..N).all(|index| {
+                let size = point[index].0[lane].abs() / sizes[index].0[lane];
+                correction[index].0[lane].abs() <= f64::EPSILON * size.max(1.0)
+            });
+            let (length, previous) = (length.0[lane], previous.0[lane]);
+            let stalled = length >= 0.5 * previous && length * length <= LINEAR_STEP * f64::EPSILON;
+            if pending[lane] && (lost || stalled) {
+                pending[lane] = false;
+                if is_distinct(ratio.0[lane]) {
+                    arrive(&mut root, if lost { &end } else { &point }, lane);
+                }
+            }
+            let is_full = if last.is_some() {
+                forecast[0].0[lane] >= forecast[1].0[lane]
+            } else {
+                length <= FIRST_STEP
+            };
+            pending[lane] &= is_full;
+        }
+        if !pending.contains(&true) {
+            break;
+        }
+        let from = point;
+        // Lanes that have ended stay where they are.
+        for (entry, end) in point.iter_mut().zip(end) {
+            for lane in 0..W {
+                if pending[lane] {
+                    entry.0[lane] = end.0[lane];
+                }
+            }
+        }
+        last = Some(Step { from, length, factors });
+    }
+    Ok(root)
+}
+
+/// Whether rounding errors do not alter the determinant so much that there might be a second root. The ordinary method allows a quarter; its
+/// last step is another one, so that half of that is in doubt already.
+#[inline(always)]
+fn is_distinct(ratio: f64) -> bool {
+    (0.97..=1.03).contains(&ratio)
+}
+
+#[inline(always)]
+fn arrive<const W: usize, const FUSED: bool, const N: usize>(
+    root: &mut [Lanes<W, FUSED>; N],
+    place: &[Lanes<W, FUSED>; N],
+    lane: usize,
+) {
+    for (root, place) in root.iter_mut().zip(place) {
+        root.0[lane] = place.0[lane];
+    }
+}
+
+#[inline(always)]
+fn negated<const W: usize, const FUSED: bool, const N: usize>(vector: [Lanes<W, FUSED>; N]) -> [Lanes<W, FUSED>; N] {
+    let mut negated = vector;
+    for entry in &mut negated {
+        *entry = -*entry;
+    }
+    negated
+}
+
+/// The largest magnitude; NaN if there is a NaN.
+#[inline(always)]
+fn largest<const W: usize, const FUSED: bool, const N: usize>(vector: &[Lanes<W, FUSED>; N]) -> Lanes<W, FUSED> {
+    let mut largest = Lanes::constant(0.0);
+    for entry in vector {
+        largest = largest.with(*entry, |largest, entry| {
+            let size = entry.abs();
+            if size <= largest || largest.is_nan() {
+                largest
+            } else {
+                size
+            }
+        });
+    }
+    largest
+}

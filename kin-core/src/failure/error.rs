@@ -1,0 +1,321 @@
+//! Why a position could not be found.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::failure::{InputValues, digits::Digits};
+
+/// What is the matter.
+///
+/// Lengths are in the mechanism's own units, angles in radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Failure {
+    /// The links do not reach: the closure has no solution.
+    OutOfReach {
+        /// By how much, as a negative number in the unit of what is missing; it goes to zero at the limit of the range.
+        margin: f64,
+    },
+    /// The block's Jacobian is singular: a limit position or dead point, links on one line. A position may exist,
+    /// rates do not.
+    Singular {
+        /// The determinant, zero up to rounding.
+        determinant: f64,
+    },
+    /// There is a solution, outside of the range declared for the unknown.
+    OutOfRange {
+        /// The name of the unknown.
+        unknown: &'static str,
+        /// The solution nearest to the range.
+        value: f64,
+        /// The lower end of the range.
+        low: f64,
+        /// The upper end of the range.
+        high: f64,
+    },
+    /// Both solutions lie in the range declared for the unknown.
+    Ambiguous {
+        /// The name of the unknown.
+        unknown: &'static str,
+        /// One solution.
+        first: f64,
+        /// The other one.
+        second: f64,
+    },
+    /// An argument lies outside of the domain of a function in the declaration.
+    OutsideDomain {
+        /// The function as it is written in a declaration.
+        function: &'static str,
+        /// Its argument.
+        argument: f64,
+    },
+    /// The iteration for a block without closed form found no root from the guess it was given.
+    NotConverged {
+        /// The largest residual where it gave up, in the unit of its equation.
+        residual: f64,
+        /// How many steps were taken.
+        iterations: u32,
+        /// The condition number of the Jacobian where it gave up, in the maximum norm after scaling.
+        condition: f64,
+    },
+    /// The guess for an angle is on a turn where numbers lie more than a degree apart, so that no angle there is a solution.
+    TooManyTurns {
+        /// The name of the unknown.
+        unknown: &'static str,
+        /// The value near which it is sought.
+        guess: f64,
+        /// How far apart numbers of this size are.
+        spacing: f64,
+    },
+    /// A parameter, an input or a result is not finite: NaN, infinite, or beyond the range of the number type.
+    NotFinite {
+        /// What it is that is not finite, in a few words.
+        quantity: &'static str,
+    },
+}
+
+impl Failure {
+    /// The same failure with the place where it occurred: the unknowns that were sought, separated by
+    /// commas, and the inputs they were sought for.
+    #[cold]
+    #[must_use]
+    pub fn at(self, block: &'static str, inputs: InputValues) -> SolveError {
+        SolveError {
+            failure: self,
+            block,
+            inputs,
+        }
+    }
+
+    /// The same failure, unless one of the given quantities is not finite: then that is the cause, and the first such
+    /// quantity is named.
+    ///
+    /// ```
+    /// use kin_core::Failure;
+    ///
+    /// let failure = Failure::OutOfReach { margin: -1.0 };
+    /// assert_eq!(failure.traced(&[("r1", 90.0), ("r2", 30.0)]), failure);
+    /// assert_eq!(
+    ///     failure.traced(&[("r1", 90.0), ("r2", f64::INFINITY)]),
+    ///     Failure::NotFinite { quantity: "r2" }
+    /// );
+    /// ```
+    #[cold]
+    #[must_use]
+    pub fn traced(self, quantities: &[(&'static str, f64)]) -> Self {
+        quantities
+            .iter()
+            .find(|(_, value)| !value.is_finite())
+            .map_or(self, |(quantity, _)| Self::NotFinite { quantity })
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::OutOfReach { margin } => write!(
+                formatter,
+                "out of reach by {} (in the mechanism's own units); \
+                 change the dimensions, or keep the inputs within the range over which the loop closes",
+                Digits(-margin)
+            ),
+            Self::Singular { determinant } => write!(
+                formatter,
+                "singular position, a dead point or the limit of the range, where the two assemblies meet and rates \
+                 are not defined (determinant {}); stop short of it, or drive the mechanism by another input",
+                Digits(determinant)
+            ),
+            Self::OutOfRange {
+                unknown,
+                value,
+                low,
+                high,
+            } => write!(
+                formatter,
+                "{unknown} = {} lies outside of its declared range from {} to {}; \
+                 widen the range, or change dimensions or inputs",
+                Digits(value),
+                Digits(low),
+                Digits(high)
+            ),
+            Self::Ambiguous { unknown, first, second } => write!(
+                formatter,
+                "the declared range of {unknown} holds both solutions, {} and {}; narrow it until one is left",
+                Digits(first),
+                Digits(second)
+            ),
+            Self::OutsideDomain { function, argument } => write!(
+                formatter,
+                "{function} is not defined for {}; change dimensions or inputs",
+                Digits(argument)
+            ),
+            Self::NotConverged {
+                residual,
+                iterations,
+                condition,
+            } => write!(
+                formatter,
+                "no solution found near the guess, a residual of {} is left after {iterations} steps \
+                 (condition of the Jacobian {}); start from a better guess, track from a known pose, or bring the inputs \
+                 back within reach",
+                Digits(residual),
+                Digits(condition)
+            ),
+            Self::TooManyTurns {
+                unknown,
+                guess,
+                spacing,
+            } => write!(
+                formatter,
+                "{unknown} is sought near {}, where numbers lie {} apart and tell no direction; \
+                 take whole turns off the value near by",
+                Digits(guess),
+                Digits(spacing)
+            ),
+            Self::NotFinite { quantity } => write!(
+                formatter,
+                "{quantity}: not finite, that is NaN, infinite, or too large or too small for the number type; \
+                 check parameters and inputs"
+            ),
+        }
+    }
+}
+
+impl Error for Failure {}
+
+/// Why a position could not be found, and where.
+///
+/// ```
+/// use kin_core::{Failure, InputValues};
+///
+/// let inputs = InputValues::new(&["theta2"], &[1.956]);
+/// let error = Failure::OutOfReach { margin: -0.0123 }.at("theta3, theta4", inputs);
+/// assert!(error.to_string().starts_with(
+///     "theta3, theta4 cannot be found at theta2 = 1.956: out of reach by 0.0123"
+/// ));
+/// assert_eq!(error.margin(), Some(-0.0123));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolveError {
+    /// What is the matter.
+    pub failure: Failure,
+    /// The unknowns that were sought, separated by commas.
+    pub block: &'static str,
+    /// The inputs they were sought for.
+    pub inputs: InputValues,
+}
+
+impl SolveError {
+    /// By how much the mechanism is out of reach, as a negative number in its own units; zero in a singular position.
+    /// `None` if the failure is of another kind.
+    #[must_use]
+    pub fn margin(&self) -> Option<f64> {
+        match self.failure {
+            Failure::OutOfReach { margin } => Some(margin),
+            Failure::Singular { .. } => Some(0.0),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} cannot be found", self.block)?;
+        if self.inputs.iter().next().is_some() {
+            write!(formatter, " at {}", self.inputs)?;
+        }
+        write!(formatter, ": {}", self.failure)
+    }
+}
+
+impl Error for SolveError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        // The message already holds that of the failure.
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Failure, SolveError};
+    use crate::failure::InputValues;
+    use std::string::ToString;
+
+    #[test]
+    fn a_result_stays_small_enough_to_return() {
+        // Above 128 bytes, the usual lints warn users of every function that returns the error.
+        assert!(size_of::<SolveError>() < 128);
+    }
+
+    #[test]
+    fn messages_say_what_where_and_what_to_do() {
+        let inputs = InputValues::new(&["theta2", "x"], &[1.954, 3.0]);
+        for (failure, message) in [
+            (
+                Failure::Singular { determinant: 0.0 },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: singular position, a dead point or the limit of the \
+                 range, where the two assemblies meet and rates are not defined (determinant 0); \
+                 stop short of it, or drive the mechanism by another input",
+            ),
+            (
+                Failure::OutOfRange {
+                    unknown: "theta3",
+                    value: 4.0,
+                    low: 0.0,
+                    high: core::f64::consts::PI,
+                },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: theta3 = 4 lies outside of its declared range \
+                 from 0 to 3.141593; widen the range, or change dimensions or inputs",
+            ),
+            (
+                Failure::Ambiguous {
+                    unknown: "theta3",
+                    first: -1.0,
+                    second: 1.0,
+                },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: the declared range of theta3 holds both solutions, \
+                 -1 and 1; narrow it until one is left",
+            ),
+            (
+                Failure::OutsideDomain {
+                    function: "asin",
+                    argument: 1.25,
+                },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: asin is not defined for 1.25; \
+                 change dimensions or inputs",
+            ),
+            (
+                Failure::NotConverged {
+                    residual: 0.25,
+                    iterations: 12,
+                    condition: 3.5e9,
+                },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: no solution found near the guess, a residual of 0.25 \
+                 is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
+                 track from a known pose, or bring the inputs back within reach",
+            ),
+            (
+                Failure::TooManyTurns {
+                    unknown: "theta3",
+                    guess: 1e15,
+                    spacing: 0.125,
+                },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: theta3 is sought near 1e15, where numbers lie 0.125 \
+                 apart and tell no direction; take whole turns off the value near by",
+            ),
+            (
+                Failure::NotFinite { quantity: "r1" },
+                "theta3 cannot be found at theta2 = 1.954, x = 3: r1: not finite, that is NaN, infinite, or too large \
+                 or too small for the number type; check parameters and inputs",
+            ),
+        ] {
+            assert_eq!(failure.at("theta3", inputs).to_string(), message);
+        }
+    }
+
+    #[test]
+    fn without_inputs_none_are_mentioned() {
+        let error = Failure::OutOfReach { margin: -2.0 }.at("x", InputValues::new(&[], &[]));
+        assert!(error.to_string().starts_with("x cannot be found: out of reach by 2 "));
+    }
+}

@@ -1,0 +1,8 @@
+//! Why a position could not be found, in numbers and words.
+
+pub(crate) mod digits;
+mod error;
+mod inputs;
+
+pub use error::{Failure, SolveError};
+pub use inputs::InputValues;

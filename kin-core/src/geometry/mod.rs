@@ -1,0 +1,9 @@
+//! Points, vectors and rotations.
+
+mod plane;
+mod rotation;
+mod space;
+
+pub use plane::Plane;
+pub use rotation::Rotation;
+pub use space::Space;

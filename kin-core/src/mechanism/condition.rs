@@ -1,0 +1,156 @@
+//! How sharply a position is determined by the numbers that it was found from.
+
+use crate::mechanism::{Dimension, Mechanism, Quantity};
+use crate::number::{Number, Row, series::Series};
+use crate::solve::{eliminate, level, substitute};
+
+/// A value and its change.
+type Change = Series<2>;
+
+/// A quantity that is changed, by its place.
+#[derive(Clone, Copy, PartialEq)]
+enum Changed {
+    Parameter(usize),
+    Input(usize),
+    Unknown(usize),
+}
+
+/// See [`PoseOf::conditions`](crate::PoseOf::conditions).
+pub(crate) fn conditions<M: Mechanism>(
+    mechanism: &M,
+    inputs: &M::Inputs<M::Scalar>,
+    unknowns: &M::Unknowns<M::Scalar>,
+) -> M::Unknowns<f64> {
+    let parameters = mechanism.parameters();
+    let values = |row: &[M::Scalar], index: usize| row[index].real();
+    // How each equation changes with a quantity, times a number.
+    let response = |quantity: Changed, by: f64| {
+        let series = |own: Changed, value: f64| {
+            let change = if own == quantity { by } else { 0.0 };
+            Change::from_coefficients([value, change])
+        };
+        let changed = <M::With<Change>>::from_parameters(Row::from_fn(|index| {
+            series(Changed::Parameter(index), values(parameters.as_ref(), index))
+        }));
+        let residuals = changed.residuals(
+            Row::from_fn(|index| series(Changed::Input(index), values(inputs.as_ref(), index))),
+            Row::from_fn(|index| series(Changed::Unknown(index), values(unknowns.as_ref(), index))),
+        );
+        M::Unknowns::<f64>::from_fn(|equation| residuals.as_ref()[equation].coefficients()[1])
+    };
+
+    let mut jacobian: M::Unknowns<M::Unknowns<f64>> = Row::from_fn(|_| Row::from_fn(|_| 0.0));
+    let mut terms: M::Unknowns<f64> = Row::from_fn(|_| 0.0);
+    for (index, quantity) in M::DESCRIPTION.unknowns.iter().enumerate() {
+        let column = response(Changed::Unknown(index), 1.0);
+        // The direction of a link is rounded, and not its angle.
+        let size = match quantity.dimension {
+            Dimension::Angle => 1.0,
+            _ => values(unknowns.as_ref(), index).abs(),
+        };
+        let rows: &mut [M::Unknowns<f64>] = jacobian.as_mut();
+        for ((row, terms), entry) in rows.iter_mut().zip(terms.as_mut()).zip(column.as_ref()) {
+            row.as_mut()[index] = *entry;
+            *terms += entry.abs() * size;
+        }
+    }
+    let inverse = Inverse::<M>::of(jacobian);
+
+    let mut conditions = M::Unknowns::from_fn(|index| values(unknowns.as_ref(), index).abs());
+    let mut add = |right: M::Unknowns<f64>| {
+        let change = inverse.times(&right);
+        for (condition, change) in conditions.as_mut().iter_mut().zip(change.as_ref()) {
+            *condition += change.abs();
+        }
+    };
+    for (row, terms) in terms.as_ref().iter().enumerate() {
+        add(Row::from_fn(|other| if other == row { *terms } else { 0.0 }));
+    }
+    for (index, value) in parameters.as_ref().iter().enumerate() {
+        add(response(Changed::Parameter(index), value.real()));
+    }
+    for (index, value) in inputs.as_ref().iter().enumerate() {
+        add(response(Changed::Input(index), value.real()));
+    }
+    // A Jacobian that is singular to all digits determines nothing.
+    M::Unknowns::from_fn(|index| {
+        let condition: f64 = conditions.as_ref()[index];
+        if condition.is_finite() {
+            condition
+        } else {
+            f64::INFINITY
+        }
+    })
+}
+
+/// See [`PoseOf::condition`](crate::PoseOf::condition).
+pub(crate) fn condition<M: Mechanism>(
+    mechanism: &M,
+    inputs: &M::Inputs<M::Scalar>,
+    unknowns: &M::Unknowns<M::Scalar>,
+) -> f64 {
+    let description = M::DESCRIPTION;
+    let parameters = mechanism.parameters();
+    let lengths = |quantities: &'static [Quantity], values: &[M::Scalar]| {
+        let lengths = quantities.iter().zip(values);
+        lengths
+            .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+            .fold(0.0, |longest: f64, (_, value)| longest.max(value.real().abs()))
+    };
+    let longest = lengths(description.parameters, parameters.as_ref())
+        .max(lengths(description.inputs, inputs.as_ref()))
+        .max(lengths(description.unknowns, unknowns.as_ref()));
+    let conditions = conditions(mechanism, inputs, unknowns);
+    let unknowns = description.unknowns.iter().zip(unknowns.as_ref());
+    unknowns
+        .zip(conditions.as_ref())
+        .fold(0.0, |largest, ((quantity, value), condition)| {
+            let size = match quantity.dimension {
+                Dimension::Angle => 1.0,
+                Dimension::Length if longest > 0.0 => longest,
+                Dimension::Length => 1.0,
+                Dimension::Scalar => value.real().abs().max(1.0),
+            };
+            largest.max(condition / size)
+        })
+}
+
+/// A Jacobian in triangular factors.
+struct Inverse<M: Mechanism> {
+    rows: M::Unknowns<M::Unknowns<f64>>,
+    origins: M::Unknowns<usize>,
+    row_exponents: M::Unknowns<i32>,
+    column_exponents: M::Unknowns<i32>,
+}
+
+impl<M: Mechanism> Inverse<M> {
+    fn of(jacobian: M::Unknowns<M::Unknowns<f64>>) -> Self {
+        let mut own = Self {
+            rows: jacobian,
+            origins: Row::from_fn(|row| row),
+            row_exponents: Row::from_fn(|_| 0),
+            column_exponents: Row::from_fn(|_| 0),
+        };
+        level::<f64, _>(
+            own.rows.as_mut(),
+            own.row_exponents.as_mut(),
+            own.column_exponents.as_mut(),
+        );
+        eliminate::<f64, _>(own.rows.as_mut(), own.origins.as_mut(), f64::EPSILON);
+        own
+    }
+
+    /// Not finite if the Jacobian is singular.
+    fn times(&self, right: &M::Unknowns<f64>) -> M::Unknowns<f64> {
+        let mut solution = *right;
+        substitute::<f64, _>(
+            self.rows.as_ref(),
+            self.origins.as_ref(),
+            self.row_exponents.as_ref(),
+            self.column_exponents.as_ref(),
+            right.as_ref(),
+            solution.as_mut(),
+        );
+        solution
+    }
+}

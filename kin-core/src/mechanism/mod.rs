@@ -1,0 +1,181 @@
+//! What every mechanism has in common, so that sweeps, tables and verification are written once.
+
+mod condition;
+mod description;
+mod pose_of;
+mod sensitive;
+
+pub use description::{Block, Description, Dimension, Quantity};
+pub use pose_of::PoseOf;
+pub use sensitive::{Partials, Sensitive};
+
+use core::fmt::Debug;
+
+use crate::failure::SolveError;
+use crate::number::Row;
+use crate::solve::Scalar;
+
+/// A declared mechanism, as the `mechanism!` macro implements it.
+///
+/// The associated rows are arrays; their lengths are the numbers of parameters, inputs, unknowns and scalar equations.
+/// Points of the plane count as two scalars, x and y, those of space as three.
+///
+/// ```
+/// use kin_core::library::FourBar;
+/// use kin_core::prelude::*;
+///
+/// /// The largest angular acceleration of any unknown over a turn of the (only) input, wherever the mechanism closes.
+/// fn peak<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly, speed: f64) -> f64 {
+///     let mut peak: f64 = 0.0;
+///     for step in 0..360 {
+///         let rates = [f64::from(step).to_radians(), speed];
+///         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| rates.get(order).copied().unwrap_or(0.0)));
+///         if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
+///             for unknown in pose.unknown_motions().as_ref() {
+///                 peak = peak.max(unknown.as_ref()[2].abs());
+///             }
+///         }
+///     }
+///     peak
+/// }
+///
+/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+/// assert!(peak(&linkage, Assembly::Open, 10.0) > 50.0);
+/// ```
+pub trait Mechanism: Copy + Debug {
+    /// The number type.
+    type Scalar: Scalar;
+    /// The same mechanism with another number type.
+    type With<S: Scalar>: Mechanism<Scalar = S, Assembly = Self::Assembly, Motion<S> = Self::Motion<S>>;
+    /// Which of several solutions: [`Assembly`](crate::Assembly), a structure of them, `()` if there is but one, or
+    /// [`Near`](crate::Near) values of the unknowns, where a block of coupled equations has no closed form.
+    type Assembly: Copy + Debug + PartialEq + 'static;
+    /// A value with all its time derivatives to the mechanism's order, [`Motion<V, 5>`](crate::Motion) through snap.
+    type Motion<V: Copy>: Row<V>;
+    /// Position and all time derivatives to the mechanism's order.
+    type Pose: Pose<
+            Scalar = Self::Scalar,
+            Motion = Self::Motion<Self::Scalar>,
+            Unknowns<Self::Motion<Self::Scalar>> = Self::Unknowns<Self::Motion<Self::Scalar>>,
+        >;
+    /// A value for each scalar parameter.
+    type Parameters<V: Copy>: Row<V>;
+    /// A value for each input.
+    type Inputs<V: Copy>: Row<V>;
+    /// A value for each unknown.
+    type Unknowns<V: Copy>: Row<V>;
+    /// A value for each scalar equation.
+    type Residuals<V: Copy>: Row<V>;
+
+    /// Names, dimensions, equations and how they are solved.
+    const DESCRIPTION: Description;
+    /// How many assemblies there are whatever the dimensions, zero if that depends on them.
+    const ASSEMBLY_COUNT: usize;
+
+    /// The assembly of a number, if it is below [`ASSEMBLY_COUNT`](Self::ASSEMBLY_COUNT).
+    fn assembly(index: usize) -> Option<Self::Assembly>;
+
+    /// The assembly to which values of the unknowns belong.
+    fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
+
+    /// A mechanism of given parameters.
+    fn from_parameters(parameters: Self::Parameters<Self::Scalar>) -> Self;
+
+    /// Its parameters.
+    fn parameters(&self) -> Self::Parameters<Self::Scalar>;
+
+    /// The same mechanism with its parameters converted, to dual numbers for instance.
+    fn convert<S: Scalar>(&self, convert: impl FnMut(Self::Scalar) -> S) -> Self::With<S>;
+
+    /// Position and all time derivatives, as the inherent `solve` gives them.
+    ///
+    /// # Errors
+    /// As the inherent method.
+    fn solve_motion(
+        &self,
+        inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
+        assembly: Self::Assembly,
+    ) -> Result<Self::Pose, SolveError>;
+
+    /// Position and all time derivatives nearest to values of the unknowns, as the inherent `solve_near` gives them.
+    ///
+    /// # Errors
+    /// As the inherent method.
+    fn solve_motion_near(
+        &self,
+        inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
+        near: Self::Unknowns<Self::Scalar>,
+    ) -> Result<Self::Pose, SolveError>;
+
+    /// The position alone, as the inherent `position` gives it: the values of the unknowns.
+    ///
+    /// # Errors
+    /// As the inherent method.
+    fn solve_position(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        assembly: Self::Assembly,
+    ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
+
+    /// The position nearest to values of the unknowns, as the inherent `position_near` gives it.
+    ///
+    /// # Errors
+    /// As the inherent method.
+    fn solve_position_near(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        near: Self::Unknowns<Self::Scalar>,
+    ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
+
+    /// What is left of each scalar equation, left side less right, for any values of inputs and unknowns.
+    fn residuals(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> Self::Residuals<Self::Scalar>;
+
+    /// Every assembly, none if they depend on the dimensions.
+    fn assemblies() -> impl Iterator<Item = Self::Assembly> {
+        (0..Self::ASSEMBLY_COUNT).filter_map(Self::assembly)
+    }
+}
+
+/// The motion of a mechanism through all its orders.
+pub trait Pose: Copy + Debug {
+    /// The number type.
+    type Scalar: Scalar;
+    /// A value with its time derivatives.
+    type Motion: Row<Self::Scalar>;
+    /// A value for each unknown.
+    type Unknowns<V: Copy>: Row<V>;
+    /// A value for each scalar output.
+    type Outputs<V: Copy>: Row<V>;
+
+    /// The unknowns, in the order in which they were declared.
+    ///
+    /// The angle of a [`Direction`](crate::Direction) is calculated here, in -π ..= π, unless something else in the mechanism
+    /// asked for it.
+    fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
+
+    /// The same, with the angles that are calculated here on the turns nearest to given values of the unknowns: where
+    /// [`solve_motion_near`](Mechanism::solve_motion_near) brings all others.
+    fn unknown_motions_near(&self, near: Self::Unknowns<Self::Scalar>) -> Self::Unknowns<Self::Motion> {
+        let _ = near;
+        self.unknown_motions()
+    }
+
+    /// The unknowns as the pose holds them: where one is a direction, its cosine stands in the place of its angle.
+    #[inline(always)]
+    fn unknown_columns(&self) -> Self::Unknowns<Self::Motion> {
+        self.unknown_motions()
+    }
+
+    /// The sines of those unknowns that are directions.
+    #[inline(always)]
+    fn unknown_sines(&self) -> Self::Unknowns<Option<Self::Scalar>> {
+        Row::from_fn(|_| None)
+    }
+
+    /// The outputs, in the order in which they were declared; a point is its x, its y and, in space, its z.
+    fn output_motions(&self) -> Self::Outputs<Self::Motion>;
+}

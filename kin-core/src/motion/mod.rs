@@ -1,0 +1,608 @@
+//! A value and its time derivatives.
+
+mod curve;
+mod direction;
+mod link;
+
+pub use direction::Direction;
+pub use link::LinkMotion;
+
+use core::array;
+use core::ops::{Add, Index, IndexMut, Mul, Neg, Sub};
+
+use crate::geometry::{Plane, Space};
+use crate::number::{Number, Row};
+
+/// A value and its first `N - 1` derivatives with respect to time.
+///
+/// The derivative of order `n` has the unit of the value divided by the `n`-th power of the unit of time: radians,
+/// radians per second, radians per second squared and so on for an angle. The derivatives are the plain ones, not
+/// divided by factorials.
+///
+/// ```
+/// use kin_core::Motion;
+///
+/// // position, velocity, acceleration, jerk and snap of an input
+/// let crank = Motion::from((65f64.to_radians(), -10.0, 2.0, -0.5, 0.3));
+/// assert_eq!(crank.velocity(), -10.0);
+/// assert_eq!(crank.snap(), 0.3);
+///
+/// // the value alone, when no rate is sought
+/// let still = Motion::from([0.5]);
+/// assert_eq!(still.value(), 0.5);
+///
+/// // a crank at constant speed, through jerk
+/// let steady: Motion<f64, 4> = Motion::at_constant_speed(0.5, 10.0);
+/// assert_eq!(steady.derivatives(), [0.5, 10.0, 0.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion<T = f64, const N: usize = 5> {
+    derivatives: [T; N],
+}
+
+impl<T, const N: usize> Motion<T, N> {
+    /// The highest order of derivative.
+    pub const ORDER: usize = N - 1;
+
+    /// The value followed by its derivatives in ascending order.
+    #[inline]
+    #[must_use]
+    pub const fn new(derivatives: [T; N]) -> Self {
+        const { assert!(N > 0, "a motion has a value at least") };
+        Self { derivatives }
+    }
+
+    /// The value and the derivatives as a slice; the index is the order.
+    #[inline]
+    #[must_use]
+    pub const fn as_slice(&self) -> &[T] {
+        &self.derivatives
+    }
+
+    /// The motion with `function` applied to the value and to each derivative.
+    ///
+    /// This is right for what is linear, such as a change of units.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, function: impl FnMut(T) -> U) -> Motion<U, N> {
+        Motion {
+            derivatives: self.derivatives.map(function),
+        }
+    }
+}
+
+impl<T: Copy, const N: usize> Motion<T, N> {
+    /// The value, the derivative of order 0.
+    #[inline]
+    #[must_use]
+    pub const fn value(&self) -> T {
+        const { assert!(N > 0, "a motion has a value at least") };
+        self.derivatives[0]
+    }
+
+    /// The derivative of the given order, if there is one.
+    #[inline]
+    #[must_use]
+    pub fn derivative(&self, order: usize) -> Option<T> {
+        self.derivatives.get(order).copied()
+    }
+
+    /// The value followed by its derivatives in ascending order.
+    #[inline]
+    #[must_use]
+    pub const fn derivatives(&self) -> [T; N] {
+        self.derivatives
+    }
+
+    /// The same motion with the first `M` entries only. It is an error at compile time to ask for more than there are.
+    ///
+    /// ```
+    /// use kin_core::Motion;
+    ///
+    /// let crank = Motion::from([0.5, -10.0, 2.0]);
+    /// assert_eq!(crank.truncate::<2>(), Motion::from([0.5, -10.0]));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn truncate<const M: usize>(self) -> Motion<T, M> {
+        const {
+            assert!(
+                0 < M && M <= N,
+                "a motion can be cut short, but neither to nothing nor extended"
+            );
+        };
+        Motion {
+            derivatives: array::from_fn(|order| self.derivatives[order]),
+        }
+    }
+}
+
+impl<T: Number, const N: usize> Motion<T, N> {
+    /// A value that does not change: every derivative is zero.
+    #[inline]
+    #[must_use]
+    pub fn constant(value: T) -> Self {
+        Self::at_constant_speed(value, T::constant(0.0))
+    }
+
+    /// A value that changes at constant speed: every derivative beyond the first is zero.
+    #[inline]
+    #[must_use]
+    pub fn at_constant_speed(value: T, speed: T) -> Self {
+        Self::new(array::from_fn(|order| match order {
+            0 => value,
+            1 => speed,
+            _ => T::constant(0.0),
+        }))
+    }
+
+    /// The polynomial `c₀ + c₁ t + c₂ t² + …` and its derivatives at the given time, as motion laws of cams and
+    /// servo drives are stated. No coefficient at all is the polynomial zero.
+    ///
+    /// Horner's scheme, repeated for the derivatives.
+    ///
+    /// ```
+    /// use kin_core::Motion;
+    ///
+    /// // 1 + t³ at t = 2
+    /// let law: Motion<f64, 5> = Motion::polynomial(&[1.0, 0.0, 0.0, 1.0], 2.0);
+    /// assert_eq!(law.derivatives(), [9.0, 12.0, 12.0, 6.0, 0.0]);
+    /// ```
+    #[must_use]
+    pub fn polynomial(coefficients: &[T], time: T) -> Self {
+        // Entry n is the n-th derivative divided by n factorial until the end.
+        let mut derivatives = [T::constant(0.0); N];
+        for coefficient in coefficients.iter().rev() {
+            let mut carried = *coefficient;
+            for entry in &mut derivatives {
+                let lower = *entry;
+                *entry = lower * time + carried;
+                carried = lower;
+            }
+        }
+        let mut factorial = 1.0;
+        let mut order = 0.0;
+        for entry in derivatives.iter_mut().skip(1) {
+            order += 1.0;
+            factorial *= order;
+            *entry = *entry * T::constant(factorial);
+        }
+        Self::new(derivatives)
+    }
+
+    /// Whether the value and every derivative are finite, that is neither NaN nor infinite.
+    ///
+    /// ```
+    /// use kin_core::Motion;
+    ///
+    /// assert!(Motion::from([0.5, -10.0]).is_finite());
+    /// assert!(!Motion::from([0.5, f64::NAN]).is_finite());
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.derivatives.iter().all(|entry| entry.is_finite())
+    }
+
+    /// The motion `factor` times as large.
+    #[inline]
+    #[must_use]
+    pub fn scale(self, factor: T) -> Self {
+        self.map(|entry| entry * factor)
+    }
+
+    /// Sine and cosine of an angle in motion, in this order.
+    ///
+    /// Each follows from the derivatives of the other: s' = θ' c, c' = -θ' s, differentiated by Leibniz's rule.
+    ///
+    /// ```
+    /// use kin_core::Motion;
+    ///
+    /// let (sine, cosine) = Motion::from([0.0, 3.0, 0.0]).sin_cos();
+    /// assert_eq!(sine.derivatives(), [0.0, 3.0, 0.0]);
+    /// assert_eq!(cosine.derivatives(), [1.0, 0.0, -9.0]);
+    /// ```
+    #[must_use]
+    pub fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value().sin_cos();
+        let mut sines = [sine; N];
+        let mut cosines = [cosine; N];
+        let rates = self.derivatives.get(1..).unwrap_or(&[]);
+        for order in 1..N {
+            sines[order] = leibniz(&cosines[..order], &rates[..order]);
+            cosines[order] = -leibniz(&sines[..order], &rates[..order]);
+        }
+        (Self::new(sines), Self::new(cosines))
+    }
+}
+
+/// The highest derivative of a product of which both factors are given to that order:
+/// the sum of the binomial coefficients times `first[k]` times `second[n - k]`.
+fn leibniz<T: Number>(first: &[T], second: &[T]) -> T {
+    let mut sum = T::constant(0.0);
+    let mut binomial = 1.0;
+    let mut below = 0.0;
+    let mut above = second.len().saturating_sub(1);
+    for (left, right) in first.iter().zip(second.iter().rev()) {
+        sum = sum + T::constant(binomial) * *left * *right;
+        below += 1.0;
+        binomial = binomial * count(above) / below;
+        above = above.saturating_sub(1);
+    }
+    sum
+}
+
+#[expect(clippy::cast_precision_loss, reason = "orders of derivatives are small numbers")]
+fn count(number: usize) -> f64 {
+    number as f64
+}
+
+/// Value and derivatives; the index is the order.
+impl<T, const N: usize> AsRef<[T]> for Motion<T, N> {
+    #[inline]
+    fn as_ref(&self) -> &[T] {
+        &self.derivatives
+    }
+}
+
+/// Value and derivatives; the index is the order.
+impl<T, const N: usize> AsMut<[T]> for Motion<T, N> {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [T] {
+        &mut self.derivatives
+    }
+}
+
+/// The derivative of an order. Panics if there is none, as an index beyond an array does.
+impl<T, const N: usize> Index<usize> for Motion<T, N> {
+    type Output = T;
+
+    #[inline]
+    fn index(&self, order: usize) -> &T {
+        &self.derivatives[order]
+    }
+}
+
+/// The derivative of an order. Panics if there is none, as an index beyond an array does.
+impl<T, const N: usize> IndexMut<usize> for Motion<T, N> {
+    #[inline]
+    fn index_mut(&mut self, order: usize) -> &mut T {
+        &mut self.derivatives[order]
+    }
+}
+
+impl<T: Copy, const N: usize> Row<T> for Motion<T, N> {
+    const LENGTH: usize = N;
+
+    #[inline]
+    fn from_fn(function: impl FnMut(usize) -> T) -> Self {
+        Self::new(array::from_fn(function))
+    }
+}
+
+impl<T, const N: usize> From<[T; N]> for Motion<T, N> {
+    #[inline]
+    fn from(derivatives: [T; N]) -> Self {
+        Self::new(derivatives)
+    }
+}
+
+impl<T, const N: usize> From<Motion<T, N>> for [T; N] {
+    #[inline]
+    fn from(motion: Motion<T, N>) -> Self {
+        motion.derivatives
+    }
+}
+
+macro_rules! from_tuple {
+    ($length:literal: $($entry:ident),+) => {
+        impl<T> From<($(from_tuple!(@type $entry T),)+)> for Motion<T, $length> {
+            #[inline]
+            fn from(($($entry,)+): ($(from_tuple!(@type $entry T),)+)) -> Self {
+                Self::new([$($entry),+])
+            }
+        }
+    };
+    (@type $entry:ident $type:ident) => { $type };
+}
+
+from_tuple!(1: value);
+from_tuple!(2: value, velocity);
+from_tuple!(3: value, velocity, acceleration);
+from_tuple!(4: value, velocity, acceleration, jerk);
+from_tuple!(5: value, velocity, acceleration, jerk, snap);
+from_tuple!(6: value, velocity, acceleration, jerk, snap, crackle);
+from_tuple!(7: value, velocity, acceleration, jerk, snap, crackle, pop);
+
+/// An accessor for each length of motion that has the entry, so that asking for a derivative that is not there
+/// does not compile.
+macro_rules! accessor {
+    ($doc:literal $name:ident = $order:literal, for $($length:literal)+) => {
+        $(
+            impl<T: Copy> Motion<T, $length> {
+                #[doc = $doc]
+                #[inline]
+                #[must_use]
+                pub const fn $name(&self) -> T {
+                    self.derivatives[$order]
+                }
+            }
+        )+
+    };
+}
+
+accessor!("The value, the derivative of order 0."
+    position = 0, for 1 2 3 4 5 6 7 8 9 10 11 12 13);
+accessor!("The derivative of order 1."
+    velocity = 1, for 2 3 4 5 6 7 8 9 10 11 12 13);
+accessor!("The derivative of order 2."
+    acceleration = 2, for 3 4 5 6 7 8 9 10 11 12 13);
+accessor!("The derivative of order 3."
+    jerk = 3, for 4 5 6 7 8 9 10 11 12 13);
+accessor!("The derivative of order 4."
+    snap = 4, for 5 6 7 8 9 10 11 12 13);
+accessor!("The derivative of order 5."
+    crackle = 5, for 6 7 8 9 10 11 12 13);
+accessor!("The derivative of order 6."
+    pop = 6, for 7 8 9 10 11 12 13);
+accessor!("The derivative of order 7."
+    derivative_7 = 7, for 8 9 10 11 12 13);
+accessor!("The derivative of order 8."
+    derivative_8 = 8, for 9 10 11 12 13);
+accessor!("The derivative of order 9."
+    derivative_9 = 9, for 10 11 12 13);
+accessor!("The derivative of order 10."
+    derivative_10 = 10, for 11 12 13);
+accessor!("The derivative of order 11."
+    derivative_11 = 11, for 12 13);
+accessor!("The derivative of order 12."
+    derivative_12 = 12, for 13);
+
+macro_rules! and {
+    ($($length:literal -> $longer:literal: $($entry:ident)+;)+) => {
+        $(
+            impl<T> Motion<T, $length> {
+                /// The same motion with the next derivative appended.
+                #[inline]
+                #[must_use]
+                pub fn and(self, next: T) -> Motion<T, $longer> {
+                    let [$($entry),+] = self.derivatives;
+                    Motion::new([$($entry),+, next])
+                }
+            }
+        )+
+    };
+}
+
+and! {
+    1 -> 2: a;
+    2 -> 3: a b;
+    3 -> 4: a b c;
+    4 -> 5: a b c d;
+    5 -> 6: a b c d e;
+    6 -> 7: a b c d e f;
+    7 -> 8: a b c d e f g;
+    8 -> 9: a b c d e f g h;
+    9 -> 10: a b c d e f g h i;
+    10 -> 11: a b c d e f g h i j;
+    11 -> 12: a b c d e f g h i j k;
+    12 -> 13: a b c d e f g h i j k l;
+}
+
+impl<T: Copy, const N: usize> Motion<Plane<T>, N> {
+    /// The motion of a point of which both coordinates are known.
+    #[inline]
+    #[must_use]
+    pub fn from_coordinates(x: Motion<T, N>, y: Motion<T, N>) -> Self {
+        Self::new(array::from_fn(|order| {
+            Plane::new(x.derivatives[order], y.derivatives[order])
+        }))
+    }
+
+    /// The first coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn x(self) -> Motion<T, N> {
+        self.map(|vector| vector.x)
+    }
+
+    /// The second coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn y(self) -> Motion<T, N> {
+        self.map(|vector| vector.y)
+    }
+}
+
+impl<T: Number, const N: usize> Motion<Plane<T>, N> {
+    /// Whether both coordinates and all their derivatives are finite, that is neither NaN nor infinite.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.derivatives
+            .iter()
+            .all(|vector| vector.x.is_finite() && vector.y.is_finite())
+    }
+}
+
+impl<T: Copy, const N: usize> Motion<Space<T>, N> {
+    /// The motion of a point of space of which all coordinates are known.
+    #[inline]
+    #[must_use]
+    pub fn from_three_coordinates(x: Motion<T, N>, y: Motion<T, N>, z: Motion<T, N>) -> Self {
+        Self::new(array::from_fn(|order| {
+            Space::new(x.derivatives[order], y.derivatives[order], z.derivatives[order])
+        }))
+    }
+
+    /// The first coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn x(self) -> Motion<T, N> {
+        self.map(|vector| vector.x)
+    }
+
+    /// The second coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn y(self) -> Motion<T, N> {
+        self.map(|vector| vector.y)
+    }
+
+    /// The third coordinate of a moving point, or of a vector.
+    #[inline]
+    #[must_use]
+    pub fn z(self) -> Motion<T, N> {
+        self.map(|vector| vector.z)
+    }
+}
+
+impl<T: Number, const N: usize> Motion<Space<T>, N> {
+    /// Whether all coordinates and all their derivatives are finite, that is neither NaN nor infinite.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.derivatives
+            .iter()
+            .all(|vector| vector.x.is_finite() && vector.y.is_finite() && vector.z.is_finite())
+    }
+}
+
+impl<T: Copy + Add<Output = T>, const N: usize> Add for Motion<T, N> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::new(array::from_fn(|order| {
+            self.derivatives[order] + other.derivatives[order]
+        }))
+    }
+}
+
+impl<T: Copy + Sub<Output = T>, const N: usize> Sub for Motion<T, N> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self::new(array::from_fn(|order| {
+            self.derivatives[order] - other.derivatives[order]
+        }))
+    }
+}
+
+impl<T: Neg<Output = T>, const N: usize> Neg for Motion<T, N> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        self.map(Neg::neg)
+    }
+}
+
+/// Leibniz's rule for the derivatives of a product.
+impl<T: Number, const N: usize> Mul for Motion<T, N> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self::new(array::from_fn(|order| {
+            leibniz(&self.derivatives[..=order], &other.derivatives[..=order])
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Motion;
+    use crate::geometry::{Plane, Space};
+
+    #[test]
+    fn tuples_and_arrays_of_every_length() {
+        assert_eq!(Motion::from((1.0,)), Motion::from([1.0]));
+        assert_eq!(Motion::from((1.0, 2.0)), Motion::from([1.0, 2.0]));
+        assert_eq!(Motion::from((1.0, 2.0, 3.0)), Motion::new([1.0, 2.0, 3.0]));
+        assert_eq!(Motion::from((1.0, 2.0, 3.0, 4.0)).jerk(), 4.0);
+        let crank = Motion::from((65f64.to_radians(), -10.0, 2.0, -0.5, 0.3));
+        assert_eq!(crank.snap(), 0.3);
+        assert_eq!(Motion::<f64, 5>::ORDER, 4);
+        assert_eq!(crank.derivative(4), Some(0.3));
+        assert_eq!(crank.derivative(5), None);
+    }
+
+    #[test]
+    fn appending_reaches_every_accessor() {
+        let long = Motion::from([0.0])
+            .and(1.0)
+            .and(2.0)
+            .and(3.0)
+            .and(4.0)
+            .and(5.0)
+            .and(6.0);
+        assert_eq!(long.position(), 0.0);
+        assert_eq!(long.velocity(), 1.0);
+        assert_eq!(long.acceleration(), 2.0);
+        assert_eq!(long.jerk(), 3.0);
+        assert_eq!(long.snap(), 4.0);
+        assert_eq!(long.crackle(), 5.0);
+        assert_eq!(long.pop(), 6.0);
+        let longest = long.and(7.0).and(8.0).and(9.0).and(10.0).and(11.0).and(12.0);
+        assert_eq!(longest.pop(), 6.0);
+        assert_eq!(longest.derivative_7(), 7.0);
+        assert_eq!(longest.derivative_8(), 8.0);
+        assert_eq!(longest.derivative_9(), 9.0);
+        assert_eq!(longest.derivative_10(), 10.0);
+        assert_eq!(longest.derivative_11(), 11.0);
+        assert_eq!(longest.derivative_12(), 12.0);
+        assert_eq!(long.truncate::<2>(), Motion::from([0.0, 1.0]));
+    }
+
+    #[test]
+    fn products_of_powers_are_powers() {
+        let square = Motion::<f64, 5>::polynomial(&[0.0, 0.0, 1.0], 1.5);
+        let cube = Motion::<f64, 5>::polynomial(&[0.0, 0.0, 0.0, 1.0], 1.5);
+        let fifth = Motion::<f64, 5>::polynomial(&[0.0, 0.0, 0.0, 0.0, 0.0, 1.0], 1.5);
+        for (product, power) in (square * cube).as_slice().iter().zip(fifth.as_slice()) {
+            assert!((product - power).abs() <= 1e-13 * power.abs());
+        }
+        assert_eq!(Motion::<f64, 3>::polynomial(&[], 2.0), Motion::constant(0.0));
+    }
+
+    #[test]
+    fn sine_and_cosine_satisfy_pythagoras_to_every_order() {
+        let angle = Motion::from([0.7, -10.0, 2.0, -0.5, 0.3, 4.0]);
+        let (sine, cosine) = angle.sin_cos();
+        let one = sine * sine + cosine * cosine;
+        let size = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5];
+        for (order, (entry, size)) in one.as_slice().iter().zip(size).enumerate() {
+            let expected: f64 = if order == 0 { 1.0 } else { 0.0 };
+            assert!((entry - expected).abs() < 1e-13 * size * 30.0, "order {order}");
+        }
+        // Second derivative of the sine of an angle at constant speed.
+        let (sine, _) = Motion::<f64, 3>::at_constant_speed(0.7, 2.0).sin_cos();
+        assert!((sine.acceleration() + 4.0 * sine.value()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn points_have_coordinates() {
+        let x = Motion::from([1.0, 2.0]);
+        let y = Motion::from([3.0, 4.0]);
+        let point = Motion::from_coordinates(x, y);
+        assert_eq!(point.velocity(), Plane::new(2.0, 4.0));
+        assert_eq!((point.x(), point.y()), (x, y));
+        assert!(point.is_finite());
+        assert!(!Motion::from_coordinates(x, y.scale(f64::INFINITY)).is_finite());
+        assert_eq!((point + point - point).x(), x);
+        assert_eq!((-point).y(), -y);
+        assert_eq!(x.scale(2.0), x + x);
+    }
+
+    #[test]
+    fn points_of_space_have_three_coordinates() {
+        let [x, y, z] = [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]].map(Motion::from);
+        let point = Motion::from_three_coordinates(x, y, z);
+        assert_eq!(point.velocity(), Space::new(2.0, 4.0, 6.0));
+        assert_eq!((point.x(), point.y(), point.z()), (x, y, z));
+        assert!(point.is_finite());
+        assert!(!Motion::from_three_coordinates(x, y, z.scale(f64::INFINITY)).is_finite());
+    }
+}

@@ -1,0 +1,418 @@
+//! The angle of a point, by one division.
+//!
+//! Of the two coordinates' magnitudes, the fraction is the lesser by the greater up to a half, and beyond that of the point turned
+//! back by π/4, (lesser - greater) / (lesser + greater), where the difference is exact: in both cases at most a half. The angle is the
+//! corresponding multiple of π/4 and the arctangent of the fraction.
+
+use core::f64::consts::FRAC_PI_4;
+
+use num_traits::Float;
+
+use super::bits::turned_round;
+use super::polynomial::{FUSED, multiply_add, polynomial};
+use crate::number::single;
+
+/// π/4 as a multiple of 2⁻²⁶, and the rest.
+pub(super) const HALF_RIGHT_ANGLE: [f64; 2] = [0.785_398_155_450_820_9, 7.946_627_386_764_098e-9];
+
+/// (t - atan t) / t³ in powers of t², |t| ≤ 1/2. The relative error of the arctangent is 2⁻⁵⁷·⁷.
+pub(super) const ARC_TANGENT: [f64; 12] = [
+    0.333_333_333_333_329_8,
+    -0.199_999_999_999_031_62,
+    0.142_857_142_763_899_88,
+    -0.111_111_106_597_945_9,
+    0.090_908_962_482_682_56,
+    -0.076_920_739_622_134_48,
+    0.066_638_110_760_430_19,
+    -0.058_583_017_489_826_94,
+    0.051_220_173_546_111_08,
+    -0.041_865_342_967_284_065,
+    0.027_435_396_925_175_61,
+    -0.010_117_140_106_919_496,
+];
+
+/// As [`ARC_TANGENT`], with a relative error of 2⁻³¹·⁸.
+const ARC_TANGENT_SINGLE: [f64; 6] = [
+    0.333_333_269_253_162_3,
+    -0.199_994_898_356_003_5,
+    0.142_720_783_320_407_6,
+    -0.109_409_797_693_969_32,
+    0.079_840_521_288_676_07,
+    -0.038_723_086_667_584_82,
+];
+
+/// The angle from the x axis to (`x`, `y`), in -π ..= π, with the signs of zeros of IEEE 754.
+#[inline]
+pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
+    let (angle, ordinary) = ordinary_arc_tangent::<FUSED, false>(y, x);
+    if ordinary { angle } else { beyond(y, x) }
+}
+
+/// [`arc_tangent`] of two points.
+#[inline]
+pub(crate) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> [f64; 2] {
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    if !FUSED {
+        let ([first, second], ordinary) = super::sse2::arc_tangents(y, x);
+        let (first, second) = if ordinary {
+            (first, second)
+        } else {
+            one_by_one((y[0], x[0]), (y[1], x[1]))
+        };
+        return [first, second];
+    }
+    [arc_tangent(y[0], x[0]), arc_tangent(y[1], x[1])]
+}
+
+/// Points and angles as pairs, which stay in registers: arrays would be put into memory for this call, even where it is not made.
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+#[cold]
+#[inline(never)]
+fn one_by_one(first: (f64, f64), second: (f64, f64)) -> (f64, f64) {
+    (arc_tangent(first.0, first.1), arc_tangent(second.0, second.1))
+}
+
+/// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and for what is so
+/// far out that it is next to it.
+///
+/// With `SELECT` a condition selects, a sign is a bit, and the angle is NaN where it does not hold.
+#[expect(clippy::eq_op, reason = "less itself, infinity is NaN")]
+#[inline(always)]
+pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool>(y: f64, x: f64) -> (f64, bool) {
+    let turned = Turned::<SELECT>::of(y, x);
+    let fraction = turned.across / turned.along;
+    let ordinary = turned.has(fraction);
+    let z = fraction * fraction;
+    let fraction = turned.sense.on(fraction);
+    let low = if SELECT {
+        // Nothing is added, or NaN.
+        multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[1], turned.along - turned.along)
+    } else {
+        turned.multiple * HALF_RIGHT_ANGLE[1]
+    };
+    let rest = multiply_add::<FUSED>(-(fraction * z), polynomial::<FUSED, 12>(ARC_TANGENT, z), low);
+    let angle = multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[0], fraction + rest);
+    (angle.copysign(y), ordinary)
+}
+
+/// [`arc_tangent`] in single precision, computed in double precision.
+#[inline]
+pub(crate) fn arc_tangent_single(y: f32, x: f32) -> f32 {
+    let turned = Turned::<false>::of(f64::from(y), f64::from(x));
+    let fraction = turned.across / turned.along;
+    if !turned.has(fraction) {
+        return beyond(y, x);
+    }
+    let z = fraction * fraction;
+    let angle = fraction - fraction * (z * polynomial::<FUSED, 6>(ARC_TANGENT_SINGLE, z));
+    let wide = turned.multiple * FRAC_PI_4 + turned.sense.on(angle);
+    single(wide).copysign(y)
+}
+
+/// [`arc_tangent_single`] of two points.
+#[inline]
+pub(crate) fn arc_tangents_single(y: [f32; 2], x: [f32; 2]) -> [f32; 2] {
+    [arc_tangent_single(y[0], x[0]), arc_tangent_single(y[1], x[1])]
+}
+
+#[cold]
+#[inline(never)]
+fn beyond<T: Float>(y: T, x: T) -> T {
+    y.atan2(x)
+}
+
+/// A point turned and mirrored to next to the positive x axis, and away from the origin by a factor that does not matter.
+struct Turned<const SELECT: bool> {
+    across: f64,
+    along: f64,
+    /// Whether the angle counts forwards or backwards.
+    sense: Sign<SELECT>,
+    /// The multiple of π/4 from which it counts, if the point itself is above the x axis.
+    multiple: f64,
+}
+
+impl<const SELECT: bool> Turned<SELECT> {
+    #[inline(always)]
+    fn of(y: f64, x: f64) -> Self {
+        let (height, width) = (y.abs(), x.abs());
+        let greater = if height > width { height } else { width };
+        let lesser = if height > width { width } else { height };
+        let slanting = Condition::<SELECT>::new(lesser > greater - lesser);
+        let (side, steepness) = (Sign::of(x), Sign::of(width - height));
+        let sense = side.times(steepness);
+        // 0, 2 or 4 from the nearest axis; and the diagonal before or after it
+        let multiple = if SELECT {
+            2.0 - side.on(1.0 + slanting.unless(steepness.on(1.0)))
+        } else {
+            (2.0 - side.0) - slanting.unless(sense.0)
+        };
+        Self {
+            across: lesser - slanting.then(greater),
+            along: greater + slanting.then(lesser),
+            sense,
+            multiple,
+        }
+    }
+
+    /// Whether this fraction of the two is one: neither 0/0, nor of infinity.
+    #[inline(always)]
+    fn has(&self, fraction: f64) -> bool {
+        !(self.along * fraction).is_nan()
+    }
+}
+
+/// Selects between numbers and zero: with `SELECT` as such, elsewhere by a factor, as a condition that selects several numbers would become a
+/// branch.
+#[derive(Clone, Copy)]
+struct Condition<const SELECT: bool> {
+    holds: bool,
+    /// 1 if it holds, 0 if it does not.
+    factor: f64,
+}
+
+impl<const SELECT: bool> Condition<SELECT> {
+    #[inline(always)]
+    fn new(holds: bool) -> Self {
+        let factor = if holds { 1.0 } else { 0.0 };
+        Self { holds, factor }
+    }
+
+    #[inline(always)]
+    fn then(self, number: f64) -> f64 {
+        if !SELECT {
+            self.factor * number
+        } else if self.holds {
+            number
+        } else {
+            0.0
+        }
+    }
+
+    #[inline(always)]
+    fn unless(self, number: f64) -> f64 {
+        if !SELECT {
+            (1.0 - self.factor) * number
+        } else if self.holds {
+            0.0
+        } else {
+            number
+        }
+    }
+}
+
+/// A sign: with `SELECT` that of the number which it has, elsewhere that number is ±1, and a factor, as bits would be taken out of the registers
+/// of floating-point numbers and back.
+#[derive(Clone, Copy)]
+struct Sign<const SELECT: bool>(f64);
+
+impl<const SELECT: bool> Sign<SELECT> {
+    #[inline(always)]
+    fn of(number: f64) -> Self {
+        Self(if SELECT { number } else { 1.0_f64.copysign(number) })
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        Self(if SELECT {
+            f64::from_bits(self.0.to_bits() ^ other.0.to_bits())
+        } else {
+            self.0 * other.0
+        })
+    }
+
+    #[inline(always)]
+    fn on(self, number: f64) -> f64 {
+        if SELECT {
+            turned_round(number, self.0.to_bits())
+        } else {
+            self.0 * number
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_4, PI};
+
+    use super::{arc_tangent, arc_tangent_single, ordinary_arc_tangent};
+    use crate::number::{
+        elementary::reference::{self, fractions, units},
+        single,
+    };
+
+    /// Points at an angle of -π ..= π and at distances of many sizes.
+    fn around() -> impl Iterator<Item = (f64, f64)> {
+        fractions(200_000).enumerate().map(|(index, f)| {
+            let (sine, cosine) = ((2.0 * f - 1.0) * PI).sin_cos();
+            let size = f64::exp2(300.0 * (2.0 * (f * 977.0).fract() - 1.0) * f64::from(index % 2 == 0));
+            (size * sine, size * cosine)
+        })
+    }
+
+    /// Points next to the axes and the diagonals, and next to where the fraction changes.
+    fn near_the_axes() -> impl Iterator<Item = (f64, f64)> {
+        (0..16).flat_map(|eighth| {
+            fractions(5_000).flat_map(move |f| {
+                let off = f64::exp2(-80.0 * f);
+                [off, -off].map(|off| {
+                    let (sine, cosine) = (f64::from(eighth) * FRAC_PI_4 / 2.0).sin_cos();
+                    // On the axes themselves, not the rounding error of π.
+                    let exact = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
+                    let (sine, cosine) = (exact(sine), exact(cosine));
+                    (sine + off * cosine, cosine - off * sine)
+                })
+            })
+        })
+    }
+
+    /// Points near the positive x axis, where the angle is small.
+    fn slight() -> impl Iterator<Item = (f64, f64)> {
+        fractions(50_000).map(|f| {
+            (
+                f64::exp2(-900.0 * (f * 977.0).fract()) * (1.0 + f),
+                1.0 + (f * 331.0).fract(),
+            )
+        })
+    }
+
+    fn worst(points: impl Iterator<Item = (f64, f64)>, arc_tangent: impl Fn(f64, f64) -> f64) -> f64 {
+        points.fold(0.0, |worst, (y, x)| {
+            let error = units(arc_tangent(y, x), reference::arc_tangent(y, x), 53, f64::from_bits(1));
+            worst.max(error)
+        })
+    }
+
+    #[test]
+    fn errors_are_within_one_and_a_half_units_in_the_last_place() {
+        let fused = |y, x| ordinary_arc_tangent::<true, true>(y, x).0;
+        let unfused = |y, x| ordinary_arc_tangent::<false, true>(y, x).0;
+        for error in [
+            worst(around(), arc_tangent),
+            worst(near_the_axes(), arc_tangent),
+            worst(slight(), arc_tangent),
+            worst(around(), fused),
+            worst(near_the_axes(), fused),
+            worst(slight(), fused),
+            worst(around(), unfused),
+            worst(near_the_axes(), unfused),
+            worst(slight(), unfused),
+        ] {
+            assert!(error <= 1.5, "{error}");
+        }
+    }
+
+    /// Without fusion alone and in lanes, with fusion in lanes.
+    fn all(y: f64, x: f64) -> [(f64, bool); 3] {
+        [
+            ordinary_arc_tangent::<false, false>(y, x),
+            ordinary_arc_tangent::<false, true>(y, x),
+            ordinary_arc_tangent::<true, true>(y, x),
+        ]
+    }
+
+    #[test]
+    fn without_a_branch_nothing_comes_of_what_is_no_number() {
+        for other in [0.0, -1.0, 1e-320, f64::MAX, f64::INFINITY, f64::NAN] {
+            for (y, x) in [(f64::NAN, other), (other, f64::NAN)] {
+                for (angle, ordinary) in all(y, x) {
+                    assert!(angle.is_nan() && !ordinary, "{y:e} {x:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_ordinary_is_told_and_is_nan_in_lanes() {
+        let max = f64::MAX;
+        let infinite = f64::INFINITY;
+        for (y, x) in [
+            (0.0, 0.0),
+            (max, max),
+            (-max, 0.6 * max),
+            (infinite, infinite),
+            (1.0, infinite),
+            (infinite, 1.0),
+            (0.0, infinite),
+        ] {
+            for (y, x) in [(y, x), (y, -x), (-y, x)] {
+                let [alone, lanes @ ..] = all(y, x);
+                assert!(!alone.1, "{y:e} {x:e}");
+                for (angle, ordinary) in lanes {
+                    assert!(angle.is_nan() && !ordinary, "{y:e} {x:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_smallest_and_the_largest_points_are_ordinary() {
+        for size in [5e-324, 3e-320, 1e-308, 1e-300, 1e300, 0.4 * f64::MAX] {
+            for (y, x) in [
+                (size, size),
+                (-size, size),
+                (size, 0.0),
+                (0.0, -size),
+                (size, -2.0 * size),
+            ] {
+                let scale = f64::exp2(if size < 1.0 { 600.0 } else { -600.0 });
+                let expected = reference::arc_tangent(scale * y, scale * x);
+                for (angle, ordinary) in all(y, x) {
+                    let error = units(angle, expected, 53, f64::from_bits(1));
+                    assert!(ordinary && error <= 1.5, "{y:e} {x:e}: {angle:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn single_precision_is_rounded_from_more() {
+        for (y, x) in around().chain(near_the_axes()).chain(slight()) {
+            let (y, x) = (single(y), single(x));
+            if (x == 0.0 && y == 0.0) || !(x.is_finite() && y.is_finite()) {
+                continue;
+            }
+            let found = f64::from(arc_tangent_single(y, x));
+            let expected = reference::arc_tangent(f64::from(y), f64::from(x));
+            let error = units(found, expected, 24, f64::from(f32::from_bits(1)));
+            assert!(error <= 0.6, "atan2({y:e}, {x:e}) is off by {error} units");
+        }
+    }
+
+    #[test]
+    fn special_values_are_those_of_the_library() {
+        let sizes = [
+            0.0,
+            f64::from_bits(1),
+            f64::MIN_POSITIVE,
+            1e-150,
+            1.0,
+            1e150,
+            f64::MAX,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        let values = || sizes.into_iter().flat_map(|size| [size, -size]);
+        for (y, x) in values().flat_map(|y| values().map(move |x| (y, x))) {
+            let (found, expected) = (arc_tangent(y, x), y.atan2(x));
+            assert_eq!(
+                found.to_bits(),
+                expected.to_bits(),
+                "{y:e} {x:e}: {found:e} {expected:e}"
+            );
+            let (y, x) = (single(y), single(x));
+            let (found, expected) = (arc_tangent_single(y, x), y.atan2(x));
+            assert_eq!(
+                found.to_bits(),
+                expected.to_bits(),
+                "{y:e} {x:e}: {found:e} {expected:e}"
+            );
+        }
+    }
+
+    #[test]
+    fn signs_turn_the_angle_round() {
+        for (y, x) in around() {
+            assert_eq!(arc_tangent(-y, x), -arc_tangent(y, x));
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! Sine and cosine together.
+
+use num_traits::Float;
+
+use super::bits::{ONE, SIGN, turned_round};
+use super::polynomial::{FUSED, multiply_add, polynomial};
+use crate::number::single;
+
+/// Up to here the multiple of π/2 has 16 bits, and its products with [`QUARTER_TURN`] are exact: 2¹⁶ π/2 = 102943.
+const LIMIT: f64 = 1e5;
+
+/// π/2 as a sum of 37, 37 and 53 bits: the reduction in parts of Cody and Waite, *Software Manual for the Elementary
+/// Functions* (1980).
+///
+/// No double up to [`LIMIT`] is nearer to a multiple of π/2 than 6·10⁻¹⁹, and there the reduced angle has a
+/// relative error of 2⁻⁶³.
+const QUARTER_TURN: [f64; 3] = [
+    1.570_796_326_792_333_3,
+    2.563_344_151_583_955_8e-12,
+    1.056_299_906_698_742_8e-23,
+];
+
+/// Adding it rounds to an integer, which then stands in the lowest bits.
+const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
+/// (r - sin r) / r³ in powers of r², |r| ≤ π/4. The relative error of the sine is 2⁻⁵⁷·⁹.
+pub(super) const SINE: [f64; 6] = [
+    0.166_666_666_666_666_3,
+    -0.008_333_333_333_322_118,
+    0.000_198_412_698_295_891_21,
+    -2.755_731_362_125_163_3e-6,
+    2.505_074_774_278_626e-8,
+    -1.589_622_902_741_217_6e-10,
+];
+
+/// (cos r - 1 + r²/2) / r⁴ in powers of r², |r| ≤ π/4. The relative error of the cosine is 2⁻⁶³·⁹.
+pub(super) const COSINE: [f64; 6] = [
+    0.041_666_666_666_666_595,
+    -0.001_388_888_888_887_305_6,
+    2.480_158_728_885_143_6e-5,
+    -2.755_731_417_922_292e-7,
+    2.087_570_083_222_872_3e-9,
+    -1.135_853_602_718_916_5e-11,
+];
+
+/// As [`SINE`], with a relative error of 2⁻³⁷·⁵.
+const SINE_SINGLE: [f64; 4] = [
+    0.166_666_666_407_964_6,
+    -0.008_333_329_304_745_389,
+    0.000_198_393_122_371_727_66,
+    -2.718_121_328_822_166e-6,
+];
+
+/// As [`COSINE`], with a relative error of 2⁻³³.
+const COSINE_SINGLE: [f64; 3] = [
+    0.041_666_645_682_931_17,
+    -0.001_388_731_625_073_425_1,
+    2.443_315_653_731_113_7e-5,
+];
+
+/// Sine and cosine of an angle in radians, in this order.
+#[inline]
+pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
+    if !is_near(angle) {
+        return far(angle);
+    }
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    if !FUSED {
+        return super::sse2::sine_cosine(angle);
+    }
+    near_sine_cosine::<FUSED, false>(angle)
+}
+
+/// [`sine_cosine`] in single precision, computed in double precision.
+#[inline]
+pub(crate) fn sine_cosine_single(angle: f32) -> (f32, f32) {
+    let wide = f64::from(angle);
+    if is_near(wide) {
+        let (sine, cosine) = near_single(wide);
+        (single(sine), single(cosine))
+    } else {
+        far(angle)
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn far<T: Float>(angle: T) -> (T, T) {
+    angle.sin_cos()
+}
+
+/// Whether [`near_sine_cosine`] holds for this angle: it is finite and not large.
+#[inline(always)]
+pub(crate) fn is_near(angle: f64) -> bool {
+    angle.abs() <= LIMIT
+}
+
+/// [`sine_cosine`] of an angle that [is near](is_near), without a branch, by products or with `SELECT`. Of what is not a number both are none.
+#[inline(always)]
+pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool>(angle: f64) -> (f64, f64) {
+    let Reduced { r, tail, shifted } = Reduced::new::<FUSED>(angle);
+    let z = r * r;
+    // What is subtracted is a positive zero where the angle is zero: so the sine has the angle's sign there. The tail is less
+    // than half a unit in the last place of the angle, which the cosine does not feel.
+    let sine = r - multiply_add::<FUSED>(r * z, polynomial::<FUSED, 6>(SINE, z), tail);
+    let quartic = polynomial::<FUSED, 6>(COSINE, z);
+    let cosine = if FUSED {
+        multiply_add::<FUSED>(-z, multiply_add::<FUSED>(-z, quartic, 0.5), 1.0)
+    } else {
+        // Half of the square is exact; its product with a difference would be rounded once more.
+        1.0 - (0.5 * z - z * z * quartic)
+    };
+    if SELECT {
+        in_quadrant_by_selection(shifted, sine, cosine)
+    } else {
+        in_quadrant::<FUSED>(shifted, sine, cosine)
+    }
+}
+
+/// An angle less the nearest number of quarter turns.
+pub(super) struct Reduced {
+    pub(super) r: f64,
+    /// What r is too large by.
+    pub(super) tail: f64,
+    /// The number of quarter turns, in the lowest bits.
+    pub(super) shifted: f64,
+}
+
+impl Reduced {
+    #[inline(always)]
+    pub(super) fn new<const FUSED: bool>(angle: f64) -> Self {
+        let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
+        let turns = shifted - ROUNDING;
+        // The first difference is exact, the second leaves what it loses to the tail.
+        let first = multiply_add::<FUSED>(-turns, QUARTER_TURN[0], angle);
+        let second = turns * QUARTER_TURN[1];
+        let r = first - second;
+        let tail = multiply_add::<FUSED>(turns, QUARTER_TURN[2], second - (first - r));
+        Self { r, tail, shifted }
+    }
+}
+
+#[inline]
+fn near_single(angle: f64) -> (f64, f64) {
+    let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
+    let turns = shifted - ROUNDING;
+    let r = (angle - turns * QUARTER_TURN[0]) - turns * QUARTER_TURN[1];
+    let z = r * r;
+    let sine = r * (1.0 - z * polynomial::<FUSED, 4>(SINE_SINGLE, z));
+    let cosine = (1.0 - 0.5 * z) + z * z * polynomial::<FUSED, 3>(COSINE_SINGLE, z);
+    in_quadrant::<FUSED>(shifted, sine, cosine)
+}
+
+/// Sine and cosine of the reduced angle, turned on by as many quarter turns as the lowest bits of `shifted` say.
+///
+/// It is turned by a product with the sine and cosine of these quarter turns, 0 or ±1, so that nothing is rounded; exchanging the two
+/// would take them out of the registers of floating-point numbers and back.
+#[inline(always)]
+fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
+    let quarters = shifted.to_bits();
+    let odd = (quarters & 1).wrapping_neg();
+    let along = f64::from_bits((!odd & ONE) | (quarters << 62 & SIGN));
+    // A negative zero where there is no turn: it leaves the sign of a sine that is zero.
+    let across = f64::from_bits((odd & ONE) | (quarters.wrapping_add(3) << 62 & SIGN));
+    (
+        multiply_add::<FUSED>(sine, along, cosine * across),
+        multiply_add::<FUSED>(cosine, along, -(sine * across)),
+    )
+}
+
+/// [`in_quadrant`] with `SELECT`: two numbers change places by selection and signs are bits.
+#[inline(always)]
+fn in_quadrant_by_selection(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
+    let quarters = shifted.to_bits();
+    let odd = quarters & 1 != 0;
+    (
+        turned_round(if odd { cosine } else { sine }, quarters << 62),
+        turned_round(if odd { sine } else { cosine }, quarters.wrapping_add(1) << 62),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    use super::{LIMIT, is_near, near_sine_cosine, sine_cosine, sine_cosine_single};
+    use crate::number::{
+        elementary::reference::{self, fractions, units},
+        single,
+    };
+
+    /// The largest errors of sine and cosine, in units in the last place.
+    fn worst(angles: impl Iterator<Item = f64>, sine_cosine: impl Fn(f64) -> (f64, f64)) -> [f64; 2] {
+        angles.fold([0.0; 2], |worst, angle| {
+            let found = sine_cosine(angle);
+            let [sine, cosine] = reference::sine_cosine(angle);
+            let tiny = f64::from_bits(1);
+            [
+                worst[0].max(units(found.0, sine, 53, tiny)),
+                worst[1].max(units(found.1, cosine, 53, tiny)),
+            ]
+        })
+    }
+
+    fn worst_single(angles: impl Iterator<Item = f64>) -> f64 {
+        angles.fold(0.0, |worst, angle| {
+            let angle = single(angle);
+            let found = sine_cosine_single(angle);
+            let [sine, cosine] = reference::sine_cosine(f64::from(angle));
+            let tiny = f64::from(f32::from_bits(1));
+            let errors = [
+                units(f64::from(found.0), sine, 24, tiny),
+                units(f64::from(found.1), cosine, 24, tiny),
+            ];
+            errors.into_iter().fold(worst, f64::max)
+        })
+    }
+
+    /// The doubles next to every multiple of π/2 up to the limit, or to every `step`-th.
+    fn near_the_axes(step: usize) -> impl Iterator<Item = f64> {
+        (1_u32..63_662).step_by(step).flat_map(|quarters| {
+            // The third part of π/2 does not change the nearest double.
+            let angle = f64::from(quarters) * FRAC_PI_2;
+            [angle, angle.next_down(), angle.next_up(), -angle]
+        })
+    }
+
+    #[test]
+    fn errors_are_within_one_and_a_third_units_in_the_last_place() {
+        const COUNT: u32 = 50_000;
+        let turn = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI);
+        let quarter = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI / 4.0);
+        let range = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * LIMIT);
+        let tiny = || fractions(10_000).map(|f| f64::exp2(-1074.0 * f));
+        let fused = near_sine_cosine::<true, true>;
+        for [sine, cosine] in [
+            worst(turn(), sine_cosine),
+            worst(quarter(), sine_cosine),
+            worst(range(), sine_cosine),
+            worst(tiny(), sine_cosine),
+            worst(near_the_axes(1), sine_cosine),
+            worst(turn(), fused),
+            worst(range(), fused),
+            worst(tiny(), fused),
+            worst(near_the_axes(7), fused),
+        ] {
+            assert!(sine <= 4.0 / 3.0 && cosine <= 4.0 / 3.0, "{sine} {cosine}");
+        }
+    }
+
+    #[test]
+    fn without_a_branch_nothing_comes_of_what_is_no_number() {
+        for angle in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!is_near(angle));
+            for (sine, cosine) in [
+                near_sine_cosine::<false, true>(angle),
+                near_sine_cosine::<true, true>(angle),
+            ] {
+                assert!(sine.is_nan() && cosine.is_nan());
+            }
+        }
+    }
+
+    #[test]
+    fn single_precision_is_rounded_from_more() {
+        const COUNT: u32 = 50_000;
+        let turn = fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI);
+        let range = fractions(COUNT).map(|f| (2.0 * f - 1.0) * LIMIT);
+        let tiny = fractions(10_000).map(|f| f64::exp2(-149.0 * f));
+        for error in [
+            worst_single(turn),
+            worst_single(range),
+            worst_single(tiny),
+            worst_single(near_the_axes(1)),
+        ] {
+            assert!(error <= 0.6, "{error}");
+        }
+    }
+
+    #[test]
+    fn special_values_are_those_of_the_library() {
+        let far = [LIMIT.next_up(), 1e6, 1e22, f64::MAX, f64::INFINITY, f64::NAN];
+        let near = [0.0, f64::from_bits(1), f64::MIN_POSITIVE, 1e-20];
+        for angle in far.into_iter().chain(near).flat_map(|angle| [angle, -angle]) {
+            let (found, expected) = (sine_cosine(angle), angle.sin_cos());
+            assert_eq!(found.0.to_bits(), expected.0.to_bits(), "{angle}");
+            assert_eq!(found.1.to_bits(), expected.1.to_bits(), "{angle}");
+            let angle = single(angle);
+            let (found, expected) = (sine_cosine_single(angle), angle.sin_cos());
+            assert_eq!(found.0.to_bits(), expected.0.to_bits(), "{angle}");
+            assert_eq!(found.1.to_bits(), expected.1.to_bits(), "{angle}");
+        }
+    }
+
+    #[test]
+    fn sine_is_odd_and_cosine_even() {
+        for angle in fractions(1000).map(|f| 100.0 * f) {
+            let (sine, cosine) = sine_cosine(angle);
+            assert_eq!(sine_cosine(-angle), (-sine, cosine));
+        }
+    }
+}

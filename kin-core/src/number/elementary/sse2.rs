@@ -1,0 +1,189 @@
+//! Two numbers in one register, for what is computed for two numbers alike: a sine and a cosine, two arctangents.
+//!
+//! What is done is what [`near_sine_cosine`](super::near_sine_cosine) and [`ordinary_arc_tangent`](super::ordinary_arc_tangent) do, step by
+//! step and to the last bit, in half as many instructions. A compiler finds some of the pairs, and puts them together and takes them
+//! apart again on the way.
+#![expect(
+    unsafe_code,
+    reason = "every machine that this is compiled for has these instructions, but a function that uses them is safe only for one that says so"
+)]
+
+use core::arch::x86_64::{
+    __m128d, _mm_add_epi64, _mm_add_pd, _mm_and_pd, _mm_and_si128, _mm_andnot_pd, _mm_castpd_si128, _mm_castsi128_pd,
+    _mm_cmpgt_pd, _mm_cmpunord_pd, _mm_cvtsd_f64, _mm_div_pd, _mm_max_pd, _mm_min_pd, _mm_movemask_pd, _mm_mul_pd,
+    _mm_or_pd, _mm_set_epi64x, _mm_set_pd, _mm_set1_epi64x, _mm_set1_pd, _mm_setzero_si128, _mm_shuffle_pd,
+    _mm_slli_epi64, _mm_sub_epi64, _mm_sub_pd, _mm_unpackhi_pd, _mm_xor_pd,
+};
+
+use super::arc_tangent::{ARC_TANGENT, HALF_RIGHT_ANGLE};
+use super::sine_cosine::{COSINE, Reduced, SINE};
+
+/// The sine and the cosine of an angle that [is near](super::is_near).
+#[inline(always)]
+pub(super) fn sine_cosine(angle: f64) -> (f64, f64) {
+    // SAFETY: this module is compiled for machines with these instructions only.
+    unsafe { sine_beside_cosine(Reduced::new::<false>(angle)) }
+}
+
+/// The arctangents of two points, and whether both are ordinary.
+#[inline(always)]
+pub(super) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
+    // SAFETY: this module is compiled for machines with these instructions only.
+    unsafe { arc_tangents_side_by_side(y, x) }
+}
+
+#[inline]
+#[target_feature(enable = "sse2")]
+fn sine_beside_cosine(Reduced { r, tail, shifted }: Reduced) -> (f64, f64) {
+    let square = r * r;
+    let z = _mm_set1_pd(square);
+    // The cosine's polynomial is subtracted where the sine's is added.
+    let coefficient = |k: usize| _mm_set_pd(-COSINE[k], SINE[k]);
+    let term = |k: usize| _mm_add_pd(coefficient(k), _mm_mul_pd(coefficient(k + 1), z));
+    let z2 = _mm_mul_pd(z, z);
+    let polynomial = plus_product(plus_product(term(0), term(2), z2), term(4), _mm_mul_pd(z2, z2));
+
+    // r - (r z p + tail) and 1 - (z / 2 - z² q)
+    let factor = _mm_mul_pd(_mm_set_pd(square, r), z);
+    let subtrahend = plus_product(_mm_set_pd(0.5 * square, tail), factor, polynomial);
+    let reduced = _mm_sub_pd(_mm_set_pd(1.0, r), subtrahend);
+
+    // After an odd number of quarter turns they change places.
+    let quarters = _mm_castpd_si128(_mm_set1_pd(shifted));
+    let odd = _mm_sub_epi64(_mm_setzero_si128(), _mm_and_si128(quarters, _mm_set1_epi64x(1)));
+    let places = selected(_mm_castsi128_pd(odd), _mm_shuffle_pd::<1>(reduced, reduced), reduced);
+    let signs = _mm_slli_epi64::<62>(_mm_add_epi64(quarters, _mm_set_epi64x(1, 0)));
+    let [sine, cosine] = parts(_mm_xor_pd(places, sign(_mm_castsi128_pd(signs))));
+    (sine, cosine)
+}
+
+#[inline]
+#[target_feature(enable = "sse2")]
+fn arc_tangents_side_by_side(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
+    let (y, x) = (_mm_set_pd(y[1], y[0]), _mm_set_pd(x[1], x[0]));
+    let (height, width) = (magnitude(y), magnitude(x));
+    let (greater, lesser) = (_mm_max_pd(height, width), _mm_min_pd(width, height));
+    let slanting = _mm_cmpgt_pd(lesser, _mm_sub_pd(greater, lesser));
+    let sense = sign(_mm_xor_pd(x, _mm_sub_pd(width, height)));
+    let one = _mm_set1_pd(1.0);
+    let side = _mm_or_pd(sign(x), one);
+    // 0, 2 or 4 from the nearest axis; and the diagonal before or after it
+    let multiple = _mm_sub_pd(
+        _mm_sub_pd(_mm_set1_pd(2.0), side),
+        _mm_andnot_pd(slanting, _mm_or_pd(sense, one)),
+    );
+    let across = _mm_sub_pd(lesser, _mm_and_pd(slanting, greater));
+    let along = _mm_add_pd(greater, _mm_and_pd(slanting, lesser));
+
+    let fraction = _mm_div_pd(across, along);
+    let check = _mm_mul_pd(along, fraction);
+    let ordinary = _mm_movemask_pd(_mm_cmpunord_pd(check, check)) == 0;
+    let z = _mm_mul_pd(fraction, fraction);
+    let fraction = _mm_xor_pd(fraction, sense);
+    let coefficient = |k: usize| _mm_set1_pd(ARC_TANGENT[k]);
+    let term = |k: usize| _mm_add_pd(coefficient(k), _mm_mul_pd(coefficient(k + 1), z));
+    let z2 = _mm_mul_pd(z, z);
+    let term = |k: usize| plus_product(term(k), term(k + 2), z2);
+    let z4 = _mm_mul_pd(z2, z2);
+    let polynomial = plus_product(plus_product(term(0), term(4), z4), term(8), _mm_mul_pd(z4, z4));
+    let low = _mm_mul_pd(multiple, _mm_set1_pd(HALF_RIGHT_ANGLE[1]));
+    let rest = _mm_sub_pd(low, _mm_mul_pd(_mm_mul_pd(fraction, z), polynomial));
+    let angle = plus_product(_mm_add_pd(fraction, rest), multiple, _mm_set1_pd(HALF_RIGHT_ANGLE[0]));
+    (parts(_mm_or_pd(magnitude(angle), sign(y))), ordinary)
+}
+
+#[inline]
+#[target_feature(enable = "sse2")]
+fn plus_product(c: __m128d, a: __m128d, b: __m128d) -> __m128d {
+    _mm_add_pd(c, _mm_mul_pd(a, b))
+}
+
+#[inline]
+#[target_feature(enable = "sse2")]
+fn sign(numbers: __m128d) -> __m128d {
+    _mm_and_pd(numbers, _mm_set1_pd(-0.0))
+}
+
+#[inline]
+#[target_feature(enable = "sse2")]
+fn magnitude(numbers: __m128d) -> __m128d {
+    _mm_andnot_pd(_mm_set1_pd(-0.0), numbers)
+}
+
+#[inline]
+#[target_feature(enable = "sse2")]
+fn selected(condition: __m128d, yes: __m128d, no: __m128d) -> __m128d {
+    _mm_or_pd(_mm_and_pd(condition, yes), _mm_andnot_pd(condition, no))
+}
+
+#[inline]
+#[target_feature(enable = "sse2")]
+fn parts(numbers: __m128d) -> [f64; 2] {
+    [_mm_cvtsd_f64(numbers), _mm_cvtsd_f64(_mm_unpackhi_pd(numbers, numbers))]
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::{arc_tangents, sine_cosine};
+    use crate::number::elementary::{near_sine_cosine, ordinary_arc_tangent, reference::fractions};
+
+    #[test]
+    fn it_is_the_same_to_the_last_bit() {
+        let bits = |(sine, cosine): (f64, f64)| [sine.to_bits(), cosine.to_bits()];
+        let wide = fractions(100_000).map(|f| (2.0 * f - 1.0) * 1e5);
+        let turn = fractions(100_000).map(|f| (2.0 * f - 1.0) * 3.2);
+        let slight = fractions(10_000).flat_map(|f| [f64::exp2(-1074.0 * f), -f64::exp2(-1074.0 * f)]);
+        for angle in wide.chain(turn).chain(slight).chain([0.0, -0.0]) {
+            assert_eq!(
+                bits(sine_cosine(angle)),
+                bits(near_sine_cosine::<false, false>(angle)),
+                "{angle:e}"
+            );
+        }
+        assert!(sine_cosine(f64::NAN).0.is_nan() && sine_cosine(f64::NAN).1.is_nan());
+    }
+
+    #[test]
+    fn so_are_two_arctangents_where_both_are_ordinary() {
+        let sizes = [
+            0.0,
+            5e-324,
+            1e-300,
+            0.3,
+            0.5,
+            1.0,
+            1.7,
+            2.0,
+            1e300,
+            f64::MAX,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        let values = || sizes.into_iter().flat_map(|size| [size, -size]);
+        let points: Vec<[f64; 2]> = values()
+            .flat_map(|y| values().map(move |x| [y, x]))
+            .chain(fractions(20_000).map(|f| {
+                let (sine, cosine) = (7.0 * f - 3.5).sin_cos();
+                let size = f64::exp2(600.0 * ((f * 977.0).fract() - 0.5));
+                [size * sine, size * cosine]
+            }))
+            .collect();
+        for (first, second) in points.iter().zip(points.iter().rev()) {
+            let (found, ordinary) = arc_tangents([first[0], second[0]], [first[1], second[1]]);
+            let expected = [first, second].map(|[y, x]| ordinary_arc_tangent::<false, false>(*y, *x));
+            assert_eq!(
+                ordinary,
+                expected.iter().all(|(_, ordinary)| *ordinary),
+                "{first:?} {second:?}"
+            );
+            for (found, (expected, is_ordinary)) in found.iter().zip(expected) {
+                assert!(
+                    !is_ordinary || found.to_bits() == expected.to_bits(),
+                    "{first:?} {second:?}"
+                );
+            }
+        }
+    }
+}

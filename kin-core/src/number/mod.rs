@@ -1,0 +1,132 @@
+//! Numbers, and rows of them.
+
+#[cfg(feature = "std")]
+pub mod count;
+pub(crate) mod elementary;
+mod operations;
+mod primitive;
+mod row;
+pub(crate) mod scatter;
+pub mod series;
+mod single;
+
+pub use operations::Operations;
+pub use row::Row;
+pub(crate) use single::single;
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number with the functions of kinematics: what a [`Scalar`](crate::Scalar) calculates with. How it decides is in that trait.
+///
+/// Implemented for `f32` and `f64`, for the truncated series of [`series`](crate::series), for
+/// the operation counter of `count` (feature `std`), and for the dual numbers of `num-dual` (feature `num-dual`).
+/// Angles are in radians.
+///
+/// Functions follow IEEE 754: outside of their domain they return NaN. Whoever calls them with a
+/// value that might lie outside asks first, on the [real part](Number::real).
+///
+/// ```
+/// use kin_core::Number;
+///
+/// fn diagonal<T: Number>(width: T, height: T) -> T {
+///     (width * width + height * height).sqrt()
+/// }
+///
+/// assert_eq!(diagonal(3.0_f64, 4.0), 5.0);
+/// assert_eq!(diagonal(3.0_f32, 4.0), 5.0);
+/// ```
+pub trait Number:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// The distance from 1 to the next larger real part.
+    const EPSILON: f64;
+
+    /// The smallest positive real part that is divided by. From it to its reciprocal, numbers and their reciprocals have full
+    /// precision.
+    // Twice the smallest number that has: a comparison with that one is taken for a test of bits, and done by integers, lane by lane.
+    const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
+
+    /// How many successive derivatives the number carries beside its real part: 0 for a plain number, n for a series
+    /// through the n-th power of time. An iteration goes on until the highest of them is right.
+    const ORDER: usize = 0;
+
+    /// The number with the given real part and no other part, rounded to the precision at hand.
+    #[must_use]
+    fn constant(value: f64) -> Self;
+
+    /// The real part: decisions are taken on it, and errors report it.
+    #[must_use]
+    fn real(self) -> f64;
+
+    /// Whether every part of the number is finite, that is neither NaN nor infinite.
+    #[must_use]
+    fn is_finite(self) -> bool;
+
+    /// Whether every part of all of them is finite.
+    #[must_use]
+    #[inline(always)]
+    fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
+        numbers.into_iter().all(Self::is_finite)
+    }
+
+    /// The non-negative square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine of an angle, in this order.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The angle in -π/2 ..= π/2 of which this is the sine.
+    #[must_use]
+    fn asin(self) -> Self;
+
+    /// The angle in 0 ..= π of which this is the cosine.
+    #[must_use]
+    fn acos(self) -> Self;
+
+    /// The angle between -π/2 and π/2 of which this is the tangent.
+    #[must_use]
+    fn atan(self) -> Self;
+
+    /// The angle in -π ..= π from the x axis to the point (`x`, `self`).
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+
+    /// [`atan2`](Self::atan2) of two points.
+    #[must_use]
+    #[inline(always)]
+    fn atan2_of_two(y: [Self; 2], x: [Self; 2]) -> [Self; 2] {
+        [y[0].atan2(x[0]), y[1].atan2(x[1])]
+    }
+
+    /// The exponential function.
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// The natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+
+    /// This number and the product of two others: `self + a b`, rounded once instead of twice where the machine can.
+    #[must_use]
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+
+    /// This number less the product of two others: `self - a b`, rounded once instead of twice where the machine can.
+    #[must_use]
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+}

@@ -1,0 +1,10 @@
+//! What a program that solves mechanisms needs: `use kin_core::prelude::*;`.
+
+pub use crate::assembly::{Assembly, Near};
+pub use crate::failure::{Failure, SolveError};
+pub use crate::geometry::{Plane, Space};
+pub use crate::mechanism;
+pub use crate::mechanism::{Mechanism, Partials, Pose, PoseOf, Sensitive};
+pub use crate::motion::{Direction, Motion};
+pub use crate::number::{Number, Row};
+pub use crate::solve::Scalar;

@@ -1,0 +1,247 @@
+//! A link of known length whose end slides along a line: the intersection of a circle and a line.
+
+use super::root::Root;
+use crate::assembly::Assembly;
+use crate::failure::Failure;
+use crate::geometry::Plane;
+use crate::solve::Scalar;
+use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
+use crate::solve::doubt::{least, sum_of_sizes};
+
+const QUANTITY: &str = "link length, direction of the slide or distance spanned";
+
+/// A vector of known length and a travel along a known direction: `v + s direction = c`, `|v|² = a2`.
+///
+/// This is the dyad with two revolute joints and a slide. `a2` is the square of the length in the units of `c`. The direction
+/// need not be a unit vector; `s` is in its multiples. [`Assembly::Open`] is the larger `s`, in which
+/// the link leans back against the direction: v · direction < 0.
+///
+/// s = (c · u ± √(a² u² - (u × c)²)) / u². 19 operations: 7 additions, 10 multiplications, 1 division, 1 square root.
+///
+/// # Errors
+/// [`Failure::OutOfReach`] with the margin |a| - distance from the centre of the circle to the line,
+/// [`Failure::Singular`] if the line touches the circle (the link is at right angles to the slide) or
+/// the direction is zero, [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::{Assembly, Plane, solve};
+///
+/// let (link, travel) =
+///     solve::circle_line(25.0, Plane::new(2.0, 0.0), Plane::new(1.0, 3.0), Assembly::Open)?;
+/// assert_eq!((link.x, link.y, travel), (-4.0, 3.0, 2.5));
+/// # Ok::<(), kin_core::Failure>(())
+/// ```
+#[inline(always)]
+pub fn circle_line<T: Scalar>(
+    a2: T,
+    direction: Plane<T>,
+    c: Plane<T>,
+    assembly: Assembly,
+) -> Result<(Plane<T>, T), Failure> {
+    let u2 = direction.norm_squared();
+    let along = direction.dot(c);
+    let beside = direction.cross(c);
+    let q2 = a2 * u2 - beside * beside;
+    let size = || {
+        let terms = [a2 * u2, beside * direction.x * c.y, beside * direction.y * c.x];
+        T::constant_of(terms, sum_of_sizes)
+    };
+    let Some(q2) = q2.provided([q2, least(size), u2], |[q2, least, u2]| {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        [low, high, u2 >= T::SMALLEST]
+    }) else {
+        return Err(does_not_reach(a2, direction, c));
+    };
+    let travel = either(along, q2.sqrt(), assembly) / u2;
+    let Some(travel) = travel.provided([travel], |[travel]| [travel.is_finite()]) else {
+        return Err(does_not_reach(a2, direction, c));
+    };
+    Ok((c - direction.scale(travel), travel))
+}
+
+/// [`circle_line`] along the x axis: `v + (s, 0) = c`. It returns v.x and s; v.y is c.y.
+///
+/// 5 operations at most: 2 additions, 1 multiplication, 1 square root, and a change of sign in the open assembly.
+///
+/// # Errors
+/// As for [`circle_line`].
+#[inline(always)]
+pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
+    let q2 = a2 - c.y * c.y;
+    let Some(q2) = q2.provided([q2, least(|| a2), c.x], |[q2, least, x]| {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        [low, high, x.is_finite()]
+    }) else {
+        let axis = Plane::new(T::constant(1.0), T::constant(0.0));
+        return Err(does_not_reach(a2, axis, c));
+    };
+    let leg = Root::of(q2, assembly.mirrored());
+    Ok((leg, c.x - leg.value))
+}
+
+/// [`circle_line`] along the y axis: `v + (0, s) = c`. It returns v.y and s; v.x is c.x.
+///
+/// 5 operations at most: 2 additions, 1 multiplication, 1 square root, and a change of sign in the open assembly.
+///
+/// # Errors
+/// As for [`circle_line`].
+#[inline(always)]
+pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
+    circle_line_x(a2, Plane::new(c.y, c.x), assembly)
+}
+
+/// `middle + q` or `middle - q`.
+#[inline(always)]
+fn either<T: Scalar>(middle: T, q: T, assembly: Assembly) -> T {
+    match assembly {
+        Assembly::Open => middle + q,
+        Assembly::Crossed => middle - q,
+    }
+}
+
+#[inline(always)]
+fn does_not_reach<T: Scalar>(a2: T, direction: Plane<T>, c: Plane<T>) -> Failure {
+    diagnose(
+        a2.real(),
+        Plane::new(direction.x.real(), direction.y.real()),
+        Plane::new(c.x.real(), c.y.real()),
+        T::EPSILON,
+    )
+}
+
+#[cold]
+#[inline(never)]
+fn diagnose(a2: f64, direction: Plane, c: Plane, epsilon: f64) -> Failure {
+    let norm = length(direction.x, direction.y);
+    let radius = root(a2.abs());
+    let scale = radius + length(c.x, c.y);
+    if !(scale.is_finite() && norm.is_finite()) {
+        return Failure::NotFinite { quantity: QUANTITY };
+    }
+    if norm == 0.0 {
+        return Failure::Singular { determinant: 0.0 };
+    }
+    let distance = (c.y * (direction.x / norm) - c.x * (direction.y / norm)).abs();
+    // The square of a length that is not real is missing by its root.
+    let reach = if a2 < 0.0 { -radius } else { radius };
+    refusal(reach - distance, scale, epsilon, 0.0, QUANTITY)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::{circle_line, circle_line_x, circle_line_y};
+    use crate::assembly::Assembly;
+    use crate::failure::Failure;
+    use crate::geometry::Plane;
+    use crate::solve::strategies::{angle, coordinate, dimension, direction, norm};
+
+    const X: Plane = Plane::new(1.0, 0.0);
+    const Y: Plane = Plane::new(0.0, 1.0);
+
+    proptest! {
+        #[test]
+        fn both_assemblies_close(
+            a in dimension(), turn in angle(), heading in angle(), stretch in dimension(), travel in coordinate(),
+        ) {
+            let unit = direction(heading);
+            let link = direction(turn).scale(a);
+            let c = link + unit.scale(travel);
+            let scale = a + norm(c);
+            let condition = scale * scale / (link.dot(unit).abs() * a);
+            if condition >= 1e12 {
+                return Ok(());
+            }
+            let tolerance = 64.0 * f64::EPSILON * scale * condition;
+            let u = unit.scale(stretch);
+            for assembly in Assembly::BOTH {
+                let (v, s) = circle_line(a * a, u, c, assembly).unwrap();
+                prop_assert!(norm(v + u.scale(s) - c) <= 8.0 * f64::EPSILON * scale);
+                prop_assert!((norm(v) - a).abs() <= tolerance);
+                prop_assert_eq!(v.dot(u) < 0.0, assembly == Assembly::Open);
+            }
+            let (_, open) = circle_line(a * a, u, c, Assembly::Open).unwrap();
+            let (_, crossed) = circle_line(a * a, u, c, Assembly::Crossed).unwrap();
+            prop_assert!(open > crossed);
+            let original = if link.dot(unit) < 0.0 { open } else { crossed };
+            prop_assert!((original * stretch - travel).abs() <= tolerance);
+        }
+
+        #[test]
+        fn the_axes_agree_with_the_general_form(a in 1.0..2.0, x in -3.0..3.0, y in -0.99..0.99) {
+            for assembly in Assembly::BOTH {
+                let c = Plane::new(x, y);
+                let (general, travel) = circle_line(a * a, X, c, assembly).unwrap();
+                let (special, s) = circle_line_x(a * a, c, assembly).unwrap();
+                prop_assert!((general.x - special.value).abs() < 1e-14 && (travel - s).abs() < 1e-14);
+                prop_assert!((special.value.powi(2) - special.square).abs() <= 2.0 * f64::EPSILON * special.square);
+
+                let c = Plane::new(y, x);
+                let (general, travel) = circle_line(a * a, Y, c, assembly).unwrap();
+                let (special, s) = circle_line_y(a * a, c, assembly).unwrap();
+                prop_assert!((general.y - special.value).abs() < 1e-14 && (travel - s).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn a_link_at_right_angles_to_the_slide_is_singular() {
+        let singular = Failure::Singular { determinant: 0.0 };
+        for assembly in Assembly::BOTH {
+            let (c, d) = (Plane::new(5.0, 3.0), Plane::new(3.0, 5.0));
+            assert_eq!(circle_line(9.0, X, c, assembly), Err(singular));
+            assert_eq!(circle_line_x(9.0, c, assembly), Err(singular));
+            assert_eq!(circle_line_y(9.0, d, assembly), Err(singular));
+            assert_eq!(circle_line(9.0, Plane::new(0.0, 0.0), c, assembly), Err(singular));
+        }
+    }
+
+    #[test]
+    fn the_margin_is_the_radius_less_the_distance() {
+        let c = Plane::new(5.0, 3.5);
+        for result in [
+            circle_line(9.0, X.scale(7.0), c, Assembly::Open).map(drop),
+            circle_line_x(9.0, c, Assembly::Open).map(drop),
+            circle_line_y(9.0, Plane::new(-3.5, 5.0), Assembly::Open).map(drop),
+        ] {
+            assert_eq!(result, Err(Failure::OutOfReach { margin: -0.5 }));
+        }
+    }
+
+    #[test]
+    fn nothing_that_is_not_finite_comes_out() {
+        for value in [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            1e200,
+            1e-200,
+            f64::MAX,
+            5e-324,
+        ] {
+            for place in 0..5 {
+                let mut arguments = [4.0, 1.0, 0.0, 1.0, 0.5];
+                arguments[place] = value;
+                let [a2, u, v, x, y] = arguments;
+                let (direction, c) = (Plane::new(u, v), Plane::new(x, y));
+                for result in [
+                    circle_line(a2, direction, c, Assembly::Open).map(|(link, travel)| [link.x, link.y, travel]),
+                    circle_line_x(a2, c, Assembly::Crossed).map(|(leg, travel)| [leg.value, leg.square, travel]),
+                    circle_line_y(a2, c, Assembly::Crossed).map(|(leg, travel)| [leg.value, leg.square, travel]),
+                ] {
+                    if let Ok(parts) = result {
+                        for part in parts {
+                            assert!(part.is_finite(), "{arguments:?}");
+                        }
+                    } else if !value.is_finite() {
+                        assert!(
+                            matches!(result, Err(Failure::NotFinite { .. })),
+                            "{arguments:?} {result:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

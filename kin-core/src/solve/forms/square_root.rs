@@ -1,0 +1,58 @@
+//! One unknown that is known by its square.
+
+use crate::assembly::Assembly;
+use crate::failure::Failure;
+use crate::solve::Scalar;
+use crate::solve::diagnosis::root;
+
+/// A root of `x² = w`. [`Assembly::Open`] is the positive one.
+///
+/// 1 operation, a square root; a change of sign more in the crossed assembly.
+///
+/// # Errors
+/// [`Failure::OutOfReach`] with the margin -√-w, [`Failure::Singular`] if `w` is zero, [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::{Assembly, solve};
+///
+/// assert_eq!(solve::square_root(9.0, Assembly::Crossed), Ok(-3.0));
+/// ```
+#[inline(always)]
+pub fn square_root<T: Scalar>(w: T, assembly: Assembly) -> Result<T, Failure> {
+    match w.provided([w], |[square]| [square > 0.0, square < f64::INFINITY]) {
+        Some(square) => Ok(assembly.signed(square.sqrt())),
+        None => Err(no_root(w.real())),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn no_root(w: f64) -> Failure {
+    if !w.is_finite() {
+        Failure::NotFinite {
+            quantity: "square of the unknown",
+        }
+    } else if w < 0.0 {
+        Failure::OutOfReach { margin: -root(-w) }
+    } else {
+        Failure::Singular { determinant: 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::square_root;
+    use crate::assembly::Assembly;
+    use crate::failure::Failure;
+
+    #[test]
+    fn limits_and_what_lies_beyond() {
+        let solve = |w| square_root::<f64>(w, Assembly::Open);
+        assert_eq!(solve(0.0), Err(Failure::Singular { determinant: 0.0 }));
+        assert_eq!(solve(-4.0), Err(Failure::OutOfReach { margin: -2.0 }));
+        assert_eq!(solve(5e-324).map(|x| x > 0.0), Ok(true));
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(matches!(solve(value), Err(Failure::NotFinite { .. })));
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Functions that are not defined everywhere, and their inverses.
+//!
+//! A declaration may contain them anywhere. Their arguments are checked, so that no NaN comes of them; the ends
+//! of a domain belong to it where the function has a value there, as long as the derivatives that the number type
+//! carries exist as well.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use crate::failure::Failure;
+use crate::solve::Scalar;
+use crate::solve::doubt::is_told_from;
+
+/// √x for x ≥ 0.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::square_root_of(9.0), Ok(3.0));
+/// assert!(solve::square_root_of(-9.0).is_err());
+/// ```
+#[inline(always)]
+pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
+    within(|x| x >= 0.0, &[], x, x.sqrt(), "sqrt")
+}
+
+/// The angle in -π/2 ..= π/2 with the sine `x`, for |x| ≤ 1.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
+    within(|x| x.abs() <= 1.0, &[-1.0, 1.0], x, x.asin(), "asin")
+}
+
+/// The angle in 0 ..= π with the cosine `x`, for |x| ≤ 1.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
+    within(|x| x.abs() <= 1.0, &[-1.0, 1.0], x, x.acos(), "acos")
+}
+
+/// ln x for x > 0.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
+    within(|x| x > 0.0, &[], x, x.ln(), "ln")
+}
+
+/// The solution of asin(x) = v, sin v, for |v| ≤ π/2.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
+    let inside = |v: f64| v.abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON);
+    within(
+        inside,
+        &[-FRAC_PI_2, FRAC_PI_2],
+        v,
+        v.sin_cos().0,
+        "the inverse of asin",
+    )
+}
+
+/// The solution of acos(x) = v, cos v, for 0 ≤ v ≤ π.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
+    let rounding = 4.0 * PI * T::EPSILON;
+    let inside = |v: f64| v >= -rounding && v <= PI + rounding;
+    within(inside, &[0.0, PI], v, v.sin_cos().1, "the inverse of acos")
+}
+
+/// The solution of atan(x) = v, tan v, for |v| < π/2.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
+    let (sine, cosine) = v.sin_cos();
+    let ends = [-FRAC_PI_2, FRAC_PI_2];
+    within(|v| v.abs() < FRAC_PI_2, &ends, v, sine / cosine, "the inverse of atan")
+}
+
+/// The solution of sqrt(x) = v, v², for v ≥ 0.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
+    within(|v| v >= 0.0, &[], v, v * v, "the inverse of sqrt")
+}
+
+/// The result if its argument is inside of the domain. `ends` are the ends of the domain that are of the size of 1; the terms of an
+/// argument next to an end at zero are not known here.
+#[inline(always)]
+fn within<T: Scalar>(
+    inside: impl Fn(f64) -> bool,
+    ends: &[f64],
+    argument: T,
+    result: T,
+    function: &'static str,
+) -> Result<T, Failure> {
+    let is_told = |argument| ends.iter().all(|end| is_told_from::<T>(*end, argument, 1.0));
+    match result.provided([argument], |[argument]| [inside(argument), is_told(argument)]) {
+        Some(result) if result.is_finite() => Ok(result),
+        _ => {
+            let argument = argument.real();
+            Err(outside(inside(argument), argument, function))
+        }
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn outside(inside: bool, argument: f64, function: &'static str) -> Failure {
+    if argument.is_finite() && !inside {
+        Failure::OutsideDomain { function, argument }
+    } else {
+        Failure::NotFinite {
+            quantity: "argument of a function, its value, or the rate of its value",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+
+    #[test]
+    fn inside_the_functions_are_the_usual_ones() {
+        assert_eq!(square_root_of(4.0), Ok(2.0));
+        assert_eq!(square_root_of(0.0), Ok(0.0));
+        assert_eq!(arc_sine(1.0), Ok(FRAC_PI_2));
+        assert_eq!(arc_cosine(-1.0), Ok(PI));
+        assert_eq!(logarithm(1.0), Ok(0.0));
+        assert_eq!(sine_of_arc(FRAC_PI_2), Ok(1.0));
+        assert_eq!(cosine_of_arc(PI), Ok(-1.0));
+        assert_eq!(sine_of_arc(core::f32::consts::FRAC_PI_2), Ok(1.0));
+        assert_eq!(cosine_of_arc(core::f32::consts::PI), Ok(-1.0));
+        assert_eq!(square_of_root(3.0), Ok(9.0));
+        assert!((tangent_of_arc(1.0).unwrap() - 1.0_f64.tan()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn outside_they_are_not_defined() {
+        for (result, function, argument) in [
+            (square_root_of(-1.0), "sqrt", -1.0),
+            (arc_sine(1.5), "asin", 1.5),
+            (arc_cosine(-1.5), "acos", -1.5),
+            (logarithm(0.0), "ln", 0.0),
+            (sine_of_arc(2.0), "the inverse of asin", 2.0),
+            (cosine_of_arc(-0.1), "the inverse of acos", -0.1),
+            (tangent_of_arc(2.0), "the inverse of atan", 2.0),
+            (square_of_root(-0.1), "the inverse of sqrt", -0.1),
+        ] {
+            assert_eq!(result, Err(Failure::OutsideDomain { function, argument }));
+        }
+    }
+
+    #[test]
+    fn nothing_that_is_not_finite_comes_out() {
+        for function in [
+            square_root_of::<f64>,
+            arc_sine,
+            arc_cosine,
+            logarithm,
+            sine_of_arc,
+            cosine_of_arc,
+            tangent_of_arc,
+            square_of_root,
+        ] {
+            for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                assert!(matches!(function(value), Err(Failure::NotFinite { .. })));
+            }
+        }
+    }
+}

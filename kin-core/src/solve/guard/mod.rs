@@ -1,0 +1,13 @@
+//! What is tested before a solver goes on: domains of functions, declared ranges, determinants, whole turns.
+
+mod domain;
+mod range;
+mod regular;
+mod turn;
+
+pub use domain::{
+    arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
+};
+pub use range::{check_angle, check_value, choose_angle, choose_value};
+pub use regular::{culprit, finite, regular};
+pub use turn::{agreeing, nearest_turn, on_turn, within_turns};

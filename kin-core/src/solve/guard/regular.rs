@@ -1,0 +1,105 @@
+//! Whether a number can be worked with further.
+
+use crate::failure::Failure;
+use crate::solve::Scalar;
+use crate::solve::diagnosis::ordinary;
+
+/// The determinant itself if one may divide by it: if its magnitude is neither zero, nor so small that it has lost digits,
+/// nor too large to have a reciprocal with all digits.
+///
+/// # Errors
+/// [`Failure::Singular`] if it is zero or too small, [`Failure::NotFinite`] if it is too large or no number.
+///
+/// ```
+/// use kin_core::{Failure, solve};
+///
+/// assert_eq!(solve::regular(-0.5), Ok(-0.5));
+/// assert_eq!(solve::regular(0.0), Err(Failure::Singular { determinant: 0.0 }));
+/// ```
+#[inline(always)]
+pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
+    determinant
+        .provided([determinant], |[determinant]| ordinary(determinant.abs(), T::SMALLEST))
+        .ok_or_else(|| irregular(determinant.real()))
+}
+
+/// The value itself if it is finite, in all its parts if it is a dual number. `quantity` says in a few words what it is.
+///
+/// # Errors
+/// [`Failure::NotFinite`] if it is too large or no number.
+///
+/// ```
+/// use kin_core::{Failure, solve};
+///
+/// assert_eq!(solve::finite("r1", 90.0), Ok(90.0));
+/// let error = Failure::NotFinite { quantity: "r1" };
+/// assert_eq!(solve::finite("r1", f64::NAN), Err(error));
+/// ```
+#[inline(always)]
+pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Failure::NotFinite { quantity })
+    }
+}
+
+/// The name of the first quantity that is not finite, if one is not.
+#[must_use]
+pub fn culprit<const N: usize>(names: [&'static str; N], finite: [bool; N]) -> Option<&'static str> {
+    let (name, _) = names.into_iter().zip(finite).find(|(_, finite)| !finite)?;
+    Some(name)
+}
+
+#[cold]
+#[inline(never)]
+fn irregular(determinant: f64) -> Failure {
+    if determinant.is_finite() && determinant.abs() < 1.0 {
+        Failure::Singular { determinant }
+    } else {
+        Failure::NotFinite {
+            quantity: "determinant",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{finite, regular};
+    use crate::failure::Failure;
+    use crate::number::series::Series;
+
+    #[test]
+    fn a_determinant_is_regular_if_it_has_its_full_precision() {
+        for determinant in [
+            1.0,
+            -1.0,
+            2.0 * f64::MIN_POSITIVE,
+            -3.0 * f64::MIN_POSITIVE,
+            0.1 * f64::MAX,
+        ] {
+            assert_eq!(regular(determinant), Ok(determinant));
+        }
+        for determinant in [0.0, -0.0, 1e-310, -f64::MIN_POSITIVE] {
+            assert_eq!(regular(determinant), Err(Failure::Singular { determinant }));
+        }
+        assert!(regular(1e-40_f32).is_err());
+        for determinant in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX] {
+            assert_eq!(
+                regular(determinant),
+                Err(Failure::NotFinite {
+                    quantity: "determinant"
+                })
+            );
+        }
+    }
+
+    #[test]
+    fn every_part_must_be_finite() {
+        assert!(finite("x", Series::from_coefficients([1.0, 2.0])).is_ok());
+        assert_eq!(
+            finite("x", Series::from_coefficients([1.0, f64::NAN])),
+            Err(Failure::NotFinite { quantity: "x" })
+        );
+    }
+}

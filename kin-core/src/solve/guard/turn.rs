@@ -1,0 +1,159 @@
+//! Which of the angles that differ by whole turns.
+
+use core::f64::consts::TAU;
+
+use num_traits::Float;
+
+use crate::failure::Failure;
+use crate::solve::Scalar;
+
+/// Numbers that lie further apart than this, about a degree, tell no direction.
+const COARSEST: f64 = 1.0 / 64.0;
+
+/// The angle nearest to `guess` that differs from `angle` by whole turns.
+///
+/// ```
+/// use core::f64::consts::TAU;
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::nearest_turn(0.5, 13.0), 0.5 + 2.0 * TAU);
+/// ```
+#[inline(always)]
+pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
+    add_turns([angle, guess], |[angle, guess]| {
+        let turns = Float::round((guess - angle) / TAU);
+        // A guess that is not finite is none.
+        if turns.is_finite() { turns } else { 0.0 }
+    })
+}
+
+/// [`nearest_turn`] to the guess with the given index. Without guesses, or without one of that index, the angle stays
+/// as it is.
+///
+/// ```
+/// use core::f64::consts::TAU;
+/// use kin_core::solve;
+///
+/// assert_eq!(solve::on_turn(0.5, Some([3.0, 13.0]), 1), 0.5 + 2.0 * TAU);
+/// assert_eq!(solve::on_turn(0.5, None::<[f64; 2]>, 1), 0.5);
+/// ```
+#[inline(always)]
+pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index: usize) -> T {
+    match near.as_ref().and_then(|guesses| guesses.get(index)) {
+        Some(guess) => nearest_turn(angle, *guess),
+        None => angle,
+    }
+}
+
+/// Values of unknowns near a position, unless an angle among them is on a turn where numbers lie more than a degree apart: no angle on
+/// such a turn is a solution. `angles` are the names and places of the angles. A value that is not finite is no guess, and passes.
+///
+/// # Errors
+/// [`Failure::TooManyTurns`].
+///
+/// ```
+/// use kin_core::{Failure, solve};
+///
+/// let crank = [("theta", 0)];
+/// assert_eq!(solve::within_turns([1e9, 1e20], crank), Ok([1e9, 1e20]));
+/// let failure = solve::within_turns([1e15, 0.0], crank).unwrap_err();
+/// assert_eq!(failure, Failure::TooManyTurns { unknown: "theta", guess: 1e15, spacing: 0.125 });
+/// ```
+#[inline(always)]
+pub fn within_turns<T: Scalar, const N: usize, const K: usize>(
+    near: [T; N],
+    angles: [(&'static str, usize); K],
+) -> Result<[T; N], Failure> {
+    let limit = COARSEST / T::EPSILON;
+    let angle = |(_, place): (_, usize)| near.get(place).copied().unwrap_or_else(|| T::constant(0.0));
+    let together = T::constant_of(angles.map(angle), |angles| {
+        let mut sum = 0.0;
+        for angle in angles {
+            sum += angle.abs();
+        }
+        sum
+    });
+    let mut kept = near;
+    for value in &mut kept {
+        match value.provided([together], |[together]| [together <= limit || together.is_nan()]) {
+            Some(own) => *value = own,
+            None => return each_within(near, &angles, limit),
+        }
+    }
+    Ok(kept)
+}
+
+#[cold]
+#[inline(never)]
+fn each_within<T: Scalar, const N: usize>(
+    near: [T; N],
+    angles: &[(&'static str, usize)],
+    limit: f64,
+) -> Result<[T; N], Failure> {
+    for (unknown, place) in angles {
+        let guess = near.get(*place).map_or(0.0, |value| value.real());
+        if guess.is_finite() && guess.abs() > limit {
+            let spacing = guess.abs().next_up() - guess.abs();
+            return Err(Failure::TooManyTurns {
+                unknown,
+                guess,
+                spacing: spacing * (T::EPSILON / f64::EPSILON),
+            });
+        }
+    }
+    Ok(near)
+}
+
+/// Values of unknowns near a position, and the orientations that tell its assembly there. Of a number that stands for several poses,
+/// those whose assembly is not that of the first become NaN; any other number is returned as it is.
+#[inline(always)]
+pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orientations: [T; K]) -> [T; N] {
+    let first = orientations.map(|orientation| orientation.real() >= 0.0);
+    near.map(|value| {
+        value
+            .provided(orientations, |orientations| {
+                [orientations.map(|orientation| orientation >= 0.0) == first]
+            })
+            .unwrap_or(value)
+    })
+}
+
+/// The first of some numbers, an angle, after as many whole turns as a function of them says.
+#[inline(always)]
+pub(super) fn add_turns<T: Scalar, const N: usize>(judges: [T; N], turns: impl Fn([f64; N]) -> f64) -> T {
+    let angle = judges[0];
+    let added = T::constant_of(judges, |judges| turns(judges) * TAU);
+    // A sum with zero would take the sign of a negative zero.
+    T::either([added], |[added]| added == 0.0, || angle, || angle + added)
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{PI, TAU};
+
+    use proptest::prelude::*;
+
+    use super::{nearest_turn, on_turn};
+
+    proptest! {
+        #[test]
+        fn the_nearest_turn_is_within_half_a_turn(angle in -100.0..100.0, guess in -100.0..100.0) {
+            let nearest = nearest_turn::<f64>(angle, guess);
+            prop_assert!((nearest - guess).abs() <= PI + 1e-12);
+        }
+    }
+
+    #[test]
+    fn an_angle_near_enough_is_left_alone() {
+        assert_eq!(nearest_turn(1.0, f64::NAN), 1.0);
+        assert_eq!(nearest_turn(1.0, 2.0), 1.0);
+    }
+
+    #[test]
+    fn a_guess_that_is_not_there_changes_nothing() {
+        assert_eq!(on_turn(1.0, Some([7.0]), 0), 1.0 + TAU);
+        assert_eq!(on_turn(1.0, Some([7.0]), 1), 1.0);
+        assert_eq!(on_turn(1.0, Some([]), 0), 1.0);
+        assert_eq!(on_turn::<f64, 1>(1.0, None, 0), 1.0);
+    }
+}

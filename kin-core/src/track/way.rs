@@ -1,0 +1,211 @@
+//! The line along which the inputs move, and the closure on it.
+
+use super::SHORTEST;
+use crate::mechanism::{Dimension, Mechanism};
+use crate::number::{Row, series::Series};
+
+/// Values, first and second derivatives, as coefficients.
+type Second = Series<3>;
+
+/// A place on the curve of solutions over the line of inputs.
+#[derive(Clone, Copy)]
+pub(super) struct Point<M: Mechanism> {
+    /// In their own units.
+    pub(super) unknowns: M::Unknowns<f64>,
+    /// How far the inputs have come.
+    pub(super) travel: f64,
+}
+
+/// The line of inputs from one place to another, for a mechanism in double precision.
+///
+/// Unknowns are measured by their natural sizes: 1 for an angle, the longest link for a length. The travel of the
+/// inputs is the largest of theirs, by their sizes, so that rates by the travel are of the size of 1 where nothing
+/// special happens.
+pub(super) struct Way<M: Mechanism<Scalar = f64>> {
+    pub(super) mechanism: M,
+    series: M::With<Second>,
+    from: M::Inputs<f64>,
+    to: M::Inputs<f64>,
+    /// The whole travel.
+    pub(super) length: f64,
+    /// The sizes of the unknowns, where the way begins.
+    pub(super) sizes: M::Unknowns<f64>,
+}
+
+/// The closure to first order at a point, one row for each equation, in sizes of the unknowns.
+#[derive(Clone, Copy)]
+pub(super) struct Linear<M: Mechanism> {
+    pub(super) jacobian: M::Unknowns<M::Unknowns<f64>>,
+    /// The derivatives by the travel of the inputs.
+    pub(super) travel: M::Unknowns<f64>,
+    pub(super) residuals: M::Unknowns<f64>,
+}
+
+impl<M: Mechanism<Scalar = f64>> Way<M> {
+    pub(super) fn new(mechanism: M, from: M::Inputs<f64>, near: &M::Unknowns<f64>, to: M::Inputs<f64>) -> Self {
+        let description = M::DESCRIPTION;
+        let parameters = mechanism.parameters();
+        let lengths = description.parameters.iter().zip(parameters.as_ref());
+        let longest = lengths
+            .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+            .fold(0.0, |longest: f64, (_, value)| longest.max(value.abs()));
+        let size = |dimension: Dimension, value: f64| match dimension {
+            Dimension::Angle => 1.0,
+            Dimension::Length if longest > 0.0 => longest.max(value),
+            Dimension::Length if value > 0.0 => value,
+            Dimension::Length => 1.0,
+            Dimension::Scalar => value.max(1.0),
+        };
+        let sizes =
+            M::Unknowns::from_fn(|index| size(description.unknowns[index].dimension, near.as_ref()[index].abs()));
+        let ends = from.as_ref().iter().zip(to.as_ref());
+        let length = ends
+            .zip(description.inputs)
+            .fold(0.0, |length: f64, ((from, to), quantity)| {
+                let travel = (to - from).abs() / size(quantity.dimension, from.abs().max(to.abs()));
+                if travel <= length { length } else { travel }
+            });
+        Self {
+            mechanism,
+            series: mechanism.convert(|parameter| Second::from_coefficients([parameter, 0.0, 0.0])),
+            from,
+            to,
+            length,
+            sizes,
+        }
+    }
+
+    /// How many unknowns there are, and equations.
+    pub(super) const COUNT: usize = <M::Unknowns<f64> as Row<f64>>::LENGTH;
+
+    /// The sizes of the unknowns at a point: what is not an angle may have grown.
+    pub(super) fn sizes_at(&self, point: &Point<M>) -> M::Unknowns<f64> {
+        M::Unknowns::from_fn(|index| {
+            let size = self.sizes.as_ref()[index];
+            match M::DESCRIPTION.unknowns[index].dimension {
+                Dimension::Angle => size,
+                Dimension::Length | Dimension::Scalar => size.max(point.unknowns.as_ref()[index].abs()),
+            }
+        })
+    }
+
+    /// Steps by the inputs are not made shorter than this.
+    pub(super) fn shortest(&self) -> f64 {
+        SHORTEST * self.length.max(1.0)
+    }
+
+    /// Whether two travels round to the same inputs.
+    pub(super) fn are_same(&self, one: f64, other: f64) -> bool {
+        let [one, other] = [one, other].map(|travel| self.inputs(travel));
+        one.as_ref() == other.as_ref()
+    }
+
+    /// The inputs, where they have come a given way.
+    pub(super) fn inputs(&self, travel: f64) -> M::Inputs<f64> {
+        if travel == self.length {
+            return self.to;
+        }
+        M::Inputs::from_fn(|index| self.from.as_ref()[index] + self.slope(index) * travel)
+    }
+
+    /// The same with their rates by the travel.
+    pub(super) fn motions(&self, travel: f64) -> M::Inputs<M::Motion<f64>> {
+        let values = self.inputs(travel);
+        M::Inputs::from_fn(|index| {
+            M::Motion::from_fn(|order| match order {
+                0 => values.as_ref()[index],
+                1 => self.slope(index),
+                _ => 0.0,
+            })
+        })
+    }
+
+    fn slope(&self, index: usize) -> f64 {
+        (self.to.as_ref()[index] - self.from.as_ref()[index]) / self.length
+    }
+
+    /// The residuals as series, where unknowns and travel are polynomials of the first degree.
+    fn residuals(
+        &self,
+        point: &Point<M>,
+        rate: impl Fn(usize) -> f64,
+        travel_rate: f64,
+    ) -> <M::With<Second> as Mechanism>::Residuals<Second> {
+        let values = self.inputs(point.travel);
+        self.series.residuals(
+            Row::from_fn(|index| {
+                Second::from_coefficients([values.as_ref()[index], self.slope(index) * travel_rate, 0.0])
+            }),
+            Row::from_fn(|index| {
+                let rate = rate(index) * self.sizes.as_ref()[index];
+                Second::from_coefficients([point.unknowns.as_ref()[index], rate, 0.0])
+            }),
+        )
+    }
+
+    /// What a relative error of every quantity in an equation shifts the equation by, at most: the size of its terms.
+    ///
+    /// Terms that cancel count in full, as those of a long crank in a loop of short links do.
+    pub(super) fn terms(&self, point: &Point<M>) -> M::Unknowns<f64> {
+        let parameters = self.mechanism.parameters();
+        let inputs = self.inputs(point.travel);
+        let all = [parameters.as_ref(), inputs.as_ref(), point.unknowns.as_ref()];
+        let mut terms = M::Unknowns::from_fn(|_| 0.0);
+        for group in 0..all.len() {
+            for moved in 0..all[group].len() {
+                let quantity = |of: usize, index: usize| {
+                    let value = all[of][index];
+                    let rate = if (of, index) == (group, moved) { value } else { 0.0 };
+                    Second::from_coefficients([value, rate, 0.0])
+                };
+                let shifts = M::With::from_parameters(Row::from_fn(|index| quantity(0, index))).residuals(
+                    Row::from_fn(|index| quantity(1, index)),
+                    Row::from_fn(|index| quantity(2, index)),
+                );
+                for (sum, shift) in terms.as_mut().iter_mut().zip(shifts.as_ref()) {
+                    *sum += shift.coefficients()[1].abs();
+                }
+            }
+        }
+        terms
+    }
+
+    /// The closure near a point; `None` if it is not finite there.
+    pub(super) fn linearise(&self, point: &Point<M>) -> Option<Linear<M>> {
+        let along = self.residuals(point, |_| 0.0, 1.0);
+        let of = |row: usize, order: usize| along.as_ref()[row].coefficients()[order];
+        let mut linear: Linear<M> = Linear {
+            jacobian: M::Unknowns::from_fn(|_| M::Unknowns::from_fn(|_| 0.0)),
+            travel: M::Unknowns::from_fn(|row| of(row, 1)),
+            residuals: M::Unknowns::from_fn(|row| of(row, 0)),
+        };
+        for column in 0..Self::COUNT {
+            let changed = self.residuals(point, |index| if index == column { 1.0 } else { 0.0 }, 0.0);
+            let rows: &mut [M::Unknowns<f64>] = linear.jacobian.as_mut();
+            for (row, residual) in rows.iter_mut().zip(changed.as_ref()) {
+                row.as_mut()[column] = residual.coefficients()[1];
+            }
+        }
+        let all = linear.jacobian.as_ref().iter().flat_map(AsRef::as_ref);
+        let mut all = all.chain(linear.travel.as_ref()).chain(linear.residuals.as_ref());
+        all.all(|entry| entry.is_finite()).then_some(linear)
+    }
+
+    /// The second-order coefficients of the residuals along a straight line through the point.
+    pub(super) fn bend(&self, point: &Point<M>, rates: &M::Unknowns<f64>, travel_rate: f64) -> M::Unknowns<f64> {
+        let series = self.residuals(point, |index| rates.as_ref()[index], travel_rate);
+        M::Unknowns::from_fn(|row| series.as_ref()[row].coefficients()[2])
+    }
+}
+
+/// The largest magnitude of a row; NaN if there is a NaN.
+pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, |largest: f64, value| {
+        let size = value.abs();
+        if size <= largest || largest.is_nan() {
+            largest
+        } else {
+            size
+        }
+    })
+}
