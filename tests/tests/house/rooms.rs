@@ -1,0 +1,93 @@
+//! The lists of the rooms.
+
+/// A crate and its rooms.
+pub(crate) struct House {
+    pub(crate) name: &'static str,
+    /// Its source, from the root of the repository.
+    pub(crate) source: &'static str,
+    /// The files that may name any room.
+    pub(crate) faces: &'static [&'static str],
+    /// Items that stand at the root of the crate, and are no re-exports.
+    pub(crate) root_items: &'static [&'static str],
+    /// From the lowest to the highest.
+    pub(crate) rooms: &'static [Room],
+    /// Arrows that run up all the same.
+    pub(crate) known: &'static [(&'static str, &'static str)],
+    /// Rooms that are larger than they should be.
+    pub(crate) large: &'static [&'static str],
+}
+
+/// A part of a crate.
+pub(crate) struct Room {
+    pub(crate) name: &'static str,
+    /// What is in it, in a few words.
+    pub(crate) holds: &'static str,
+    /// Its files; a folder ends in a slash.
+    pub(crate) files: &'static [&'static str],
+}
+
+impl Room {
+    /// Whether a file is in the room.
+    pub(crate) fn owns(&self, file: &str) -> bool {
+        let holds = |own: &&str| file == *own || (own.ends_with('/') && file.starts_with(*own));
+        self.files.iter().any(holds)
+    }
+}
+
+const fn room(name: &'static str, files: &'static [&'static str], holds: &'static str) -> Room {
+    Room { name, holds, files }
+}
+
+pub(crate) const CORE: House = House {
+    name: "kin-core",
+    source: "kin-core/src",
+    faces: &["lib.rs", "prelude.rs", "private.rs"],
+    root_items: &[],
+    rooms: &[
+        room("number", &["number/"], "numbers and rows"),
+        room("geometry", &["geometry/"], "vectors and rotations"),
+        room("failure", &["failure/"], "typed errors"),
+        room("assembly", &["assembly/"], "open, crossed, near"),
+        room("solve", &["solve/"], "closed forms, Newton"),
+        room("motion", &["motion/"], "values with rates"),
+        room("picture", &["picture/"], "skeletons, angles"),
+        room("mechanism", &["mechanism/"], "traits of mechanisms"),
+        room("assemblies", &["assemblies/"], "all positions"),
+        room("track", &["track/"], "from pose to pose"),
+        room("batch", &["batch/"], "columns, in lanes"),
+        room("interop", &["interop/"], "other crates' types"),
+        room("verify", &["verify/"], "two oracles"),
+        room("library", &["library/"], "declared mechanisms"),
+    ],
+    known: &[],
+    large: &[],
+};
+
+pub(crate) const MACROS: House = House {
+    name: "kin-macros",
+    source: "kin-macros/src",
+    faces: &["lib.rs"],
+    root_items: &[],
+    rooms: &[
+        room("work", &["work.rs", "room.rs"], "counted work, stack"),
+        room("report", &["report.rs"], "mistakes"),
+        room("function", &["function/"], "elementary functions"),
+        room("expr", &["expr/"], "graph in normal form"),
+        room("syntax", &["syntax/"], "tokens to tree"),
+        room("model", &["model/"], "names, dimensions"),
+        room("structure", &["structure/"], "blocks and parts"),
+        room("passes", &["passes.rs"], "switches for tests"),
+        room("program", &["program/"], "the middle language"),
+        room("refuse", &["refuse.rs"], "what has no solution"),
+        room("derive", &["derive/"], "rates, Jacobians"),
+        room("assemble", &["assemble/"], "steps of positions"),
+        room("schedule", &["schedule/"], "straight-line code"),
+        room("plan", &["plan/"], "the cheapest way"),
+        room("emit", &["emit/"], "Rust, item by item"),
+        room("fallback", &["fallback.rs"], "stand-ins"),
+        room("expand", &["expand.rs"], "the pipeline"),
+        room("bug", &["bug.rs"], "the net for panics"),
+    ],
+    known: &[("function", "expr")],
+    large: &["emit"],
+};
