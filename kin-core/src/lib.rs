@@ -234,6 +234,15 @@ macro_rules! mechanism {
     };
 }
 
+/// Names of local variables, imported as functions: in the patterns of an expansion they are then no constants of the user's.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __locals {
+    ($($name:ident),*) => {
+        use $crate::__private::{$(local as $name),*};
+    };
+}
+
 /// What a mechanism has with the feature `rayon` alone.
 #[cfg(feature = "rayon")]
 #[doc(hidden)]

@@ -2,11 +2,13 @@
 
 pub use crate::__assert_verified as assert_verified;
 pub use crate::__in_parallel as in_parallel;
+pub use crate::__locals as locals;
 pub use crate::assemblies::{Assemblies, Choices, continuation, every};
 pub use crate::assembly::{Assembly, Guess, Near};
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{Block, Description, Dimension, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive};
+pub use crate::mechanism::{culprit, failed};
 pub use crate::motion::{Direction, Motion};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Chain, Skeleton, TransmissionAngle};
@@ -17,4 +19,4 @@ pub use core;
 pub use kin_macros::mechanism_in;
 
 /// What local names of generated code are imported as, so that in patterns they are no items of other kinds.
-pub const fn unbound() {}
+pub const fn local() {}

@@ -141,7 +141,7 @@ where
             continue;
         };
         let conditions = pose.conditions(&mechanism);
-        let position = pose.unknown_values();
+        let position = pose.unknowns();
         let given = Given {
             parameters,
             inputs: vec![vec![input, 1.0]],

@@ -17,6 +17,26 @@ pub enum Column<'a> {
     Each(&'a [f64]),
 }
 
+/// The value of a parameter in a batch: a number, the same for all poses, or a column.
+pub trait Parameter: Copy {
+    /// The value as a column.
+    fn column(&self) -> Column<'_>;
+}
+
+impl Parameter for f64 {
+    #[inline]
+    fn column(&self) -> Column<'_> {
+        Column::Same(*self)
+    }
+}
+
+impl Parameter for Column<'_> {
+    #[inline]
+    fn column(&self) -> Column<'_> {
+        *self
+    }
+}
+
 impl Column<'_> {
     /// The number of the pose with this index, NaN if there is none.
     #[inline]

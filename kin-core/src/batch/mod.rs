@@ -42,7 +42,7 @@ mod sweep;
 mod target;
 mod view;
 
-pub use column::Column;
+pub use column::{Column, Parameter};
 pub use dispatch::Vectors;
 pub use outcome::{LengthMismatch, Outcome, Summary};
 #[cfg(feature = "rayon")]

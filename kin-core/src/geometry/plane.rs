@@ -36,6 +36,41 @@ impl<T> Plane<T> {
 }
 
 impl<T: Number> Plane<T> {
+    /// The vector of length 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::new(T::constant(0.0), T::constant(0.0))
+    }
+
+    /// The unit vector at an angle, in radians: the complex number cos + i sin.
+    ///
+    /// ```
+    /// use kin_core::Plane;
+    ///
+    /// assert_eq!(Plane::cis(0.0_f64), Plane::new(1.0, 0.0));
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn cis(angle: T) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Self::new(cosine, sine)
+    }
+
+    /// The vector of a length at an angle, in radians.
+    ///
+    /// ```
+    /// use kin_core::Plane;
+    ///
+    /// let link = Plane::polar(2.0_f64, core::f64::consts::FRAC_PI_2);
+    /// assert!((link - Plane::new(0.0, 2.0)).norm() < 1e-15);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn polar(length: T, angle: T) -> Self {
+        Self::cis(angle).scale(length)
+    }
+
     /// The scalar product `x₁ x₂ + y₁ y₂`, in the product of the units.
     #[inline(always)]
     #[must_use]

@@ -37,6 +37,13 @@ impl<T> Space<T> {
 }
 
 impl<T: Number> Space<T> {
+    /// The vector of length 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::new(T::constant(0.0), T::constant(0.0), T::constant(0.0))
+    }
+
     /// The scalar product `x₁ x₂ + y₁ y₂ + z₁ z₂`, in the product of the units.
     #[inline]
     #[must_use]

@@ -36,6 +36,38 @@ pub struct Quantity {
     pub description: &'static str,
 }
 
+impl Quantity {
+    /// A length.
+    #[must_use]
+    pub const fn length(name: &'static str, description: &'static str) -> Self {
+        Self {
+            name,
+            dimension: Dimension::Length,
+            description,
+        }
+    }
+
+    /// An angle.
+    #[must_use]
+    pub const fn angle(name: &'static str, description: &'static str) -> Self {
+        Self {
+            name,
+            dimension: Dimension::Angle,
+            description,
+        }
+    }
+
+    /// A plain number.
+    #[must_use]
+    pub const fn scalar(name: &'static str, description: &'static str) -> Self {
+        Self {
+            name,
+            dimension: Dimension::Scalar,
+            description,
+        }
+    }
+}
+
 /// What a quantity measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dimension {

@@ -2,10 +2,13 @@
 
 mod condition;
 mod description;
+mod failed;
 mod pose_of;
 mod sensitive;
 
 pub use description::{Block, Description, Dimension, Quantity};
+#[doc(hidden)]
+pub use failed::{culprit, failed};
 pub use pose_of::PoseOf;
 pub use sensitive::{Partials, Sensitive};
 

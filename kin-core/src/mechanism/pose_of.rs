@@ -18,15 +18,22 @@ use crate::mechanism::{Mechanism, condition};
 /// let position = linkage.position(1.0, Assembly::Open)?;
 /// let velocity = position.velocity(-10.0);
 /// assert_eq!(position.input_values(), [1.0]);
-/// assert_eq!(PoseOf::<FourBar>::unknown_values(&position), velocity.unknown_values());
+/// assert_eq!(position.unknowns(), velocity.unknowns());
 /// # Ok::<(), SolveError>(())
 /// ```
 pub trait PoseOf<M: Mechanism>: Copy + Debug {
-    /// The values of the inputs, in the order in which they were declared.
-    fn input_values(&self) -> M::Inputs<M::Scalar>;
+    /// The values of the inputs and of the unknowns.
+    fn values(&self) -> (M::Inputs<M::Scalar>, M::Unknowns<M::Scalar>);
 
-    /// The values of the unknowns, in the order in which they were declared.
-    fn unknown_values(&self) -> M::Unknowns<M::Scalar>;
+    /// The values of the inputs, in the order in which they were declared.
+    fn input_values(&self) -> M::Inputs<M::Scalar> {
+        self.values().0
+    }
+
+    /// The values of the unknowns, in the order in which they were declared: as `position_near` and `solve_near` take them.
+    fn unknowns(&self) -> M::Unknowns<M::Scalar> {
+        self.values().1
+    }
 
     /// The condition of each unknown's value, in the unit of the unknown: rounding changes the value by about this times ε, the
     /// [distance](crate::Scalar::EPSILON) from 1 to the next number.
@@ -55,13 +62,13 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
     /// # Ok::<(), SolveError>(())
     /// ```
     fn conditions(&self, mechanism: &M) -> M::Unknowns<f64> {
-        condition::conditions(mechanism, &self.input_values(), &self.unknown_values())
+        condition::conditions(mechanism, &self.input_values(), &self.unknowns())
     }
 
     /// The largest of the [conditions](Self::conditions), where angles are measured in radians, lengths in the longest length of the
     /// mechanism, and plain numbers by their own size if that is larger than 1. If it reaches the reciprocal of ε, no digit of the position
     /// can be relied on.
     fn condition(&self, mechanism: &M) -> f64 {
-        condition::condition(mechanism, &self.input_values(), &self.unknown_values())
+        condition::condition(mechanism, &self.input_values(), &self.unknowns())
     }
 }

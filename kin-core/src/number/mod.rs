@@ -116,6 +116,34 @@ pub trait Number:
     #[must_use]
     fn ln(self) -> Self;
 
+    /// An integer power, by repeated squaring.
+    ///
+    /// ```
+    /// use kin_core::Number;
+    ///
+    /// assert_eq!(Number::powi(2.0_f64, 10), 1024.0);
+    /// assert_eq!(Number::powi(2.0_f64, -2), 0.25);
+    /// assert_eq!(Number::powi(0.0_f64, 0), 1.0);
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    fn powi(self, exponent: i32) -> Self {
+        let mut product = None;
+        let (mut square, mut rest) = (self, exponent.unsigned_abs());
+        while rest > 0 {
+            if rest & 1 == 1 {
+                product = Some(product.map_or(square, |before: Self| before * square));
+            }
+            rest >>= 1;
+            if rest > 0 {
+                square = square * square;
+            }
+        }
+        let one = Self::constant(1.0);
+        let product = product.unwrap_or(one);
+        if exponent < 0 { one / product } else { product }
+    }
+
     /// This number and the product of two others: `self + a b`, rounded once instead of twice where the machine can.
     #[must_use]
     #[inline(always)]

@@ -94,7 +94,7 @@ impl Builder<'_> {
                 value: root,
                 square,
                 factor: if is_opposite { 2.0 } else { -2.0 },
-                names: ["inverse_square", "inverse_determinant"].map(str::to_owned),
+                names: ["double_inverse_square", "inverse_determinant"].map(str::to_owned),
             });
             vectors = [link, other];
             lengths = [a, b];

@@ -86,7 +86,7 @@ mod tests {
     #[test]
     fn a_root_is_inverted_once_and_by_its_square() {
         for (declaration, of_square, own) in [
-            (four_bar(), "inverse_square", "inverse_determinant"),
+            (four_bar(), "double_inverse_square", "inverse_determinant"),
             (slider_crank(), "inverse_l_x_squared", "inverse_l_x"),
             (inverted_slider_crank(), "inverse_r4_squared", "inverse_r4"),
         ] {

@@ -7,8 +7,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::Mover;
 use super::radius::radius;
-use crate::algebra::{Graph, Node, Term};
+use crate::algebra::{Graph, Node, Symbol, Term};
 
 /// How right-hand sides are multiplied by an adjugate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -122,19 +123,76 @@ fn influence(graph: &mut Graph, terms: &[(Node, f64)]) -> (f64, Node) {
     (number, graph.linear(0.0, &terms))
 }
 
-/// The coefficients in an expression that was collected. Expressions in `seen` have been looked at.
-pub(super) fn influences(graph: &Graph, node: Node, seen: &mut BTreeSet<Node>, found: &mut Vec<Node>) {
+/// A coefficient in an expression that was collected.
+pub(super) struct Found {
+    pub(super) node: Node,
+    /// The motion that it is multiplied by.
+    pub(super) by: Option<Mover>,
+    /// Whether the product is subtracted.
+    pub(super) is_opposite: bool,
+}
+
+/// The coefficients in an expression that was collected, which is multiplied by a number. Expressions in `seen` have been looked at.
+pub(super) fn influences(
+    graph: &Graph,
+    (node, number): (Node, f64),
+    movers: &BTreeMap<Node, Mover>,
+    seen: &mut BTreeSet<Node>,
+    found: &mut Vec<Found>,
+) {
     if !seen.insert(node) {
         return;
     }
+    let is_opposite = number < 0.0;
     match graph.term(node) {
-        Term::Sum(..) if graph.depends_on_position_alone(node) => found.push(node),
-        Term::Sum(_, terms) => terms.iter().for_each(|&(term, _)| influences(graph, term, seen, found)),
+        Term::Sum(..) if graph.depends_on_position_alone(node) => found.push(Found {
+            node,
+            by: None,
+            is_opposite,
+        }),
+        Term::Sum(_, terms) => {
+            for (term, coefficient) in terms {
+                influences(graph, (*term, number * coefficient.get()), movers, seen, found);
+            }
+        }
         Term::Product(factors) => {
-            for &(factor, _) in factors.iter().filter(|&&(_, exponent)| exponent > 0) {
-                influences(graph, factor, seen, found);
+            let (position, motion): (Vec<_>, Vec<_>) = factors
+                .iter()
+                .copied()
+                .partition(|&(factor, _)| graph.depends_on_position_alone(factor));
+            let by = mover(graph, &motion, movers);
+            for (node, exponent) in position {
+                if exponent > 0 && matches!(graph.term(node), Term::Sum(..)) && seen.insert(node) {
+                    found.push(Found { node, by, is_opposite });
+                }
+            }
+            for (factor, exponent) in motion {
+                if exponent > 0 {
+                    influences(graph, (factor, number), movers, seen, found);
+                }
             }
         }
         _ => {}
     }
+}
+
+/// The part of a quantity's motion that a product of rates is.
+fn mover(graph: &Graph, factors: &[(Node, i32)], movers: &BTreeMap<Node, Mover>) -> Option<Mover> {
+    if let [(factor, 1)] = *factors
+        && let Some(&mover) = movers.get(&factor)
+    {
+        return Some(mover);
+    }
+    let mut quantities = factors.iter().map(|&(factor, _)| match graph.as_symbol(factor)? {
+        Symbol::InputRate(index, _) => Some(Symbol::Input(index)),
+        Symbol::UnknownRate(index, _) | Symbol::Turning(index, _) => Some(Symbol::Unknown(index)),
+        _ => None,
+    });
+    let quantity = quantities.next()??;
+    let is_same = quantities.all(|other| other == Some(quantity));
+    is_same.then_some(Mover {
+        quantity,
+        // rates multiplied by each other are accelerations toward the centre, and what follows from them
+        is_along: !matches!(factors, [(_, 1)]),
+    })
 }

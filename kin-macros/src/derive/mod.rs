@@ -14,6 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) use influence::Influences;
 pub(crate) use sensitivity::{Definition, Row};
 
+use influence::Found;
 use jacobian::Jacobian;
 use rates::Rates;
 
@@ -55,12 +56,25 @@ pub(crate) struct Regularity {
 pub(crate) enum Hint {
     /// The right-hand side -Rₙ of a scalar equation.
     Right { equation: usize, order: usize },
-    /// What a rate adds to another one.
-    Influence,
+    /// The coefficient with which the motion of a quantity enters the rates of an unknown, if it is one quantity; or its opposite.
+    Influence {
+        unknown: Symbol,
+        by: Option<Mover>,
+        is_opposite: bool,
+    },
     /// Pₙ of an angle.
     P { angle: Symbol, order: usize },
     /// Qₙ of an angle.
     Q { angle: Symbol, order: usize },
+}
+
+/// The part of a quantity's motion that an influence coefficient is multiplied by.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Mover {
+    /// An input or an unknown.
+    pub(crate) quantity: Symbol,
+    /// Whether it is P of an angle, the part along the link, and not Q or a rate.
+    pub(crate) is_along: bool,
 }
 
 /// How time derivatives of unknowns are found.
@@ -250,13 +264,39 @@ impl Derivatives {
     /// Names for parts that a reader of the program will want to know.
     pub(crate) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
         let mut hints = self.rights.clone();
-        hints.extend(self.rates.hints(graph));
+        let envelopes = self.rates.hints(graph);
+        let mut movers = BTreeMap::new();
+        for &(node, hint) in &envelopes {
+            let mover = match hint {
+                Hint::P { angle, .. } => Mover {
+                    quantity: angle,
+                    is_along: true,
+                },
+                Hint::Q { angle, .. } => Mover {
+                    quantity: angle,
+                    is_along: false,
+                },
+                Hint::Right { .. } | Hint::Influence { .. } => continue,
+            };
+            movers.insert(node, mover);
+        }
+        hints.extend(envelopes);
         let mut seen = BTreeSet::new();
         for rate in self.orders.iter().flatten() {
-            if let Rate::Value { value, .. } = *rate {
+            if let Rate::Value { value, symbol } = *rate
+                && let Symbol::UnknownRate(unknown, _) | Symbol::Turning(unknown, _) = symbol
+            {
+                let unknown = Symbol::Unknown(unknown);
                 let mut found = Vec::new();
-                influence::influences(graph, value, &mut seen, &mut found);
-                hints.extend(found.into_iter().map(|node| (node, Hint::Influence)));
+                influence::influences(graph, (value, 1.0), &movers, &mut seen, &mut found);
+                hints.extend(found.into_iter().map(|Found { node, by, is_opposite }| {
+                    let hint = Hint::Influence {
+                        unknown,
+                        by,
+                        is_opposite,
+                    };
+                    (node, hint)
+                }));
             }
         }
         hints

@@ -13,15 +13,12 @@ use super::local;
 use crate::syntax::is_keyword;
 
 /// The import that makes every name in the patterns of some items a new variable.
-pub(super) fn imports(items: &[TokenStream], runtime: &TokenStream) -> TokenStream {
+pub(super) fn imports(items: TokenStream, runtime: &TokenStream) -> TokenStream {
     let mut names = BTreeSet::new();
-    for item in items {
-        collect(item.clone(), Delimiter::None, &mut names);
-    }
+    collect(items, Delimiter::None, &mut names);
     let names = names.iter().map(|name| local(name));
     quote! {
-        #[allow(unused_imports)]
-        use #runtime::{#(unbound as #names),*};
+        #runtime::locals! { #(#names),* }
     }
 }
 

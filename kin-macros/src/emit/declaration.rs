@@ -92,5 +92,7 @@ fn derives(attributes: &[Attribute]) -> TokenStream {
     if missing.is_empty() {
         return TokenStream::new();
     }
-    quote_spanned!(Span::mixed_site()=> #[derive(#(#missing),*)])
+    // two of them on a line
+    let missing = missing.chunks(2);
+    quote_spanned!(Span::mixed_site()=> #(#[derive(#(#missing),*)])*)
 }

@@ -28,10 +28,7 @@ pub(super) fn local(name: &str) -> Ident {
 
 /// Generated items may go unused, and are not to be judged by the lints of the crate that they land in.
 pub(super) fn attributes() -> TokenStream {
-    quote! {
-        #[automatically_derived]
-        #[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    }
+    quote!(#[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
 impl Mechanism<'_> {
@@ -177,6 +174,19 @@ impl Mechanism<'_> {
         } else {
             number.clone()
         }
+    }
+
+    /// The field of a scalar parameter by its number; nothing for a part of a vector.
+    pub(super) fn scalar_field(&self, number: usize) -> Option<&Ident> {
+        let mut next = 0;
+        for parameter in &self.model.parameters {
+            let parts = parameter.dimension.shape().axes().len();
+            if next == number {
+                return (parts == 0).then_some(&parameter.name);
+            }
+            next += parts.max(1);
+        }
+        None
     }
 
     /// Each scalar parameter: its name in messages, its place in the structure, its dimension and its field.

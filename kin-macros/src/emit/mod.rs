@@ -15,8 +15,8 @@ use crate::program::Solvers;
 use crate::structure::Block;
 use crate::syntax::Declaration;
 use items::{
-    assembly, batch, description, every, interface, poses, position, rates, sensitivities, solve, test, track,
-    transmission, values,
+    assembly, batch, description, every, interface, poses, position, sensitivities, solve, test, track, transmission,
+    values,
 };
 use mechanism::{Mechanism, local};
 use source::skeleton;
@@ -48,37 +48,58 @@ pub(crate) fn tokens(
         batch::structure(outside),
         sensitivities::structures(outside),
     ];
-    let implementations = [
-        assembly::tokens(inside),
+    let constants = [
+        assembly::list(inside),
         description::tokens(inside),
+        sensitivities::cost(inside),
+        every::tokens(inside),
+    ];
+    let methods = [
         solve::tokens(inside),
         position::tokens(inside),
-        every::tokens(inside),
+        assembly::tokens(inside),
         track::tokens(inside),
-        poses::tokens(inside),
-        rates::tokens(inside),
-        sensitivities::tokens(inside),
-        interface::tokens(inside),
-        batch::tokens(inside),
-        values::tokens(inside),
-        skeleton::tokens(inside),
+        sensitivities::method(inside),
         transmission::tokens(inside),
+        skeleton::tokens(inside),
+        solve::shared(inside),
     ];
+    let further = [
+        poses::tokens(inside),
+        values::tokens(inside),
+        interface::tokens(inside),
+        sensitivities::tokens(inside),
+        batch::tokens(inside),
+    ];
+    let name = &model.name;
+    let implementations = quote! {
+        impl #name<::core::primitive::f64> {
+            #(#constants)*
+        }
+
+        impl<T: #alias::Scalar> #name<T> {
+            #(#methods)*
+        }
+
+        #(#further)*
+    };
     // test functions inside of other items do not run
     let test = if outside.is_requested(Request::Test) {
         test::tokens(outside)
     } else {
         TokenStream::new()
     };
-    let bindings = bindings::imports(&implementations, runtime);
+    let bindings = bindings::imports(implementations.clone(), runtime);
     // a scope of its own, so that short names meet no others
     quote! {
         #(#structures)*
-        #[allow(deprecated)]
+        #[allow(dead_code, deprecated, non_snake_case, unused_imports, clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use #runtime as #alias;
+            use #alias::batch::{MotionColumns as _, Parameter as _};
+            use #alias::{Number as _, PoseOf as _};
             #bindings
-            #(#implementations)*
+            #implementations
         };
         #test
     }

@@ -8,7 +8,7 @@ use super::naming::{name_rates, name_sensitivities};
 use super::telltales::telltales;
 use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble::{self, Assembled, Reciprocals, Root, Units};
-use crate::derive::{Definition, Hint, Influences, Rate};
+use crate::derive::{Definition, Hint, Influences, Mover, Rate};
 use crate::passes::{Pass, Passes};
 use crate::program::{
     Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Summary, Trial, Way, order_name,
@@ -240,16 +240,38 @@ impl<'a> Draft<'a> {
             self.hints.push((node, "determinant".to_owned()));
         }
         for (node, hint) in derivatives.hints(&self.derived.graph) {
-            let name = match hint {
-                Hint::Right { equation, order } => format!("right_{}_{}", equation + 1, order_name(order)),
-                Hint::Influence => "influence".to_owned(),
-                Hint::P { angle, order } => format!("{}_p{order}", self.names.of(angle)),
-                Hint::Q { angle, order } => format!("{}_q{order}", self.names.of(angle)),
-            };
+            let (name, is_opposite) = self.hint(hint);
             let node = self.units.rewrite(&mut self.graph, node);
             let opposite = self.graph.negate(node);
-            self.hints.extend([(node, name.clone()), (opposite, name)]);
+            let minus = format!("minus_{name}");
+            let [name, minus] = if is_opposite { [minus, name] } else { [name, minus] };
+            self.hints.extend([(node, name), (opposite, minus)]);
         }
+    }
+
+    /// The name of a part of the formulas, and whether the part is the opposite of what is called so.
+    fn hint(&self, hint: Hint) -> (String, bool) {
+        let name = match hint {
+            Hint::Right { equation, order } => format!("right_{}_{}", equation + 1, order_name(order)),
+            Hint::P { angle, order } => format!("{}_p{order}", self.names.of(angle)),
+            Hint::Q { angle, order } => format!("{}_q{order}", self.names.of(angle)),
+            Hint::Influence {
+                unknown,
+                by,
+                is_opposite,
+            } => {
+                let unknown = self.names.of(unknown);
+                let name = by.map_or_else(
+                    || format!("{unknown}_influence"),
+                    |Mover { quantity, is_along }| {
+                        let part = if is_along { "_p" } else { "" };
+                        format!("{unknown}_per_{}{part}", self.names.of(quantity))
+                    },
+                );
+                return (name, is_opposite);
+            }
+        };
+        (name, false)
     }
 
     /// The position checks what later stages divide by.

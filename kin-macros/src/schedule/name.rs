@@ -16,36 +16,64 @@ impl Scheduler<'_> {
         symbol
     }
 
-    /// The name of a leaf or of a value that has one.
-    fn short_name(&self, value: Value) -> Option<String> {
-        match self.operations.operation(value) {
-            Operation::Leaf(symbol) => Some(self.names.of(*symbol).to_owned()),
-            _ => self.bound.get(&value).map(|&symbol| self.names.of(symbol).to_owned()),
-        }
+    /// A name that says what a value is, as long as it is short, or at least of what kind it is.
+    fn describe(&self, value: Value) -> String {
+        self.phrase(value).unwrap_or_else(|| {
+            let kind = match self.operations.operation(value) {
+                Operation::Add(..) => "sum",
+                Operation::Subtract(..) => "difference",
+                Operation::Multiply(..) => "product",
+                Operation::Divide(..) => "quotient",
+                Operation::Negate(_) => "opposite",
+                _ => "value",
+            };
+            kind.to_owned()
+        })
     }
 
-    /// A name that says what a value is, or at least that it is one.
-    fn describe(&self, value: Value) -> String {
-        let described = match self.operations.operation(value) {
-            Operation::Call(function, arguments) => {
-                let argument = self.short_name(arguments[0]).unwrap_or_else(|| "angle".to_owned());
-                Some(format!("{}_{argument}", function.name()))
+    /// A value in the names of its operands.
+    fn phrase(&self, value: Value) -> Option<String> {
+        let phrase = match *self.operations.operation(value) {
+            Operation::Leaf(symbol) => return Some(self.names.of(symbol).to_owned()),
+            Operation::Number(number) => {
+                let number = number.get();
+                return (number.fract() == 0.0 && (0.0..100.0).contains(&number)).then(|| format!("{number}"));
             }
-            Operation::Multiply(a, b) if a == b => self.short_name(*a).map(|name| format!("{name}_squared")),
-            Operation::Multiply(a, b) => match (self.short_name(*a), self.short_name(*b)) {
-                (Some(a), Some(b)) if b == format!("{a}_squared") => Some(format!("{a}_cubed")),
-                (Some(a), Some(b)) => Some(format!("{a}_{b}")),
-                _ => None,
-            },
-            Operation::Divide(one, divisor) if matches!(self.operations.operation(*one), Operation::Number(number) if number.get() == 1.0) =>
-            {
-                let divisor = self.hints.get(divisor).cloned().or_else(|| self.short_name(*divisor));
-                divisor.map(|name| format!("inverse_{name}"))
+            Operation::Pi => "pi".to_owned(),
+            Operation::Call(function, ref arguments) => {
+                let argument = self.part(arguments[0]).unwrap_or_else(|| "angle".to_owned());
+                format!("{}_{argument}", function.name())
             }
-            _ => None,
+            Operation::Multiply(a, b) if a == b => format!("{}_squared", self.part(a)?),
+            Operation::Multiply(a, b) => {
+                let (a, b) = (self.part(a)?, self.part(b)?);
+                if b == format!("{a}_squared") {
+                    format!("{a}_cubed")
+                } else {
+                    format!("{a}_{b}")
+                }
+            }
+            Operation::Divide(a, b) => {
+                let divisor = self.hints.get(&b).cloned().or_else(|| self.part(b))?;
+                match self.part(a)? {
+                    one if one == "1" => format!("inverse_{divisor}"),
+                    dividend => format!("{dividend}_per_{divisor}"),
+                }
+            }
+            Operation::Add(a, b) => format!("{}_plus_{}", self.part(a)?, self.part(b)?),
+            Operation::Subtract(a, b) => format!("{}_minus_{}", self.part(a)?, self.part(b)?),
+            Operation::Negate(a) => format!("minus_{}", self.part(a)?),
         };
-        described
-            .filter(|name| name.len() <= NAME_LENGTH)
-            .unwrap_or_else(|| "t".to_owned())
+        // a name does not begin with a digit
+        let is_name = !phrase.starts_with(|first: char| first.is_ascii_digit());
+        (is_name && phrase.len() <= NAME_LENGTH).then_some(phrase)
+    }
+
+    /// The name of a value that has one, or what it would be called.
+    fn part(&self, value: Value) -> Option<String> {
+        match self.bound.get(&value) {
+            Some(&symbol) => Some(self.names.of(symbol).to_owned()),
+            None => self.phrase(value),
+        }
     }
 }

@@ -9,5 +9,5 @@ pub use domain::{
     arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
 };
 pub use range::{check_angle, check_value, choose_angle, choose_value};
-pub use regular::{culprit, finite, regular};
+pub use regular::{finite, regular};
 pub use turn::{agreeing, nearest_turn, on_turn, within_turns};

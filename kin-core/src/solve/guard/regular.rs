@@ -44,13 +44,6 @@ pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure>
     }
 }
 
-/// The name of the first quantity that is not finite, if one is not.
-#[must_use]
-pub fn culprit<const N: usize>(names: [&'static str; N], finite: [bool; N]) -> Option<&'static str> {
-    let (name, _) = names.into_iter().zip(finite).find(|(_, finite)| !finite)?;
-    Some(name)
-}
-
 #[cold]
 #[inline(never)]
 fn irregular(determinant: f64) -> Failure {

@@ -14,12 +14,10 @@ use crate::program::Step;
 /// Up to this many blocks with a choice, all assemblies are listed in a constant.
 const LISTED: usize = 6;
 
-/// The list and the finder.
+/// `solve_all` and `assembly_at`.
 pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
-    let list = list(mechanism);
-    let finder = finder(mechanism);
-    let all = all(mechanism);
-    quote!(#list #finder #all)
+    let (finder, all) = (finder(mechanism), all(mechanism));
+    quote!(#all #finder)
 }
 
 /// `solve_all`: the motion in every assembly.
@@ -29,15 +27,13 @@ fn all(mechanism: &Mechanism<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let runtime = mechanism.runtime;
-    let (name, pose, attributes) = (&mechanism.model.name, mechanism.pose(mechanism.order()), attributes());
+    let pose = mechanism.pose(mechanism.order());
     let inputs = mechanism.input_names();
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
     let size = Literal::usize_unsuffixed(1 << count);
     let index = mechanism.own("index");
     let by_number = by_number(mechanism, &quote!(#index));
     quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
             /// `solve` in every assembly, in the order of `ASSEMBLIES`.
             #[must_use]
             pub fn solve_all(&self, #(#inputs: #runtime::Motion<T, #length>),*)
@@ -45,7 +41,7 @@ fn all(mechanism: &Mechanism<'_>) -> TokenStream {
             {
                 ::core::array::from_fn(|#index| self.solve(#(#inputs,)* #by_number))
             }
-        }
+
     }
 }
 
@@ -74,14 +70,8 @@ pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
     });
     quote! {
         #[doc = #summary]
-        #[derive(
-            ::core::clone::Clone,
-            ::core::marker::Copy,
-            ::core::fmt::Debug,
-            ::core::cmp::PartialEq,
-            ::core::cmp::Eq,
-            ::core::hash::Hash
-        )]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        #[derive(::core::cmp::PartialEq, ::core::cmp::Eq, ::core::hash::Hash)]
         #attributes
         #visibility struct #name {
             #(#fields,)*
@@ -117,13 +107,13 @@ pub(in crate::emit) fn by_number(mechanism: &Mechanism<'_>, index: &TokenStream)
     })
 }
 
-fn list(mechanism: &Mechanism<'_>) -> TokenStream {
+/// `ASSEMBLIES`.
+pub(in crate::emit) fn list(mechanism: &Mechanism<'_>) -> TokenStream {
     let count = mechanism.choices().len();
     if count > LISTED || mechanism.is_coupled() {
         return TokenStream::new();
     }
-    let (name, runtime) = (&mechanism.model.name, mechanism.runtime);
-    let (attributes, kind) = (attributes(), mechanism.assembly_type());
+    let (runtime, kind) = (mechanism.runtime, mechanism.assembly_type());
     let size = Literal::usize_unsuffixed(1 << count);
     let all = (0..1_usize << count).map(|index| {
         assembly(mechanism, |position| {
@@ -134,17 +124,20 @@ fn list(mechanism: &Mechanism<'_>) -> TokenStream {
             }
         })
     });
+    let all = if count == 1 {
+        quote!(#runtime::Assembly::BOTH)
+    } else {
+        quote!([#(#all),*])
+    };
     let summary = match count {
         0 => " The one way to assemble it.".to_owned(),
         1 => " The ways to assemble it.".to_owned(),
         _ => " The ways to assemble it, all combinations of the blocks' own two.".to_owned(),
     };
     quote! {
-        #attributes
-        impl #name<::core::primitive::f64> {
             #[doc = #summary]
-            pub const ASSEMBLIES: [#kind; #size] = [#(#all),*];
-        }
+            pub const ASSEMBLIES: [#kind; #size] = #all;
+
     }
 }
 
@@ -155,8 +148,7 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let runtime = mechanism.runtime;
-    let name = &mechanism.model.name;
-    let (attributes, kind) = (attributes(), mechanism.assembly_type());
+    let kind = mechanism.assembly_type();
     let inputs = mechanism.input_names();
     let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
     let program = &mechanism.solvers.orientations;
@@ -164,7 +156,7 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
     let near = mechanism.own("near");
     let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
     let symbols: Vec<Symbol> = (0..mechanism.model.unknowns.len()).map(Symbol::Unknown).collect();
-    let unknowns = values::bound(&text, &used, &symbols, &near);
+    let unknowns = values::bound(&text, &used, &symbols, &quote!(#near));
     let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
     let readings = text.readings(stage, &given);
     let unused_inputs = inputs
@@ -197,7 +189,7 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
     let way = quote! {
         #(let _ = #unused_inputs;)*
         #readings
-        #(#unknowns)*
+        #unknowns
         #body
     };
     let finder = if mechanism.is_coupled() {
@@ -207,6 +199,7 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
                 #side.0
             }
 
+            #[doc(hidden)]
             /// The assembly, and the values near by: of several poses at once, those of the poses that are in the same one.
             #[inline(always)]
             fn __side(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> (#kind, [T; #unknown_count]) {
@@ -223,11 +216,9 @@ fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
         }
     };
     quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
             #[doc = #summary]
             #[must_use]
             #finder
-        }
+
     }
 }

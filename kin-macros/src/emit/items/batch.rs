@@ -23,15 +23,15 @@ pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
     let inputs = model
         .inputs
         .iter()
-        .map(|input| (&input.name, quote!(#runtime::Motion<Place, #length>)));
+        .map(|input| (&input.name, quote!(#runtime::Motion<Column, #length>)));
     let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
         (
             &unknown.name,
-            mechanism.unknown_type(index, mechanism.order(), &quote!(Place)),
+            mechanism.unknown_type(index, mechanism.order(), &quote!(Column)),
         )
     });
     let outputs = model.outputs.iter().map(|output| {
-        let kind = mechanism.output_type(output.value.shape(), &quote!(Place));
+        let kind = mechanism.output_type(output.value.shape(), &quote!(Column));
         (&output.name, quote!(#runtime::Motion<#kind, #length>))
     });
     let fields = inputs.chain(unknowns).chain(outputs).map(|(name, kind)| {
@@ -45,7 +45,7 @@ pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
         #[doc = #summary]
         #[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #attributes
-        #visibility struct #structure<Place> {
+        #visibility struct #structure<Column> {
             #(#fields,)*
         }
     }
@@ -60,7 +60,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 
 fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (name, structure, attributes) = (&model.name, type_name(mechanism), attributes());
+    let (name, structure) = (&model.name, type_name(mechanism));
     let inputs = mechanism.input_names();
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
     let [near, poses, outcomes] = ["near", "poses", "outcomes"].map(|name| mechanism.own(name));
@@ -77,8 +77,9 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
         let (argument, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
         (quote!(#argument,), value, "solve")
     };
-    let place = mechanism.type_parameter("Place");
-    let same = quote!(#name<::core::primitive::f64>);
+    let [column, value] = ["Column", "Value"].map(|name| mechanism.type_parameter(name));
+    // in double precision, as the structure is without an argument
+    let same = name;
     let summary = format!(
         " Position and all time derivatives to {} of many poses.",
         order_name(mechanism.order())
@@ -88,25 +89,19 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
         .into_iter()
         .map(|(_, value, ..)| value)
         .collect();
-    let method = |name: &str, solve: &str, parameters: &TokenStream, sentence: &str| {
+    let method = |name: &str, solve: &str| {
         let (name, solve) = (local(name), local(solve));
         quote! {
-            #[doc = #summary]
-            ///
-            #[doc = #sentence]
-            ///
-            /// # Errors
-            /// If a column is not as long as there are outcomes. What becomes of each pose is told by its outcome.
             #[inline]
-            pub fn #name<#place: #runtime::batch::Target>(
+            pub fn #name<#column: #runtime::batch::Target>(
                 &self,
                 #(#inputs: #runtime::Motion<#runtime::batch::Column<'_>, #length>,)*
                 #choice
-                #poses: &mut #structure<#place>,
+                #poses: &mut #structure<#column>,
                 #outcomes: &mut [#runtime::batch::Outcome],
             ) -> ::core::result::Result<#runtime::batch::Summary, #runtime::batch::LengthMismatch> {
                 #runtime::batch::#solve::<#same, _, _>(
-                    #parameters,
+                    [#(#scalars.column()),*],
                     [#(#inputs),*],
                     #chosen,
                     #poses,
@@ -116,43 +111,32 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
             }
         }
     };
-    let methods = |parameters: &TokenStream, sentence: &str| {
-        let one = method("solve_batch", solve, parameters, sentence);
-        let sentence = format!("{sentence} On all cores.");
-        let all = method(
-            "solve_batch_in_parallel",
-            &format!("{solve}_in_parallel"),
-            parameters,
-            &sentence,
-        );
-        quote! {
-            #one
-            #runtime::in_parallel! { #all }
-        }
-    };
-    let fixed = methods(
-        &quote!([#(#runtime::batch::Column::Same(#scalars)),*]),
-        " All of them are poses of this mechanism; inputs are the same for all of them, or a column with one for each.",
-    );
-    let varying = methods(
-        &quote!([#(#scalars),*]),
-        " Parameters and inputs are the same for all of them, or a column with one for each.",
-    );
+    let one = method("solve_batch", solve);
+    let all = method("solve_batch_in_parallel", &format!("{solve}_in_parallel"));
     quote! {
-        #attributes
-        impl #name<::core::primitive::f64> {
-            #fixed
-        }
-        #attributes
-        impl #name<#runtime::batch::Column<'_>> {
-            #varying
+        impl<#value: #runtime::batch::Parameter> #name<#value> {
+            #[doc = #summary]
+            ///
+            /// Parameters and inputs are the same for all of them, or a column with one for each.
+            ///
+            /// # Errors
+            /// If a column is not as long as there are outcomes. The outcome of a pose says what became of it.
+            #one
+
+            #runtime::in_parallel! {
+                /// [`solve_batch`](Self::solve_batch) on all cores.
+                ///
+                /// # Errors
+                /// As `solve_batch`.
+                #all
+            }
         }
     }
 }
 
 fn columns(mechanism: &Mechanism<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (structure, attributes) = (type_name(mechanism), attributes());
+    let structure = type_name(mechanism);
     let [fill, visitor] = ["fill", "visitor"].map(|name| mechanism.own(name));
     let inputs = model.inputs.iter().map(|input| &input.name);
     let unknowns = model.unknowns.iter().map(|unknown| &unknown.name);
@@ -171,27 +155,23 @@ fn columns(mechanism: &Mechanism<'_>) -> TokenStream {
         .into_iter()
         .flat_map(|(kind, count)| std::iter::repeat_n(local(kind), count));
     quote! {
-        #attributes
-        impl<Place> #structure<Place> {
+        impl<Column> #structure<Column> {
             /// What a function gives in the place of each number: vectors for `solve_batch` to fill, or nothing where a number is
             /// not wanted.
-            pub fn filled(mut #fill: impl ::core::ops::FnMut() -> Place) -> Self {
+            pub fn filled(mut #fill: impl ::core::ops::FnMut() -> Column) -> Self {
                 Self {
                     #(#fields: #runtime::batch::MotionColumns::filled(&mut #fill)),*
                 }
             }
         }
-        #attributes
-        impl<Place> #runtime::batch::Columns<Place> for #structure<Place> {
+        impl<Column> #runtime::batch::Columns<Column> for #structure<Column> {
             #[inline(always)]
-            fn each<'a>(&'a mut self, #visitor: &mut impl #runtime::batch::Visitor<'a, Place>)
+            fn each<'a>(&'a mut self, #visitor: &mut impl #runtime::batch::Visitor<'a, Column>)
             where
-                Place: 'a,
+                Column: 'a,
             {
                 #(
-                    #runtime::batch::MotionColumns::each(
-                        &mut self.#fields, #firsts, #runtime::batch::Place::#kinds, #visitor,
-                    );
+                    self.#fields.each(#firsts, #runtime::batch::Place::#kinds, #visitor);
                 )*
             }
         }

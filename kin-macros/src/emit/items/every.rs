@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::algebra::Symbol;
-use crate::emit::mechanism::{Mechanism, attributes};
+use crate::emit::mechanism::Mechanism;
 use crate::emit::text::Text;
 
 /// The method `assemblies_at`; nothing if there is no such way to find them, or far too many.
@@ -26,7 +26,6 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let runtime = mechanism.runtime;
-    let (name, attributes) = (&mechanism.model.name, attributes());
     let inputs = mechanism.input_names();
     let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
     let capacity = Literal::usize_unsuffixed(paths);
@@ -51,8 +50,6 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         mechanism.unknown_order()
     );
     quote! {
-        #attributes
-        impl #name<::core::primitive::f64> {
             /// All assemblies at given inputs: every regular position.
             ///
             #[doc = #order]
@@ -72,6 +69,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 )
             }
 
+            #[doc(hidden)]
             fn __one_of_all(
                 &self,
                 #(#inputs: ::core::primitive::f64,)*
@@ -83,6 +81,6 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #body
                 ::core::result::Result::Ok([#(#unknowns),*])
             }
-        }
+
     }
 }

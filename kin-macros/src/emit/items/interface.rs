@@ -1,12 +1,12 @@
 //! The implementation of the trait that all mechanisms share.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::quote;
 use syn::{Attribute, Expr, Lit, Meta};
 
-use super::{assembly, description};
+use super::assembly;
 use crate::emit::declaration::vector_type;
-use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::mechanism::{Mechanism, local};
 use crate::model::Dimension;
 
 /// `impl Mechanism` and `impl Pose`.
@@ -14,7 +14,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let order = mechanism.order();
-    let (name, pose, attributes) = (&model.name, mechanism.pose(order), attributes());
+    let (name, pose) = (&model.name, mechanism.pose(order));
     let (assembly_type, value) = (mechanism.assembly_type(), mechanism.assembly_value());
     let index = local("index");
     let by_number = assembly::by_number(mechanism, &quote!(#index));
@@ -76,11 +76,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         quote!(let _ = #index; ::core::option::Option::None)
     } else {
         quote! {
-            if #index < Self::ASSEMBLY_COUNT {
-                ::core::option::Option::Some(#by_number)
-            } else {
-                ::core::option::Option::None
-            }
+            (#index < Self::ASSEMBLY_COUNT).then(|| #by_number)
         }
     };
     let assembly_near = if is_coupled {
@@ -143,7 +139,6 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         )
     };
     quote! {
-        #attributes
         impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
             type Scalar = T;
             type With<#number: #runtime::Scalar> = #name<#number>;
@@ -222,7 +217,6 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             }
         }
 
-        #attributes
         impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {
             type Scalar = T;
             type Motion = #runtime::Motion<T, #length>;
@@ -328,7 +322,7 @@ fn description(mechanism: &Mechanism<'_>) -> TokenStream {
         }
     });
     let order = Literal::usize_unsuffixed(mechanism.order());
-    let operations = description::operations(mechanism);
+    let operations = &mechanism.model.name;
     quote! {
         #runtime::Description {
             name: #name,
@@ -339,21 +333,19 @@ fn description(mechanism: &Mechanism<'_>) -> TokenStream {
             equations: &[#(#equations),*],
             blocks: &[#(#blocks),*],
             order: #order,
-            operations: &#operations,
+            operations: &#operations::<::core::primitive::f64>::OPERATIONS,
         }
     }
 }
 
 fn quantity(runtime: &TokenStream, name: &str, dimension: Dimension, attributes: &[Attribute]) -> TokenStream {
-    let dimension = match dimension {
-        Dimension::Length | Dimension::Point | Dimension::Vector | Dimension::Point3 | Dimension::Vector3 => {
-            local("Length").into_token_stream()
-        }
-        Dimension::Angle | Dimension::Direction => local("Angle").into_token_stream(),
-        Dimension::Scalar => local("Scalar").into_token_stream(),
-    };
+    let kind = local(match dimension {
+        Dimension::Length | Dimension::Point | Dimension::Vector | Dimension::Point3 | Dimension::Vector3 => "length",
+        Dimension::Angle | Dimension::Direction => "angle",
+        Dimension::Scalar => "scalar",
+    });
     let text = first_paragraph(attributes);
-    quote!(#runtime::Quantity { name: #name, dimension: #runtime::Dimension::#dimension, description: #text })
+    quote!(#runtime::Quantity::#kind(#name, #text))
 }
 
 /// The first paragraph of a documentation comment, on one line.

@@ -8,7 +8,7 @@ pub(super) mod every;
 pub(super) mod interface;
 pub(super) mod poses;
 pub(super) mod position;
-pub(super) mod rates;
+mod rates;
 pub(super) mod sensitivities;
 pub(super) mod solve;
 pub(super) mod test;

@@ -5,6 +5,7 @@ use quote::quote;
 use syn::Attribute;
 
 use super::documentation::unit;
+use super::rates;
 use crate::emit::mechanism::{Mechanism, attributes, local};
 use crate::program::order_name;
 
@@ -15,9 +16,24 @@ pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
         .collect()
 }
 
-/// What each can tell.
+/// The methods of each, among them the solver of the next order.
 pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
-    (0..=mechanism.order()).map(|order| methods(mechanism, order)).collect()
+    let runtime = mechanism.runtime;
+    (0..=mechanism.order())
+        .map(|order| {
+            let (pose, near) = (mechanism.pose(order), values_near(mechanism));
+            let next = (order < mechanism.order()).then(|| rates::method(mechanism, order + 1));
+            if near.is_empty() && next.is_none() {
+                return TokenStream::new();
+            }
+            quote! {
+                impl<T: #runtime::Scalar> #pose<T> {
+                    #near
+                    #next
+                }
+            }
+        })
+        .collect()
 }
 
 /// A field's documentation: the user's own, then a line of ours.
@@ -81,42 +97,14 @@ fn structure(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     });
     quote! {
         #[doc = #summary]
-        #[derive(
-            ::core::clone::Clone,
-            ::core::marker::Copy,
-            ::core::fmt::Debug,
-            ::core::cmp::PartialEq
-        )]
+        #[derive(::core::clone::Clone, ::core::marker::Copy)]
+        #[derive(::core::fmt::Debug, ::core::cmp::PartialEq)]
         #attributes
         #visibility struct #name<T = ::core::primitive::f64> {
             #(#inputs,)*
             #(#unknowns,)*
             #(#outputs,)*
             #(#carried,)*
-        }
-    }
-}
-
-fn methods(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
-    let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (name, attributes) = (mechanism.pose(order), attributes());
-    let count = Literal::usize_unsuffixed(model.unknowns.len());
-    let values = (0..model.unknowns.len()).map(|index| mechanism.unknown_value(index));
-    let values_near = values_near(mechanism);
-    let unknown_line = format!(
-        " The values of the unknowns, `[{}]`, as `position_near` takes them.",
-        mechanism.unknown_order()
-    );
-    quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
-            #[doc = #unknown_line]
-            #[must_use]
-            pub fn unknowns(&self) -> [T; #count] {
-                [#(#values),*]
-            }
-
-            #values_near
         }
     }
 }

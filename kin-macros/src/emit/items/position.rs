@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::algebra::Symbol;
 use crate::emit::declaration::vector_type;
-use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::mechanism::{Mechanism, local};
 use crate::emit::text::Text;
 use crate::model::{Dimension, Value};
 use crate::program::UnitPart;
@@ -14,7 +14,7 @@ use crate::program::UnitPart;
 pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
-    let (name, pose, attributes) = (&model.name, mechanism.pose(0), attributes());
+    let pose = mechanism.pose(0);
     let inputs = mechanism.input_names();
     let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
     let assembly_then = if assembly.is_empty() {
@@ -82,8 +82,6 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         )
     };
     quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
             /// The position.
             ///
             #[doc = #input_line]
@@ -120,6 +118,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 self.__position(#(#inputs,)* #near_choice #near_value)
             }
 
+            #[doc(hidden)]
             #[inline(always)]
             fn __position(&self, #(#inputs: T,)* #assembly_then #near: #near_type)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
@@ -128,7 +127,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #body
                 ::core::result::Result::Ok(#result)
             }
-        }
+
     }
 }
 

@@ -7,20 +7,15 @@ use quote::quote;
 
 use super::position::output_value;
 use crate::algebra::Symbol;
-use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::mechanism::{Mechanism, local};
 use crate::emit::text::Text;
 use crate::program::Step;
 use crate::program::order_name;
 
-/// `velocity`, `acceleration`, ….
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
-    (1..=mechanism.order()).map(|order| solver(mechanism, order)).collect()
-}
-
-fn solver(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
-    let runtime = mechanism.runtime;
+/// The method that adds an order: `velocity`, `acceleration`, ….
+pub(in crate::emit) fn method(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     let model = mechanism.model;
-    let (below, pose, attributes) = (mechanism.pose(order - 1), mechanism.pose(order), attributes());
+    let pose = mechanism.pose(order);
     let stage = &mechanism.solvers.orders()[order];
     let text = Text::of(mechanism, &mechanism.solvers.motion);
     let method = local(&order_name(order));
@@ -64,18 +59,14 @@ fn solver(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
     });
 
     let summary = format!(
-        " Adds the {} to what is known, from the {} of the input{}.",
+        " Adds the {} to what is known, from the {} of the input{}.{}",
         order_name(order),
         order_name(order),
-        if model.inputs.len() == 1 { "" } else { "s" }
+        if model.inputs.len() == 1 { "" } else { "s" },
+        mechanism.cost_line(order),
     );
-    let cost = mechanism.cost_line(order);
     quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #below<T> {
             #[doc = #summary]
-            ///
-            #[doc = #cost]
             #[inline(always)]
             #[must_use]
             pub fn #method(&self, #(#arguments: T),*) -> #pose<T> {
@@ -88,6 +79,6 @@ fn solver(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
                     #(#carried,)*
                 }
             }
-        }
+
     }
 }

@@ -11,7 +11,6 @@ use crate::emit::mechanism::{Mechanism, attributes, local};
 use crate::emit::text::Text;
 use crate::model::Shape;
 use crate::program::order_name;
-use crate::program::{Expression, Stage};
 
 /// `FourBarSensitivities` and `FourBarPartials`.
 pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
@@ -23,12 +22,8 @@ pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
     let (name, whole, partials) = (&model.name, whole(mechanism), partials(mechanism));
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
     let derives = quote! {
-        #[derive(
-            ::core::clone::Clone,
-            ::core::marker::Copy,
-            ::core::fmt::Debug,
-            ::core::cmp::PartialEq
-        )]
+        #[derive(::core::clone::Clone, ::core::marker::Copy)]
+        #[derive(::core::fmt::Debug, ::core::cmp::PartialEq)]
     };
     let parameters = model.parameters.iter().map(|parameter| {
         let field = &parameter.name;
@@ -84,13 +79,17 @@ pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
     }
 }
 
-/// `sensitivities`, what it costs, and the implementation of the trait.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+/// `SENSITIVITY_OPERATIONS`.
+pub(in crate::emit) fn cost(mechanism: &Mechanism<'_>) -> TokenStream {
     let Some(stage) = mechanism.solvers.sensitivities() else {
         return TokenStream::new();
     };
-    let (method, interface) = (method(mechanism, stage), interface(mechanism, stage));
-    quote!(#method #interface)
+    let runtime = mechanism.runtime;
+    let operations = description::operations_of(runtime, stage.cost);
+    quote! {
+        /// What the partial derivatives with respect to all parameters cost, on top of the solvers.
+        pub const SENSITIVITY_OPERATIONS: #runtime::Operations = #operations;
+    }
 }
 
 fn whole(mechanism: &Mechanism<'_>) -> Ident {
@@ -105,12 +104,16 @@ fn partials(mechanism: &Mechanism<'_>) -> Ident {
     format_ident!("{}Partials", mechanism.model.name, span = mechanism.model.name.span())
 }
 
-fn method(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStream {
+/// `sensitivities`.
+pub(in crate::emit) fn method(mechanism: &Mechanism<'_>) -> TokenStream {
+    let Some(stage) = mechanism.solvers.sensitivities() else {
+        return TokenStream::new();
+    };
     let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (name, whole, attributes) = (&model.name, whole(mechanism), attributes());
+    let whole = whole(mechanism);
     let (argument, pose) = (mechanism.own("pose"), mechanism.pose(mechanism.order()));
     let text = Text::of(mechanism, &mechanism.solvers.motion);
-    let readings = text.readings_from(stage, &[], &quote!(#argument));
+    let readings = text.readings_from(stage, &quote!(#argument));
     let body = text.plain_steps(stage);
     let mut next = 0;
     let fields: Vec<TokenStream> = model
@@ -136,10 +139,7 @@ fn method(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStream {
         })
         .collect();
     let cost = cost_line(stage.cost);
-    let operations = description::operations_of(runtime, stage.cost);
     quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
             /// The partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to
             /// each parameter, while inputs and assembly are kept. The pose must be one of this mechanism's own.
             ///
@@ -152,13 +152,6 @@ fn method(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStream {
                 #body
                 #whole { #(#fields),* }
             }
-        }
-
-        #attributes
-        impl #name<::core::primitive::f64> {
-            /// What the partial derivatives with respect to all parameters cost, on top of the solvers.
-            pub const SENSITIVITY_OPERATIONS: #runtime::Operations = #operations;
-        }
     }
 }
 
@@ -199,9 +192,13 @@ fn parts(shape: Shape) -> Vec<Ident> {
     shape.axes().iter().map(|axis| local(&axis.to_string())).collect()
 }
 
-fn interface(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStream {
+/// `impl Sensitive` and `impl Partials`.
+pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+    if mechanism.solvers.sensitivities().is_none() {
+        return TokenStream::new();
+    }
     let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (name, partials, attributes) = (&model.name, partials(mechanism), attributes());
+    let (name, partials) = (&model.name, partials(mechanism));
     let pose = mechanism.pose(mechanism.order());
     let [length, parameter_count, unknown_count, output_count] = [
         mechanism.order() + 1,
@@ -230,13 +227,11 @@ fn interface(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStrea
             quote!(#(self.#field.#parts()),*)
         }
     });
-    let operations = description::operations_of(runtime, stage.cost);
     quote! {
-        #attributes
         impl<T: #runtime::Scalar> #runtime::Sensitive for #name<T> {
             type Partials = #partials<T>;
 
-            const SENSITIVITY_OPERATIONS: #runtime::Operations = #operations;
+            const SENSITIVITY_OPERATIONS: #runtime::Operations = #name::<::core::primitive::f64>::SENSITIVITY_OPERATIONS;
 
             fn sensitivities_of(&self, #argument: &#pose<T>) -> [#partials<T>; #parameter_count] {
                 let #found = self.sensitivities(#argument);
@@ -244,7 +239,6 @@ fn interface(mechanism: &Mechanism<'_>, stage: &Stage<Expression>) -> TokenStrea
             }
         }
 
-        #attributes
         impl<T: #runtime::Scalar> #runtime::Partials for #partials<T> {
             type Motion = #runtime::Motion<T, #length>;
             type Unknowns<Element: ::core::marker::Copy> = [Element; #unknown_count];

@@ -4,18 +4,16 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::values;
-use crate::emit::mechanism::{Mechanism, attributes};
+use crate::emit::mechanism::Mechanism;
 
 /// The method `track`.
 pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
-    let (name, position, attributes) = (&mechanism.model.name, mechanism.pose(0), attributes());
+    let position = mechanism.pose(0);
     let inputs = mechanism.input_names();
     let (pose, argument) = values::argument(mechanism);
     let unknowns = mechanism.own("unknowns");
     quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
             /// The position at other inputs that the mechanism reaches from a pose of any order, without leaving its assembly;
             /// angles are carried along, turn after turn.
             ///
@@ -25,9 +23,9 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 -> ::core::result::Result<#position<T>, #runtime::TrackErrorOf<Self>>
             {
                 let #unknowns =
-                    #runtime::track(self, #pose.input_values(), #pose.unknown_values(), [#(#inputs),*])?;
+                    #runtime::track(self, #pose.input_values(), #pose.unknowns(), [#(#inputs),*])?;
                 ::core::result::Result::Ok(self.position_near(#(#inputs,)* #unknowns)?)
             }
-        }
+
     }
 }

@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::values;
 use crate::algebra::Symbol;
-use crate::emit::mechanism::{Mechanism, attributes};
+use crate::emit::mechanism::Mechanism;
 use crate::emit::text::Text;
 use crate::program::{Step, TransmissionAngles};
 use crate::structure::Dyad;
@@ -24,8 +24,8 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let inputs: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
     let unknowns: Vec<Symbol> = (0..model.unknowns.len()).map(Symbol::Unknown).collect();
     let readings = text.readings(stage, &[inputs.as_slice(), unknowns.as_slice()].concat());
-    let inputs = values(&text, &used, &inputs, &quote!(#pose.input_values()));
-    let unknowns = values(&text, &used, &unknowns, &quote!(#pose.unknown_values()));
+    let inputs = values::bound(&text, &used, &inputs, &quote!(#pose.input_values()));
+    let unknowns = values::bound(&text, &used, &unknowns, &quote!(#pose.unknowns()));
     let body = text.plain_steps(stage);
     let angles = dyads.iter().map(|(dyad, parts)| {
         let [across, along] = parts.map(|symbol| text.name(symbol));
@@ -40,10 +40,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         )
     });
     let count = Literal::usize_unsuffixed(dyads.len());
-    let (name, attributes) = (&model.name, attributes());
     quote! {
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
             /// The transmission angle of every dyad, in a pose of any order.
             ///
             #(#[doc = #lines])*
@@ -55,7 +52,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #body
                 [#(#angles),*]
             }
-        }
+
     }
 }
 
@@ -67,14 +64,4 @@ fn label(mechanism: &Mechanism<'_>, dyad: &Dyad) -> String {
         .map(|&unknown| mechanism.model.unknowns[unknown].name.to_string())
         .collect();
     names.join(", ")
-}
-
-/// Those of the pose's values that are used, by their own names.
-fn values(text: &Text<'_>, used: &BTreeSet<Symbol>, symbols: &[Symbol], all: &TokenStream) -> TokenStream {
-    let row = text.mechanism.own("values");
-    let values = values::bound(text, used, symbols, &row);
-    if values.is_empty() {
-        return TokenStream::new();
-    }
-    quote!(let #row = #all; #(#values)*)
 }

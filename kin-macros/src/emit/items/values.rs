@@ -3,30 +3,28 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use crate::algebra::Symbol;
-use crate::emit::mechanism::{Mechanism, attributes};
+use crate::emit::mechanism::Mechanism;
 use crate::emit::text::Text;
 
 /// `impl PoseOf`, for the pose of each order.
 pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (name, attributes) = (&model.name, attributes());
+    let name = &model.name;
+    let unknowns: Vec<TokenStream> = (0..model.unknowns.len())
+        .map(|index| mechanism.unknown_value(index))
+        .collect();
     let inputs: Vec<_> = model.inputs.iter().map(|input| &input.name).collect();
     let [input_count, unknown_count] = [inputs.len(), model.unknowns.len()].map(Literal::usize_unsuffixed);
     (0..=mechanism.order())
         .map(|order| {
             let pose = mechanism.pose(order);
             quote! {
-                #attributes
                 impl<T: #runtime::Scalar> #runtime::PoseOf<#name<T>> for #pose<T> {
-                    fn input_values(&self) -> [T; #input_count] {
-                        [#(self.#inputs.value()),*]
-                    }
-
-                    fn unknown_values(&self) -> [T; #unknown_count] {
-                        self.unknowns()
+                    fn values(&self) -> ([T; #input_count], [T; #unknown_count]) {
+                        ([#(self.#inputs.value()),*], [#(#unknowns),*])
                     }
                 }
             }
@@ -47,15 +45,17 @@ pub(in crate::emit) fn bound(
     text: &Text<'_>,
     used: &BTreeSet<Symbol>,
     symbols: &[Symbol],
-    row: &Ident,
-) -> Vec<TokenStream> {
-    symbols
-        .iter()
-        .enumerate()
-        .filter(|(_, symbol)| used.contains(symbol))
-        .map(|(index, &symbol)| {
-            let (name, index) = (text.name(symbol), Literal::usize_unsuffixed(index));
-            quote!(let #name = #row[#index];)
-        })
-        .collect()
+    row: &TokenStream,
+) -> TokenStream {
+    if !symbols.iter().any(|symbol| used.contains(symbol)) {
+        return TokenStream::new();
+    }
+    let names = symbols.iter().map(|symbol| {
+        if used.contains(symbol) {
+            text.name(*symbol).into_token_stream()
+        } else {
+            quote!(_)
+        }
+    });
+    quote!(let [#(#names),*] = #row;)
 }

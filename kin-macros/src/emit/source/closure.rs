@@ -33,6 +33,8 @@ pub(super) struct Translated {
     pub(super) shape: Shape,
     pub(super) binding: Binding,
     pub(super) tokens: TokenStream,
+    /// The angle of a unit vector that was typed as `cis(angle)`.
+    angle: Option<TokenStream>,
 }
 
 impl Translated {
@@ -41,6 +43,7 @@ impl Translated {
             shape,
             binding: Binding::Atom,
             tokens,
+            angle: None,
         }
     }
 
@@ -78,7 +81,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     let mut names = names(model);
 
     let site = Span::mixed_site();
-    let unknowns = Ident::new("unknowns", site);
+    let unknowns = pattern(model.unknowns.iter().map(|unknown| &unknown.name), &used);
     let mut body = TokenStream::new();
     for input in &model.inputs {
         let name = &input.name;
@@ -86,7 +89,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
             body.extend(quote_spanned!(site=> let _ = #name;));
         }
     }
-    body.extend(bindings(declaration, model, runtime, &used, &mut names));
+    body.extend(bindings(declaration, runtime, &used, &mut names));
     let translation = Translation { names: &names, runtime };
     let mut residuals: Vec<TokenStream> = Vec::new();
     let mut lines: Vec<String> = Vec::new();
@@ -134,14 +137,6 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     quote_spanned! {site=>
         #(#[doc = #documentation])*
         #[must_use]
-        #[allow(
-            non_snake_case,
-            clippy::many_single_char_names,
-            clippy::similar_names,
-            clippy::too_many_arguments,
-            clippy::too_many_lines,
-            clippy::unused_self
-        )]
         pub fn closure(&self, #(#inputs: T,)* #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
             #body
             [#(#residuals),*]
@@ -149,42 +144,38 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     }
 }
 
-/// Binds the unknowns and the abbreviations that are used to local names, and adds the abbreviations to the names. The values of
-/// the unknowns are called `unknowns`.
+/// Binds the abbreviations that are used to local names, and adds them to the names.
 pub(super) fn bindings(
     declaration: &Declaration,
-    model: &Model,
     runtime: &TokenStream,
     used: &BTreeSet<String>,
     names: &mut BTreeMap<String, Translated>,
 ) -> TokenStream {
     let site = Span::mixed_site();
-    let unknowns = Ident::new("unknowns", site);
     let mut body = TokenStream::new();
-    for (index, unknown) in model.unknowns.iter().enumerate() {
-        if used.contains(&unknown.name.to_string()) {
-            let index = Literal::usize_unsuffixed(index);
-            let local = local("unknown", &unknown.name);
-            body.extend(quote_spanned!(site=> let #local = #unknowns[#index];));
-        }
-    }
     for statement in &declaration.statements {
         if let Statement::Let(statement) = statement
             && used.contains(&statement.name.to_string())
         {
             let value = Translation { names, runtime }.expression(&statement.value);
-            let local = local("let", &statement.name);
-            let tokens = &value.tokens;
-            body.extend(quote_spanned!(site=> let #local = #tokens;));
-            names.insert(statement.name.to_string(), Translated::new(value.shape, quote!(#local)));
+            let (name, tokens) = (&statement.name, &value.tokens);
+            body.extend(quote_spanned!(site=> let #name = #tokens;));
+            names.insert(statement.name.to_string(), Translated::new(value.shape, quote!(#name)));
         }
     }
     body
 }
 
-/// Local names bear a prefix: a constant of the user's that is called like a parameter must not become a pattern.
-pub(super) fn local(prefix: &str, name: &Ident) -> Ident {
-    format_ident!("{prefix}_{name}", span = Span::mixed_site())
+/// A pattern of names; a name that nothing uses is left out.
+pub(super) fn pattern<'a>(names: impl Iterator<Item = &'a Ident>, used: &BTreeSet<String>) -> TokenStream {
+    let names = names.map(|name| {
+        if used.contains(&name.to_string()) {
+            quote!(#name)
+        } else {
+            quote!(_)
+        }
+    });
+    quote_spanned!(Span::mixed_site()=> [#(#names),*])
 }
 
 /// What the declared names are called in the method. Abbreviations are added as they are bound.
@@ -201,8 +192,8 @@ pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
         names.insert(name.to_string(), Translated::scalar(quote!(#name)));
     }
     for unknown in &model.unknowns {
-        let local = local("unknown", &unknown.name);
-        names.insert(unknown.name.to_string(), Translated::scalar(quote!(#local)));
+        let name = &unknown.name;
+        names.insert(unknown.name.to_string(), Translated::scalar(quote!(#name)));
     }
     names
 }
@@ -238,13 +229,10 @@ pub(super) struct Translation<'a> {
 
 impl Translation<'_> {
     pub(super) fn expression(&self, expression: &Expression) -> Translated {
-        let runtime = self.runtime;
         let site = Span::mixed_site();
         match &expression.kind {
             ExpressionKind::Number { value, .. } => Translated::scalar(self.constant(*value)),
-            ExpressionKind::Pi => {
-                Translated::scalar(quote_spanned!(site=> <T as #runtime::Number>::constant(::core::f64::consts::PI)))
-            }
+            ExpressionKind::Pi => Translated::scalar(quote_spanned!(site=> T::constant(::core::f64::consts::PI))),
             // a name that is not there is a mistake that the model has reported
             ExpressionKind::Name(name) => self
                 .names
@@ -260,6 +248,7 @@ impl Translation<'_> {
                     shape,
                     binding: Binding::Sign,
                     tokens: quote_spanned!(site=> -#operand),
+                    angle: None,
                 }
             }
             ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
@@ -295,9 +284,8 @@ impl Translation<'_> {
     }
 
     pub(super) fn constant(&self, value: f64) -> TokenStream {
-        let runtime = self.runtime;
         let value = Literal::f64_unsuffixed(value);
-        quote_spanned!(Span::mixed_site()=> <T as #runtime::Number>::constant(#value))
+        quote_spanned!(Span::mixed_site()=> T::constant(#value))
     }
 
     /// As a vector; a scalar lies along x.
@@ -332,6 +320,7 @@ impl Translation<'_> {
             shape,
             binding: Binding::Sum,
             tokens,
+            angle: None,
         }
     }
 
@@ -346,12 +335,23 @@ impl Translation<'_> {
                 shape: Shape::Scalar,
                 binding: Binding::Product,
                 tokens,
+                angle: None,
             };
         }
         let scaled = |shape: Shape, vector: &TokenStream, factor: &TokenStream| {
             let kind = vector_type(shape);
             Translated::new(shape, quote_spanned!(site=> #runtime::#kind::scale(#vector, #factor)))
         };
+        // r cis(theta) is the vector that a person draws
+        match (&left, &right) {
+            (vector, length) | (length, vector) if length.shape == Shape::Scalar => {
+                if let Some(angle) = &vector.angle {
+                    let length = &length.tokens;
+                    return Translated::plane(quote_spanned!(site=> #runtime::Plane::polar(#length, #angle)));
+                }
+            }
+            _ => {}
+        }
         let (a, b) = (&left.tokens, &right.tokens);
         match shapes {
             (shape, Shape::Scalar) => scaled(shape, a, b),
@@ -381,6 +381,7 @@ impl Translation<'_> {
             shape: Shape::Scalar,
             binding: Binding::Product,
             tokens,
+            angle: None,
         }
     }
 
@@ -404,31 +405,23 @@ impl Translation<'_> {
                 quote_spanned!(site=> #runtime::#vector::#function(#(#arguments),*)),
             )
         };
-        let turned = |angle: &TokenStream| {
-            quote_spanned! {site=> {
-                let (sine, cosine) = #runtime::Number::sin_cos(#angle);
-                #runtime::Plane::new(cosine, sine)
-            }}
-        };
         match (callee, arguments.as_slice()) {
-            (Callee::Cis, [angle]) => Translated::plane(turned(angle)),
+            (Callee::Cis, [angle]) => Translated {
+                angle: Some(angle.clone()),
+                ..Translated::plane(quote_spanned!(site=> #runtime::Plane::cis(#angle)))
+            },
             (Callee::Polar, [length, angle]) => {
-                let turned = turned(angle);
-                Translated::plane(quote_spanned!(site=> #runtime::Plane::scale(#turned, #length)))
+                Translated::plane(quote_spanned!(site=> #runtime::Plane::polar(#length, #angle)))
             }
-            (Callee::Elementary(Function::Sin), [x]) => {
-                Translated::scalar(quote_spanned!(site=> #runtime::Number::sin_cos(#x).0))
-            }
-            (Callee::Elementary(Function::Cos), [x]) => {
-                Translated::scalar(quote_spanned!(site=> #runtime::Number::sin_cos(#x).1))
-            }
+            (Callee::Elementary(Function::Sin), [x]) => Translated::scalar(quote_spanned!(site=> T::sin_cos(#x).0)),
+            (Callee::Elementary(Function::Cos), [x]) => Translated::scalar(quote_spanned!(site=> T::sin_cos(#x).1)),
             (Callee::Elementary(Function::Tan), [x]) => Translated::scalar(quote_spanned! {site=> {
-                let (sine, cosine) = #runtime::Number::sin_cos(#x);
+                let (sine, cosine) = T::sin_cos(#x);
                 sine / cosine
             }}),
             (Callee::Elementary(function), arguments) => {
                 let method = Ident::new(function.name(), site);
-                Translated::scalar(quote_spanned!(site=> #runtime::Number::#method(#(#arguments),*)))
+                Translated::scalar(quote_spanned!(site=> T::#method(#(#arguments),*)))
             }
             (Callee::RotX, _) => rotation("about_x"),
             (Callee::RotY, _) => rotation("about_y"),
@@ -446,49 +439,10 @@ impl Translation<'_> {
         }
     }
 
-    /// By repeated squaring, written out.
     fn power(&self, base: Translated, exponent: i32) -> Translated {
-        let site = Span::mixed_site();
-        let base = base.tokens;
-        let size = exponent.unsigned_abs();
-        if size == 0 {
-            return Translated::scalar(self.constant(1.0));
-        }
-        let power = |n: u32| format_ident!("power_{n}", span = site);
-        let mut squares = TokenStream::new();
-        let mut factors = vec![];
-        let mut reached = 1;
-        loop {
-            let name = power(reached);
-            if size & reached != 0 {
-                factors.push(quote!(#name));
-            }
-            if reached > size / 2 {
-                break;
-            }
-            reached *= 2;
-            let square = power(reached);
-            squares.extend(quote_spanned!(site=> let #square = #name * #name;));
-        }
-        let first = power(1);
-        let (leading, further) = (&factors[..1], &factors[1..]);
-        let product = quote_spanned!(site=> #(#leading)* #(* #further)*);
-        let result = if exponent < 0 {
-            let one = self.constant(1.0);
-            let divisor = if factors.len() > 1 {
-                quote_spanned!(site=> (#product))
-            } else {
-                product
-            };
-            quote_spanned!(site=> #one / #divisor)
-        } else {
-            product
-        };
-        Translated::scalar(quote_spanned! {site=> {
-            let #first = #base;
-            #squares
-            #result
-        }})
+        let base = base.within(Binding::Atom);
+        let exponent = Literal::i32_unsuffixed(exponent);
+        Translated::scalar(quote_spanned!(Span::mixed_site()=> #base.powi(#exponent)))
     }
 }
 

@@ -10,7 +10,7 @@ use quote::{format_ident, quote, quote_spanned};
 
 use super::closure::{self, Binding, Translated, Translation};
 use crate::emit::items::values;
-use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::mechanism::{Mechanism, local};
 use crate::model::{Dimension, Shape};
 use crate::syntax::{Declaration, Expression, ExpressionKind, Operation, Operator, OutputStatement, Statement};
 
@@ -66,16 +66,8 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     let used = closure::used_names(declaration, terms.chain(points.iter().map(|output| &output.value)));
     let mut names = closure::names(model);
     let (pose, argument) = values::argument(mechanism);
-    let mut body = inputs(mechanism, &pose, &used, &mut names);
-    if model
-        .unknowns
-        .iter()
-        .any(|unknown| used.contains(&unknown.name.to_string()))
-    {
-        let unknowns = local("unknowns");
-        body.extend(quote!(let #unknowns = #pose.unknown_values();));
-    }
-    body.extend(closure::bindings(declaration, model, runtime, &used, &mut names));
+    let mut body = values_of_pose(mechanism, &pose, &used);
+    body.extend(closure::bindings(declaration, runtime, &used, &mut names));
     let translation = Translation { names: &names, runtime };
 
     let mut joints: Vec<Ident> = Vec::new();
@@ -87,9 +79,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             joints.push(joint.clone());
             *last = Some(joint);
         };
-        let zero = translation.constant(0.0);
-        let zeros = shape.axes().iter().map(|_| &zero);
-        add(&mut joints, &mut last, &quote!(#runtime::#kind::new(#(#zeros),*)));
+        add(&mut joints, &mut last, &quote!(#runtime::#kind::zero()));
         for (place, link) in chain.links.iter().enumerate() {
             let term = on(&translation, translation.expression(link.term), shape);
             let value = match (&last, place, link.negative) {
@@ -118,12 +108,9 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         quote!(#runtime::Chain { name: #side, equation: #equation, links: &[#(#links),*] })
     });
     let lines = documentation(&chains, &points);
-    let (name, attributes) = (&model.name, attributes());
     let ignored = used.is_empty().then(|| quote!(let _ = #pose;));
     // `self` is the one that the translation speaks of
     quote_spanned! {Span::mixed_site()=>
-        #attributes
-        impl<T: #runtime::Scalar> #name<T> {
             /// The joints and links of a pose of any order, as polylines from the origin, and its points.
             ///
             #(#[doc = #lines])*
@@ -136,7 +123,6 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
                 #body
                 #runtime::Skeleton::new(&[#(#tables),*], [#(#joints),*], &[#(#labels),*], [#(#places),*])
             }
-        }
     }
 }
 
@@ -151,27 +137,19 @@ fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translat
     Translated::new(shape, lifted)
 }
 
-/// Local names for the inputs that are used.
-fn inputs(
-    mechanism: &Mechanism<'_>,
-    pose: &Ident,
-    used: &BTreeSet<String>,
-    names: &mut BTreeMap<String, Translated>,
-) -> TokenStream {
-    let inputs = local("inputs");
+/// `let` for the inputs and unknowns that are used.
+fn values_of_pose(mechanism: &Mechanism<'_>, pose: &Ident, used: &BTreeSet<String>) -> TokenStream {
+    let model = mechanism.model;
+    let inputs: Vec<&Ident> = model.inputs.iter().map(|input| &input.name).collect();
+    let unknowns: Vec<&Ident> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
     let mut body = TokenStream::new();
-    for (index, input) in mechanism.model.inputs.iter().enumerate() {
-        let word = input.name.to_string();
-        if used.contains(&word) {
-            let (own, index) = (closure::local("input", &input.name), Literal::usize_unsuffixed(index));
-            body.extend(quote!(let #own = #inputs[#index];));
-            names.insert(word, Translated::scalar(quote!(#own)));
+    for (names, method) in [(inputs, "input_values"), (unknowns, "unknowns")] {
+        if names.iter().any(|name| used.contains(&name.to_string())) {
+            let (pattern, method) = (closure::pattern(names.into_iter(), used), local(method));
+            body.extend(quote!(let #pattern = #pose.#method();));
         }
     }
-    if body.is_empty() {
-        return body;
-    }
-    quote!(let #inputs = #pose.input_values(); #body)
+    body
 }
 
 /// What the method's documentation lists.
@@ -230,7 +208,7 @@ fn sums<'a>(mechanism: &Mechanism<'a>) -> BTreeMap<String, &'a Expression> {
         })
         .collect();
     let mut names = closure::names(mechanism.model);
-    closure::bindings(declaration, mechanism.model, mechanism.runtime, &all, &mut names);
+    closure::bindings(declaration, mechanism.runtime, &all, &mut names);
     let mut sums = BTreeMap::new();
     for statement in &declaration.statements {
         if let Statement::Let(statement) = statement {

@@ -47,29 +47,62 @@ impl<'a> Text<'a> {
 
     /// `let` for the values of earlier stages, positions and rates that a stage reads; `given` are arguments already.
     pub(super) fn readings(&self, stage: &Stage<Expression>, given: &[Symbol]) -> TokenStream {
-        self.readings_from(stage, given, &quote!(self))
+        let is_scalar = |index: usize| self.mechanism.scalar_field(index).is_some();
+        let carried = stage.uses.iter().map(|carried| {
+            let name = self.name(carried.symbol);
+            quote!(#name)
+        });
+        let parameters = stage.reads.iter().filter_map(|&symbol| match symbol {
+            Symbol::Parameter(index) if !given.contains(&symbol) => {
+                let (field, name) = (self.mechanism.scalar_field(index)?, self.name(symbol));
+                Some(if *field == name {
+                    quote!(#name)
+                } else {
+                    quote!(#field: #name)
+                })
+            }
+            _ => None,
+        });
+        let fields: Vec<TokenStream> = carried.chain(parameters).collect();
+        let others: Vec<Symbol> = stage
+            .reads
+            .iter()
+            .filter(|symbol| !given.contains(symbol))
+            .filter(|symbol| !matches!(symbol, Symbol::Parameter(index) if is_scalar(*index)))
+            .copied()
+            .collect();
+        let others = self.values_read(&others, &quote!(self));
+        if fields.is_empty() {
+            return others;
+        }
+        quote! {
+            let Self { #(#fields,)* .. } = *self;
+            #others
+        }
     }
 
-    /// The same from a pose that is not `self`.
-    pub(super) fn readings_from(&self, stage: &Stage<Expression>, given: &[Symbol], pose: &TokenStream) -> TokenStream {
+    /// The same from a pose that is not `self`, where parameters are those of `self`.
+    pub(super) fn readings_from(&self, stage: &Stage<Expression>, pose: &TokenStream) -> TokenStream {
         let carried = stage.uses.iter().map(|carried| {
             let name = self.name(carried.symbol);
             quote!(let #name = #pose.#name;)
         });
+        let values = self.values_read(&stage.reads, pose);
+        quote!(#(#carried)* #values)
+    }
+
+    /// `let` for parameters, positions and rates.
+    fn values_read(&self, symbols: &[Symbol], pose: &TokenStream) -> TokenStream {
         let parameters = self.mechanism.scalar_parameters();
-        let symbols = stage
-            .reads
-            .iter()
-            .filter(|symbol| !given.contains(symbol))
-            .map(|&symbol| {
-                let name = self.name(symbol);
-                let value = match symbol {
-                    Symbol::Parameter(index) => parameters[index].1.clone(),
-                    _ => self.reading(symbol, pose),
-                };
-                quote!(let #name = #value;)
-            });
-        quote!(#(#carried)* #(#symbols)*)
+        let values = symbols.iter().map(|&symbol| {
+            let name = self.name(symbol);
+            let value = match symbol {
+                Symbol::Parameter(index) => parameters[index].1.clone(),
+                _ => self.reading(symbol, pose),
+            };
+            quote!(let #name = #value;)
+        });
+        quote!(#(#values)*)
     }
 
     fn reading(&self, symbol: Symbol, pose: &TokenStream) -> TokenStream {

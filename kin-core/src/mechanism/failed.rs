@@ -1,0 +1,46 @@
+//! Errors with the place where they occurred.
+
+use crate::failure::{Failure, InputValues, SolveError};
+use crate::mechanism::Mechanism;
+use crate::number::Number;
+
+/// The error of a solver at given inputs. If a parameter or an input is not finite, the failure names it.
+#[cold]
+pub fn failed<M: Mechanism>(
+    mechanism: &M,
+    failure: Failure,
+    block: &'static str,
+    names: &'static [&'static str],
+    inputs: M::Inputs<M::Scalar>,
+) -> SolveError {
+    let parameters = mechanism.parameters();
+    let quantities = M::DESCRIPTION.parameters.iter().map(|parameter| parameter.name);
+    let quantities = quantities.chain(names.iter().copied());
+    let values = parameters.as_ref().iter().chain(inputs.as_ref());
+    let failure = quantities
+        .zip(values)
+        .find(|(_, value)| !value.real().is_finite())
+        .map_or(failure, |(quantity, _)| Failure::NotFinite { quantity });
+    let mut kept = [0.0; InputValues::CAPACITY];
+    for (place, value) in kept.iter_mut().zip(inputs.as_ref()) {
+        *place = value.real();
+    }
+    failure.at(block, InputValues::new(names, &kept))
+}
+
+/// The first result that is not finite, and the first input that made it so, or the result again.
+#[cold]
+#[inline(never)]
+#[must_use]
+pub fn culprit<const RESULTS: usize, const INPUTS: usize>(
+    results: [(&'static str, bool); RESULTS],
+    inputs: [(&'static str, bool); INPUTS],
+) -> (&'static str, Failure) {
+    let first = |quantities: &[(&'static str, bool)]| {
+        let (name, _) = quantities.iter().find(|(_, is_finite)| !is_finite)?;
+        Some(*name)
+    };
+    let result = first(&results).unwrap_or_default();
+    let quantity = first(&inputs).unwrap_or(result);
+    (result, Failure::NotFinite { quantity })
+}
