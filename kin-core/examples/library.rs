@@ -59,7 +59,7 @@ impl Catalogue {
             println!("  {name:<16}{}", numbers.concat());
         }
         let ranges = M::Inputs::from_fn(|index| {
-            let value = inputs.as_ref()[index].value();
+            let value = inputs[index].value();
             (value - range, value + range)
         });
         let report = verify::of(&mechanism, ranges);

@@ -38,7 +38,7 @@ fn motions<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> 
     let mut motions = Vec::new();
     while motions.len() < POSES {
         let mut motion = M::Motion::from_fn(|_| random.between(-2.0, 2.0));
-        motion.as_mut()[0] = random.between(-3.1, 3.1);
+        motion[0] = random.between(-3.1, 3.1);
         if mechanism.solve_motion(M::Inputs::from_fn(|_| motion), assembly).is_ok() {
             motions.push(motion);
         }

@@ -76,8 +76,8 @@ pub fn by_differentiation<M: SensitiveThroughSnap>(
     type Lifted<M> = <M as Mechanism>::With<Dual64>;
     let parameters = mechanism.parameters().as_ref().len();
     let inputs = <<Lifted<M> as Mechanism>::Inputs<M::Motion<Dual64>> as Row<_>>::from_fn(|index| {
-        let motion = inputs.as_ref()[index];
-        <M::Motion<Dual64> as Row<Dual64>>::from_fn(|order| <Dual64 as Number>::constant(motion.as_ref()[order]))
+        let motion = inputs[index];
+        <M::Motion<Dual64> as Row<Dual64>>::from_fn(|order| <Dual64 as Number>::constant(motion[order]))
     });
     (0..parameters)
         .map(|parameter| {
@@ -85,7 +85,7 @@ pub fn by_differentiation<M: SensitiveThroughSnap>(
             let pose = lifted
                 .solve_motion(inputs, assembly)
                 .expect("it closes on dual numbers, too");
-            let parts = |motion: &M::Motion<Dual64>| core::array::from_fn(|order| motion.as_ref()[order].eps);
+            let parts = |motion: &M::Motion<Dual64>| core::array::from_fn(|order| motion[order].eps);
             Column {
                 unknowns: pose.unknown_motions().as_ref().iter().map(parts).collect(),
                 outputs: pose.output_motions().as_ref().iter().map(parts).collect(),
@@ -116,13 +116,10 @@ pub fn closure<M: SensitiveThroughSnap>(
         Both::new(still, in_time([1.0, 0.0, 0.0, 0.0, 0.0])),
     );
     let inputs = <<M::With<Both> as Mechanism>::Inputs<Both> as Row<Both>>::from_fn(|index| {
-        Both::new(in_time(inputs.as_ref()[index].derivatives()), still)
+        Both::new(in_time(inputs[index].derivatives()), still)
     });
     let unknowns = <<M::With<Both> as Mechanism>::Unknowns<Both> as Row<Both>>::from_fn(|index| {
-        Both::new(
-            in_time(unknowns.as_ref()[index].derivatives()),
-            in_time(column.unknowns[index]),
-        )
+        Both::new(in_time(unknowns[index].derivatives()), in_time(column.unknowns[index]))
     });
     lifted
         .residuals(inputs, unknowns)
@@ -167,7 +164,7 @@ impl Worst {
         for (parameter, (own, other)) in columns.iter().zip(&expected).enumerate() {
             let natural = size(
                 M::DESCRIPTION.parameters[parameter],
-                parameters.as_ref()[parameter],
+                parameters[parameter],
                 gauge.length,
             );
             let mut amplification = 1.0_f64;
@@ -183,7 +180,7 @@ impl Worst {
                 }
             }
             for (index, (own, other)) in own.outputs.iter().zip(&other.outputs).enumerate() {
-                let motion = outputs.as_ref()[index];
+                let motion = outputs[index];
                 let quantity = M::DESCRIPTION.outputs[index];
                 let size = size(quantity, motion.value(), gauge.length);
                 let w = w.max(fastest(&motion.derivatives(), size));

@@ -51,7 +51,7 @@ fn solve<M: ThroughSnap>(case: Case, outcomes: &mut Outcomes, random: &mut Rando
     let mut found = None;
     for step in 0..24 {
         let inputs = case.inputs::<M>(0.041 * f64::from(step) + 0.01, random);
-        let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+        let values = M::Inputs::from_fn(|index| inputs[index].value());
         let some = M::Unknowns::from_fn(|_| random.between(0.2, 2.0));
         let near = without_allocation::<M, _>("assembly_near", || mechanism.assembly_near(values, some));
         let assembly = M::assembly(0).unwrap_or(near);
@@ -68,7 +68,7 @@ fn solve<M: ThroughSnap>(case: Case, outcomes: &mut Outcomes, random: &mut Rando
         found = Some((mechanism, pose));
         if let Ok(position) = position {
             // a little further
-            let to = M::Inputs::from_fn(|index| values.as_ref()[index] + 0.02);
+            let to = M::Inputs::from_fn(|index| values[index] + 0.02);
             let end = without_allocation::<M, _>("track", || track(&mechanism, values, position, to));
             outcomes.ways += usize::from(end.is_ok());
         }

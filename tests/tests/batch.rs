@@ -90,17 +90,17 @@ impl<M: ThroughSnap> Poses<M> {
         let count = self.mechanisms.len();
         let column = |number: &dyn Fn(usize) -> f64| -> Vec<f64> { (0..count).map(number).collect() };
         let parameters: Vec<Vec<f64>> = (0..M::DESCRIPTION.parameters.len())
-            .map(|place| column(&|pose| self.mechanisms[pose].parameters().as_ref()[place]))
+            .map(|place| column(&|pose| self.mechanisms[pose].parameters()[place]))
             .collect();
         let inputs: Vec<Vec<Vec<f64>>> = (0..M::DESCRIPTION.inputs.len())
             .map(|input| {
                 (0..5)
-                    .map(|order| column(&|pose| self.inputs[pose].as_ref()[input].as_ref()[order]))
+                    .map(|order| column(&|pose| self.inputs[pose][input][order]))
                     .collect()
             })
             .collect();
         let near: Vec<Vec<f64>> = (0..M::DESCRIPTION.unknowns.len())
-            .map(|place| column(&|pose| self.near.get(pose).map_or(0.0, |near| near.as_ref()[place])))
+            .map(|place| column(&|pose| self.near.get(pose).map_or(0.0, |near| near[place])))
             .collect();
         let mut table = Table::new::<M>(count);
         let mut outcomes = vec![Outcome::Unsolved; count];
@@ -190,7 +190,7 @@ impl Compare {
         let (columns, sines) = (pose.unknown_columns(), pose.unknown_sines());
         let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
         let reference = index.is_multiple_of(SAMPLE).then(|| {
-            let position: Vec<f64> = unknowns.as_ref().iter().map(|motion| motion.as_ref()[0]).collect();
+            let position: Vec<f64> = unknowns.as_ref().iter().map(|motion| motion[0]).collect();
             let inputs = poses.inputs[index].as_ref().iter();
             let given = Given {
                 parameters: poses.mechanisms[index].parameters().as_ref().to_vec(),
@@ -200,10 +200,7 @@ impl Compare {
         });
         for (order, allowed) in ALLOWED.into_iter().enumerate() {
             for (input, motion) in poses.inputs[index].as_ref().iter().enumerate() {
-                assert_eq!(
-                    table.inputs[input][order][index].to_bits(),
-                    motion.as_ref()[order].to_bits()
-                );
+                assert_eq!(table.inputs[input][order][index].to_bits(), motion[order].to_bits());
             }
             let note = |found: f64, expected: f64, unit: f64, allowed: f64| {
                 // What is exact is so where there is no unit, too.
@@ -220,9 +217,9 @@ impl Compare {
                 error
             };
             for (place, motion) in columns.as_ref().iter().enumerate() {
-                let sine = sines.as_ref()[place].filter(|_| order == 0);
+                let sine = sines[place].filter(|_| order == 0);
                 let pairs = [
-                    Some((table.unknowns[place][order][index], motion.as_ref()[order])),
+                    Some((table.unknowns[place][order][index], motion[order])),
                     sine.map(|sine| (table.sines[place][index], sine)),
                 ];
                 // cosine and sine move by no more than the angle, but are rounded where they are near 1
@@ -238,12 +235,7 @@ impl Compare {
             }
             for (place, motion) in pose.output_motions().as_ref().iter().enumerate() {
                 let unit = gauge.output(&M::DESCRIPTION.outputs[place], motion.as_ref(), order);
-                note(
-                    table.outputs[place][order][index],
-                    motion.as_ref()[order],
-                    unit,
-                    allowed,
-                );
+                note(table.outputs[place][order][index], motion[order], unit, allowed);
             }
         }
     }

@@ -161,7 +161,7 @@ where
                 "{}, {given:?}: condition {own:e} for {expected:e}",
                 M::DESCRIPTION.name
             );
-            let error = &Number::exactly(position.as_ref()[place]) - &reference.motions[place][0];
+            let error = &Number::exactly(position[place]) - &reference.motions[place][0];
             worst.error = worst.error.max(error.nearest().abs() / (f64::EPSILON * own));
         }
         for (left, unit) in closure(&mechanism, input, position.as_ref(), conditions.as_ref()) {

@@ -275,7 +275,7 @@ fn compare<M: Mechanism<Scalar = f64>>(poses: &[Given], assembly: Option<M::Asse
             result.map(|pose| {
                 let motions = pose.unknown_motions();
                 let motions = motions.as_ref().iter();
-                motions.map(|motion| motion.as_ref()[0]).collect::<Vec<f64>>()
+                motions.map(|motion| motion[0]).collect::<Vec<f64>>()
             })
         })
         .collect();

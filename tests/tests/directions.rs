@@ -162,9 +162,9 @@ where
             let gauge = Gauge::new(&angles, &inputs, &unknowns);
             let (columns, sines) = (other.unknown_columns(), other.unknown_sines());
             for (place, motion) in unknowns.as_ref().iter().enumerate() {
-                let found = columns.as_ref()[place];
+                let found = columns[place];
                 let mut expected = motion.derivatives();
-                if let Some(sine) = sines.as_ref()[place] {
+                if let Some(sine) = sines[place] {
                     let unit = gauge.unknown(place, 0).max(f64::EPSILON);
                     let error = (sine - expected[0].sin()).abs() / unit;
                     assert!(error <= UNITS, "{} {place}: {error}", D::DESCRIPTION.name);

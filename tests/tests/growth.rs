@@ -153,7 +153,7 @@ fn verify<M: ThroughTen, Short: ThroughSnap>(parameters: &[f64], seed: u64) {
                 size *= 2.0;
                 size * random.between(-1.0, 1.0)
             });
-            motion.as_mut()[0] = random.between(-3.0, 3.0);
+            motion[0] = random.between(-3.0, 3.0);
             motion
         });
         for assembly in M::assemblies() {
@@ -164,8 +164,7 @@ fn verify<M: ThroughTen, Short: ThroughSnap>(parameters: &[f64], seed: u64) {
             let unknowns = pose.unknown_motions();
             let units = Units::new(&short, inputs.as_ref(), unknowns.as_ref());
             let series = |motion: &Motion<f64, LENGTH>| S::from_derivatives(motion.derivatives());
-            let inputs =
-                <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| series(&inputs.as_ref()[index]));
+            let inputs = <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| series(&inputs[index]));
             let expected = lifted
                 .solve_position(inputs, assembly)
                 .expect("it closes on series, too");
@@ -181,8 +180,7 @@ fn verify<M: ThroughTen, Short: ThroughSnap>(parameters: &[f64], seed: u64) {
                     );
                 }
             }
-            let own =
-                <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| series(&unknowns.as_ref()[index]));
+            let own = <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| series(&unknowns[index]));
             for (index, left) in lifted.residuals(inputs, own).as_ref().iter().enumerate() {
                 for (order, left) in left.derivatives().into_iter().enumerate() {
                     let part = Units::part(left.abs(), units.gauge.equation(index, order), order);

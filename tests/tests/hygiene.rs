@@ -266,7 +266,7 @@ fn mechanisms_may_be_called_anything() {
         let pose = mechanism
             .solve_motion(inputs, kin_core::Assembly::Open)
             .expect("it closes");
-        pose.unknown_motions().as_ref()[1].as_ref()[0]
+        pose.unknown_motions()[1][0]
     }
     use names_of_mechanisms as named;
     let strokes = [

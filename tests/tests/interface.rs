@@ -172,7 +172,7 @@ fn the_trait_is_the_inherent_interface() {
             let mechanism: M = case.mechanism();
             assert_eq!(mechanism.parameters().as_ref(), case.parameters, "{name}");
             assert_eq!(
-                mechanism.convert(|value| 2.0 * value).parameters().as_ref()[0],
+                mechanism.convert(|value| 2.0 * value).parameters()[0],
                 2.0 * case.parameters[0]
             );
             assert_eq!(M::assemblies().count(), M::ASSEMBLY_COUNT);
@@ -184,7 +184,7 @@ fn the_trait_is_the_inherent_interface() {
             // where the unknowns are those of a solution, nothing is left of the equations
             let inputs = case.inputs::<M>(0.6, &mut Random::new(61));
             for assembly in M::assemblies() {
-                let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+                let values = M::Inputs::from_fn(|index| inputs[index].value());
                 if let (Ok(unknowns), Ok(pose)) = (
                     mechanism.solve_position(values, assembly),
                     mechanism.solve_motion(inputs, assembly),

@@ -838,7 +838,7 @@ impl FullTurn {
     fn go<M: ThroughSnap>(&mut self, mechanism: &M, from: M::Inputs<f64>, start: M::Unknowns<f64>) {
         let name = M::DESCRIPTION.name;
         let mut to = from;
-        to.as_mut()[0] += TAU;
+        to[0] += TAU;
         let assembly = mechanism.assembly_near(from, start);
         match track(mechanism, from, start, to) {
             Ok(end) => {
@@ -857,8 +857,8 @@ impl FullTurn {
             }
             Err(TrackError::Limit(limit)) => {
                 self.limited.push(name);
-                let (low, high) = (from.as_ref()[0], to.as_ref()[0]);
-                if !(low..=high).contains(&limit.inputs.as_ref()[0]) {
+                let (low, high) = (from[0], to[0]);
+                if !(low..=high).contains(&limit.inputs[0]) {
                     self.wrong.push(format!("{name}: {limit:?}"));
                 }
             }

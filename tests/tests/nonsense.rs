@@ -40,7 +40,7 @@ fn closing<M: ThroughSnap>(case: Case) -> (M, M::Inputs<Motion<f64, 5>>, M::Asse
     for step in 0..60 {
         let inputs = case.inputs::<M>(f64::from(step) / 60.0, &mut random);
         // where assemblies have no names, a guess will do
-        let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+        let values = M::Inputs::from_fn(|index| inputs[index].value());
         let guess = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
         let near = mechanism.solve_position_near(values, guess).ok();
         let guessed = near
@@ -61,7 +61,7 @@ impl Visitor for Parameters {
         for (place, quantity) in M::DESCRIPTION.parameters.iter().enumerate() {
             for nonsense in NONSENSE {
                 let mut parameters = mechanism.parameters();
-                parameters.as_mut()[place] = nonsense;
+                parameters[place] = nonsense;
                 let result = M::from_parameters(parameters).solve_motion(inputs, assembly);
                 self.0.check(M::DESCRIPTION.name, quantity.name, result);
             }
@@ -76,9 +76,9 @@ impl Visitor for Inputs {
             for nonsense in NONSENSE {
                 for order in 0..5 {
                     let mut inputs = inputs;
-                    let mut derivatives = inputs.as_ref()[place].derivatives();
+                    let mut derivatives = inputs[place].derivatives();
                     derivatives[order] = nonsense;
-                    inputs.as_mut()[place] = Motion::new(derivatives);
+                    inputs[place] = Motion::new(derivatives);
                     let result = mechanism.solve_motion(inputs, assembly);
                     self.0.check(M::DESCRIPTION.name, quantity.name, result);
                 }
@@ -113,7 +113,7 @@ fn extremes() {
             for extreme in [0.0, 1e-320, -1e-200, 1e-160, -1e160, 1e200, f64::MAX, f64::MIN_POSITIVE] {
                 for place in 0..M::DESCRIPTION.parameters.len() {
                     let mut parameters = mechanism.parameters();
-                    parameters.as_mut()[place] = extreme;
+                    parameters[place] = extreme;
                     let mechanism = M::from_parameters(parameters);
                     for assembly in M::assemblies().chain([assembly]) {
                         check::<M>(mechanism.solve_motion(inputs, assembly), extreme);
@@ -121,9 +121,9 @@ fn extremes() {
                 }
                 for order in 0..5 {
                     let mut inputs = inputs;
-                    let mut derivatives = inputs.as_ref()[0].derivatives();
+                    let mut derivatives = inputs[0].derivatives();
                     derivatives[order] = extreme;
-                    inputs.as_mut()[0] = Motion::new(derivatives);
+                    inputs[0] = Motion::new(derivatives);
                     check::<M>(mechanism.solve_motion(inputs, assembly), extreme);
                 }
             }

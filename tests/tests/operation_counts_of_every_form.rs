@@ -49,9 +49,7 @@ impl Visitor for Count {
         for step in 0..24 {
             let inputs = case.inputs::<M>(f64::from(step) / 24.0, &mut random);
             let counted = <<M::With<Counted> as Mechanism>::Inputs<M::Motion<Counted>> as Row<_>>::from_fn(|index| {
-                <M::Motion<Counted> as Row<Counted>>::from_fn(|order| {
-                    Counted::new(inputs.as_ref()[index].as_slice()[order])
-                })
+                <M::Motion<Counted> as Row<Counted>>::from_fn(|order| Counted::new(inputs[index].as_slice()[order]))
             });
             for assembly in M::assemblies() {
                 let mut closes = false;
@@ -98,18 +96,17 @@ fn rates_of_coupled_blocks_cost_what_is_published() {
             let mut poses = 0;
             for step in 0..240 {
                 let inputs = case.inputs::<M>(f64::from(step) / 240.0, &mut random);
-                let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+                let values = M::Inputs::from_fn(|index| inputs[index].value());
                 let guess = M::Unknowns::from_fn(|_| random.between(-3.0, 3.0));
                 let Ok(near) = mechanism.solve_position_near(values, guess) else {
                     continue;
                 };
                 let counted = <<M::With<S> as Mechanism>::Inputs<M::Motion<S>> as Row<_>>::from_fn(|index| {
-                    <M::Motion<S> as Row<S>>::from_fn(|order| S::new(inputs.as_ref()[index].as_slice()[order]))
+                    <M::Motion<S> as Row<S>>::from_fn(|order| S::new(inputs[index].as_slice()[order]))
                 });
                 let counted_values =
-                    <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| S::new(values.as_ref()[index]));
-                let near =
-                    <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| S::new(near.as_ref()[index]));
+                    <<M::With<S> as Mechanism>::Inputs<S> as Row<S>>::from_fn(|index| S::new(values[index]));
+                let near = <<M::With<S> as Mechanism>::Unknowns<S> as Row<S>>::from_fn(|index| S::new(near[index]));
                 let whole = kinds(&count::of(|| {
                     counting.solve_motion_near(counted, near).expect("it closes")
                 }));

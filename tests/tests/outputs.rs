@@ -82,7 +82,7 @@ fn outputs_by_differentiation() {
                     let lifted = mechanism.convert(<Nested as Number>::constant);
                     let still =
                         <<M::With<Nested> as Mechanism>::Inputs<M::Motion<Nested>> as Row<_>>::from_fn(|index| {
-                            let value = nested(inputs.as_ref()[index]);
+                            let value = nested(inputs[index]);
                             let zero = <Nested as Number>::constant(0.0);
                             <M::Motion<Nested> as Row<Nested>>::from_fn(|order| if order == 0 { value } else { zero })
                         });
@@ -102,14 +102,7 @@ fn outputs_by_differentiation() {
                             _ => own.value().abs().max(1.0),
                         };
                         let condition = gauge.condition * gauge.condition;
-                        assert_agree(
-                            quantity.name,
-                            *own,
-                            derivatives(expected.as_ref()[0]),
-                            size,
-                            w,
-                            condition,
-                        );
+                        assert_agree(quantity.name, *own, derivatives(expected[0]), size, w, condition);
                         self.0 += 1;
                     }
                 }

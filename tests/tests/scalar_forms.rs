@@ -14,7 +14,7 @@ fn value<M: ThroughSnap>(parameters: &[f64], input: f64, assembly: M::Assembly) 
     let mechanism = M::from_parameters(M::Parameters::from_fn(|index| parameters[index]));
     mechanism
         .solve_position(M::Inputs::from_fn(|_| input), assembly)
-        .map(|unknowns| unknowns.as_ref()[0])
+        .map(|unknowns| unknowns[0])
         .map_err(|error| error.failure)
 }
 

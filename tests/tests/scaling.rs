@@ -48,11 +48,10 @@ impl Visitor for Compare {
             let mechanism: M = case.varied(&mut random);
             let parameters = mechanism.parameters();
             let scaled = M::from_parameters(M::Parameters::from_fn(|index| {
-                units.value(M::DESCRIPTION.parameters[index], parameters.as_ref()[index])
+                units.value(M::DESCRIPTION.parameters[index], parameters[index])
             }));
             let inputs = case.inputs::<M>(f64::from(step) / 12.0, &mut random);
-            let scaled_inputs =
-                M::Inputs::from_fn(|index| units.motion(M::DESCRIPTION.inputs[index], inputs.as_ref()[index]));
+            let scaled_inputs = M::Inputs::from_fn(|index| units.motion(M::DESCRIPTION.inputs[index], inputs[index]));
             for assembly in M::assemblies() {
                 let (own, other) = match (
                     scaled.solve_motion(scaled_inputs, assembly),

@@ -122,13 +122,13 @@ fn scaling_all_lengths_scales_the_motion() {
                         let (mut sum, mut largest) = (0.0, 1.0_f64);
                         for (parameter, column) in columns.iter().enumerate() {
                             if is_length(M::DESCRIPTION.parameters[parameter].dimension) {
-                                let term = mechanism.parameters().as_ref()[parameter] * column.unknowns[unknown][order];
+                                let term = mechanism.parameters()[parameter] * column.unknowns[unknown][order];
                                 sum += term;
                             }
                             for (k, own) in column.unknowns[unknown][..=order].iter().enumerate() {
                                 let power = i32::try_from(k).expect("orders are small");
                                 let size = gauge.sizes[unknown] * gauge.frequency.max(1.0).powi(power);
-                                let relative = mechanism.parameters().as_ref()[parameter] * own / size;
+                                let relative = mechanism.parameters()[parameter] * own / size;
                                 largest = largest.max(relative.abs());
                             }
                         }

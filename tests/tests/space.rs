@@ -81,7 +81,7 @@ fn alike<A, B>(
     let Ok(first) = own.solve_motion(inputs, assembly) else {
         panic!("{} does not close", A::DESCRIPTION.name);
     };
-    let input = inputs.as_ref()[0];
+    let input = inputs[0];
     let others_inputs = B::Inputs::from_fn(|_| input);
     let Ok(second) = other.solve_motion(others_inputs, others) else {
         panic!("{} does not close", B::DESCRIPTION.name);
@@ -89,8 +89,8 @@ fn alike<A, B>(
     let (first, second) = (first.unknown_motions(), second.unknown_motions());
     assert_agree(
         A::DESCRIPTION.name,
-        first.as_ref()[0],
-        second.as_ref()[index],
+        first[0],
+        second[index],
         A::DESCRIPTION.unknowns[0].dimension == kin_core::Dimension::Angle,
         &[
             (&Gauge::new(own, &inputs, &first), 0),

@@ -83,8 +83,8 @@ fn limit_of<M: Mechanism<Scalar = f64>>(
         M::Inputs::from_fn(|_| to),
     ) {
         Err(TrackError::Limit(limit)) => {
-            assert!((limit.fraction - (limit.inputs.as_ref()[0] - from) / (to - from)).abs() < 1e-14);
-            (limit.block, limit.inputs.as_ref()[0], limit.unknowns)
+            assert!((limit.fraction - (limit.inputs[0] - from) / (to - from)).abs() < 1e-14);
+            (limit.block, limit.inputs[0], limit.unknowns)
         }
         Ok(end) => panic!(
             "{mechanism:?} {assembly:?} from {from} to {to} ends at {:?}",
@@ -454,7 +454,7 @@ fn both_cranks<M: Mechanism<Scalar = f64, Assembly = Assembly>>(mechanism: &M) {
         let TrackError::Limit(limit) = error else {
             panic!("{error:?}");
         };
-        let [left, right] = [0, 1].map(|index| limit.inputs.as_ref()[index]);
+        let [left, right] = [0, 1].map(|index| limit.inputs[index]);
         // along the line of inputs
         assert!(
             ((left - 0.5) - (right - PI + 0.4) / (1.0 - PI + 0.4)).abs() <= 1e-15,

@@ -100,13 +100,13 @@ fn walk<M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>>(
         let value = |number: u32| from + step * f64::from(number);
         let motions = M::Inputs::from_fn(|_| Motion::at_constant_speed(value(number), 1.0));
         let rates = mechanism.solve_motion_near(motions, unknowns).ok()?.unknown_motions();
-        let guess = M::Unknowns::from_fn(|index| unknowns.as_ref()[index] + rates.as_ref()[index].velocity() * step);
+        let guess = M::Unknowns::from_fn(|index| unknowns[index] + rates[index].velocity() * step);
         let next = mechanism
             .solve_position_near(M::Inputs::from_fn(|_| value(number + 1)), guess)
             .ok()?;
         let is_far = (0..guess.as_ref().len()).any(|index| {
-            let moved = (guess.as_ref()[index] - unknowns.as_ref()[index]).abs();
-            (next.as_ref()[index] - guess.as_ref()[index]).abs() > 0.1 * moved + 10.0 * step.abs()
+            let moved = (guess[index] - unknowns[index]).abs();
+            (next[index] - guess[index]).abs() > 0.1 * moved + 10.0 * step.abs()
         });
         if is_far {
             return None;
@@ -130,13 +130,13 @@ fn condition<M: Mechanism<Scalar = f64>>(
     for changed in 0..parameters.as_ref().len() {
         let change = 1e-7;
         let other = M::from_parameters(M::Parameters::from_fn(|index| {
-            parameters.as_ref()[index] * if index == changed { 1.0 + change } else { 1.0 }
+            parameters[index] * if index == changed { 1.0 + change } else { 1.0 }
         }));
         let Err(TrackError::Limit(there)) = track(&other, inputs(from), start, inputs(to)) else {
             // hardly to be reached
             return f64::INFINITY;
         };
-        condition += (there.inputs.as_ref()[0] - limit).abs() / change;
+        condition += (there.inputs[0] - limit).abs() / change;
     }
     condition
 }
@@ -166,7 +166,7 @@ where
             }
         }
         Err(TrackError::Limit(limit)) => {
-            let input = limit.inputs.as_ref()[0];
+            let input = limit.inputs[0];
             let unknowns = limit.unknowns;
             for residual in mechanism.residuals(limit.inputs, unknowns).as_ref() {
                 assert!(residual.abs() <= 64.0 * f64::EPSILON, "{mechanism:?}: {residual}");
@@ -175,14 +175,14 @@ where
             let missing = 1e-8 * (from - to).signum();
             let short = track(mechanism, inputs(from), start, inputs(input + missing)).unwrap();
             let distance = (0..short.as_ref().len())
-                .map(|index| (short.as_ref()[index] - unknowns.as_ref()[index]).abs())
+                .map(|index| (short[index] - unknowns[index]).abs())
                 .fold(0.0, f64::max);
             assert!(distance > 1e-7 && distance < 0.1, "{mechanism:?}: {distance}");
             // The other assembly is as far on the other side, and comes to the same end.
-            let other = M::Unknowns::from_fn(|index| 2.0 * unknowns.as_ref()[index] - short.as_ref()[index]);
+            let other = M::Unknowns::from_fn(|index| 2.0 * unknowns[index] - short[index]);
             let other = mechanism.solve_position_near(inputs(input + missing), other).unwrap();
             let apart = (0..short.as_ref().len())
-                .map(|index| (short.as_ref()[index] - other.as_ref()[index]).abs())
+                .map(|index| (short[index] - other[index]).abs())
                 .fold(0.0, f64::max);
             assert!(
                 (apart / distance - 2.0).abs() < 0.1,
@@ -193,7 +193,7 @@ where
             };
             let tolerance = 16.0 * f64::EPSILON * condition(mechanism, from, start, to, input);
             assert!(
-                (again.inputs.as_ref()[0] - input).abs() <= tolerance,
+                (again.inputs[0] - input).abs() <= tolerance,
                 "{mechanism:?} {again:?} {limit:?} {tolerance:e}"
             );
             "limit"

@@ -140,10 +140,10 @@ impl<'t, M: Mechanism, C: Target> Visitor<'t, C> for Search<'_, 't, M> {
             return;
         }
         let entries = match place {
-            Place::Input(index, order) => &mut self.found.inputs.as_mut()[index].as_mut()[order],
-            Place::Unknown(index, order) => &mut self.found.unknowns.as_mut()[index].as_mut()[order],
-            Place::Sine(index) => &mut self.found.sines.as_mut()[index],
-            Place::Output(index, order) => &mut self.found.outputs.as_mut()[index].as_mut()[order],
+            Place::Input(index, order) => &mut self.found.inputs[index][order],
+            Place::Unknown(index, order) => &mut self.found.unknowns[index][order],
+            Place::Sine(index) => &mut self.found.sines[index],
+            Place::Output(index, order) => &mut self.found.outputs[index][order],
         };
         *entries = Cell::from_mut(slice).as_slice_of_cells();
     }

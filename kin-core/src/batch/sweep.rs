@@ -124,12 +124,12 @@ impl<'a, M: Mechanism, C: Row<Column<'a>>> Guide<'a, M> for Nearest<C> {
     const IS_NEAR: bool = true;
 
     fn near(self) -> M::Unknowns<Column<'a>> {
-        Row::from_fn(|unknown| self.0.as_ref()[unknown])
+        Row::from_fn(|unknown| self.0[unknown])
     }
 
     #[cfg(feature = "rayon")]
     fn part(self, range: core::ops::Range<usize>) -> Self {
-        Self(Row::from_fn(|unknown| self.0.as_ref()[unknown].part(range.clone())))
+        Self(Row::from_fn(|unknown| self.0[unknown].part(range.clone())))
     }
 
     #[inline(always)]
@@ -211,8 +211,8 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Sweep<'_, 'a, M, G> {
     fn settle(&self, index: usize) -> Result<(), SolveError> {
         let (parameters, inputs) = (self.problem.parameters.as_ref(), self.problem.inputs.as_ref());
         let mechanism = M::from_parameters(Row::from_fn(|parameter| parameters[parameter].at(index)));
-        let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| inputs[input].as_ref()[order].at(index)));
-        let near = M::Unknowns::from_fn(|unknown| self.near.as_ref()[unknown].at(index));
+        let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| inputs[input][order].at(index)));
+        let near = M::Unknowns::from_fn(|unknown| self.near[unknown].at(index));
         let nothing = |_| M::Motion::from_fn(|_| f64::NAN);
         let (unknowns, sines, outputs, result) = match self.problem.guide.solve(&mechanism, inputs, near) {
             Ok(pose) => (

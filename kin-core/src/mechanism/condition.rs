@@ -36,7 +36,7 @@ pub(crate) fn conditions<M: Mechanism>(
             Row::from_fn(|index| series(Changed::Input(index), values(inputs.as_ref(), index))),
             Row::from_fn(|index| series(Changed::Unknown(index), values(unknowns.as_ref(), index))),
         );
-        M::Unknowns::<f64>::from_fn(|equation| residuals.as_ref()[equation].coefficients()[1])
+        M::Unknowns::<f64>::from_fn(|equation| residuals[equation].coefficients()[1])
     };
 
     let mut jacobian: M::Unknowns<M::Unknowns<f64>> = Row::from_fn(|_| Row::from_fn(|_| 0.0));
@@ -50,7 +50,7 @@ pub(crate) fn conditions<M: Mechanism>(
         };
         let rows: &mut [M::Unknowns<f64>] = jacobian.as_mut();
         for ((row, terms), entry) in rows.iter_mut().zip(terms.as_mut()).zip(column.as_ref()) {
-            row.as_mut()[index] = *entry;
+            row[index] = *entry;
             *terms += entry.abs() * size;
         }
     }
@@ -74,7 +74,7 @@ pub(crate) fn conditions<M: Mechanism>(
     }
     // A Jacobian that is singular to all digits determines nothing.
     M::Unknowns::from_fn(|index| {
-        let condition: f64 = conditions.as_ref()[index];
+        let condition: f64 = conditions[index];
         if condition.is_finite() {
             condition
         } else {

@@ -35,7 +35,7 @@ use crate::solve::Scalar;
 ///         let inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|order| rates.get(order).copied().unwrap_or(0.0)));
 ///         if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
 ///             for unknown in pose.unknown_motions().as_ref() {
-///                 peak = peak.max(unknown.as_ref()[2].abs());
+///                 peak = peak.max(unknown[2].abs());
 ///             }
 ///         }
 ///     }

@@ -22,7 +22,7 @@ use crate::number::{Operations, Row};
 /// fn play<M: Sensitive<Scalar = f64>>(mechanism: &M, pose: &M::Pose, tolerance: f64) -> M::Unknowns<f64> {
 ///     let partials = mechanism.sensitivities_of(pose);
 ///     M::Unknowns::from_fn(|unknown| {
-///         let position = |partial: &M::Partials| partial.unknown_partials().as_ref()[unknown].as_ref()[0];
+///         let position = |partial: &M::Partials| partial.unknown_partials()[unknown][0];
 ///         partials.as_ref().iter().map(|partial| tolerance * position(partial).abs()).sum()
 ///     })
 /// }

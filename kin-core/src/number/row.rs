@@ -1,7 +1,9 @@
 //! Rows of values.
 
-/// An array of one value for each of some quantities.
-pub trait Row<V>: Copy + AsRef<[V]> + AsMut<[V]> {
+use core::ops::{Index, IndexMut};
+
+/// An array of one value for each of some quantities, read and written by the place of the quantity.
+pub trait Row<V>: Copy + AsRef<[V]> + AsMut<[V]> + Index<usize, Output = V> + IndexMut<usize> {
     /// How many there are.
     const LENGTH: usize;
 

@@ -112,9 +112,9 @@ pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i
         }
     }
     for (column, exponent) in column_exponents.iter_mut().enumerate().take(count) {
-        *exponent = levelling::<T>(rows.iter().map(|row| &row.as_ref()[column]));
+        *exponent = levelling::<T>(rows.iter().map(|row| &row[column]));
         for row in &mut *rows {
-            let entry = &mut row.as_mut()[column];
+            let entry = &mut row[column];
             *entry = *entry * power_of_two(*exponent);
         }
     }
@@ -149,7 +149,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
     }
     let (mut odd, mut singular) = (false, false);
     for step in 0..count {
-        let size_of = |row: &R| row.as_ref()[step].real().abs();
+        let size_of = |row: &R| row[step].real().abs();
         let mut best = step;
         for row in step + 1..count {
             if size_of(&rows[row]) > size_of(&rows[best]) {
@@ -161,8 +161,8 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
             origins.swap(best, step);
             odd = !odd;
         }
-        let pivot = decisive(rows[step].as_ref()[step], || [levels]);
-        rows[step].as_mut()[step] = pivot;
+        let pivot = decisive(rows[step][step], || [levels]);
+        rows[step][step] = pivot;
         let pivot_row = rows[step];
         let pivot_row = &pivot_row.as_ref()[..count];
         let size = pivot.real().abs();

@@ -92,18 +92,18 @@ pub(super) fn blocked<M: Mechanism<Scalar = f64>>(
 /// The place at which an unknown runs to infinity, if it is near by.
 fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<ObstacleOf<M>> {
     let values = here.point.unknowns;
-    let grown = |index: &usize| values.as_ref()[*index].abs() / way.sizes.as_ref()[*index];
+    let grown = |index: &usize| values[*index].abs() / way.sizes[*index];
     let index = (0..Way::<M>::COUNT).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
     let is_angle = M::DESCRIPTION.unknowns[index].dimension == Dimension::Angle;
     // The zero of the reciprocal.
-    let distance = values.as_ref()[index] / here.motions.as_ref()[index].as_ref().get(1)?;
+    let distance = values[index] / here.motions[index].as_ref().get(1)?;
     if is_angle || grown(&index) < FAR || !(0.0..=BLUR).contains(&distance) {
         return None;
     }
     // Half the way to a pole an unknown grows to more than 1.6 times itself; at a fold that is just as fast it has ended.
     let inputs = way.inputs(here.point.travel + 0.5 * distance);
     let halfway = way.mechanism.solve_position_near(inputs, values).ok()?;
-    if halfway.as_ref()[index].abs() < 1.5 * values.as_ref()[index].abs() {
+    if halfway[index].abs() < 1.5 * values[index].abs() {
         return None;
     }
     let block = M::DESCRIPTION
@@ -184,8 +184,8 @@ fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -
     let rates = rates(here, &M::Unknowns::from_fn(|_| 1.0));
     ahead(way, here).find_map(|travel| {
         // Near such an end the higher terms of a series are of no use.
-        let along = |index: usize| rates.as_ref()[index] * (travel - here.point.travel);
-        let unknowns = M::Unknowns::from_fn(|index| here.point.unknowns.as_ref()[index] + along(index));
+        let along = |index: usize| rates[index] * (travel - here.point.travel);
+        let unknowns = M::Unknowns::from_fn(|index| here.point.unknowns[index] + along(index));
         if way.linearise(&Point { unknowns, travel }).is_some() {
             return None;
         }

@@ -134,7 +134,7 @@ pub fn track<M: Mechanism>(
         Row::from_fn(|index| to[index].real()),
     )
     .map_err(retyped::<M>)?;
-    let near = M::Unknowns::from_fn(|index| M::Scalar::constant(end.as_ref()[index]));
+    let near = M::Unknowns::from_fn(|index| M::Scalar::constant(end[index]));
     Ok(mechanism.solve_position_near(to_inputs, near)?)
 }
 
@@ -143,15 +143,15 @@ fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
     let convert = |obstacle: ObstacleOf<M::With<f64>>| Obstacle {
         block: obstacle.block,
         fraction: obstacle.fraction,
-        inputs: Row::from_fn(|index| obstacle.inputs.as_ref()[index]),
-        unknowns: Row::from_fn(|index| obstacle.unknowns.as_ref()[index]),
+        inputs: Row::from_fn(|index| obstacle.inputs[index]),
+        unknowns: Row::from_fn(|index| obstacle.unknowns[index]),
         names: obstacle.names,
     };
     let stopped = |halt: HaltOf<M::With<f64>>| Halt {
         steps: halt.steps,
         fraction: halt.fraction,
-        inputs: Row::from_fn(|index| halt.inputs.as_ref()[index]),
-        unknowns: Row::from_fn(|index| halt.unknowns.as_ref()[index]),
+        inputs: Row::from_fn(|index| halt.inputs[index]),
+        unknowns: Row::from_fn(|index| halt.unknowns[index]),
         rounding: halt.rounding,
         names: halt.names,
     };
@@ -301,10 +301,10 @@ fn station<M: Mechanism<Scalar = f64>>(
         .mechanism
         .solve_motion_near(way.motions(travel), near)
         .map_err(Missing::Unsolved)?;
-    let turns = Row::from_fn(|index| near.as_ref()[index]);
+    let turns = Row::from_fn(|index| near[index]);
     let motions = pose.unknown_motions_near(turns);
     let point = Point {
-        unknowns: M::Unknowns::from_fn(|index| motions.as_ref()[index].as_ref()[0]),
+        unknowns: M::Unknowns::from_fn(|index| motions[index][0]),
         travel,
     };
     let linear: Linear<M> = way.linearise(&point).ok_or(Missing::Elsewhere)?;
@@ -366,8 +366,8 @@ fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, way: &Way<M>, there: &Station<
 fn rates<M: Mechanism<Scalar = f64>>(here: &Station<M>, sizes: &M::Unknowns<f64>) -> M::Unknowns<f64> {
     let motions = here.motions;
     M::Unknowns::from_fn(|index| {
-        let rate = motions.as_ref()[index].as_ref().get(1).copied().unwrap_or(0.0);
-        rate / sizes.as_ref()[index]
+        let rate = motions[index].as_ref().get(1).copied().unwrap_or(0.0);
+        rate / sizes[index]
     })
 }
 
@@ -376,7 +376,7 @@ fn predicted<M: Mechanism<Scalar = f64>>(here: &Station<M>, step: f64) -> (M::Un
     let motions = here.motions;
     let series = |index: usize, lowest: usize| {
         // Horner's scheme for the sum of derivative · stepⁿ / n!.
-        let derivatives = &motions.as_ref()[index].as_ref()[lowest..];
+        let derivatives = &motions[index].as_ref()[lowest..];
         let mut order = f64::from(u32::try_from(derivatives.len()).unwrap_or(u32::MAX));
         derivatives.iter().rev().fold(0.0, |sum, derivative| {
             let value = derivative + sum * step / order;
@@ -386,7 +386,7 @@ fn predicted<M: Mechanism<Scalar = f64>>(here: &Station<M>, step: f64) -> (M::Un
     };
     (
         M::Unknowns::from_fn(|index| series(index, 0)),
-        M::Unknowns::from_fn(|index| series(index, 1) / here.sizes.as_ref()[index]),
+        M::Unknowns::from_fn(|index| series(index, 1) / here.sizes[index]),
     )
 }
 

@@ -80,7 +80,7 @@ fn any_beside<M: Mechanism<Scalar = f64>>(
             if parameter == Some(index) {
                 moved.travel += sign * shift;
             } else {
-                moved.unknowns.as_mut()[index] += sign * shift * way.sizes.as_ref()[index];
+                moved.unknowns[index] += sign * shift * way.sizes[index];
             }
         }
         way.linearise(&moved)

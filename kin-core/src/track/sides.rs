@@ -66,9 +66,7 @@ impl<M: Mechanism<Scalar = f64>> System<M> {
 
     /// All equations for all unknowns.
     pub(super) fn whole(linear: &Linear<M>) -> Self {
-        Self::new(Way::<M>::COUNT, |row, column| {
-            linear.jacobian.as_ref()[row].as_ref()[column]
-        })
+        Self::new(Way::<M>::COUNT, |row, column| linear.jacobian[row][column])
     }
 
     /// The solution of as many equations as the mechanism has; not finite if the matrix is singular.
@@ -92,7 +90,7 @@ impl<M: Mechanism<Scalar = f64>> System<M> {
             logarithm: -f64::from(exponents.sum::<i32>()),
         };
         for (step, row) in self.rows.as_ref().iter().enumerate().take(self.count) {
-            let pivot = row.as_ref()[step];
+            let pivot = row[step];
             if pivot == 0.0 {
                 return Orientation {
                     sign: 0,
@@ -122,7 +120,7 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
             M::DESCRIPTION.blocks.get(block).map_or(none, |block| {
                 let jacobian = linear.jacobian.as_ref();
                 System::<M>::new(block.members.len(), |row, column| {
-                    jacobian[block.equations[row]].as_ref()[block.members[column]]
+                    jacobian[block.equations[row]][block.members[column]]
                 })
                 .orientation()
             })
@@ -154,7 +152,7 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
 
     /// The determinant of a block as a multiple of what it was.
     pub(super) fn relative(&self, reference: &Self, block: usize) -> f64 {
-        let (now, then) = (self.0.as_ref()[block], reference.0.as_ref()[block]);
+        let (now, then) = (self.0[block], reference.0[block]);
         f64::from(now.sign * then.sign) * Float::exp2(now.logarithm - then.logarithm)
     }
 
@@ -178,9 +176,9 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
 pub(super) fn bordered<M: Mechanism<Scalar = f64>>(linear: &Linear<M>, parameter: usize) -> System<M> {
     System::new(Way::<M>::COUNT, |row, column| {
         if column == parameter {
-            linear.travel.as_ref()[row]
+            linear.travel[row]
         } else {
-            linear.jacobian.as_ref()[row].as_ref()[column]
+            linear.jacobian[row][column]
         }
     })
 }

@@ -61,12 +61,12 @@ impl<M: Mechanism<Scalar = f64>> Local<M> {
     fn new(way: &Way<M>, point: Point<M>, parameter: usize) -> Option<Self> {
         let linear = way.linearise(&point)?;
         let system = bordered(&linear, parameter);
-        let column = M::Unknowns::from_fn(|row| -linear.jacobian.as_ref()[row].as_ref()[parameter]);
+        let column = M::Unknowns::from_fn(|row| -linear.jacobian[row][parameter]);
         let mut rates = system.solve(&column);
-        let travel_rate = core::mem::replace(&mut rates.as_mut()[parameter], 1.0);
+        let travel_rate = core::mem::replace(&mut rates[parameter], 1.0);
         let right = way.bend(&point, &rates, travel_rate);
-        let mut bends = system.solve(&M::Unknowns::from_fn(|row| -right.as_ref()[row]));
-        let travel_bend = core::mem::replace(&mut bends.as_mut()[parameter], 0.0);
+        let mut bends = system.solve(&M::Unknowns::from_fn(|row| -right[row]));
+        let travel_bend = core::mem::replace(&mut bends[parameter], 0.0);
         let all = rates.as_ref().iter().chain(bends.as_ref());
         let mut all = all.chain([&travel_rate, &travel_bend]);
         all.all(|value| value.is_finite()).then_some(Self {
@@ -82,11 +82,9 @@ impl<M: Mechanism<Scalar = f64>> Local<M> {
 
     /// Where the curve is after a step of the parameter, to second order.
     fn predicted(&self, way: &Way<M>, step: f64) -> Point<M> {
-        let along = |index: usize| (self.rates.as_ref()[index] + self.bends.as_ref()[index] * step) * step;
+        let along = |index: usize| (self.rates[index] + self.bends[index] * step) * step;
         Point {
-            unknowns: M::Unknowns::from_fn(|index| {
-                self.point.unknowns.as_ref()[index] + along(index) * way.sizes.as_ref()[index]
-            }),
+            unknowns: M::Unknowns::from_fn(|index| self.point.unknowns[index] + along(index) * way.sizes[index]),
             travel: self.point.travel + (self.travel_rate + self.travel_bend * step) * step,
         }
     }
@@ -131,7 +129,7 @@ fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: Point<M>, paramete
             if index == parameter {
                 point.travel -= change;
             } else {
-                point.unknowns.as_mut()[index] -= change * way.sizes.as_ref()[index];
+                point.unknowns[index] -= change * way.sizes[index];
             }
         }
         if length <= f64::EPSILON || stalls {
@@ -194,7 +192,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
             size *= 0.5;
         };
         creeping = if size < CREEPING { creeping + 1 } else { 0 };
-        let growth = way.sizes_at(&there.point).as_ref()[parameter] / way.sizes.as_ref()[parameter];
+        let growth = way.sizes_at(&there.point)[parameter] / way.sizes[parameter];
         if growth > FAR {
             return Passage::Lost;
         }
@@ -262,9 +260,8 @@ fn attempted<M: Mechanism<Scalar = f64>>(
     }
     for (local, part) in [(&middle, 0.5), (&there, 1.0)] {
         let foreseen = |rate: f64, bend: f64| rate + 2.0 * bend * part * step;
-        let changes = (0..Way::<M>::COUNT).map(|index| {
-            local.rates.as_ref()[index] - foreseen(here.rates.as_ref()[index], here.bends.as_ref()[index])
-        });
+        let changes =
+            (0..Way::<M>::COUNT).map(|index| local.rates[index] - foreseen(here.rates[index], here.bends[index]));
         let turn = local.travel_rate - foreseen(here.travel_rate, here.travel_bend);
         if largest(changes.chain([turn])) > 0.15 || !local.orientation.is_near(here.orientation) {
             return None;
@@ -303,7 +300,7 @@ fn turned<M: Mechanism<Scalar = f64>>(
             high = reach;
         }
         let next = reach - local.travel_rate / (2.0 * local.travel_bend);
-        let size = (here.point.unknowns.as_ref()[parameter] / way.sizes.as_ref()[parameter]).abs();
+        let size = (here.point.unknowns[parameter] / way.sizes[parameter]).abs();
         let done = (next - reach).abs() <= 2.0 * f64::EPSILON * size.max(1.0) || low == high;
         let is_better = best
             .as_ref()

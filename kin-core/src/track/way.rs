@@ -56,8 +56,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
             Dimension::Length => 1.0,
             Dimension::Scalar => value.max(1.0),
         };
-        let sizes =
-            M::Unknowns::from_fn(|index| size(description.unknowns[index].dimension, near.as_ref()[index].abs()));
+        let sizes = M::Unknowns::from_fn(|index| size(description.unknowns[index].dimension, near[index].abs()));
         let ends = from.as_ref().iter().zip(to.as_ref());
         let length = ends
             .zip(description.inputs)
@@ -81,10 +80,10 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     /// The sizes of the unknowns at a point: what is not an angle may have grown.
     pub(super) fn sizes_at(&self, point: &Point<M>) -> M::Unknowns<f64> {
         M::Unknowns::from_fn(|index| {
-            let size = self.sizes.as_ref()[index];
+            let size = self.sizes[index];
             match M::DESCRIPTION.unknowns[index].dimension {
                 Dimension::Angle => size,
-                Dimension::Length | Dimension::Scalar => size.max(point.unknowns.as_ref()[index].abs()),
+                Dimension::Length | Dimension::Scalar => size.max(point.unknowns[index].abs()),
             }
         })
     }
@@ -105,7 +104,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         if travel == self.length {
             return self.to;
         }
-        M::Inputs::from_fn(|index| self.from.as_ref()[index] + self.slope(index) * travel)
+        M::Inputs::from_fn(|index| self.from[index] + self.slope(index) * travel)
     }
 
     /// The same with their rates by the travel.
@@ -113,7 +112,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         let values = self.inputs(travel);
         M::Inputs::from_fn(|index| {
             M::Motion::from_fn(|order| match order {
-                0 => values.as_ref()[index],
+                0 => values[index],
                 1 => self.slope(index),
                 _ => 0.0,
             })
@@ -121,7 +120,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     }
 
     fn slope(&self, index: usize) -> f64 {
-        (self.to.as_ref()[index] - self.from.as_ref()[index]) / self.length
+        (self.to[index] - self.from[index]) / self.length
     }
 
     /// The residuals as series, where unknowns and travel are polynomials of the first degree.
@@ -133,12 +132,10 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     ) -> <M::With<Second> as Mechanism>::Residuals<Second> {
         let values = self.inputs(point.travel);
         self.series.residuals(
+            Row::from_fn(|index| Second::from_coefficients([values[index], self.slope(index) * travel_rate, 0.0])),
             Row::from_fn(|index| {
-                Second::from_coefficients([values.as_ref()[index], self.slope(index) * travel_rate, 0.0])
-            }),
-            Row::from_fn(|index| {
-                let rate = rate(index) * self.sizes.as_ref()[index];
-                Second::from_coefficients([point.unknowns.as_ref()[index], rate, 0.0])
+                let rate = rate(index) * self.sizes[index];
+                Second::from_coefficients([point.unknowns[index], rate, 0.0])
             }),
         )
     }
@@ -173,7 +170,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     /// The closure near a point; `None` if it is not finite there.
     pub(super) fn linearise(&self, point: &Point<M>) -> Option<Linear<M>> {
         let along = self.residuals(point, |_| 0.0, 1.0);
-        let of = |row: usize, order: usize| along.as_ref()[row].coefficients()[order];
+        let of = |row: usize, order: usize| along[row].coefficients()[order];
         let mut linear: Linear<M> = Linear {
             jacobian: M::Unknowns::from_fn(|_| M::Unknowns::from_fn(|_| 0.0)),
             travel: M::Unknowns::from_fn(|row| of(row, 1)),
@@ -183,7 +180,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
             let changed = self.residuals(point, |index| if index == column { 1.0 } else { 0.0 }, 0.0);
             let rows: &mut [M::Unknowns<f64>] = linear.jacobian.as_mut();
             for (row, residual) in rows.iter_mut().zip(changed.as_ref()) {
-                row.as_mut()[column] = residual.coefficients()[1];
+                row[column] = residual.coefficients()[1];
             }
         }
         let all = linear.jacobian.as_ref().iter().flat_map(AsRef::as_ref);
@@ -193,8 +190,8 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
 
     /// The second-order coefficients of the residuals along a straight line through the point.
     pub(super) fn bend(&self, point: &Point<M>, rates: &M::Unknowns<f64>, travel_rate: f64) -> M::Unknowns<f64> {
-        let series = self.residuals(point, |index| rates.as_ref()[index], travel_rate);
-        M::Unknowns::from_fn(|row| series.as_ref()[row].coefficients()[2])
+        let series = self.residuals(point, |index| rates[index], travel_rate);
+        M::Unknowns::from_fn(|row| series[row].coefficients()[2])
     }
 }
 

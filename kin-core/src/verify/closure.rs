@@ -40,9 +40,8 @@ fn carried<M: Mechanism<Scalar = f64>, C: Carrier>(
     unknowns: &Unknowns<M>,
 ) -> Vec<Vec<f64>> {
     let carrying = |motion: &M::Motion<f64>| C::carrying(motion.as_ref());
-    let inputs = <<M::With<C> as Mechanism>::Inputs<C> as Row<C>>::from_fn(|index| carrying(&inputs.as_ref()[index]));
-    let unknowns =
-        <<M::With<C> as Mechanism>::Unknowns<C> as Row<C>>::from_fn(|index| carrying(&unknowns.as_ref()[index]));
+    let inputs = <<M::With<C> as Mechanism>::Inputs<C> as Row<C>>::from_fn(|index| carrying(&inputs[index]));
+    let unknowns = <<M::With<C> as Mechanism>::Unknowns<C> as Row<C>>::from_fn(|index| carrying(&unknowns[index]));
     mechanism
         .convert(C::constant)
         .residuals(inputs, unknowns)

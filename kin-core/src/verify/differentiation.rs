@@ -60,7 +60,7 @@ fn carried<M: Mechanism<Scalar = f64>, C: Carrier>(
 ) -> Result<Differentiated, SolveError> {
     let lifted = mechanism.convert(C::constant);
     let input = |index: usize| {
-        let motion: &M::Motion<f64> = &inputs.as_ref()[index];
+        let motion: &M::Motion<f64> = &inputs[index];
         C::carrying(motion.as_ref())
     };
     let through = |value: &C| value.derivatives_through(M::DESCRIPTION.order);

@@ -84,10 +84,9 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
     };
     let columns: Vec<Vec<D>> = (0..unknowns.as_ref().len())
         .map(|seeded| {
-            let inputs =
-                <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs.as_ref()[index], 0.0));
+            let inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs[index], 0.0));
             let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| {
-                number(&unknowns.as_ref()[index], if index == seeded { 1.0 } else { 0.0 })
+                number(&unknowns[index], if index == seeded { 1.0 } else { 0.0 })
             });
             lifted.residuals(inputs, unknowns).as_ref().to_vec()
         })
@@ -106,9 +105,8 @@ pub(super) fn rounding_errors<M: Mechanism<Scalar = f64>>(
 ) -> Vec<f64> {
     type R = Rounded;
     let exactly = |motion: &M::Motion<f64>| R::exactly(derivative(motion, 0));
-    let inputs = <<M::With<R> as Mechanism>::Inputs<R> as Row<R>>::from_fn(|index| exactly(&inputs.as_ref()[index]));
-    let unknowns =
-        <<M::With<R> as Mechanism>::Unknowns<R> as Row<R>>::from_fn(|index| exactly(&unknowns.as_ref()[index]));
+    let inputs = <<M::With<R> as Mechanism>::Inputs<R> as Row<R>>::from_fn(|index| exactly(&inputs[index]));
+    let unknowns = <<M::With<R> as Mechanism>::Unknowns<R> as Row<R>>::from_fn(|index| exactly(&unknowns[index]));
     mechanism
         .convert(R::exactly)
         .residuals(inputs, unknowns)

@@ -67,11 +67,9 @@ impl Sampling {
     pub fn of<M: Mechanism<Scalar = f64>>(self, mechanism: &M, ranges: M::Inputs<(f64, f64)>) -> Report {
         let given = mechanism.parameters();
         self.run(|random| {
-            let mechanism = M::from_parameters(M::Parameters::from_fn(|index| {
-                given.as_ref()[index] * random.between(0.9, 1.1)
-            }));
+            let mechanism = M::from_parameters(M::Parameters::from_fn(|index| given[index] * random.between(0.9, 1.1)));
             let inputs = M::Inputs::from_fn(|index| {
-                let (low, high) = ranges.as_ref()[index];
+                let (low, high) = ranges[index];
                 let value = random.between(low, high);
                 let size = if M::DESCRIPTION.inputs[index].dimension == Dimension::Length {
                     largest_length(&mechanism).max(value.abs())
@@ -115,8 +113,8 @@ fn assemblies<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, ran
         return M::assemblies().collect();
     }
     let values = M::Inputs::from_fn(|index| {
-        let motion: &M::Motion<f64> = &inputs.as_ref()[index];
-        motion.as_ref()[0]
+        let motion: &M::Motion<f64> = &inputs[index];
+        motion[0]
     });
     let length = largest_length(mechanism);
     let guess = M::Unknowns::from_fn(|index| any(random, &M::DESCRIPTION.unknowns[index], length));

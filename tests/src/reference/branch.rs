@@ -24,9 +24,9 @@ impl<M: ThroughSnap> Branch<M> {
     /// The inputs with the first at a value.
     pub(super) fn at(&self, value: f64) -> Inputs<M> {
         let mut inputs = self.inputs;
-        let mut motion = inputs.as_ref()[0].derivatives();
+        let mut motion = inputs[0].derivatives();
         motion[0] = value;
-        inputs.as_mut()[0] = Motion::new(motion);
+        inputs[0] = Motion::new(motion);
         inputs
     }
 

@@ -78,7 +78,7 @@ impl<M: ThroughSnap> Search<M> {
     /// An assembly that closes: named ones are tried from a number on, others by random guesses.
     fn branch(&mut self, mechanism: M, inputs: Inputs<M>, from: usize) -> Option<Branch<M>> {
         let count = M::ASSEMBLY_COUNT;
-        let values = M::Inputs::from_fn(|index| inputs.as_ref()[index].value());
+        let values = M::Inputs::from_fn(|index| inputs[index].value());
         let largest = |largest: f64, value: &f64| largest.max(value.abs());
         let length = self.case.parameters.iter().fold(0.0, largest);
         (0..count.max(20)).find_map(|index| {
@@ -141,7 +141,7 @@ impl<M: ThroughSnap> Search<M> {
         }
         for (index, angle) in [0.0, 1e-9, FRAC_PI_2, -FRAC_PI_2, PI].into_iter().enumerate() {
             let mut inputs = self.inputs();
-            inputs.as_mut()[0] = Motion::new(self.random.motion(angle));
+            inputs[0] = Motion::new(self.random.motion(angle));
             if let Some(branch) = self.branch(self.case.mechanism(), inputs, index) {
                 self.add(Kind::RightAngle, &branch, inputs);
             }
@@ -161,17 +161,17 @@ impl<M: ThroughSnap> Search<M> {
         for usual in usual {
             let parameters = usual.mechanism.parameters();
             let mechanism = M::from_parameters(M::Parameters::from_fn(|index| {
-                parameters.as_ref()[index] * scale(M::DESCRIPTION.parameters[index])
+                parameters[index] * scale(M::DESCRIPTION.parameters[index])
             }));
             let inputs: Inputs<M> = M::Inputs::from_fn(|index| {
-                usual.inputs.as_ref()[index].map(|value| value * scale(M::DESCRIPTION.inputs[index]))
+                usual.inputs[index].map(|value| value * scale(M::DESCRIPTION.inputs[index]))
             });
             let assembly = if M::ASSEMBLY_COUNT > 0 {
                 usual.assembly
             } else {
                 let near =
                     M::Unknowns::from_fn(|index| usual.unknowns[index][0] * scale(M::DESCRIPTION.unknowns[index]));
-                mechanism.assembly_near(M::Inputs::from_fn(|index| inputs.as_ref()[index].value()), near)
+                mechanism.assembly_near(M::Inputs::from_fn(|index| inputs[index].value()), near)
             };
             let branch = Branch {
                 mechanism,
