@@ -13,10 +13,17 @@ pub use crate::motion::{Direction, Motion};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Chain, Skeleton, TransmissionAngle};
 pub use crate::solve::Scalar;
-pub use crate::track::{TrackErrorOf, track};
+pub use crate::track::{TrackErrorOf, track_to};
 pub use crate::{batch, solve};
 pub use core;
 pub use kin_macros::mechanism_in;
+
+/// The traits whose methods generated code calls.
+pub mod methods {
+    pub use crate::batch::{MotionColumns as _, Parameter as _};
+    pub use crate::mechanism::PoseOf as _;
+    pub use crate::number::Number as _;
+}
 
 /// What local names of generated code are imported as, so that in patterns they are no items of other kinds.
 pub const fn local() {}

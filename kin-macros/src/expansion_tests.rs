@@ -29,6 +29,13 @@ fn four_bar() -> TokenStream {
     }
 }
 
+/// What is alike for all mechanisms stands in `kin-core`, and not in every expansion.
+#[test]
+fn an_expansion_is_short() {
+    let lines = pretty(&four_bar()).lines().count();
+    assert!(lines <= 900, "{lines} lines");
+}
+
 /// A chain of scalar equations, with ranges and three choices.
 fn geometric_four_bar() -> TokenStream {
     quote! {

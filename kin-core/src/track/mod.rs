@@ -20,7 +20,7 @@ use turning::Passage;
 use way::{Linear, Point, Way, largest};
 
 use crate::failure::{Failure, InputValues, SolveError};
-use crate::mechanism::{Mechanism, Pose};
+use crate::mechanism::{Mechanism, Pose, PoseOf};
 use crate::number::{Number, Row};
 
 /// The longest step by the inputs, in their sizes.
@@ -124,18 +124,36 @@ pub fn track<M: Mechanism>(
     from_unknowns: M::Unknowns<M::Scalar>,
     to_inputs: M::Inputs<M::Scalar>,
 ) -> Result<M::Unknowns<M::Scalar>, TrackErrorOf<M>> {
-    let from = from_inputs.as_ref();
-    let to = to_inputs.as_ref();
-    let near = from_unknowns.as_ref();
+    let end = end(mechanism, (from_inputs, from_unknowns), to_inputs)?;
+    Ok(mechanism.solve_position_near(to_inputs, end)?)
+}
+
+/// [`track`] from a pose, where the caller solves the last position, once and as the type that it wants. `arrive` takes the unknowns
+/// that it is near to.
+pub fn track_to<M: Mechanism, P>(
+    mechanism: &M,
+    pose: &impl PoseOf<M>,
+    to_inputs: M::Inputs<M::Scalar>,
+    arrive: impl FnOnce(M::Unknowns<M::Scalar>) -> Result<P, SolveError>,
+) -> Result<P, TrackErrorOf<M>> {
+    let end = end(mechanism, pose.values(), to_inputs)?;
+    Ok(arrive(end)?)
+}
+
+/// The unknowns at the end of a way, before the last position is solved.
+fn end<M: Mechanism>(
+    mechanism: &M,
+    (from_inputs, from_unknowns): (M::Inputs<M::Scalar>, M::Unknowns<M::Scalar>),
+    to_inputs: M::Inputs<M::Scalar>,
+) -> Result<M::Unknowns<M::Scalar>, TrackErrorOf<M>> {
     let end = follow(
         mechanism.convert(Number::real),
-        Row::from_fn(|index| from[index].real()),
-        Row::from_fn(|index| near[index].real()),
-        Row::from_fn(|index| to[index].real()),
+        Row::from_fn(|index| from_inputs[index].real()),
+        Row::from_fn(|index| from_unknowns[index].real()),
+        Row::from_fn(|index| to_inputs[index].real()),
     )
     .map_err(retyped::<M>)?;
-    let near = M::Unknowns::from_fn(|index| M::Scalar::constant(end[index]));
-    Ok(mechanism.solve_position_near(to_inputs, near)?)
+    Ok(Row::from_fn(|index| M::Scalar::constant(end[index])))
 }
 
 /// The error in rows of the mechanism instead of those of its double in double precision, which are the same arrays.

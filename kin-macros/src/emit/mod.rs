@@ -93,11 +93,11 @@ pub(crate) fn tokens(
     // a scope of its own, so that short names meet no others
     quote! {
         #(#structures)*
-        #[allow(dead_code, deprecated, non_snake_case, unused_imports, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(dead_code, deprecated, non_snake_case, unused_imports)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use #runtime as #alias;
-            use #alias::batch::{MotionColumns as _, Parameter as _};
-            use #alias::{Number as _, PoseOf as _};
+            use #alias::methods::*;
             #bindings
             #implementations
         };

@@ -124,10 +124,7 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
             #one
 
             #runtime::in_parallel! {
-                /// [`solve_batch`](Self::solve_batch) on all cores.
-                ///
-                /// # Errors
-                /// As `solve_batch`.
+                /// [`solve_batch`](Self::solve_batch) on all cores, with the same errors.
                 #all
             }
         }
@@ -156,8 +153,7 @@ fn columns(mechanism: &Mechanism<'_>) -> TokenStream {
         .flat_map(|(kind, count)| std::iter::repeat_n(local(kind), count));
     quote! {
         impl<Column> #structure<Column> {
-            /// What a function gives in the place of each number: vectors for `solve_batch` to fill, or nothing where a number is
-            /// not wanted.
+            /// The columns that a function returns: vectors for `solve_batch` to fill, or nothing for a number that is not wanted.
             pub fn filled(mut #fill: impl ::core::ops::FnMut() -> Column) -> Self {
                 Self {
                     #(#fields: #runtime::batch::MotionColumns::filled(&mut #fill)),*

@@ -22,9 +22,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             pub fn track(&self, #argument, #(#inputs: T),*)
                 -> ::core::result::Result<#position<T>, #runtime::TrackErrorOf<Self>>
             {
-                let #unknowns =
-                    #runtime::track(self, #pose.input_values(), #pose.unknowns(), [#(#inputs),*])?;
-                ::core::result::Result::Ok(self.position_near(#(#inputs,)* #unknowns)?)
+                #runtime::track_to(self, #pose, [#(#inputs),*], |#unknowns| self.position_near(#(#inputs,)* #unknowns))
             }
 
     }
