@@ -111,7 +111,9 @@ fn within<T: Scalar>(
     function: &'static str,
 ) -> Result<T, Failure> {
     let is_told = |argument| ends.iter().all(|end| is_told_from::<T>(*end, argument, 1.0));
-    match result.provided([argument], |[argument]| [inside(argument), is_told(argument)]) {
+    // Of several poses, each has to be asked here: an infinite value is lost in what is divided by it.
+    let conditions = |[argument, result]: [f64; 2]| [inside(argument), is_told(argument), result.is_finite()];
+    match result.provided([argument, result], conditions) {
         Some(result) if result.is_finite() => Ok(result),
         _ => {
             let argument = argument.real();
@@ -137,6 +139,7 @@ mod tests {
     use core::f64::consts::{FRAC_PI_2, PI};
 
     use super::*;
+    use crate::batch::lanes::Lanes;
 
     #[test]
     fn inside_the_functions_are_the_usual_ones() {
@@ -183,6 +186,20 @@ mod tests {
         ] {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                 assert!(matches!(function(value), Err(Failure::NotFinite { .. })));
+            }
+        }
+    }
+
+    #[test]
+    fn nor_for_one_of_several_poses() {
+        for function in [square_root_of::<Lanes<2, false>>, logarithm, square_of_root] {
+            for value in [f64::NAN, f64::INFINITY, f64::MAX] {
+                let Ok(Lanes([first, second])) = function(Lanes([value, 2.0])) else {
+                    panic!("lanes decide each for itself");
+                };
+                assert!(first.is_nan() || first.is_finite(), "{value}: {first}");
+                assert!(value == f64::MAX || first.is_nan(), "{value}: {first}");
+                assert!(second.is_finite(), "{second}");
             }
         }
     }
