@@ -1,5 +1,6 @@
 //! Proof of kin.
 
+pub mod batches;
 mod book;
 pub mod carrier;
 pub mod compare;

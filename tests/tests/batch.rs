@@ -1,10 +1,11 @@
 //! Batches: what they find is what one pose after the other finds, in every kind of vectors, for every mechanism.
 #![allow(clippy::cast_precision_loss, reason = "there are hundreds of poses")]
 
-use kin_core::batch::{self, Column, Columns, LengthMismatch, Outcome, Place, Summary, Vectors, Visitor};
+use kin_core::batch::{self, Column, LengthMismatch, Outcome, Summary, Vectors};
 use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::prelude::*;
-use kin_tests::mechanisms::cases::{self, Case, Inputs, ThroughSnap};
+use kin_tests::batches::{Poses, Table, vectors};
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap};
 use kin_tests::mechanisms::coupled::{Built, Kepler, SixCoupled, SixInChain, StephensonThree, Triad};
 use kin_tests::mechanisms::directions::{DirectedKepler, DirectedTriad};
 use kin_tests::oracles::{ALLOWED, Gauge};
@@ -19,117 +20,6 @@ const UNITS: f64 = 4.0;
 
 /// Of every so many poses that condition is asked for; the others are held to what both oracles allow a single pose.
 const SAMPLE: usize = 8;
-
-/// Columns for the motions of any mechanism.
-struct Table {
-    inputs: Vec<Vec<Vec<f64>>>,
-    /// With the cosine in the place of the angle where one is a direction.
-    unknowns: Vec<Vec<Vec<f64>>>,
-    /// Of every unknown, for whatever is a direction.
-    sines: Vec<Vec<f64>>,
-    outputs: Vec<Vec<Vec<f64>>>,
-}
-
-impl Table {
-    fn new<M: ThroughSnap>(poses: usize) -> Self {
-        let columns = |count: usize| vec![vec![vec![-1.0; poses]; 5]; count];
-        Self {
-            inputs: columns(M::DESCRIPTION.inputs.len()),
-            unknowns: columns(M::DESCRIPTION.unknowns.len()),
-            sines: vec![vec![-1.0; poses]; M::DESCRIPTION.unknowns.len()],
-            outputs: columns(M::DESCRIPTION.outputs.len()),
-        }
-    }
-
-    /// The numbers of a pose, bit by bit.
-    fn bits(&self, index: usize) -> Vec<u64> {
-        [&self.inputs, &self.unknowns, &self.outputs]
-            .into_iter()
-            .flatten()
-            .flatten()
-            .chain(&self.sines)
-            .map(|column| column[index].to_bits())
-            .collect()
-    }
-}
-
-fn visit<'a>(
-    motions: &'a mut [Vec<Vec<f64>>],
-    place: impl Fn(usize, usize) -> Place,
-    visitor: &mut impl Visitor<'a, Vec<f64>>,
-) {
-    for (index, motion) in motions.iter_mut().enumerate() {
-        for (order, column) in motion.iter_mut().enumerate() {
-            visitor.visit(place(index, order), column);
-        }
-    }
-}
-
-impl Columns<Vec<f64>> for Table {
-    fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Vec<f64>>) {
-        visit(&mut self.inputs, Place::Input, visitor);
-        visit(&mut self.unknowns, Place::Unknown, visitor);
-        for (index, column) in self.sines.iter_mut().enumerate() {
-            visitor.visit(Place::Sine(index), column);
-        }
-        visit(&mut self.outputs, Place::Output, visitor);
-    }
-}
-
-/// Poses of a mechanism, each with dimensions and inputs of its own.
-struct Poses<M: ThroughSnap> {
-    mechanisms: Vec<M>,
-    inputs: Vec<Inputs<M>>,
-    /// Values of the unknowns near by, where there are no assemblies.
-    near: Vec<M::Unknowns<f64>>,
-}
-
-impl<M: ThroughSnap> Poses<M> {
-    /// Solves them as one batch. An assembly, or else the values near by.
-    fn solve(&self, assembly: Option<M::Assembly>, vectors: Vectors) -> (Table, Vec<Outcome>, Summary) {
-        let count = self.mechanisms.len();
-        let column = |number: &dyn Fn(usize) -> f64| -> Vec<f64> { (0..count).map(number).collect() };
-        let parameters: Vec<Vec<f64>> = (0..M::DESCRIPTION.parameters.len())
-            .map(|place| column(&|pose| self.mechanisms[pose].parameters()[place]))
-            .collect();
-        let inputs: Vec<Vec<Vec<f64>>> = (0..M::DESCRIPTION.inputs.len())
-            .map(|input| {
-                (0..5)
-                    .map(|order| column(&|pose| self.inputs[pose][input][order]))
-                    .collect()
-            })
-            .collect();
-        let near: Vec<Vec<f64>> = (0..M::DESCRIPTION.unknowns.len())
-            .map(|place| column(&|pose| self.near.get(pose).map_or(0.0, |near| near[place])))
-            .collect();
-        let mut table = Table::new::<M>(count);
-        let mut outcomes = vec![Outcome::Unsolved; count];
-        let parameters = Row::from_fn(|place| Column::Each(&parameters[place]));
-        let inputs = M::Inputs::from_fn(|input| {
-            <M::Motion<Column<'_>> as Row<Column<'_>>>::from_fn(|order| Column::Each(&inputs[input][order]))
-        });
-        let summary = if let Some(assembly) = assembly {
-            batch::solve::<M, _, _>(parameters, inputs, assembly, &mut table, &mut outcomes, vectors)
-        } else {
-            let near = Row::from_fn(|place| Column::Each(&near[place]));
-            batch::solve_near::<M, _, _>(parameters, inputs, near, &mut table, &mut outcomes, vectors)
-        };
-        (table, outcomes, summary.expect("all columns are of one length"))
-    }
-
-    fn solve_one(&self, index: usize, assembly: Option<M::Assembly>) -> Result<M::Pose, SolveError> {
-        match assembly {
-            Some(assembly) => self.mechanisms[index].solve_motion(self.inputs[index], assembly),
-            None => self.mechanisms[index].solve_motion_near(self.inputs[index], self.near[index]),
-        }
-    }
-}
-
-fn vectors() -> impl Iterator<Item = Vectors> {
-    [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512]
-        .into_iter()
-        .filter(|vectors| vectors.are_there())
-}
 
 /// Compares batches with one pose after the other, and prints how far they are apart.
 #[derive(Default)]
