@@ -60,9 +60,12 @@ impl Vectors {
         if self.are_there() {
             match self {
                 Self::Compiled => {}
-                // SAFETY: the machine has just been found to have these instructions.
+                // SAFETY: `avx2` is an ordinary function of Rust but for its `target_feature`: all that it asks of its caller is a machine
+                // with AVX2 and FMA. `are_there` has just asked this machine for both, and an operating system that saves their
+                // registers. Neither can go away while the program runs.
                 Self::Avx2 => return unsafe { avx2(kernel) },
-                // SAFETY: the machine has just been found to have these instructions.
+                // SAFETY: as above, with AVX-512 F, DQ and VL, AVX2 and FMA: the five that `avx512` is compiled for, and that
+                // `are_there` has just asked this machine for.
                 Self::Avx512 => return unsafe { avx512(kernel) },
             }
         }

@@ -21,14 +21,17 @@ use super::sine_cosine::{COSINE, Reduced, SINE};
 /// The sine and the cosine of an angle that [is near](super::is_near).
 #[inline(always)]
 pub(super) fn sine_cosine(angle: f64) -> (f64, f64) {
-    // SAFETY: this module is compiled for machines with these instructions only.
+    // SAFETY: `sine_beside_cosine` takes and returns numbers, reads no memory by an address, and has no precondition but its
+    // `target_feature`: the machine has to have SSE2. The module stands behind `cfg(target_feature = "sse2")`, so that the whole program is
+    // compiled for machines that have it.
     unsafe { sine_beside_cosine(Reduced::new::<false>(angle)) }
 }
 
 /// The arctangents of two points, and whether both are ordinary.
 #[inline(always)]
 pub(super) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
-    // SAFETY: this module is compiled for machines with these instructions only.
+    // SAFETY: as above: `arc_tangents_side_by_side` takes and returns numbers, and needs SSE2, which every machine has that the module is
+    // compiled for. All intrinsics that either function calls belong to SSE2 and work on registers alone.
     unsafe { arc_tangents_side_by_side(y, x) }
 }
 
