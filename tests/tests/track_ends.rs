@@ -6,6 +6,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use kin_core::library::FourBar;
 use kin_core::prelude::*;
 use kin_core::{SolveError, TrackError, TrackErrorOf, track};
+use kin_tests::mechanisms::scalar_forms::ExplicitFunctions;
 use kin_tests::random::Random;
 
 mechanism! {
@@ -416,4 +417,47 @@ fn what_rounding_hides_is_said_to_be_hidden() {
         message.starts_with("no step, however short, leads on for certain at q = -0.5941403, after 0 of the way"),
         "{message}"
     );
+}
+
+fn explicit_from(parameters: [f64; 2], from: f64, to: f64) -> TrackErrorOf<ExplicitFunctions> {
+    let linkage: ExplicitFunctions = Mechanism::from_parameters(parameters);
+    let start = linkage.position(from).unwrap().unknowns();
+    track(&linkage, [from], start, [to]).unwrap_err()
+}
+
+/// A number, tan(t / 3) with more added, beside lengths from 1 to 10⁻³¹⁰.
+#[test]
+fn the_pole_of_a_tangent_is_found_whatever_the_sizes() {
+    for ([a, b], from, to) in [
+        (
+            [1.165_632_304_887_356, 1.761_090_836_288_054_4],
+            2.959_397_580_977_685_6,
+            4.785_726_533_080_55,
+        ),
+        ([4.0, 4.0], -FRAC_PI_2, -5.428_284_961_713_889),
+        (
+            [0.001_365_941_038_360_580_6, 1e-310],
+            -0.300_534_231_232_456_15,
+            -5.963_836_579_991_033,
+        ),
+    ] {
+        let error = explicit_from([a, b], from, to);
+        let TrackError::Unbounded(pole) = error else {
+            panic!("{a} {b}: {error:?}");
+        };
+        assert_eq!(pole.block, "w");
+        assert!((pole.inputs[0].abs() - 1.5 * PI).abs() <= 1e-12, "{pole:?}");
+    }
+}
+
+/// Where its second argument is negative, `atan2` jumps by a turn as the first one changes its sign.
+#[test]
+fn a_jump_is_told_from_rounding() {
+    let parameters = [0.017_291_332_113_243_525, 12.019_536_010_118_113];
+    let error = explicit_from(parameters, -0.349_601_349_875_141_6, 3.613_210_954_182_769_3);
+    assert!(error.to_string().contains("an unknown jumps there"), "{error}");
+    let TrackError::Lost(halt) = error else {
+        panic!("{error:?}");
+    };
+    assert!(halt.inputs[0].abs() <= 1e-12 && halt.rounding <= 1e-12, "{halt:?}");
 }

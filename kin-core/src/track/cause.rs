@@ -1,5 +1,6 @@
 //! What stands in the way.
 
+use super::obstacle::FIRM;
 use super::rounding::{blur, is_indistinct};
 use super::sides::Sides;
 use super::steps::Steps;
@@ -11,8 +12,6 @@ use crate::failure::{Failure, SolveError};
 use crate::mechanism::{Dimension, Mechanism};
 use crate::number::Row;
 
-/// Where rounding errors move the unknowns by more than this, nothing can be said of what is near.
-const FIRM: f64 = 1e-3;
 /// By so much the unknowns may differ between the last station and the change point behind it.
 const BESIDE: f64 = 0.05;
 /// How often an interval is halved until it is known to the last digit.

@@ -6,6 +6,9 @@ use core::fmt::{self, Debug};
 use crate::failure::{SolveError, digits::Digits};
 use crate::mechanism::Quantity;
 
+/// Where rounding errors move the unknowns by more than this, nothing can be said of what is near.
+pub(super) const FIRM: f64 = 1e-3;
+
 /// A position on the way at which the motion ends, or is not determined.
 ///
 /// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays, of the declared lengths.
@@ -64,7 +67,8 @@ pub enum TrackError<I, U> {
     /// track may go on from there.
     TooManySteps(Halt<I, U>),
     /// No step, however short, is certain to stay in the assembly, and no obstacle explains why. Rounding errors move
-    /// the unknowns by more than steps do, as where the rounding of one link of a loop is as long as another link.
+    /// the unknowns by more than steps do, as where the rounding of one link of a loop is as long as another link. Where they move
+    /// them by little, an unknown jumps, as an angle that is declared by `atan2` jumps by a turn.
     Lost(Halt<I, U>),
     /// The position could not be found, at the beginning, or on the way for another reason.
     Failed(SolveError),
@@ -141,6 +145,13 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
                 "{} steps were not enough, the last ended{}; go on from there, or shorten the way",
                 halt.steps,
                 halt.place()
+            ),
+            Self::Lost(halt) if halt.rounding < FIRM => write!(
+                formatter,
+                "no step, however short, leads on for certain{} and {} steps: an unknown jumps there, as an angle that is \
+                 declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
+                halt.place(),
+                halt.steps
             ),
             Self::Lost(halt) => write!(
                 formatter,
