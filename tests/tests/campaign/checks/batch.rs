@@ -1,0 +1,151 @@
+//! Batches find what single poses find, in every kind of vectors, and on all cores to the last bit.
+
+use kin_core::batch::{Outcome, Vectors};
+
+use super::pose::ALLOWED;
+use super::{Campaign, Pose, Size, Solved};
+use crate::engine::{Guide, Problem};
+use kin_tests::batches::{Table, vectors};
+
+impl Campaign<'_> {
+    /// Everything that was solved once more in batches, those of an assembly together.
+    pub(super) fn batches(&mut self, all: &[Solved], size: Size) {
+        let mut kinds: Vec<Option<usize>> = all.iter().map(|solved| assembly(&solved.guide)).collect();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let mut largest = Vec::new();
+        for kind in kinds {
+            let together: Vec<&Solved> = all.iter().filter(|solved| assembly(&solved.guide) == kind).collect();
+            for vectors in vectors() {
+                self.batch(&together, vectors);
+            }
+            if together.len() > largest.len() {
+                largest = together;
+            }
+        }
+        if let Some(first) = largest.first() {
+            self.current = (first.problem.clone(), first.guide.clone());
+            self.in_parallel(&largest, size.parallel);
+        }
+    }
+
+    fn batch(&mut self, together: &[&Solved], vectors: Vectors) {
+        let (problems, guides): (Vec<Problem>, Vec<Guide>) = together
+            .iter()
+            .map(|solved| (solved.problem.clone(), solved.guide.clone()))
+            .unzip();
+        self.current = (problems[0].clone(), guides[0].clone());
+        let (table, outcomes, summary) = self.engine.batch(&problems, &guides, vectors);
+        let mut solved_ones = 0;
+        for (index, (solved, outcome)) in together.iter().zip(&outcomes).enumerate() {
+            solved_ones += usize::from(outcome.is_solved());
+            let expected = solved.result.as_ref().map_or_else(Outcome::from, |_| Outcome::Solved);
+            if *outcome != expected {
+                let condition = solved.result.as_ref().ok().and_then(|pose| pose.units.as_ref());
+                let condition = condition.map_or(f64::NAN, |units| units.condition);
+                let what = format!("{vectors:?} says {outcome:?}, solve {expected:?}; condition {condition:e}");
+                self.find("outcome", what, &solved.problem, &solved.guide);
+                continue;
+            }
+            match &solved.result {
+                Ok(pose) => self.agrees(solved, pose, &table, index, vectors),
+                Err(_) => self.is_empty(solved, &table, index, vectors),
+            }
+        }
+        if summary.solved != solved_ones || summary.failed != outcomes.len() - solved_ones {
+            let what = format!("{vectors:?}: {summary:?}, and {solved_ones} are solved");
+            self.find("summary", what, &problems[0], &guides[0]);
+        }
+    }
+
+    /// A pose of a batch is that of the single solver.
+    fn agrees(&mut self, solved: &Solved, pose: &Pose, table: &Table, index: usize, vectors: Vectors) {
+        let numbers = table
+            .unknowns
+            .iter()
+            .chain(&table.outputs)
+            .flatten()
+            .chain(&table.sines);
+        let is_finite = numbers.map(|column| column[index]).all(f64::is_finite);
+        if !is_finite {
+            self.find(
+                "batch",
+                format!("{vectors:?}: not finite"),
+                &solved.problem,
+                &solved.guide,
+            );
+        }
+        let Some(units) = pose.known(f64::EPSILON) else {
+            return;
+        };
+        for (place, columns) in table.unknowns.iter().enumerate() {
+            let sine = pose.found.sines[place].map(|sine| (0, table.sines[place][index], sine));
+            let rates = (0..)
+                .zip(columns)
+                .map(|(order, column)| (order, column[index], pose.found.columns[place][order]));
+            for (order, found, expected) in rates.chain(sine) {
+                // Cosine and sine move by no more than the angle, and are rounded themselves.
+                let unit = f64::EPSILON * units.conditions[place][order] + f64::MIN_POSITIVE;
+                let error = (found - expected).abs() / unit;
+                self.tally.values += 1;
+                self.tally.batch = self.tally.batch.max(error);
+                if error > ALLOWED {
+                    let name = self.engine.description().unknowns[place].name;
+                    let what = format!(
+                        "{vectors:?}: order {order} of {name} is {found:e} for {expected:e}, {error:.1} units; condition {:e}",
+                        units.condition
+                    );
+                    self.find("batch", what, &solved.problem, &solved.guide);
+                }
+            }
+        }
+    }
+
+    /// A pose that is not found leaves no numbers.
+    fn is_empty(&mut self, solved: &Solved, table: &Table, index: usize, vectors: Vectors) {
+        let mut numbers = table.unknowns.iter().chain(&table.outputs).flatten();
+        if !numbers.all(|column| column[index].is_nan()) {
+            self.find(
+                "batch",
+                format!("{vectors:?}: numbers of no pose"),
+                &solved.problem,
+                &solved.guide,
+            );
+        }
+    }
+
+    /// All cores together come to the same bits as one.
+    fn in_parallel(&mut self, together: &[&Solved], count: usize) {
+        let (problems, guides): (Vec<Problem>, Vec<Guide>) = together
+            .iter()
+            .cycle()
+            .take(count)
+            .map(|solved| (solved.problem.clone(), solved.guide.clone()))
+            .unzip();
+        let widest = Vectors::widest();
+        let (table, outcomes, summary) = self.engine.batch(&problems, &guides, widest);
+        let (other, other_outcomes, other_summary) = self.engine.batch_in_parallel(&problems, &guides, widest);
+        for index in 0..problems.len() {
+            if table.bits(index) != other.bits(index) || outcomes[index] != other_outcomes[index] {
+                self.find("parallel", format!("pose {index}"), &problems[index], &guides[index]);
+            }
+        }
+        let same = (summary.solved, summary.failed) == (other_summary.solved, other_summary.failed)
+            && summary.first_failure.map(|(first, _)| first) == other_summary.first_failure.map(|(first, _)| first);
+        if !same {
+            self.find(
+                "parallel",
+                format!("{summary:?} {other_summary:?}"),
+                &problems[0],
+                &guides[0],
+            );
+        }
+    }
+}
+
+fn assembly(guide: &Guide) -> Option<usize> {
+    match guide {
+        Guide::Assembly(index) => Some(*index),
+        Guide::Near(_) => None,
+    }
+}

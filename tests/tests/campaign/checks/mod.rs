@@ -1,0 +1,166 @@
+//! What must hold whatever the numbers are.
+
+mod assembly;
+mod batch;
+mod edges;
+mod pose;
+mod single;
+mod tracks;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use kin_core::SolveError;
+
+use super::draw::{Draw, Family, choice, draw};
+use super::engine::{Engine, Found, Guide, Problem};
+use super::tally::{Finding, Report, Tally};
+use super::unit::Units;
+use kin_tests::random::Random;
+
+/// How large a campaign is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Size {
+    /// Draws of each family for each topology.
+    pub(crate) draws: usize,
+    /// Of so many draws one is tracked.
+    pub(crate) tracked: usize,
+    /// Of so many draws one is brought to the edge of where the mechanism closes.
+    pub(crate) edges: usize,
+    /// Poses in a batch that is solved on all cores.
+    pub(crate) parallel: usize,
+    /// Where the numbers start.
+    pub(crate) seed: u64,
+}
+
+/// A problem with what became of it.
+struct Solved {
+    problem: Problem,
+    guide: Guide,
+    result: Result<Pose, SolveError>,
+}
+
+/// A pose, and how well it is known if it is.
+struct Pose {
+    found: Found,
+    units: Option<Units>,
+}
+
+/// The condition up to which anything is said of a pose: a tenth of 1 / √ε. Near a limit position its square times ε is what the unit, which
+/// is of the first order, leaves out.
+fn most_condition(epsilon: f64) -> f64 {
+    0.1 / epsilon.sqrt()
+}
+
+impl Pose {
+    /// The units, unless so many digits are lost at a given ε that they mean little.
+    fn known(&self, epsilon: f64) -> Option<&Units> {
+        self.units
+            .as_ref()
+            .filter(|units| units.condition <= most_condition(epsilon))
+    }
+}
+
+/// The campaign through one topology.
+struct Campaign<'e> {
+    engine: &'e dyn Engine,
+    tally: Tally,
+    findings: Vec<Finding>,
+    /// What is being looked at, should something panic.
+    current: (Problem, Guide),
+}
+
+/// Runs the campaign through a topology, and enters it into the report.
+pub(crate) fn run(engine: &dyn Engine, size: Size, report: &mut Report) {
+    let mut campaign = Campaign {
+        engine,
+        tally: Tally {
+            name: engine.description().name,
+            ..Tally::default()
+        },
+        findings: Vec::new(),
+        current: (
+            Problem {
+                parameters: Vec::new(),
+                inputs: Vec::new(),
+            },
+            Guide::Near(Vec::new()),
+        ),
+    };
+    let mut all = Vec::new();
+    for (number, family) in (0_u64..).zip(Family::ALL) {
+        for index in 0..size.draws {
+            let mut random = Random::new(size.seed ^ (number << 40) ^ (index as u64) << 8);
+            campaign.guarded(|campaign| campaign.look_at(family, index, size, &mut random, &mut all));
+        }
+    }
+    campaign.guarded(|campaign| campaign.batches(&all, size));
+    report.tallies.push(campaign.tally);
+    report.findings.append(&mut campaign.findings);
+}
+
+impl Campaign<'_> {
+    /// Notes that something is wrong.
+    fn find(&mut self, check: &'static str, what: String, problem: &Problem, guide: &Guide) {
+        self.findings.push(Finding {
+            name: self.tally.name,
+            check,
+            what,
+            problem: problem.clone(),
+            guide: guide.clone(),
+        });
+    }
+
+    /// Does something that must not panic.
+    fn guarded(&mut self, work: impl FnOnce(&mut Self)) {
+        if let Err(payload) = catch_unwind(AssertUnwindSafe(|| work(self))) {
+            let message = payload
+                .downcast_ref::<String>()
+                .cloned()
+                .or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string));
+            let (problem, guide) = self.current.clone();
+            self.find("panic", message.unwrap_or_default(), &problem, &guide);
+        }
+    }
+
+    /// One draw, in some of its assemblies.
+    fn look_at(&mut self, family: Family, index: usize, size: Size, random: &mut Random, all: &mut Vec<Solved>) {
+        let Draw {
+            problem,
+            near,
+            is_closed,
+        } = draw(self.engine, family, random);
+        let guides: Vec<Guide> = match self.engine.assembly_count() {
+            0 => vec![Guide::Near(near.clone())],
+            // Four of them at most, lest the batches of each be small.
+            count => {
+                let mut some = || choice(random, 4) * (count - 1) / 3;
+                let (first, second) = (some(), some());
+                let both = if first == second {
+                    vec![first]
+                } else {
+                    vec![first, second]
+                };
+                both.into_iter().map(Guide::Assembly).collect()
+            }
+        };
+        let solved: Vec<Solved> = guides.into_iter().map(|guide| self.solve(&problem, guide)).collect();
+        if is_closed {
+            self.is_not_missed(&problem, &near);
+        }
+        if let [one, other] = solved.as_slice() {
+            self.are_apart(one, other);
+        }
+        for solved in &solved {
+            self.in_single_precision(solved, family);
+            if index.is_multiple_of(size.tracked) {
+                self.track(solved, family, random);
+            }
+        }
+        if index.is_multiple_of(size.edges)
+            && let Some(solved) = solved.first()
+        {
+            all.extend(self.edges(solved, random));
+        }
+        all.extend(solved);
+    }
+}

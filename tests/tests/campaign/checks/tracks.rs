@@ -1,0 +1,188 @@
+//! A track ends where the solver finds the same assembly, or at a place where something is singular, after so many steps.
+
+use std::f64::consts::TAU;
+
+use kin_core::{Dimension, Failure};
+use kin_tests::counting::Calls;
+
+use super::pose::ALLOWED;
+use super::{Campaign, Solved, most_condition};
+use crate::draw::Family;
+use crate::engine::{Ending, Guide, Place, at_rest};
+use crate::unit::{determinants, units};
+use kin_tests::random::Random;
+
+/// More than this one track must not ask for, however extreme the proportions.
+const MOST: Calls = Calls {
+    solutions: 1_000,
+    closures: 50_000,
+};
+
+/// The part of the way by which two places are on either side of another one.
+const ASIDE: f64 = 1e-9;
+
+/// A pole is where an unknown has grown by this factor.
+const FAR: f64 = 1e3;
+
+/// A determinant at an obstacle is smaller than this part of what the terms of the equations make of it: the unknowns are known to the root
+/// of ε there.
+const SINGULAR: f64 = 1e-5;
+
+impl Campaign<'_> {
+    /// Tracks a pose to inputs at random.
+    pub(super) fn track(&mut self, solved: &Solved, family: Family, random: &mut Random) {
+        let Ok(pose) = &solved.result else {
+            return;
+        };
+        let description = self.engine.description();
+        let start = pose.found.position();
+        let mut to: Vec<f64> = solved.problem.values();
+        for (value, quantity) in to.iter_mut().zip(description.inputs) {
+            if quantity.dimension == Dimension::Angle {
+                *value += random.between(-TAU, TAU);
+            } else {
+                *value *= random.between(0.5, 1.5);
+            }
+        }
+        self.current = (solved.problem.clone(), solved.guide.clone());
+        let (ending, steps) = self.engine.track(&solved.problem, &start, &to);
+        self.tally.end(&ending, steps);
+        if steps.solutions > MOST.solutions || steps.closures > MOST.closures {
+            self.find_track("steps", format!("{steps:?}"), solved, &to);
+        }
+        match &ending {
+            Ending::Arrived(end) => self.has_arrived(solved, &to, end),
+            Ending::Limit(place) | Ending::ChangePoint(place) => {
+                let inputs = solved.problem.values();
+                let there: Vec<f64> = inputs
+                    .iter()
+                    .zip(&to)
+                    .map(|(from, to)| from + place.fraction * (to - from))
+                    .collect();
+                let rates: Vec<_> = place.unknowns.iter().copied().map(at_rest).collect();
+                let determinants = determinants(self.engine, &solved.problem.at(&there), &rates);
+                let is_singular = determinants.iter().any(|determinant| determinant.abs() <= SINGULAR);
+                if !is_on_the_way(place) || (!is_singular && family != Family::Spread) {
+                    self.find_track(
+                        "obstacle",
+                        format!("{ending:?}, determinants {determinants:?}"),
+                        solved,
+                        &to,
+                    );
+                }
+            }
+            Ending::Unbounded(place) => {
+                let is_far = |(before, after): (&f64, &f64)| after.abs() > FAR * before.abs();
+                if !is_on_the_way(place) || !start.iter().zip(&place.unknowns).any(is_far) {
+                    self.find_track("pole", format!("{ending:?}"), solved, &to);
+                }
+            }
+            // The domain of a function, or the range of an unknown, may end on the way.
+            Ending::Failed(error)
+                if matches!(
+                    error.failure,
+                    Failure::OutsideDomain { .. } | Failure::OutOfRange { .. }
+                ) => {}
+            Ending::Failed(error) => {
+                if family == Family::Ordinary {
+                    self.find_track("track failed", error.to_string(), solved, &to);
+                }
+            }
+            Ending::Lost(there) => {
+                if family == Family::Ordinary && !self.jumps(solved, there, &to) {
+                    self.find_track("track lost", format!("{ending:?}"), solved, &to);
+                }
+            }
+            Ending::Endless => self.find_track("steps", format!("{ending:?}"), solved, &to),
+        }
+    }
+
+    /// Whether the position on one side of a place is another one than that on the other, as of the angle of `atan2`.
+    fn jumps(&self, solved: &Solved, there: &[f64], to: &[f64]) -> bool {
+        let from = solved.problem.values();
+        let position = |step: f64| {
+            let way = there.iter().zip(from.iter().zip(to));
+            let inputs: Vec<f64> = way.map(|(there, (from, to))| there + step * (to - from)).collect();
+            self.engine.position(&solved.problem.at(&inputs), &solved.guide).ok()
+        };
+        let (Some(before), Some(after)) = (position(-ASIDE), position(ASIDE)) else {
+            return false;
+        };
+        before
+            .iter()
+            .zip(after)
+            .any(|(before, after)| (before - after).abs() > 1.0)
+    }
+
+    fn has_arrived(&mut self, solved: &Solved, to: &[f64], end: &[f64]) {
+        let problem = solved.problem.at(to);
+        let rates: Vec<_> = end.iter().copied().map(at_rest).collect();
+        let units =
+            units(self.engine, &problem, &rates).filter(|units| units.condition <= most_condition(f64::EPSILON));
+        let Some(units) = units else {
+            return;
+        };
+        for (correction, condition) in units.corrections.iter().zip(&units.conditions) {
+            if correction[0] > ALLOWED * f64::EPSILON * condition[0] {
+                self.find_track(
+                    "track",
+                    format!("{end:?} does not close: {:e}", correction[0]),
+                    solved,
+                    to,
+                );
+            }
+        }
+        match &solved.guide {
+            Guide::Assembly(_) => match self.engine.position(&problem, &solved.guide) {
+                Ok(direct) => {
+                    // Carried round by whole turns; what depends on the turn, as a rack does, is another length then.
+                    let quantities = self.engine.description().unknowns;
+                    let pairs = || end.iter().zip(&direct).zip(quantities);
+                    let turned = |own: f64, other: f64| TAU * ((own - other) / TAU).round();
+                    let is_turned = pairs().any(|((own, other), quantity)| {
+                        quantity.dimension == Dimension::Angle && turned(*own, *other) != 0.0
+                    });
+                    for (((own, other), quantity), condition) in pairs().zip(&units.conditions) {
+                        let difference = match quantity.dimension {
+                            Dimension::Angle => own - other - turned(*own, *other),
+                            _ if is_turned => continue,
+                            _ => own - other,
+                        };
+                        if difference.abs() > ALLOWED * f64::EPSILON * condition[0] {
+                            let what = format!("{end:?} for {direct:?}, condition {:e}", units.condition);
+                            self.find_track("track", what, solved, to);
+                            return;
+                        }
+                    }
+                }
+                Err(error) => self.find_track("track", format!("{end:?}, where solve says {error}"), solved, to),
+            },
+            Guide::Near(_) => {
+                let Ok(pose) = &solved.result else {
+                    return;
+                };
+                let before = determinants(self.engine, &solved.problem, &pose.found.unknowns);
+                for (before, after) in before.iter().zip(&units.determinants) {
+                    if before * after < 0.0 {
+                        let what = format!("{end:?}: a determinant of {before:e} becomes {after:e}");
+                        self.find_track("track", what, solved, to);
+                    }
+                }
+            }
+        }
+    }
+
+    fn find_track(&mut self, check: &'static str, what: String, solved: &Solved, to: &[f64]) {
+        let start = solved
+            .result
+            .as_ref()
+            .map(|pose| pose.found.position())
+            .unwrap_or_default();
+        let what = format!("from {start:?} to inputs {to:?}: {what}");
+        self.find(check, what, &solved.problem, &solved.guide);
+    }
+}
+
+fn is_on_the_way(place: &Place) -> bool {
+    (0.0..=1.0).contains(&place.fraction) && place.unknowns.iter().all(|value| value.is_finite())
+}

@@ -1,0 +1,78 @@
+//! A campaign: mechanisms of many kinds, random dimensions, inputs and rates at all scales and at special places, and everything
+//! that must hold whatever the numbers are.
+//!
+//! Each [topology](topologies) comes with its closure written once more by hand, in [series](taylor) of the campaign's own. A
+//! [draw](draw) gives dimensions and inputs, most often such that a position is known beforehand. The [checks](checks) then solve it
+//! in every assembly and in every way there is.
+//!
+//! The tests run a small campaign. `cargo test -p kin-tests --test campaign -- --ignored --nocapture` runs a large one and prints its
+//! tables. The environment may give it another number of draws, `KIN_CAMPAIGN_DRAWS`, and other numbers, `KIN_CAMPAIGN_SEED`.
+
+mod checks;
+mod draw;
+#[rustfmt::skip]
+mod drawn;
+mod engine;
+mod generator;
+mod linear;
+mod tally;
+mod taylor;
+mod topologies;
+mod topology;
+mod trees;
+mod unit;
+
+use checks::{Size, run};
+use engine::Of;
+use tally::Report;
+use topology::{Topology, Visitor};
+
+struct Campaign {
+    size: Size,
+    report: Report,
+}
+
+impl Visitor for Campaign {
+    fn visit<T: Topology>(&mut self) {
+        run(&Of::<T>::default(), self.size, &mut self.report);
+    }
+}
+
+fn campaign(size: Size) {
+    let mut campaign = Campaign {
+        size,
+        report: Report::default(),
+    };
+    topologies::each(&mut campaign);
+    println!("{}", campaign.report);
+    campaign.report.assert();
+}
+
+#[test]
+fn small() {
+    campaign(Size {
+        draws: 5,
+        tracked: 4,
+        edges: 4,
+        parallel: 600,
+        seed: 1,
+    });
+}
+
+/// A number given in the environment.
+fn given(name: &str) -> Option<u64> {
+    std::env::var(name).ok().and_then(|text| text.parse().ok())
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn large() {
+    let draws = given("KIN_CAMPAIGN_DRAWS").unwrap_or(2000);
+    campaign(Size {
+        draws: usize::try_from(draws).expect("there is memory for so many draws"),
+        tracked: 10,
+        edges: 20,
+        parallel: 5000,
+        seed: given("KIN_CAMPAIGN_SEED").unwrap_or(2),
+    });
+}
