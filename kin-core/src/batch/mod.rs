@@ -40,6 +40,8 @@ mod outcome;
 mod parallel;
 mod sweep;
 mod target;
+#[cfg(test)]
+mod tests;
 mod view;
 
 pub use column::{Column, Parameter};

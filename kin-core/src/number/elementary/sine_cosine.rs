@@ -185,7 +185,7 @@ mod tests {
 
     use super::{LIMIT, is_near, near_sine_cosine, sine_cosine, sine_cosine_single};
     use crate::number::{
-        elementary::reference::{self, fractions, units},
+        elementary::reference::{self, THINNED, fractions, units},
         single,
     };
 
@@ -218,7 +218,7 @@ mod tests {
 
     /// The doubles next to every multiple of π/2 up to the limit, or to every `step`-th.
     fn near_the_axes(step: usize) -> impl Iterator<Item = f64> {
-        (1_u32..63_662).step_by(step).flat_map(|quarters| {
+        (1_u32..63_662).step_by(step * THINNED as usize).flat_map(|quarters| {
             // The third part of π/2 does not change the nearest double.
             let angle = f64::from(quarters) * FRAC_PI_2;
             [angle, angle.next_down(), angle.next_up(), -angle]

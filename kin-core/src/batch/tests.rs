@@ -1,0 +1,140 @@
+//! Batches in every kind of vectors, of so few poses that an interpreter solves them too: whole chunks, a last one that overlaps the one before,
+//! fewer poses than lanes, poses that fail, and places that are not wanted.
+
+use std::vec;
+use std::vec::Vec;
+
+use super::{Column, Outcome, Vectors, solve, solve_near};
+use crate::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch};
+use crate::prelude::*;
+
+/// Two chunks of the most lanes there are, and some more.
+const POSES: usize = 37;
+
+fn vectors() -> impl Iterator<Item = Vectors> {
+    [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512]
+        .into_iter()
+        .filter(|vectors| vectors.are_there())
+}
+
+/// Columns of so many poses, some of which are out of reach, far away, or no numbers.
+fn inputs(count: usize) -> [Vec<f64>; 2] {
+    let fraction = |index: usize| f64::from(u32::try_from(index).unwrap()) / 37.0;
+    let angles = (0..count).map(|index| match index % 7 {
+        3 => 2.5,
+        5 => 1e6 + fraction(index),
+        6 if index > 20 => f64::NAN,
+        _ => 1.8 * fraction(index),
+    });
+    [
+        angles.collect(),
+        (0..count).map(|index| 50.0 + 20.0 * fraction(index)).collect(),
+    ]
+}
+
+/// ε times the condition of the poses above, with something to spare.
+fn agree(found: f64, expected: f64) -> bool {
+    (found - expected).abs() <= 1e-11 * expected.abs().max(1.0) || (found.is_nan() && expected.is_nan())
+}
+
+#[test]
+fn four_bars_of_as_many_poses_as_you_like() {
+    for vectors in vectors() {
+        for count in [0, 1, 3, 4, 8, 16, 17, POSES] {
+            let [angles, couplers] = inputs(count);
+            let mut poses = FourBarBatch::filled(|| Some(vec![0.0; count]));
+            // what is not wanted is left out
+            poses.theta3[2] = None;
+            let mut outcomes = vec![Outcome::Unsolved; count];
+            let parameters = [
+                Column::Same(90.0),
+                Column::Same(30.0),
+                Column::Each(&couplers),
+                Column::Same(45.0),
+            ];
+            let theta2 = Motion::new([
+                Column::Each(&angles),
+                Column::Same(-1.0),
+                Column::Same(0.5),
+                Column::Same(0.0),
+                Column::Same(0.2),
+            ]);
+            let assembly = Assembly::Open;
+            let summary = solve::<FourBar, _, _>(parameters, [theta2], assembly, &mut poses, &mut outcomes, vectors);
+            let summary = summary.unwrap();
+            assert_eq!(summary.solved + summary.failed, count);
+            for index in 0..count {
+                let linkage = FourBar {
+                    r1: 90.0,
+                    r2: 30.0,
+                    r3: couplers[index],
+                    r4: 45.0,
+                };
+                let alone = linkage.solve(Motion::new([angles[index], -1.0, 0.5, 0.0, 0.2]), assembly);
+                let expected = alone.map_or([f64::NAN; 5], |pose| pose.theta4.derivatives());
+                let outcome = alone.as_ref().map_or_else(Outcome::from, |_| Outcome::Solved);
+                assert_eq!(outcomes[index], outcome, "{vectors:?}, pose {index} of {count}");
+                for (order, expected) in expected.into_iter().enumerate() {
+                    let found = poses.theta4[order].as_ref().unwrap()[index];
+                    assert!(
+                        agree(found, expected),
+                        "{vectors:?}, pose {index} of {count}: {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn triads_by_iteration() {
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(3.4, 0.2),
+        base_c: Plane::new(1.7, 3.1),
+        platform_b: Plane::new(1.6, 0.1),
+        platform_c: Plane::new(0.8, 1.4),
+    };
+    let fraction = |index: usize| f64::from(u32::try_from(index).unwrap()) / 19.0;
+    let count = 19;
+    let legs: Vec<f64> = (0..count).map(|index| 1.9 + 0.3 * fraction(index)).collect();
+    // some guesses from which no iteration leads anywhere
+    let start = [0.9, 2.1, -1.9, 0.2];
+    let guesses: Vec<f64> = (0..count)
+        .map(|index| if index == 11 { f64::NAN } else { start[0] })
+        .collect();
+    let motion = |leg: f64| Motion::new([leg, 0.3, 0.0, 0.1, 0.0]);
+    for vectors in vectors() {
+        let mut poses = ClassThreeTriadBatch::filled(|| vec![0.0; count]);
+        let mut outcomes = vec![Outcome::Unsolved; count];
+        let parameters = triad.parameters().map(Column::Same);
+        let still = Motion::constant(2.1).map(Column::Same);
+        let mut leg = motion(0.0).map(Column::Same);
+        leg[0] = Column::Each(&legs);
+        let mut near = start.map(Column::Same);
+        near[0] = Column::Each(&guesses);
+        solve_near::<ClassThreeTriad, _, _>(
+            parameters,
+            [leg, still, still],
+            near,
+            &mut poses,
+            &mut outcomes,
+            vectors,
+        )
+        .unwrap();
+        assert!(
+            outcomes.iter().filter(|outcome| outcome.is_solved()).count() > 10,
+            "{outcomes:?}"
+        );
+        for index in 0..count {
+            let mut near = start;
+            near[0] = guesses[index];
+            let still = Motion::constant(2.1);
+            let alone = triad.solve_near(motion(legs[index]), still, still, near);
+            let expected = alone.map_or([f64::NAN; 5], |pose| pose.phi.derivatives());
+            for (order, expected) in expected.into_iter().enumerate() {
+                let found = poses.phi[order][index];
+                assert!(agree(found, expected), "{vectors:?}, pose {index}: {found} {expected}");
+            }
+        }
+    }
+}
