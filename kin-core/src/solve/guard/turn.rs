@@ -105,14 +105,16 @@ fn each_within<T: Scalar, const N: usize>(
 }
 
 /// Values of unknowns near a position, and the orientations that tell its assembly there. Of a number that stands for several poses,
-/// those whose assembly is not that of the first become NaN; any other number is returned as it is.
+/// those whose assembly is not that of the first become NaN, and those with an orientation that is NaN; any other number is returned as
+/// it is.
 #[inline(always)]
 pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orientations: [T; K]) -> [T; N] {
     let first = orientations.map(|orientation| orientation.real() >= 0.0);
     near.map(|value| {
         value
             .provided(orientations, |orientations| {
-                [orientations.map(|orientation| orientation >= 0.0) == first]
+                let is_told = orientations.iter().all(|orientation| !orientation.is_nan());
+                [is_told, orientations.map(|orientation| orientation >= 0.0) == first]
             })
             .unwrap_or(value)
     })
@@ -133,7 +135,8 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::{nearest_turn, on_turn};
+    use super::{agreeing, nearest_turn, on_turn};
+    use crate::batch::lanes::Lanes;
 
     proptest! {
         #[test]
@@ -155,5 +158,14 @@ mod tests {
         assert_eq!(on_turn(1.0, Some([7.0]), 1), 1.0);
         assert_eq!(on_turn(1.0, Some([]), 0), 1.0);
         assert_eq!(on_turn::<f64, 1>(1.0, None, 0), 1.0);
+    }
+
+    #[test]
+    fn of_several_poses_those_whose_orientation_is_not_told_are_left_to_others() {
+        let orientations = [Lanes::<4, false>([-1.0, f64::NAN, -2.0, 3.0]), Lanes([1.0; 4])];
+        let [Lanes(kept)] = agreeing([Lanes([0.1, 0.2, 0.3, 0.4])], orientations);
+        assert_eq!([kept[0], kept[2]], [0.1, 0.3]);
+        assert!(kept[1].is_nan() && kept[3].is_nan(), "{kept:?}");
+        assert_eq!(agreeing([0.2], [f64::NAN]), [0.2]);
     }
 }
