@@ -4,6 +4,8 @@
 use std::vec;
 use std::vec::Vec;
 
+#[cfg(feature = "rayon")]
+use super::solve_in_parallel;
 use super::{Column, Outcome, Vectors, solve, solve_near};
 use crate::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch};
 use crate::prelude::*;
@@ -82,6 +84,41 @@ fn four_bars_of_as_many_poses_as_you_like() {
                     );
                 }
             }
+        }
+    }
+}
+
+/// More poses than one core is given at once, the last ones of them fewer than there are lanes.
+#[cfg(feature = "rayon")]
+#[test]
+fn all_cores_write_what_one_writes() {
+    let count = 3 * 512 + 5;
+    let [angles, couplers] = inputs(count);
+    let parameters = [
+        Column::Same(90.0),
+        Column::Same(30.0),
+        Column::Each(&couplers),
+        Column::Same(45.0),
+    ];
+    let mut theta2 = Motion::new([1.0, -1.0, 0.5, 0.0, 0.2]).map(Column::Same);
+    theta2[0] = Column::Each(&angles);
+    let assembly = Assembly::Crossed;
+    let places = || {
+        (
+            FourBarBatch::filled(|| vec![0.0; count]),
+            vec![Outcome::Unsolved; count],
+        )
+    };
+    for vectors in vectors() {
+        let [(mut poses, mut outcomes), (mut other_poses, mut other_outcomes)] = [places(), places()];
+        let summary = solve::<FourBar, _, _>(parameters, [theta2], assembly, &mut poses, &mut outcomes, vectors);
+        let (other, others) = (&mut other_poses, &mut other_outcomes);
+        let parallel = solve_in_parallel::<FourBar, _, _>(parameters, [theta2], assembly, other, others, vectors);
+        assert_eq!(summary.unwrap().solved, parallel.unwrap().solved);
+        assert_eq!(outcomes, other_outcomes);
+        for order in 0..5 {
+            let bits = |column: &[f64]| column.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(&poses.theta4[order]), bits(&other_poses.theta4[order]));
         }
     }
 }
