@@ -135,20 +135,23 @@ impl Campaign<'_> {
         match &solved.guide {
             Guide::Assembly(_) => match self.engine.position(&problem, &solved.guide) {
                 Ok(direct) => {
-                    // Carried round by whole turns; what depends on the turn, as a rack does, is another length then.
+                    // Carried round by whole turns; what depends on the turn, as a rack or a gear does, is elsewhere then, and
+                    // nothing but the assembly is known.
                     let quantities = self.engine.description().unknowns;
                     let pairs = || end.iter().zip(&direct).zip(quantities);
                     let turned = |own: f64, other: f64| TAU * ((own - other) / TAU).round();
                     let is_turned = pairs().any(|((own, other), quantity)| {
                         quantity.dimension == Dimension::Angle && turned(*own, *other) != 0.0
                     });
-                    for (((own, other), quantity), condition) in pairs().zip(&units.conditions) {
-                        let difference = match quantity.dimension {
-                            Dimension::Angle => own - other - turned(*own, *other),
-                            _ if is_turned => continue,
-                            _ => own - other,
-                        };
-                        if difference.abs() > ALLOWED * f64::EPSILON * condition[0] {
+                    if is_turned {
+                        let told = self.engine.assembly_near(&problem, end);
+                        if solved.guide != told.map_or(Guide::Near(Vec::new()), Guide::Assembly) {
+                            self.find_track("track", format!("{end:?} is of assembly {told:?}"), solved, to);
+                        }
+                        return;
+                    }
+                    for (((own, other), _), condition) in pairs().zip(&units.conditions) {
+                        if (own - other).abs() > ALLOWED * f64::EPSILON * condition[0] {
                             let what = format!("{end:?} for {direct:?}, condition {:e}", units.condition);
                             self.find_track("track", what, solved, to);
                             return;
