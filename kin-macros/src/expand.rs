@@ -23,6 +23,8 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let Some((model, structure, solvers)) = solvers(&declaration, &mut report) else {
         return fallback::tokens(Some(&declaration), report, &runtime);
     };
+    #[cfg(test)]
+    crate::definition_tests::assert_defined(&solvers);
     emit::tokens(&declaration, &model, &structure.blocks, &solvers, &runtime)
 }
 

@@ -68,6 +68,8 @@
 mod algebra;
 mod assemble;
 mod bug;
+#[cfg(test)]
+mod definition_tests;
 mod derive;
 mod emit;
 mod expand;

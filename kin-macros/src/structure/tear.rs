@@ -157,7 +157,13 @@ fn length(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<T
 fn substituted(graph: &mut Graph, equations: &[Node], place: usize, unknown: usize, coefficient: Node) -> Torn {
     let own = graph.symbol(Symbol::Unknown(unknown));
     let term = graph.multiply(coefficient, own);
-    let right = graph.subtract(term, equations[place]);
+    let mut right = graph.subtract(term, equations[place]);
+    if graph.contains(right, Symbol::Unknown(unknown)) {
+        // within a product that is not multiplied out it does not cancel; the equation is linear in it
+        let mut vanished = BTreeMap::from([(own, graph.zero())]);
+        let others = graph.substitute(equations[place], &mut vanished);
+        right = graph.negate(others);
+    }
     let value = graph.divide(right, coefficient);
     let mut replacements = BTreeMap::from([(own, value)]);
     let rest = equations

@@ -1,0 +1,79 @@
+//! Every value of a program is computed before it is used.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::algebra::Symbol;
+use crate::expand::expand;
+use crate::program::{Expression, Solvers, Stage, Step};
+
+/// Asserts it of all programs of a mechanism. The tests of this crate do so for each declaration that they expand.
+pub(crate) fn assert_defined(solvers: &Solvers) {
+    let stages = &solvers.motion.stages;
+    for (order, stage) in stages.iter().enumerate() {
+        let carried = stage.uses.iter().map(|carried| carried.symbol);
+        let given: BTreeSet<Symbol> = stage.reads.iter().copied().chain(carried).collect();
+        assert_of_stage(stage, |symbol| given.contains(&symbol));
+        let before = order.checked_sub(1).map(|before| &stages[before].carries);
+        for carried in &stage.uses {
+            let is_carried = before.is_some_and(|carries| carries.contains(carried));
+            assert!(
+                is_carried,
+                "a value is not carried to the stage of order {order}: {carried:?}"
+            );
+        }
+    }
+    for stage in solvers.every.iter().flat_map(|program| &program.stages) {
+        assert_of_stage(stage, |symbol| {
+            matches!(symbol, Symbol::Parameter(_) | Symbol::Input(_))
+        });
+    }
+    for stage in &solvers.orientations.stages {
+        assert_of_stage(stage, |symbol| {
+            matches!(symbol, Symbol::Parameter(_) | Symbol::Input(_) | Symbol::Unknown(_))
+        });
+    }
+}
+
+/// A value that a stage uses is given to it, or defined by a step before.
+fn assert_of_stage(stage: &Stage<Expression>, is_given: impl Fn(Symbol) -> bool) {
+    let mut defined = BTreeSet::new();
+    for step in &stage.steps {
+        if let Step::Newton { unknowns, .. } = step {
+            defined.extend(unknowns.iter().map(|&unknown| Symbol::Unknown(unknown)));
+        }
+        for symbol in step.uses() {
+            assert!(
+                is_given(symbol) || defined.contains(&symbol),
+                "a value is used before it is computed: {symbol:?}"
+            );
+        }
+        defined.extend(step.defines());
+    }
+}
+
+/// Expands two equations and more for `u`, `w` and others.
+fn expand_equations(others: &TokenStream, equations: &TokenStream) {
+    expand(quote! {
+        struct Found { a: Length, b: Length }
+        input t: Angle;
+        unknown u: Angle, w: Angle #others;
+        #equations
+    });
+}
+
+/// An unknown in a quotient of the equation that it is taken from.
+#[test]
+fn what_is_taken_out_is_not_defined_by_itself() {
+    expand_equations(
+        &quote!(, v: Scalar, s: Length),
+        &quote! {
+            s + a * u == b;
+            s / a - t == v;
+            v == w;
+            u * v == PI;
+        },
+    );
+}
