@@ -77,3 +77,23 @@ fn what_is_taken_out_is_not_defined_by_itself() {
         },
     );
 }
+
+/// An unknown that cancels once an equation is multiplied out, at first or after another has been taken out.
+#[test]
+fn unknowns_that_cancel_are_not_waited_for() {
+    expand_equations(
+        &quote!(),
+        &quote! {
+            (b + a * u) / a - u + w == t;
+            u * u + w == t;
+        },
+    );
+    expand_equations(
+        &quote!(, v: Length),
+        &quote! {
+            b + a * u == v;
+            w + v / a - u == t;
+            u * w == v / a + t;
+        },
+    );
+}

@@ -47,7 +47,7 @@ fn solvers(declaration: &Declaration, report: &mut Report) -> Option<(Model, Str
 pub(crate) fn structure(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<Structure> {
     let (residuals, origins) = model.scalar_equations();
     let (graph, unknowns) = (model.graph.clone(), model.unknowns.len());
-    let analysed = with_room(|| structure::analyse(graph, residuals, unknowns));
+    let analysed = with_room(|| structure::analyse(graph, &residuals, unknowns));
     let structure = match analysed {
         Err(structure::Refusal::Constants(misfit)) => {
             refuse::constants(declaration, model, misfit, report);

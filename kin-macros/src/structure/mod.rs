@@ -102,7 +102,8 @@ pub(crate) enum Refusal {
 }
 
 /// Orders scalar equations into solvable blocks.
-pub(crate) fn analyse(mut graph: Graph, residuals: Vec<Node>, unknowns: usize) -> Result<Structure, Refusal> {
+pub(crate) fn analyse(mut graph: Graph, residuals: &[Node], unknowns: usize) -> Result<Structure, Refusal> {
+    let residuals = without_cancelling(&mut graph, residuals, Variables::AllUnknowns);
     let blocks = blocks(&mut graph, &residuals, unknowns);
     if let Some(misfit) = graph.misfit() {
         return Err(Refusal::Constants(misfit));
@@ -135,6 +136,22 @@ fn blocks(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<
         }
     }
     if faults.is_empty() { Ok(blocks) } else { Err(faults) }
+}
+
+/// The same equations, each multiplied out if an unknown cancels then: its solution would otherwise be written with that unknown,
+/// which may not be known before it.
+fn without_cancelling(graph: &mut Graph, equations: &[Node], variables: Variables<'_>) -> Vec<Node> {
+    let incidence = incidence(graph, equations, variables);
+    let mut without = Vec::new();
+    for (&equation, contained) in equations.iter().zip(&incidence) {
+        let cancels = |unknown: usize| variables.include(Symbol::Unknown(unknown)) && !contained.contains(&unknown);
+        without.push(if graph.unknowns(equation).any(cancels) {
+            Expansion::new(graph, variables).equation(equation).node(graph)
+        } else {
+            equation
+        });
+    }
+    without
 }
 
 /// The unknowns that each equation contains, once it is multiplied out.

@@ -12,11 +12,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Matching;
-use super::{ClosedForm, Part, Solution, incidence, order, recognise};
+use super::{ClosedForm, Part, Solution, incidence, order, recognise, without_cancelling};
 use crate::algebra::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
 
 /// The parts that equations fall into, in the order in which they are solved.
 pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
+    let equations = &without_cancelling(graph, equations, Variables::Unknowns(unknowns));
     // numbered within the block, as the matching wants them
     let incidence: Vec<BTreeSet<usize>> = incidence(graph, equations, Variables::Unknowns(unknowns))
         .into_iter()
