@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 use crate::algebra::Symbol;
 use crate::expand::expand;
@@ -96,4 +96,16 @@ fn unknowns_that_cancel_are_not_waited_for() {
             u * w == v / a + t;
         },
     );
+}
+
+/// An unknown in an angle of many terms.
+#[test]
+fn an_angle_of_many_terms_is_split() {
+    let corners: Vec<Ident> = (0..32).map(|index| format_ident!("d{index}")).collect();
+    expand(quote! {
+        struct Found { a: Length, b: Length, #(#corners: Angle),* }
+        input t: Angle;
+        unknown u: Angle, s: Length;
+        a * cis(u + t #(+ #corners)*) + b * cis(t #(+ #corners)*) == vec2(s, 0);
+    });
 }

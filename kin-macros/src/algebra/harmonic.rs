@@ -467,17 +467,18 @@ impl<'a> Expansion<'a> {
 
     /// An angle as an integer combination of variables and a rest that is free of them.
     fn split_angle(&mut self, angle: Node) -> Option<(BTreeMap<Symbol, i32>, Node)> {
-        let terms: Vec<(Node, f64)> = match self.graph.term(angle) {
-            Term::Sum(_, terms) => terms
-                .iter()
-                .map(|&(part, coefficient)| (part, coefficient.get()))
-                .collect(),
-            _ => vec![(angle, 1.0)],
+        let (constant, terms): (f64, Vec<(Node, f64)>) = match self.graph.term(angle) {
+            Term::Sum(constant, terms) => {
+                let terms = terms.iter().map(|&(part, coefficient)| (part, coefficient.get()));
+                (constant.get(), terms.collect())
+            }
+            _ => (0.0, vec![(angle, 1.0)]),
         };
         let mut combination = BTreeMap::new();
-        let mut rest = vec![(angle, 1.0)];
+        let mut rest = Vec::new();
         for (part, coefficient) in terms {
             if !self.varies(part) {
+                rest.push((part, coefficient));
                 continue;
             }
             let symbol = self.graph.as_symbol(part)?;
@@ -486,9 +487,8 @@ impl<'a> Expansion<'a> {
             }
             #[expect(clippy::cast_possible_truncation, reason = "it is an integer below a million")]
             combination.insert(symbol, coefficient as i32);
-            rest.push((part, -coefficient));
         }
-        Some((combination, self.graph.linear(0.0, &rest)))
+        Some((combination, self.graph.linear(constant, &rest)))
     }
 }
 
