@@ -79,6 +79,8 @@ mod fallback;
 #[cfg(test)]
 mod families;
 #[cfg(test)]
+mod fuzz_tests;
+#[cfg(test)]
 mod growth_tests;
 #[cfg(test)]
 mod limit_tests;

@@ -15,9 +15,15 @@ thread_local! {
     static DONE: Cell<Work> = const { Cell::new(Work { look_ups: 0, turns: 0 }) };
 }
 
+/// So much work of one kind on one thread is taken to have no end.
+#[cfg(test)]
+pub(crate) const MOST: usize = 100_000_000;
+
 /// Counts a look-up.
 pub(crate) fn look_up() {
     let Work { look_ups, turns } = DONE.get();
+    #[cfg(test)]
+    assert!(look_ups < MOST, "the look-ups have no end");
     DONE.set(Work {
         look_ups: look_ups + 1,
         turns,
@@ -27,6 +33,8 @@ pub(crate) fn look_up() {
 /// Counts a turn of another loop.
 pub(crate) fn turn() {
     let Work { look_ups, turns } = DONE.get();
+    #[cfg(test)]
+    assert!(turns < MOST, "the turns have no end");
     DONE.set(Work {
         look_ups,
         turns: turns + 1,

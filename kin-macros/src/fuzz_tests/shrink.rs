@@ -1,0 +1,101 @@
+//! Smaller declarations with the same defect.
+
+use proc_macro2::{Group, TokenStream, TokenTree};
+
+/// How many smaller declarations are tried.
+const TRIALS: usize = 400;
+
+/// A declaration from which nothing can be left out, statements first and then tokens, as far as trials go, without losing the defect.
+pub(super) fn shrink(declaration: &str, has_defect: impl Fn(&str) -> bool) -> String {
+    let Ok(tokens) = declaration.parse::<TokenStream>() else {
+        return declaration.to_owned();
+    };
+    let mut trials = 0;
+    let mut least = tokens;
+    for candidates in [without_a_statement, without_a_token] {
+        let mut place = 0;
+        // what could not be left out at first may be without what was left out later: once more from the start
+        let mut has_shrunk = false;
+        loop {
+            let smaller = candidates(&least, place);
+            match smaller {
+                Some(smaller) if trials < TRIALS => {
+                    trials += 1;
+                    if has_defect(&smaller.to_string()) {
+                        least = smaller;
+                        has_shrunk = true;
+                    } else {
+                        place += 1;
+                    }
+                }
+                None if has_shrunk && trials < TRIALS => (place, has_shrunk) = (0, false),
+                _ => break,
+            }
+        }
+    }
+    least.to_string()
+}
+
+/// The declaration without what stands before its n-th semicolon, beginning at the one before or at the structure's end.
+fn without_a_statement(tokens: &TokenStream, n: usize) -> Option<TokenStream> {
+    let is_end = |token: &TokenTree| match token {
+        TokenTree::Punct(sign) => sign.as_char() == ';',
+        TokenTree::Group(group) => group.delimiter() == proc_macro2::Delimiter::Brace,
+        _ => false,
+    };
+    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    let statements: Vec<&[TokenTree]> = tokens.split_inclusive(is_end).collect();
+    if n >= statements.len() {
+        return None;
+    }
+    let kept = statements.iter().enumerate().filter(|&(index, _)| index != n);
+    Some(kept.flat_map(|(_, statement)| statement.iter().cloned()).collect())
+}
+
+/// The declaration without its n-th token, a group with all that is in it; or, from there on, with the contents of a group in its place.
+fn without_a_token(tokens: &TokenStream, n: usize) -> Option<TokenStream> {
+    let mut countdown = n;
+    changed(tokens, &mut countdown, &|_| Some(TokenStream::new())).or_else(|| {
+        changed(tokens, &mut countdown, &|token| match token {
+            TokenTree::Group(group) => Some(group.stream()),
+            _ => None,
+        })
+    })
+}
+
+/// The declaration with a replacement in the place of the token that is counted down to, among those that have one.
+fn changed(
+    tokens: &TokenStream,
+    countdown: &mut usize,
+    replacement: &dyn Fn(&TokenTree) -> Option<TokenStream>,
+) -> Option<TokenStream> {
+    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    for (place, token) in tokens.iter().enumerate() {
+        let own = replacement(token);
+        let instead = if own.is_some() && *countdown == 0 {
+            own
+        } else {
+            *countdown -= usize::from(own.is_some());
+            match token {
+                TokenTree::Group(group) => changed(&group.stream(), countdown, replacement)
+                    .map(|inner| TokenTree::Group(Group::new(group.delimiter(), inner)).into()),
+                _ => None,
+            }
+        };
+        if let Some(instead) = instead {
+            let mut all: TokenStream = tokens[..place].iter().cloned().collect();
+            all.extend(instead);
+            all.extend(tokens[place + 1..].iter().cloned());
+            return Some(all);
+        }
+    }
+    None
+}
+
+#[test]
+fn what_is_not_needed_is_left_out() {
+    let text =
+        "struct M { a: Length, b: Length } input t: Angle; let l = a * (b + sin((t))); unknown u: Length; u == l;";
+    let shrunk = shrink(text, |text| text.contains("sin") && text.contains("struct"));
+    assert_eq!(shrunk, "struct sin");
+}

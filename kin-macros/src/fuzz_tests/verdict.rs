@@ -1,0 +1,266 @@
+//! What an expansion comes to: accepted or refused, at what work, or a defect of the macro.
+
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::{Mutex, Once};
+use std::thread;
+use std::time::Duration;
+
+use kin_declarations::Random;
+use proc_macro2::{TokenStream, TokenTree};
+
+use super::fragments::{with_fragments, with_operands_as_fragments};
+use crate::expand::expand;
+use crate::work::{self, Work};
+
+/// As much as rustc gives its own thread, on which macros run.
+const STACK: usize = 8 << 20;
+
+/// An expansion that takes longer is taken to have no end. Work that is counted ends long before, by [`work::MOST`].
+const PATIENCE: Duration = Duration::from_mins(10);
+
+/// The bound of look-ups, and of turns of other loops, for each token read and operation written. A declaration that is refused may have
+/// been worked on as far as one that is accepted, and no operation is written of it.
+const fn bounds(is_refused: bool) -> [usize; 2] {
+    if is_refused { [1_000, 2_000] } else { [100, 1_000] }
+}
+
+/// Which tokens are in groups without delimiters, by a seed.
+#[derive(Clone, Copy)]
+pub(super) enum Fragments {
+    None,
+    Operands(u64),
+    Any(u64),
+}
+
+/// What is expanded.
+#[derive(Clone, Copy)]
+pub(super) struct Subject<'a> {
+    /// For the message of an overflow of the stack.
+    pub(super) name: &'a str,
+    pub(super) declaration: &'a str,
+    /// How tokens are grouped as if they came from other macros.
+    pub(super) fragments: Fragments,
+    /// Whether it is expanded a second time, to see the same again.
+    pub(super) twice: bool,
+}
+
+/// An expansion without a defect.
+#[derive(Clone, Debug)]
+pub(super) struct Expansion {
+    /// What was said of the declaration if it was refused.
+    pub(super) refusal: Option<String>,
+    /// Tokens of the declaration.
+    pub(super) read: usize,
+    /// Operations of the solvers, sensitivities included.
+    pub(super) operations: usize,
+    work: Work,
+}
+
+impl Expansion {
+    /// Look-ups, and turns of other loops, for each token read and each operation written.
+    pub(super) fn rates(&self) -> [usize; 2] {
+        let Work { look_ups, turns } = self.work;
+        [look_ups, turns].map(|work| work / (self.read + self.operations).max(1))
+    }
+}
+
+/// The places of panics, by what they say: a panic that is handed on from one thread to another has lost its place.
+static PLACES: Mutex<BTreeMap<String, String>> = Mutex::new(BTreeMap::new());
+
+/// The beginning of the names of threads on which declarations are expanded, and the name of the one on which the macro does most of it.
+const THREADS: [&str; 2] = ["declaration", "kin"];
+
+/// Keeps the place of a panic during an expansion, and prints nothing of it.
+fn remember_panics() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let others = panic::take_hook();
+        panic::set_hook(Box::new(move |information| {
+            let thread = thread::current();
+            let name = thread.name().unwrap_or_default();
+            if THREADS.iter().any(|own| name.starts_with(own)) {
+                let words = words(information.payload());
+                PLACES
+                    .lock()
+                    .expect("nothing panics")
+                    .insert(words, information.to_string());
+            } else {
+                others(information);
+            }
+        }));
+    });
+}
+
+fn words(panic: &dyn Any) -> String {
+    let text = panic.downcast_ref::<&str>().map(|&words| words.to_owned());
+    text.or_else(|| panic.downcast_ref().cloned()).unwrap_or_default()
+}
+
+/// What a panic says, and where.
+fn told(panic: &dyn Any) -> String {
+    let words = words(panic);
+    let places = PLACES.lock().expect("nothing panics");
+    places.get(&words).cloned().unwrap_or(words)
+}
+
+/// What is said of text that the compiler itself refuses.
+pub(super) const NO_TOKENS: &str = "it is no sequence of tokens";
+
+/// Expands a declaration on a thread of its own. An error is a defect of the macro, or [`NO_TOKENS`].
+pub(super) fn expansion(subject: Subject<'_>) -> Result<Expansion, String> {
+    remember_panics();
+    let (sender, receiver) = mpsc::channel();
+    let Subject {
+        name,
+        declaration,
+        fragments,
+        twice,
+    } = subject;
+    let declaration = declaration.to_owned();
+    let thread = thread::Builder::new()
+        .name(format!("declaration {name}"))
+        .stack_size(STACK)
+        .spawn(move || {
+            let caught = panic::catch_unwind(AssertUnwindSafe(|| expanded(&declaration, fragments, twice)));
+            let verdict = caught.unwrap_or_else(|panic| Err(told(&*panic)));
+            // nobody waits for it any longer if it took too long
+            let _ = sender.send(verdict);
+        })
+        .expect("a thread can be started");
+    match receiver.recv_timeout(PATIENCE) {
+        Ok(verdict) => verdict,
+        Err(RecvTimeoutError::Timeout) => Err(format!("it takes longer than {PATIENCE:?}")),
+        Err(RecvTimeoutError::Disconnected) => Err(format!("{:?}", thread.join())),
+    }
+}
+
+fn expanded(declaration: &str, fragments: Fragments, twice: bool) -> Result<Expansion, String> {
+    let Ok(mut tokens) = declaration.parse::<TokenStream>() else {
+        return Err(NO_TOKENS.to_owned());
+    };
+    tokens = match fragments {
+        Fragments::None => tokens,
+        Fragments::Operands(seed) => with_operands_as_fragments(&mut Random::new(seed), tokens),
+        Fragments::Any(seed) => with_fragments(&mut Random::new(seed), tokens),
+    };
+    let read = count(&tokens);
+    let again = twice.then(|| tokens.clone());
+    let (output, work) = work::of(|| expand(tokens));
+    if again.is_some_and(|tokens| expand(tokens).to_string() != output.to_string()) {
+        return Err("it expands to something else the second time".to_owned());
+    }
+    let (refusal, operations) = (message(&output), operations(&output));
+    match syn::parse2::<syn::File>(output) {
+        Ok(file) if file.items.is_empty() => return Err("it expands to nothing".to_owned()),
+        Ok(_) => {}
+        Err(error) => return Err(format!("the expansion is not a list of items: {error}")),
+    }
+    let expansion = Expansion {
+        refusal,
+        read,
+        operations,
+        work,
+    };
+    let is_within = |(rate, bound)| rate < bound;
+    let bounds = bounds(expansion.refusal.is_some());
+    if expansion.rates().into_iter().zip(bounds).all(is_within) {
+        Ok(expansion)
+    } else {
+        Err(format!("the work is out of bounds: `{expansion:?}`"))
+    }
+}
+
+/// All tokens, those within groups included.
+fn count(tokens: &TokenStream) -> usize {
+    tokens
+        .clone()
+        .into_iter()
+        .map(|token| match token {
+            TokenTree::Group(group) => 1 + count(&group.stream()),
+            _ => 1,
+        })
+        .sum()
+}
+
+/// The first message to the user.
+fn message(tokens: &TokenStream) -> Option<String> {
+    let mut is_error = false;
+    tokens.clone().into_iter().find_map(|token| match token {
+        TokenTree::Ident(word) => {
+            is_error = word == "compile_error";
+            None
+        }
+        TokenTree::Group(group) if is_error => Some(group.stream().to_string()),
+        TokenTree::Group(group) => message(&group.stream()),
+        _ => None,
+    })
+}
+
+/// The numbers in the constants that say how many operations there are, added up.
+fn operations(tokens: &TokenStream) -> usize {
+    let mut sum = 0;
+    let mut tokens = tokens.clone().into_iter();
+    while let Some(token) = tokens.next() {
+        match token {
+            TokenTree::Group(group) => sum += operations(&group.stream()),
+            TokenTree::Ident(word) if word == "const" => {
+                let is_count =
+                    matches!(tokens.next(), Some(TokenTree::Ident(name)) if name.to_string().ends_with("OPERATIONS"));
+                if is_count {
+                    let value = tokens
+                        .by_ref()
+                        .skip_while(|token| !matches!(token, TokenTree::Punct(sign) if sign.as_char() == '='))
+                        .take_while(|token| !matches!(token, TokenTree::Punct(sign) if sign.as_char() == ';'));
+                    sum += numbers(&value.collect());
+                }
+            }
+            _ => {}
+        }
+    }
+    sum
+}
+
+fn numbers(tokens: &TokenStream) -> usize {
+    tokens
+        .clone()
+        .into_iter()
+        .map(|token| match token {
+            TokenTree::Literal(number) => number.to_string().parse().unwrap_or(0),
+            TokenTree::Group(group) => numbers(&group.stream()),
+            _ => 0,
+        })
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(declaration: &str) -> Result<Expansion, String> {
+        expansion(Subject {
+            name: "case",
+            declaration,
+            fragments: Fragments::None,
+            twice: true,
+        })
+    }
+
+    #[test]
+    fn what_is_published_is_counted() {
+        let expansion = of("struct M { a: Length } input t: Angle; unknown u: Length; u == a * cos(t); order = 1;");
+        let expansion = expansion.expect("there is no defect");
+        // u is a product after a cosine, its rate a product of rate, length and sine with a change of sign
+        assert_eq!((expansion.refusal, expansion.read, expansion.operations), (None, 29, 5));
+        assert!(expansion.work.look_ups > 0);
+    }
+
+    #[test]
+    fn refusals_are_told() {
+        let refusal = of("struct M { a: Length }").map(|expansion| expansion.refusal);
+        assert!(matches!(refusal, Ok(Some(message)) if message.contains("nothing is said of")));
+        assert_eq!(of("struct M {").map(|_| ()), Err(NO_TOKENS.to_owned()));
+    }
+}
