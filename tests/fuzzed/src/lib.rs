@@ -1,0 +1,1 @@
+//! Random declarations, compiled, and solved against both oracles: see `tests/sample.rs`.
