@@ -231,7 +231,7 @@ impl Translation<'_> {
     pub(super) fn expression(&self, expression: &Expression) -> Translated {
         let site = Span::mixed_site();
         match &expression.kind {
-            ExpressionKind::Number { value, .. } => Translated::scalar(self.constant(*value)),
+            ExpressionKind::Number { value, .. } => Translated::scalar(constant(*value)),
             ExpressionKind::Pi => Translated::scalar(quote_spanned!(site=> T::constant(::core::f64::consts::PI))),
             // a name that is not there is a mistake that the model has reported
             ExpressionKind::Name(name) => self
@@ -274,18 +274,17 @@ impl Translation<'_> {
                 Translated::new(result.shape, quote_spanned!(site=> { #before #tokens }))
             }
             ExpressionKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
-            ExpressionKind::Power { base, exponent, .. } => self.power(self.expression(base), *exponent),
+            ExpressionKind::Power { base, exponent, .. } => {
+                let base = self.expression(base).within(Binding::Atom);
+                let exponent = Literal::i32_unsuffixed(*exponent);
+                Translated::scalar(quote_spanned!(site=> #base.powi(#exponent)))
+            }
             ExpressionKind::Part { of, axis } => {
                 let of = self.expression(of).within(Binding::Atom);
                 let part = Ident::new(&axis.to_string(), site);
                 Translated::scalar(quote_spanned!(site=> #of.#part))
             }
         }
-    }
-
-    pub(super) fn constant(&self, value: f64) -> TokenStream {
-        let value = Literal::f64_unsuffixed(value);
-        quote_spanned!(Span::mixed_site()=> T::constant(#value))
     }
 
     /// As a vector; a scalar lies along x.
@@ -296,7 +295,7 @@ impl Translation<'_> {
         let Some(vector) = vector_type(shape) else {
             return of;
         };
-        let (runtime, x, zero) = (self.runtime, of.tokens, self.constant(0.0));
+        let (runtime, x, zero) = (self.runtime, of.tokens, constant(0.0));
         let zeros = shape.axes().iter().skip(1).map(|_| &zero);
         Translated::new(
             shape,
@@ -369,7 +368,7 @@ impl Translation<'_> {
         let site = Span::mixed_site();
         let divisor = right.within(Binding::Sign);
         if let Some(vector) = vector_type(left.shape) {
-            let (runtime, dividend, one) = (self.runtime, left.tokens, self.constant(1.0));
+            let (runtime, dividend, one) = (self.runtime, left.tokens, constant(1.0));
             return Translated::new(
                 left.shape,
                 quote_spanned!(site=> #runtime::#vector::scale(#dividend, #one / #divisor)),
@@ -438,12 +437,12 @@ impl Translation<'_> {
             (_, arguments) => Translated::plane(quote_spanned!(site=> #runtime::Plane::new(#(#arguments),*))),
         }
     }
+}
 
-    fn power(&self, base: Translated, exponent: i32) -> Translated {
-        let base = base.within(Binding::Atom);
-        let exponent = Literal::i32_unsuffixed(exponent);
-        Translated::scalar(quote_spanned!(Span::mixed_site()=> #base.powi(#exponent)))
-    }
+/// A number of the type `T`.
+fn constant(value: f64) -> TokenStream {
+    let value = Literal::f64_unsuffixed(value);
+    quote_spanned!(Span::mixed_site()=> T::constant(#value))
 }
 
 #[cfg(test)]

@@ -131,7 +131,7 @@ fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translat
     if (term.shape, shape) != (Shape::Plane, Shape::Space) {
         return translation.lifted(term, shape);
     }
-    let (runtime, tokens, zero) = (translation.runtime, term.tokens, translation.constant(0.0));
+    let (runtime, tokens, zero) = (translation.runtime, term.tokens, closure::constant(0.0));
     let plane = local("plane");
     let lifted = quote!({ let #plane = #tokens; #runtime::Space::new(#plane.x, #plane.y, #zero) });
     Translated::new(shape, lifted)
