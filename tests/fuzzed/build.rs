@@ -31,7 +31,7 @@ fn main() {
         .expect("a string can be written");
         writeln!(entries, "(mechanism_{seed}::report, {declaration:?}),").expect("a string can be written");
     }
-    let source = format!("{modules}\nconst SAMPLE: &[(fn() -> Report, &str)] = &[\n{entries}];\n");
+    let source = format!("{modules}\nconst SAMPLE: &[(Verify, &str)] = &[\n{entries}];\n");
     let folder = env::var("OUT_DIR").expect("cargo names a folder");
     fs::write(format!("{folder}/sample.rs"), source).expect("the folder can be written");
 }

@@ -83,7 +83,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    fn parameters<'a, M: Mechanism>(&'a self) -> M::Parameters<Column<'a>> {
+    fn parameters<M: Mechanism>(&self) -> M::Parameters<Column<'_>> {
         Row::from_fn(|place| Column::Each(&self.parameters[place]))
     }
 
@@ -93,7 +93,7 @@ impl Numbers {
         })
     }
 
-    fn near<'a, M: Mechanism>(&'a self) -> M::Unknowns<Column<'a>> {
+    fn near<M: Mechanism>(&self) -> M::Unknowns<Column<'_>> {
         Row::from_fn(|place| Column::Each(&self.near[place]))
     }
 }

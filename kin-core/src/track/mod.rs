@@ -130,6 +130,9 @@ pub fn track<M: Mechanism>(
 
 /// [`track`] from a pose, where the caller solves the last position, once and as the type that it wants. `arrive` takes the unknowns
 /// that it is near to.
+///
+/// # Errors
+/// Those of [`track`], and the error of `arrive`.
 pub fn track_to<M: Mechanism, P>(
     mechanism: &M,
     pose: &impl PoseOf<M>,

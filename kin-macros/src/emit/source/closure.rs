@@ -440,7 +440,7 @@ impl Translation<'_> {
 }
 
 /// A number of the type `T`.
-fn constant(value: f64) -> TokenStream {
+pub(super) fn constant(value: f64) -> TokenStream {
     let value = Literal::f64_unsuffixed(value);
     quote_spanned!(Span::mixed_site()=> T::constant(#value))
 }
