@@ -1,7 +1,7 @@
 //! Batches: what they find is what one pose after the other finds, in every kind of vectors, for every mechanism.
 #![allow(clippy::cast_precision_loss, reason = "there are hundreds of poses")]
 
-use kin_core::batch::{self, Column, LengthMismatch, Outcome, Summary, Vectors};
+use kin_core::batch::{Column, LengthMismatch, Outcome};
 use kin_core::library::{FourBar, FourBarBatch};
 use kin_core::prelude::*;
 use kin_tests::batches::{Poses, Table, vectors};

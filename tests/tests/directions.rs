@@ -519,7 +519,7 @@ fn whatever_takes_poses_takes_these() {
     for (one, other) in one_picture.joints().iter().zip(other_picture.joints()) {
         assert!((one.x - other.x).abs() <= 1e-13 && (one.y - other.y).abs() <= 1e-13);
     }
-    assert_eq!(PoseOf::<directions::FourBar>::unknown_values(&other), other.unknowns());
+    assert_eq!(PoseOf::<directions::FourBar>::unknowns(&other), other.unknowns());
     assert_eq!(directions.assembly_at(1.1, other.unknowns()), Assembly::Open);
 }
 

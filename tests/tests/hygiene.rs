@@ -122,7 +122,7 @@ fn inside_of_a_function_and_a_block() {
             r4: 45.0
         }
         .position(1.0)
-        .map(|pose| pose.unknowns().len()),
+        .map(|pose| kin_core::PoseOf::<Linkage>::unknowns(&pose).len()),
         Ok(2)
     );
     assert!(pose.pin.position().x > 0.0);
@@ -348,7 +348,7 @@ fn items_of_other_kinds_are_not_taken_for_variables() {
         r4: 45.0,
     };
     let pose = linkage.solve(KinMotion::constant(1.0)).expect("it closes");
-    let residuals = linkage.closure(1.0, pose.unknowns());
+    let residuals = linkage.closure(1.0, kin_core::PoseOf::<Linkage>::unknowns(&pose));
     assert!(residuals.iter().all(|residual| residual.abs() < 1e-12));
 }
 

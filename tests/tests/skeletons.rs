@@ -173,7 +173,7 @@ fn poses_of_every_order_show_the_same() {
     assert_eq!(picture, SIX_BAR.skeleton(&jerk));
     assert_eq!(picture, SIX_BAR.skeleton(&snap));
     assert_eq!(PoseOf::<SixBar>::input_values(&snap), [0.4]);
-    assert_eq!(PoseOf::<SixBar>::unknown_values(&snap), position.unknowns());
+    assert_eq!(PoseOf::<SixBar>::unknowns(&snap), position.unknowns());
 }
 
 #[test]

@@ -107,7 +107,7 @@ pub(crate) fn draw(engine: &dyn Engine, family: Family, random: &mut Random) -> 
         .collect();
     if family == Family::Special {
         is_closed = false;
-        for _ in 0..1 + choice(random, 2) {
+        for _ in 0..=choice(random, 2) {
             spoil(&mut parameters, &mut inputs, random);
         }
     }
@@ -257,7 +257,9 @@ fn closed(engine: &dyn Engine, parameters: &[f64], inputs: &[f64], unknowns: &[f
         let mut right: Vec<f64> = rows.iter().map(|row| -row.value[0]).collect();
         for (row, right) in matrix.iter_mut().zip(&mut right) {
             let largest = row.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-            row.iter_mut().for_each(|entry| *entry /= largest);
+            for entry in row.iter_mut() {
+                *entry /= largest;
+            }
             *right /= largest;
         }
         let step = least_norm(&matrix, &right);

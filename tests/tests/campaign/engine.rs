@@ -94,7 +94,7 @@ pub(crate) struct Place {
     pub(crate) unknowns: Vec<f64>,
 }
 
-fn place<I, U: AsRef<[f64]>>(obstacle: Obstacle<I, U>) -> Place {
+fn place<I, U: AsRef<[f64]>>(obstacle: &Obstacle<I, U>) -> Place {
     Place {
         fraction: obstacle.fraction,
         unknowns: obstacle.unknowns.as_ref().to_vec(),
@@ -224,7 +224,7 @@ fn found<P: Pose>(pose: &P) -> Found {
             .unknown_sines()
             .as_ref()
             .iter()
-            .map(|sine| sine.map(Scalar::real))
+            .map(|sine| sine.map(Number::real))
             .collect(),
         outputs: rates(pose.output_motions().as_ref()),
     }
@@ -306,9 +306,9 @@ impl<T: Topology> Engine for Of<T> {
         });
         let ending = match result {
             Ok(unknowns) => Ending::Arrived(unknowns.as_ref().to_vec()),
-            Err(TrackError::Limit(obstacle)) => Ending::Limit(place(obstacle)),
-            Err(TrackError::ChangePoint(obstacle)) => Ending::ChangePoint(place(obstacle)),
-            Err(TrackError::Unbounded(obstacle)) => Ending::Unbounded(place(obstacle)),
+            Err(TrackError::Limit(obstacle)) => Ending::Limit(place(&obstacle)),
+            Err(TrackError::ChangePoint(obstacle)) => Ending::ChangePoint(place(&obstacle)),
+            Err(TrackError::Unbounded(obstacle)) => Ending::Unbounded(place(&obstacle)),
             Err(TrackError::Failed(error)) => Ending::Failed(error),
             Err(TrackError::Lost(halt)) => Ending::Lost(halt.inputs.as_ref().to_vec()),
             Err(_) => Ending::Endless,

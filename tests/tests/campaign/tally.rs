@@ -1,6 +1,7 @@
 //! What a campaign has come to.
 
 use std::fmt;
+use std::fmt::Write as _;
 
 use kin_core::{Failure, SolveError};
 use kin_tests::counting::Calls;
@@ -174,11 +175,11 @@ impl Report {
         checks.dedup();
         for check in checks {
             let of_check = || self.findings.iter().filter(|finding| finding.check == check);
-            text += &format!("{check}: {} findings\n", of_check().count());
+            writeln!(text, "{check}: {} findings", of_check().count()).expect("a string can be written");
             for tally in &self.tallies {
                 let own = || of_check().filter(|finding| finding.name == tally.name);
                 for finding in own().take(SHOWN) {
-                    text += &format!("  {finding}\n");
+                    writeln!(text, "  {finding}").expect("a string can be written");
                 }
             }
         }

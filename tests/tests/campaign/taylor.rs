@@ -72,10 +72,10 @@ impl Taylor {
     /// Sets the k-th coefficient to that of `sign` ∫ slope · g' dt.
     fn chain(&mut self, k: usize, g: Self, slope: Self, sign: f64) {
         let (mut sum, mut error) = (0.0, 0.0);
-        for j in 1..=k {
-            let (rate, other) = (NUMBER[j] * g.value[j], slope.value[k - j]);
+        for (j, number) in NUMBER.iter().enumerate().take(k + 1).skip(1) {
+            let (rate, other) = (number * g.value[j], slope.value[k - j]);
             sum += rate * other;
-            error += (rate * other).abs() + NUMBER[j] * g.error[j] * other.abs() + rate.abs() * slope.error[k - j];
+            error += (rate * other).abs() + number * g.error[j] * other.abs() + rate.abs() * slope.error[k - j];
         }
         self.value[k] = sign * sum / NUMBER[k];
         self.error[k] = error / NUMBER[k] + UNDERFLOW;

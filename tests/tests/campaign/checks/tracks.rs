@@ -48,7 +48,7 @@ impl Campaign<'_> {
         let (ending, steps) = self.engine.track(&solved.problem, &start, &to);
         self.tally.end(&ending, steps);
         if steps.solutions > MOST.solutions || steps.closures > MOST.closures {
-            self.find_track("steps", format!("{steps:?}"), solved, &to);
+            self.find_track("steps", &format!("{steps:?}"), solved, &to);
         }
         match &ending {
             Ending::Arrived(end) => self.has_arrived(solved, &to, end),
@@ -65,7 +65,7 @@ impl Campaign<'_> {
                 if !is_on_the_way(place) || (!is_singular && family != Family::Spread) {
                     self.find_track(
                         "obstacle",
-                        format!("{ending:?}, determinants {determinants:?}"),
+                        &format!("{ending:?}, determinants {determinants:?}"),
                         solved,
                         &to,
                     );
@@ -74,7 +74,7 @@ impl Campaign<'_> {
             Ending::Unbounded(place) => {
                 let is_far = |(before, after): (&f64, &f64)| after.abs() > FAR * before.abs();
                 if !is_on_the_way(place) || !start.iter().zip(&place.unknowns).any(is_far) {
-                    self.find_track("pole", format!("{ending:?}"), solved, &to);
+                    self.find_track("pole", &format!("{ending:?}"), solved, &to);
                 }
             }
             // The domain of a function, or the range of an unknown, may end on the way.
@@ -85,15 +85,15 @@ impl Campaign<'_> {
                 ) => {}
             Ending::Failed(error) => {
                 if family == Family::Ordinary {
-                    self.find_track("track failed", error.to_string(), solved, &to);
+                    self.find_track("track failed", &error.to_string(), solved, &to);
                 }
             }
             Ending::Lost(there) => {
                 if family == Family::Ordinary && !self.jumps(solved, there, &to) {
-                    self.find_track("track lost", format!("{ending:?}"), solved, &to);
+                    self.find_track("track lost", &format!("{ending:?}"), solved, &to);
                 }
             }
-            Ending::Endless => self.find_track("steps", format!("{ending:?}"), solved, &to),
+            Ending::Endless => self.find_track("steps", &format!("{ending:?}"), solved, &to),
         }
     }
 
@@ -126,7 +126,7 @@ impl Campaign<'_> {
             if correction[0] > ALLOWED * f64::EPSILON * condition[0] {
                 self.find_track(
                     "track",
-                    format!("{end:?} does not close: {:e}", correction[0]),
+                    &format!("{end:?} does not close: {:e}", correction[0]),
                     solved,
                     to,
                 );
@@ -146,19 +146,19 @@ impl Campaign<'_> {
                     if is_turned {
                         let told = self.engine.assembly_near(&problem, end);
                         if solved.guide != told.map_or(Guide::Near(Vec::new()), Guide::Assembly) {
-                            self.find_track("track", format!("{end:?} is of assembly {told:?}"), solved, to);
+                            self.find_track("track", &format!("{end:?} is of assembly {told:?}"), solved, to);
                         }
                         return;
                     }
                     for (((own, other), _), condition) in pairs().zip(&units.conditions) {
                         if (own - other).abs() > ALLOWED * f64::EPSILON * condition[0] {
                             let what = format!("{end:?} for {direct:?}, condition {:e}", units.condition);
-                            self.find_track("track", what, solved, to);
+                            self.find_track("track", &what, solved, to);
                             return;
                         }
                     }
                 }
-                Err(error) => self.find_track("track", format!("{end:?}, where solve says {error}"), solved, to),
+                Err(error) => self.find_track("track", &format!("{end:?}, where solve says {error}"), solved, to),
             },
             Guide::Near(_) => {
                 let Ok(pose) = &solved.result else {
@@ -168,14 +168,14 @@ impl Campaign<'_> {
                 for (before, after) in before.iter().zip(&units.determinants) {
                     if before * after < 0.0 {
                         let what = format!("{end:?}: a determinant of {before:e} becomes {after:e}");
-                        self.find_track("track", what, solved, to);
+                        self.find_track("track", &what, solved, to);
                     }
                 }
             }
         }
     }
 
-    fn find_track(&mut self, check: &'static str, what: String, solved: &Solved, to: &[f64]) {
+    fn find_track(&mut self, check: &'static str, what: &str, solved: &Solved, to: &[f64]) {
         let start = solved
             .result
             .as_ref()
