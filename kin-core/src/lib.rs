@@ -55,7 +55,7 @@
 //! | the closed forms, with their costs | [`solve`] |
 //! | verification of a mechanism of your own | `verify` (feature `num-dual`) |
 //! | all solutions where there is no closed form | [`continuation`], [`Positions`], [`Assemblies`] |
-//! | number types | [`Scalar`], and [`series`] for truncated Taylor series |
+//! | number types | [`Number`] and [`Scalar`], and [`series`] for truncated Taylor series |
 //!
 //! # Units
 //!

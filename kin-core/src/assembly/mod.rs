@@ -6,8 +6,6 @@ pub use near::{Guess, Near};
 
 use core::fmt;
 
-use crate::number::Number;
-
 /// The two ways in which a dyad, two links and the joint between them, can be put together.
 ///
 /// Given the two ends, the joint between the links can lie on either side of the line that joins
@@ -51,16 +49,6 @@ impl Assembly {
         match self {
             Self::Open => Self::Crossed,
             Self::Crossed => Self::Open,
-        }
-    }
-
-    /// `x` for [`Open`](Self::Open), `-x` for [`Crossed`](Self::Crossed).
-    #[inline]
-    #[must_use]
-    pub fn signed<T: Number>(self, x: T) -> T {
-        match self {
-            Self::Open => x,
-            Self::Crossed => -x,
         }
     }
 
@@ -121,11 +109,10 @@ mod tests {
     }
 
     #[test]
-    fn signs_go_both_ways() {
-        for assembly in Assembly::BOTH {
-            assert_eq!(Assembly::from_sign(assembly.signed(2.0)), assembly);
-        }
+    fn a_sign_tells_the_assembly() {
+        assert_eq!(Assembly::from_sign(2.0), Assembly::Open);
         assert_eq!(Assembly::from_sign(0.0), Assembly::Open);
+        assert_eq!(Assembly::from_sign(-2.0), Assembly::Crossed);
     }
 
     #[test]

@@ -62,11 +62,14 @@ pub trait Number:
     #[must_use]
     fn constant(value: f64) -> Self;
 
-    /// The real part: decisions are taken on it, and errors report it.
+    /// The real part, which errors report and by which one pose decides; that of the first pose, where there are several.
     #[must_use]
     fn real(self) -> f64;
 
     /// Whether every part of the number is finite, that is neither NaN nor infinite.
+    ///
+    /// A number that stands for several poses leaves this to each of them, and is always: a pose that fails becomes NaN, and its caller
+    /// looks for it.
     #[must_use]
     fn is_finite(self) -> bool;
 

@@ -2,6 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::solve::Scalar;
+use crate::solve::check::{Negative, SumOfSizes, Told};
 
 /// A number whose sign decides, and the terms that it is the sum of. Of a number that stands for several poses, those become NaN that are
 /// smaller than [a part](Scalar::DOUBT) of their terms; any other number is returned as it is, and the terms are not asked for.
@@ -16,7 +17,7 @@ pub fn decisive<T: Scalar, const N: usize>(number: T, terms: impl FnOnce() -> [T
     if T::DOUBT == 0.0 {
         return number;
     }
-    let size = T::constant_of(terms(), sum_of_sizes);
+    let size = T::measured(SumOfSizes(terms()));
     kept(number, number, size)
 }
 
@@ -26,8 +27,8 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
     if T::DOUBT == 0.0 {
         return vector;
     }
-    let size = T::constant_of(terms(), sum_of_sizes);
-    let own = T::constant_of([vector.x, vector.y], sum_of_sizes);
+    let size = T::measured(SumOfSizes(terms()));
+    let own = T::measured(SumOfSizes([vector.x, vector.y]));
     Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
 }
 
@@ -50,19 +51,17 @@ pub(super) fn is_told_from<T: Scalar>(end: f64, number: f64, size: f64) -> bool 
 
 #[inline(always)]
 fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
-    number
-        .provided([judge, size], |[judge, size]| [judge.abs() >= T::DOUBT * size])
-        .unwrap_or(number)
+    number.provided(Told { number: judge, size }).unwrap_or(number)
 }
 
-/// The sum of the magnitudes of some terms.
-#[inline(always)]
-pub(super) fn sum_of_sizes<const N: usize>(terms: [f64; N]) -> f64 {
-    let mut sum = 0.0;
-    for term in terms {
-        sum += term.abs();
-    }
-    sum
+/// The magnitude of a number.
+pub(super) fn size<T: Scalar>(number: T) -> T {
+    number.times_sign_of(number)
+}
+
+/// The smaller of two numbers.
+pub(super) fn smaller<T: Scalar>(one: T, other: T) -> T {
+    T::either(Negative(other - one), || other, || one)
 }
 
 #[cfg(test)]

@@ -2,14 +2,11 @@
 
 use super::doubt::decisive;
 use crate::failure::Failure;
-use crate::number::{Number, Row};
+use crate::number::Row;
 use crate::solve::Scalar;
+use crate::solve::check::{LargestSize, Multiplier};
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
-
-/// Multipliers are at most 1, as the pivot is the largest of its column. A number that stands for several poses has the pivots of
-/// one of them; the others go along as long as that does not cost them more than a digit or so.
-const LARGEST_MULTIPLIER: f64 = 16.0;
 
 /// A matrix in triangular factors, ready for any number of right-hand sides.
 ///
@@ -88,7 +85,7 @@ fn factor_here<T: Scalar, const N: usize>(mut entries: [[T; N]; N], epsilon: f64
         norm,
     };
     if singular {
-        let determinant = factors.determinant().real();
+        let determinant = factors.determinant().leading();
         return Err(if determinant.is_finite() {
             Failure::Singular { determinant }
         } else {
@@ -141,21 +138,15 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
     let mut levels = T::constant(0.0);
     if T::DOUBT > 0.0 {
         for entry in rows.iter().flat_map(|row| &row.as_ref()[..count]) {
-            levels = T::constant_of([levels, *entry], |[levels, entry]| {
-                let size = entry.abs();
-                if size > levels { size } else { levels }
+            levels = T::measured(LargestSize {
+                size: levels,
+                number: *entry,
             });
         }
     }
     let (mut odd, mut singular) = (false, false);
     for step in 0..count {
-        let size_of = |row: &R| row[step].real().abs();
-        let mut best = step;
-        for row in step + 1..count {
-            if size_of(&rows[row]) > size_of(&rows[best]) {
-                best = row;
-            }
-        }
+        let best = T::pivot(rows, step);
         if best != step {
             rows.swap(best, step);
             origins.swap(best, step);
@@ -165,7 +156,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
         rows[step][step] = pivot;
         let pivot_row = rows[step];
         let pivot_row = &pivot_row.as_ref()[..count];
-        let size = pivot.real().abs();
+        let size = pivot.leading().abs();
         singular |= size.is_nan() || size <= 2.0 * number(count) * epsilon * largest;
         if size == 0.0 {
             break;
@@ -173,9 +164,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
         for row in &mut rows[step + 1..] {
             let entries = &mut row.as_mut()[step..count];
             let multiplier = entries[0] / pivot;
-            let multiplier = multiplier
-                .provided([multiplier], |[multiplier]| [multiplier.abs() <= LARGEST_MULTIPLIER])
-                .unwrap_or(multiplier);
+            let multiplier = multiplier.provided(Multiplier(multiplier)).unwrap_or(multiplier);
             entries[0] = multiplier;
             for (entry, above) in entries[1..].iter_mut().zip(&pivot_row[step + 1..]) {
                 *entry = *entry - multiplier * *above;
@@ -259,7 +248,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     pub fn condition(&self) -> f64 {
         let mut sums = [0.0; N];
         let real = Factors {
-            entries: self.entries.map(|row| row.map(Number::real)),
+            entries: self.entries.map(|row| row.map(Scalar::leading)),
             row_exponents: [0; N],
             column_exponents: [0; N],
             origins: self.origins,
@@ -318,13 +307,13 @@ fn unit<const N: usize>(index: usize) -> [f64; N] {
 }
 
 fn largest_of<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> f64 {
-    entries.fold(0.0, |largest, entry| entry.real().abs().max(largest))
+    entries.fold(0.0, |largest, entry| entry.leading().abs().max(largest))
 }
 
 fn row_norm<T: Scalar, const N: usize>(matrix: &[[T; N]; N]) -> f64 {
     matrix
         .iter()
-        .map(|row| row.iter().map(|entry| entry.real().abs()).sum())
+        .map(|row| row.iter().map(|entry| entry.leading().abs()).sum())
         .fold(0.0, f64::max)
 }
 

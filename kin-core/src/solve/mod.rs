@@ -34,6 +34,7 @@
 //! whether there is one. If there is not, the diagnosis is made out of line, in double precision. What is returned
 //! as `Ok` is finite.
 
+mod check;
 mod diagnosis;
 mod direction;
 mod doubt;
@@ -45,6 +46,7 @@ mod scalar;
 mod size;
 
 pub use crate::assembly::both;
+pub use check::{Check, Choose, Measure, Negative};
 pub use direction::{direction, directions};
 pub use doubt::{decisive, decisive_vector};
 pub(crate) use factor::{Elimination, eliminate, level, substitute};

@@ -1,8 +1,10 @@
 //! How a number decides.
 
+use crate::assembly::Assembly;
 use crate::failure::Failure;
-use crate::number::Number;
 use crate::number::series::Series;
+use crate::number::{Number, Row};
+use crate::solve::check::{Check, Choose, Measure, Negative};
 use crate::solve::newton::damped_root;
 
 /// A number that a mechanism can be solved with: a [`Number`], and how it decides.
@@ -32,55 +34,86 @@ pub trait Scalar: Number {
     /// makes its pose NaN, and the solver of one pose decides about it.
     const DOUBT: f64 = 0.0;
 
-    /// The number itself if all conditions on the real parts of the judges hold, and none if they do not.
+    /// The number itself if a check holds, and none if it does not.
     ///
     /// This and what follows are how a solver decides. A number that stands for several poses at once, as in a
     /// [batch](crate::batch), decides for each: it keeps the poses that pass, and makes the others NaN.
     #[inline(always)]
-    fn provided<const N: usize, const K: usize>(
-        self,
-        judges: [Self; N],
-        conditions: impl Fn([f64; N]) -> [bool; K],
-    ) -> Option<Self> {
-        let conditions = conditions(judges.map(Self::real));
+    fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
+        let conditions = check.holds(check.operands().map(Self::real));
         conditions.iter().all(|holds| *holds).then_some(self)
     }
 
-    /// One value if the judges pass a test, the other one if they do not.
+    /// One value if a check holds, the other one if it does not.
     #[inline(always)]
     fn either<const N: usize>(
-        judges: [Self; N],
-        test: impl Fn([f64; N]) -> bool,
+        check: impl Check<Self, N, 1>,
         one: impl FnOnce() -> Self,
         other: impl FnOnce() -> Self,
     ) -> Self {
-        if test(judges.map(Self::real)) { one() } else { other() }
+        let [holds] = check.holds(check.operands().map(Self::real));
+        if holds { one() } else { other() }
     }
 
     /// This number, or its negative if the real part of the other is negative; either if that is zero.
     #[must_use]
     #[inline(always)]
     fn times_sign_of(self, other: Self) -> Self {
-        Self::either([other], |[other]| other < 0.0, || -self, || self)
+        Self::either(Negative(other), || -self, || self)
     }
 
-    /// A constant that depends on the real parts of other numbers.
+    /// This number in the open assembly, its negative in the crossed one.
     #[must_use]
     #[inline(always)]
-    fn constant_of<const N: usize>(judges: [Self; N], function: impl Fn([f64; N]) -> f64) -> Self {
-        Self::constant(function(judges.map(Self::real)))
+    fn signed(self, assembly: Assembly) -> Self {
+        Self::assembled(assembly, || self, || -self)
     }
 
-    /// A decision for the whole of the number, on real parts. A number that stands for several poses fails if they do not agree.
+    /// One value in the open assembly, the other one in the crossed assembly.
+    #[inline(always)]
+    fn assembled(assembly: Assembly, open: impl FnOnce() -> Self, crossed: impl FnOnce() -> Self) -> Self {
+        match assembly {
+            Assembly::Open => open(),
+            Assembly::Crossed => crossed(),
+        }
+    }
+
+    /// A constant that depends on the real parts of numbers.
+    #[must_use]
+    #[inline(always)]
+    fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
+        Self::constant(measure.measure(measure.operands().map(Self::real)))
+    }
+
+    /// A choice for the whole of the number. A number that stands for several poses fails if they do not agree.
     ///
     /// # Errors
-    /// Those of the decision.
+    /// Those of the choice.
     #[inline(always)]
-    fn decided<const N: usize, R: PartialEq>(
-        judges: [Self; N],
-        decision: impl Fn([f64; N]) -> Result<R, Failure>,
-    ) -> Result<R, Failure> {
-        decision(judges.map(Self::real))
+    fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
+        choice.choose(choice.operands().map(Self::real))
+    }
+
+    /// The real part of the pose that leads where all poses go one way: in the order of pivots, and in powers of two by which rows are
+    /// scaled. A check tells which of the others can follow.
+    #[must_use]
+    #[inline(always)]
+    fn leading(self) -> f64 {
+        self.real()
+    }
+
+    /// The row of the pivot of a step of the elimination: of the largest number from the diagonal down, the first if there are several.
+    #[must_use]
+    #[inline(always)]
+    fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
+        let (mut best, mut largest) = (step, rows[step][step].leading().abs());
+        for (row, entries) in rows.iter().enumerate().skip(step + 1) {
+            let size = entries[step].leading().abs();
+            if size > largest {
+                (best, largest) = (row, size);
+            }
+        }
+        best
     }
 
     /// The root that [`solve::newton`](crate::solve::newton()) finds; the arguments are its own.

@@ -1,6 +1,7 @@
 //! How large things are.
 
 use crate::solve::Scalar;
+use crate::solve::check::LargestLength;
 
 /// The largest magnitude of some lengths: what a length of the mechanism is compared with. 1 if all of them are zero.
 ///
@@ -13,10 +14,5 @@ use crate::solve::Scalar;
 #[inline(always)]
 #[must_use]
 pub fn largest<T: Scalar, const N: usize>(lengths: [T; N]) -> T {
-    T::constant_of(lengths, |lengths| {
-        let largest = lengths
-            .iter()
-            .fold(0.0_f64, |largest, length| largest.max(length.abs()));
-        if largest > 0.0 { largest } else { 1.0 }
-    })
+    T::measured(LargestLength(lengths))
 }

@@ -14,10 +14,11 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
 
+use crate::assembly::Assembly;
 use crate::failure::Failure;
-use crate::number::Number;
 use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, turned_round};
-use crate::solve::Scalar;
+use crate::number::{Number, Row};
+use crate::solve::{Check, Choose, Measure, Scalar};
 
 /// `W` numbers; multiplied and added in one step where functions say so, if they are `FUSED`.
 #[derive(Clone, Copy, Debug)]
@@ -119,7 +120,7 @@ impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
         Self([value; W])
     }
 
-    /// Of the first lane. Lanes decide each for itself, so that this is for reports only, which nobody reads.
+    /// For reports only, which nobody reads.
     #[inline(always)]
     fn real(self) -> f64 {
         self.0[0]
@@ -205,15 +206,12 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     const DOUBT: f64 = 1e-12;
 
     #[inline(always)]
-    fn provided<const N: usize, const K: usize>(
-        self,
-        judges: [Self; N],
-        conditions: impl Fn([f64; N]) -> [bool; K],
-    ) -> Option<Self> {
+    fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
+        let operands = check.operands();
         let mut kept = self;
         for lane in 0..W {
             // One after the other: a comparison and a selection are arranged in vectors, a conjunction is not.
-            for holds in conditions(Self::at(&judges, lane)) {
+            for holds in check.holds(Self::at(&operands, lane)) {
                 kept.0[lane] = if holds { kept.0[lane] } else { f64::NAN };
             }
         }
@@ -222,18 +220,15 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
 
     #[inline(always)]
     fn either<const N: usize>(
-        judges: [Self; N],
-        test: impl Fn([f64; N]) -> bool,
+        check: impl Check<Self, N, 1>,
         one: impl FnOnce() -> Self,
         other: impl FnOnce() -> Self,
     ) -> Self {
+        let operands = check.operands();
         let (one, other) = (one(), other());
         Self::from_fn(|lane| {
-            if test(Self::at(&judges, lane)) {
-                one.0[lane]
-            } else {
-                other.0[lane]
-            }
+            let [holds] = check.holds(Self::at(&operands, lane));
+            if holds { one.0[lane] } else { other.0[lane] }
         })
     }
 
@@ -243,22 +238,41 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     }
 
     #[inline(always)]
-    fn constant_of<const N: usize>(judges: [Self; N], function: impl Fn([f64; N]) -> f64) -> Self {
-        Self::from_fn(|lane| function(Self::at(&judges, lane)))
+    fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
+        let operands = measure.operands();
+        Self::from_fn(|lane| measure.measure(Self::at(&operands, lane)))
     }
 
     #[inline(always)]
-    fn decided<const N: usize, R: PartialEq>(
-        judges: [Self; N],
-        decision: impl Fn([f64; N]) -> Result<R, Failure>,
-    ) -> Result<R, Failure> {
-        let first = decision(Self::at(&judges, 0))?;
+    fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
+        let operands = choice.operands();
+        let first = choice.choose(Self::at(&operands, 0))?;
         for lane in 1..W {
-            if decision(Self::at(&judges, lane))? != first {
+            if choice.choose(Self::at(&operands, lane))? != first {
                 return Err(Failure::NotFinite { quantity: "lanes" });
             }
         }
         Ok(first)
+    }
+
+    /// The same as for one pose. Sizes are taken again instead of kept: that saves one instruction in a hundred of Newton's
+    /// method.
+    #[inline(always)]
+    fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
+        let size_of = |row: &R| row[step].leading().abs();
+        let mut best = step;
+        for row in step + 1..rows.len() {
+            if size_of(&rows[row]) > size_of(&rows[best]) {
+                best = row;
+            }
+        }
+        best
+    }
+
+    /// The first lane leads.
+    #[inline(always)]
+    fn leading(self) -> f64 {
+        self.0[0]
     }
 
     #[inline(always)]

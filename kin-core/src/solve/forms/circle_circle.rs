@@ -5,8 +5,9 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
+use crate::solve::check::{Check, SumOfSizes};
 use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
-use crate::solve::doubt::{least, sum_of_sizes};
+use crate::solve::doubt::{least, size, smaller};
 
 const QUANTITY: &str = "link lengths or the distance they span";
 
@@ -50,11 +51,14 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
     // One of the two squares is that of both lengths together, whatever their signs.
     let reach2 = || sum * sum + difference * difference;
-    let judges = [four_q2, least(|| reach2() * d2), d2, least(reach2)];
-    let Some(four_q2) = four_q2.provided(judges, |[q2, least_q2, d2, least_d2]| {
-        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
-        [low, high, d2 >= least_d2]
-    }) else {
+    let reach = Reach {
+        lengths: [a, b],
+        four_q2,
+        least_four_q2: least(|| reach2() * d2),
+        d2,
+        least_d2: least(reach2),
+    };
+    let Some(four_q2) = four_q2.provided(reach) else {
         return Err(lengths_do_not_close(
             a.real(),
             b.real(),
@@ -80,15 +84,18 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
     let d2 = c.norm_squared();
     let twice_p = d2 + a2 - b2;
     let four_q2 = T::constant(4.0) * a2 * d2 - twice_p * twice_p;
-    let size = || {
+    let sizes = || {
         let terms = [T::constant(4.0) * a2 * d2, twice_p * d2, twice_p * a2, twice_p * b2];
-        T::constant_of(terms, sum_of_sizes)
+        T::measured(SumOfSizes(terms))
     };
-    let judges = [four_q2, least(size), d2, least(|| a2 + b2)];
-    let Some(four_q2) = four_q2.provided(judges, |[q2, least_q2, d2, least_d2]| {
-        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
-        [low, high, d2 >= least_d2]
-    }) else {
+    let reach = ReachOfSquares {
+        squares: [a2, b2],
+        four_q2,
+        least_four_q2: least(sizes),
+        d2,
+        least_d2: least(|| a2 + b2),
+    };
+    let Some(four_q2) = four_q2.provided(reach) else {
         return Err(squares_do_not_close(
             a2.real(),
             b2.real(),
@@ -97,7 +104,76 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
         ));
     };
     let half = T::constant(0.5) / d2;
-    Ok(beside(c, twice_p * half, assembly.signed(four_q2.sqrt()) * half))
+    Ok(beside(c, twice_p * half, four_q2.sqrt().signed(assembly) * half))
+}
+
+/// Whether two links of given lengths span a distance.
+#[derive(Clone, Copy)]
+struct Reach<T> {
+    lengths: [T; 2],
+    four_q2: T,
+    least_four_q2: T,
+    d2: T,
+    least_d2: T,
+}
+
+impl<T: Scalar> Check<T, 4, 3> for Reach<T> {
+    fn name(&self) -> &'static str {
+        "reach of two circles"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 4] {
+        [self.four_q2, self.least_four_q2, self.d2, self.least_d2]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [q2, least_q2, d2, least_d2]: [f64; 4]) -> [bool; 3] {
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        [low, high, d2 >= least_d2]
+    }
+
+    fn margin(&self) -> T {
+        margin(self.lengths, self.d2)
+    }
+}
+
+/// Whether two links span a distance, by the squares of their lengths.
+#[derive(Clone, Copy)]
+struct ReachOfSquares<T> {
+    squares: [T; 2],
+    four_q2: T,
+    least_four_q2: T,
+    d2: T,
+    least_d2: T,
+}
+
+impl<T: Scalar> Check<T, 4, 3> for ReachOfSquares<T> {
+    fn name(&self) -> &'static str {
+        "reach of two circles"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 4] {
+        [self.four_q2, self.least_four_q2, self.d2, self.least_d2]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [q2, least_q2, d2, least_d2]: [f64; 4]) -> [bool; 3] {
+        let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
+        [low, high, d2 >= least_d2]
+    }
+
+    fn margin(&self) -> T {
+        margin(self.squares.map(|square| size(square).sqrt()), self.d2)
+    }
+}
+
+/// By how much two links reach, or by how much they fail to: the smaller of |a| + |b| - d and d - ||a| - |b||.
+fn margin<T: Scalar>(lengths: [T; 2], d2: T) -> T {
+    let [a, b] = lengths.map(size);
+    let d = d2.sqrt();
+    smaller(a + b - d, d - size(a - b))
 }
 
 /// `c (p + i q)`.

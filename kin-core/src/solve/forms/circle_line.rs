@@ -5,8 +5,9 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
+use crate::solve::check::{Check, Finite, SumOfSizes};
 use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
-use crate::solve::doubt::{least, sum_of_sizes};
+use crate::solve::doubt::{least, size};
 
 const QUANTITY: &str = "link length, direction of the slide or distance spanned";
 
@@ -42,18 +43,22 @@ pub fn circle_line<T: Scalar>(
     let along = direction.dot(c);
     let beside = direction.cross(c);
     let q2 = a2 * u2 - beside * beside;
-    let size = || {
+    let sizes = || {
         let terms = [a2 * u2, beside * direction.x * c.y, beside * direction.y * c.x];
-        T::constant_of(terms, sum_of_sizes)
+        T::measured(SumOfSizes(terms))
     };
-    let Some(q2) = q2.provided([q2, least(size), u2], |[q2, least, u2]| {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-        [low, high, u2 >= T::SMALLEST]
-    }) else {
+    let reach = Reach {
+        q2,
+        least: least(sizes),
+        u2,
+        a2,
+    };
+    let Some(q2) = q2.provided(reach) else {
         return Err(does_not_reach(a2, direction, c));
     };
-    let travel = either(along, q2.sqrt(), assembly) / u2;
-    let Some(travel) = travel.provided([travel], |[travel]| [travel.is_finite()]) else {
+    let q = q2.sqrt();
+    let travel = T::assembled(assembly, || along + q, || along - q) / u2;
+    let Some(travel) = travel.provided(Finite([travel])) else {
         return Err(does_not_reach(a2, direction, c));
     };
     Ok((c - direction.scale(travel), travel))
@@ -68,10 +73,13 @@ pub fn circle_line<T: Scalar>(
 #[inline(always)]
 pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
     let q2 = a2 - c.y * c.y;
-    let Some(q2) = q2.provided([q2, least(|| a2), c.x], |[q2, least, x]| {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-        [low, high, x.is_finite()]
-    }) else {
+    let reach = ReachAlongX {
+        q2,
+        least: least(|| a2),
+        x: c.x,
+        a2,
+    };
+    let Some(q2) = q2.provided(reach) else {
         let axis = Plane::new(T::constant(1.0), T::constant(0.0));
         return Err(does_not_reach(a2, axis, c));
     };
@@ -90,13 +98,69 @@ pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
     circle_line_x(a2, Plane::new(c.y, c.x), assembly)
 }
 
-/// `middle + q` or `middle - q`.
-#[inline(always)]
-fn either<T: Scalar>(middle: T, q: T, assembly: Assembly) -> T {
-    match assembly {
-        Assembly::Open => middle + q,
-        Assembly::Crossed => middle - q,
+/// Whether a link reaches a line. `a2` is the square of its length, `u2` that of the direction of the line.
+#[derive(Clone, Copy)]
+struct Reach<T> {
+    q2: T,
+    least: T,
+    u2: T,
+    a2: T,
+}
+
+impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
+    fn name(&self) -> &'static str {
+        "reach of a circle and a line"
     }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 3] {
+        [self.q2, self.least, self.u2]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [q2, least, u2]: [f64; 3]) -> [bool; 3] {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        [low, high, u2 >= T::SMALLEST]
+    }
+
+    fn margin(&self) -> T {
+        margin(self.a2, self.q2 / self.u2)
+    }
+}
+
+/// Whether a link reaches a line along an axis, from a place on it.
+#[derive(Clone, Copy)]
+struct ReachAlongX<T> {
+    q2: T,
+    least: T,
+    x: T,
+    a2: T,
+}
+
+impl<T: Scalar> Check<T, 3, 3> for ReachAlongX<T> {
+    fn name(&self) -> &'static str {
+        "reach of a circle and an axis"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 3] {
+        [self.q2, self.least, self.x]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [q2, least, x]: [f64; 3]) -> [bool; 3] {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        [low, high, x.is_finite()]
+    }
+
+    fn margin(&self) -> T {
+        margin(self.a2, self.q2)
+    }
+}
+
+/// By how much a link is longer than the distance of the line, where `q2` is the difference of their squares.
+fn margin<T: Scalar>(a2: T, q2: T) -> T {
+    size(a2).sqrt() - size(a2 - q2).sqrt()
 }
 
 #[inline(always)]

@@ -4,8 +4,9 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
+use crate::solve::check::Check;
 use crate::solve::diagnosis::{length, ordinary_from, refusal};
-use crate::solve::doubt::least;
+use crate::solve::doubt::{least, size};
 
 const QUANTITY: &str = "coefficients of the cosine and the sine";
 
@@ -31,8 +32,13 @@ const QUANTITY: &str = "coefficients of the cosine and the sine";
 pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let rho2 = a * a + b * b;
     let q2 = rho2 - c * c;
-    let judges = [q2, least(|| rho2)];
-    let Some(q2) = q2.provided(judges, |[q2, least]| ordinary_from(q2, least, T::SMALLEST)) else {
+    let reach = Reach {
+        q2,
+        least: least(|| rho2),
+        rho2,
+        c,
+    };
+    let Some(q2) = q2.provided(reach) else {
         return Err(no_angle(a.real(), b.real(), c.real(), T::EPSILON));
     };
     let inverse = T::constant(1.0) / rho2;
@@ -42,6 +48,35 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<Pl
         Assembly::Open => Plane::new(a * cosine - b * sine, b * cosine + a * sine),
         Assembly::Crossed => Plane::new(a * cosine + b * sine, b * cosine - a * sine),
     })
+}
+
+/// Whether the amplitude ρ of `a cos x + b sin x` reaches `c`.
+#[derive(Clone, Copy)]
+struct Reach<T> {
+    q2: T,
+    least: T,
+    rho2: T,
+    c: T,
+}
+
+impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
+    fn name(&self) -> &'static str {
+        "reach of a cosine and a sine"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 2] {
+        [self.q2, self.least]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [q2, least]: [f64; 2]) -> [bool; 2] {
+        ordinary_from(q2, least, T::SMALLEST)
+    }
+
+    fn margin(&self) -> T {
+        self.rho2.sqrt() - size(self.c)
+    }
 }
 
 #[cold]

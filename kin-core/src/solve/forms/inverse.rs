@@ -4,8 +4,9 @@ use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
+use crate::solve::check::Check;
 use crate::solve::diagnosis::{ordinary_from, refusal};
-use crate::solve::doubt::least;
+use crate::solve::doubt::{least, size};
 
 /// The height of a link of the given radius and width: y of (x, y) = `radius` (cos φ, sin φ), given x.
 ///
@@ -46,8 +47,13 @@ pub fn inverse_sine<T: Scalar>(height: T, radius: T, assembly: Assembly) -> Resu
 fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static str) -> Result<Root<T>, Failure> {
     // In factors, for the sake of the angles near which the known leg is as long as the radius.
     let square = (radius - known) * (radius + known);
-    let judges = [square, least(|| radius * radius)];
-    let Some(square) = square.provided(judges, |[square, least]| ordinary_from(square, least, T::SMALLEST)) else {
+    let reach = Reach {
+        square,
+        least: least(|| radius * radius),
+        radius,
+        known,
+    };
+    let Some(square) = square.provided(reach) else {
         return Err(too_short(known.real(), radius.real(), T::EPSILON, quantity));
     };
     let leg = Root::of(square, assembly);
@@ -55,6 +61,35 @@ fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static 
         value: leg.value.times_sign_of(radius),
         ..leg
     })
+}
+
+/// Whether a link is longer than one of its coordinates.
+#[derive(Clone, Copy)]
+struct Reach<T> {
+    square: T,
+    least: T,
+    radius: T,
+    known: T,
+}
+
+impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
+    fn name(&self) -> &'static str {
+        "reach of a link"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 2] {
+        [self.square, self.least]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [square, least]: [f64; 2]) -> [bool; 2] {
+        ordinary_from(square, least, T::SMALLEST)
+    }
+
+    fn margin(&self) -> T {
+        size(self.radius) - size(self.known)
+    }
 }
 
 #[cold]

@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::doubt::decisive;
+use crate::solve::check::{Check, Finite};
+use crate::solve::doubt::{decisive, size};
 
 const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 
@@ -22,7 +23,7 @@ const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
     let x = b / a;
     // Division by an infinite coefficient gives zero and passes for a solution.
-    x.provided([x, a], |[x, a]| [x.is_finite(), a.is_finite()])
+    x.provided(Finite([x, a]))
         .ok_or_else(|| no_solution(a.real(), b.real().is_finite()))
 }
 
@@ -46,25 +47,60 @@ pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failu
     let inverse = T::constant(1.0) / determinant;
     let x = (b[0] * a[1][1] - a[0][1] * b[1]) * inverse;
     let y = (a[0][0] * b[1] - b[0] * a[1][0]) * inverse;
-    // Parallel lines have a determinant of the size of the rounding errors, and would seem to meet far away.
-    let noise = |product: f64| 2.0 * T::EPSILON * product.abs();
-    let meet = |[determinant, product, x, y]: [f64; 4]| {
-        let size = determinant.abs();
-        [
-            size > noise(product),
-            size < f64::INFINITY,
-            x.is_finite(),
-            y.is_finite(),
-        ]
+    let meet = Meet {
+        determinant,
+        product,
+        x,
+        y,
     };
-    let judges = [determinant, product, x, y];
-    let (Some(x), Some(y)) = (x.provided(judges, meet), y.provided(judges, meet)) else {
+    let (Some(x), Some(y)) = (x.provided(meet), y.provided(meet)) else {
         // Solutions that overflow although the lines are not parallel are not the fault of the determinant.
-        let parallel = determinant.real().abs() <= noise(product.real());
+        let parallel = determinant.real().abs() <= noise::<T>(product.real());
         let right = parallel && b[0].real().is_finite() && b[1].real().is_finite();
         return Err(no_solution(determinant.real(), right));
     };
     Ok((x, y))
+}
+
+/// Whether two lines meet at a point. `product` is that of the diagonal of their determinant.
+#[derive(Clone, Copy)]
+struct Meet<T> {
+    determinant: T,
+    product: T,
+    x: T,
+    y: T,
+}
+
+impl<T: Scalar> Check<T, 4, 4> for Meet<T> {
+    fn name(&self) -> &'static str {
+        "two lines that meet"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 4] {
+        [self.determinant, self.product, self.x, self.y]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [determinant, product, x, y]: [f64; 4]) -> [bool; 4] {
+        let size = determinant.abs();
+        [
+            size > noise::<T>(product),
+            size < f64::INFINITY,
+            x.is_finite(),
+            y.is_finite(),
+        ]
+    }
+
+    fn margin(&self) -> T {
+        size(self.determinant) - T::constant(2.0 * T::EPSILON) * size(self.product)
+    }
+}
+
+/// Parallel lines have a determinant of the size of the rounding errors, and would seem to meet far away.
+#[inline(always)]
+fn noise<T: Scalar>(product: f64) -> f64 {
+    2.0 * T::EPSILON * product.abs()
 }
 
 #[cold]

@@ -5,8 +5,9 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
+use crate::solve::check::Check;
 use crate::solve::diagnosis::{length, ordinary, ordinary_from, refusal};
-use crate::solve::doubt::least;
+use crate::solve::doubt::{least, size};
 
 const QUANTITY: &str = "offset of the slide or distance spanned";
 
@@ -32,7 +33,7 @@ const QUANTITY: &str = "offset of the slide or distance spanned";
 #[inline(always)]
 pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Failure> {
     let d2 = c.norm_squared();
-    let Some(d2) = d2.provided([d2], |[d2]| ordinary(d2, T::SMALLEST)) else {
+    let Some(d2) = d2.provided(Apart { d2 }) else {
         return Err(no_length(c.x.real(), c.y.real()));
     };
     Ok(Root::of(d2, assembly))
@@ -52,23 +53,84 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Fail
 pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly) -> Result<(T, Plane<T>), Failure> {
     let d2 = c.norm_squared();
     let q2 = d2 - offset.y * offset.y;
-    let Some(q2) = q2.provided([q2, least(|| d2), offset.x], |[q2, least, shift]| {
-        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-        [low, high, shift.is_finite()]
-    }) else {
+    let reach = Reach {
+        q2,
+        least: least(|| d2),
+        shift: offset.x,
+        d2,
+        across: offset.y,
+    };
+    let Some(q2) = q2.provided(reach) else {
         return Err(does_not_pass(
             Plane::new(offset.x.real(), offset.y.real()),
             Plane::new(c.x.real(), c.y.real()),
             T::EPSILON,
         ));
     };
-    let along = assembly.signed(q2.sqrt());
+    let along = q2.sqrt().signed(assembly);
     // u = c / w with w = along + i offset.y, and |w|² = |c|².
     let inverse = T::constant(1.0) / d2;
     let cosine = along * inverse;
     let sine = offset.y * inverse;
     let u = Plane::new(c.x * cosine + c.y * sine, c.y * cosine - c.x * sine);
     Ok((along - offset.x, u))
+}
+
+/// Whether two points lie apart, `d2` being the square of their distance.
+#[derive(Clone, Copy)]
+struct Apart<T> {
+    d2: T,
+}
+
+impl<T: Scalar> Check<T, 1, 2> for Apart<T> {
+    fn name(&self) -> &'static str {
+        "distance of two points"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 1] {
+        [self.d2]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [d2]: [f64; 1]) -> [bool; 2] {
+        ordinary(d2, T::SMALLEST)
+    }
+
+    fn margin(&self) -> T {
+        self.d2.sqrt()
+    }
+}
+
+/// Whether a slide passes a point at its offset.
+#[derive(Clone, Copy)]
+struct Reach<T> {
+    q2: T,
+    least: T,
+    shift: T,
+    d2: T,
+    across: T,
+}
+
+impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
+    fn name(&self) -> &'static str {
+        "reach of an offset slide"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 3] {
+        [self.q2, self.least, self.shift]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [q2, least, shift]: [f64; 3]) -> [bool; 3] {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        [low, high, shift.is_finite()]
+    }
+
+    fn margin(&self) -> T {
+        self.d2.sqrt() - size(self.across)
+    }
 }
 
 #[cold]

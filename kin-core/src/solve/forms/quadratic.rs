@@ -3,8 +3,9 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
+use crate::solve::check::{Check, Finite, NotNegative};
 use crate::solve::diagnosis::{ordinary_from, root};
-use crate::solve::doubt::least;
+use crate::solve::doubt::{least, size, smaller};
 
 const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
 
@@ -31,24 +32,83 @@ pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, F
     let g = b * T::constant(-0.5);
     let q2 = g * g - a * c;
     // What cancels is no larger.
-    let least = least(|| g * g);
+    let reach = Reach {
+        q2,
+        least: least(|| g * g),
+        a,
+    };
     let fails = || no_root(a.real(), b.real(), c.real(), T::EPSILON);
-    let q2 = q2
-        .provided([q2, least, a], |[q2, least, a]| {
-            let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-            [low, high, a != 0.0]
-        })
-        .ok_or_else(fails)?;
+    let q2 = q2.provided(reach).ok_or_else(fails)?;
     let q = q2.sqrt();
     // g and q are added with the same sign, and the root is that sum by a, or c by it.
-    let sum = T::either([g], |[g]| g >= 0.0, || g + q, || g - q);
+    let sum = T::either(NotNegative(g), || g + q, || g - q);
     // The sign of the root in (g ± q) / a: dividing by a negative number reverses the order.
-    let plus = |a: f64| (assembly == Assembly::Open) == (a > 0.0);
-    let direct = |[a, g]: [f64; 2]| plus(a) == (g >= 0.0);
-    let above = T::either([a, g], direct, || sum, || c);
-    let below = T::either([a, g], direct, || a, || sum);
+    let direct = IsSum { a, g, assembly };
+    let above = T::either(direct, || sum, || c);
+    let below = T::either(direct, || a, || sum);
     let x = above / below;
-    x.provided([x], |[x]| [x.is_finite()]).ok_or_else(fails)
+    x.provided(Finite([x])).ok_or_else(fails)
+}
+
+/// Whether the parabola reaches zero, `q2` being the quarter of its discriminant.
+#[derive(Clone, Copy)]
+struct Reach<T> {
+    q2: T,
+    least: T,
+    a: T,
+}
+
+impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
+    fn name(&self) -> &'static str {
+        "reach of a parabola"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 3] {
+        [self.q2, self.least, self.a]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [q2, least, a]: [f64; 3]) -> [bool; 3] {
+        let [low, high] = ordinary_from(q2, least, T::SMALLEST);
+        [low, high, a != 0.0]
+    }
+
+    fn margin(&self) -> T {
+        // As a length: the root of what is missing, by the leading coefficient.
+        size(self.q2).sqrt().times_sign_of(self.q2) / size(self.a)
+    }
+}
+
+/// Whether a root is the sum of half the middle coefficient and a root, by the leading coefficient; otherwise it is the last by that
+/// sum.
+#[derive(Clone, Copy)]
+struct IsSum<T> {
+    a: T,
+    g: T,
+    assembly: Assembly,
+}
+
+impl<T: Scalar> Check<T, 2, 1> for IsSum<T> {
+    fn name(&self) -> &'static str {
+        "formula of a root"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 2] {
+        [self.a, self.g]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [a, g]: [f64; 2]) -> [bool; 1] {
+        let plus = (self.assembly == Assembly::Open) == (a > 0.0);
+        [plus == (g >= 0.0)]
+    }
+
+    /// The smaller of both coefficients.
+    fn margin(&self) -> T {
+        smaller(size(self.a), size(self.g))
+    }
 }
 
 #[cold]

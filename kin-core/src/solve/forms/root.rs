@@ -20,7 +20,7 @@ impl<T: Scalar> Root<T> {
     #[inline(always)]
     pub(super) fn of(square: T, assembly: Assembly) -> Self {
         Self {
-            value: assembly.signed(square.sqrt()),
+            value: square.sqrt().signed(assembly),
             square,
         }
     }

@@ -3,7 +3,9 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
+use crate::solve::check::Check;
 use crate::solve::diagnosis::root;
+use crate::solve::doubt::size;
 
 /// A root of `x² = w`. [`Assembly::Open`] is the positive one.
 ///
@@ -19,9 +21,35 @@ use crate::solve::diagnosis::root;
 /// ```
 #[inline(always)]
 pub fn square_root<T: Scalar>(w: T, assembly: Assembly) -> Result<T, Failure> {
-    match w.provided([w], |[square]| [square > 0.0, square < f64::INFINITY]) {
-        Some(square) => Ok(assembly.signed(square.sqrt())),
+    match w.provided(Positive { square: w }) {
+        Some(square) => Ok(square.sqrt().signed(assembly)),
         None => Err(no_root(w.real())),
+    }
+}
+
+/// Whether a square has a root that is not zero.
+#[derive(Clone, Copy)]
+struct Positive<T> {
+    square: T,
+}
+
+impl<T: Scalar> Check<T, 1, 2> for Positive<T> {
+    fn name(&self) -> &'static str {
+        "positive square"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 1] {
+        [self.square]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [square]: [f64; 1]) -> [bool; 2] {
+        [square > 0.0, square < f64::INFINITY]
+    }
+
+    fn margin(&self) -> T {
+        size(self.square).sqrt().times_sign_of(self.square)
     }
 }
 

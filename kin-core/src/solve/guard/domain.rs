@@ -4,11 +4,9 @@
 //! of a domain belong to it where the function has a value there, as long as the derivatives that the number type
 //! carries exist as well.
 
-use core::f64::consts::{FRAC_PI_2, PI};
-
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::doubt::is_told_from;
+use crate::solve::check::{Domain, Ends};
 
 /// √x for x ≥ 0.
 ///
@@ -23,7 +21,7 @@ use crate::solve::doubt::is_told_from;
 /// ```
 #[inline(always)]
 pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x >= 0.0, &[], x, x.sqrt(), "sqrt")
+    within(Ends::NotNegative, x, x.sqrt(), "sqrt")
 }
 
 /// The angle in -π/2 ..= π/2 with the sine `x`, for |x| ≤ 1.
@@ -32,7 +30,7 @@ pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x.abs() <= 1.0, &[-1.0, 1.0], x, x.asin(), "asin")
+    within(Ends::Unit, x, x.asin(), "asin")
 }
 
 /// The angle in 0 ..= π with the cosine `x`, for |x| ≤ 1.
@@ -41,7 +39,7 @@ pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x.abs() <= 1.0, &[-1.0, 1.0], x, x.acos(), "acos")
+    within(Ends::Unit, x, x.acos(), "acos")
 }
 
 /// ln x for x > 0.
@@ -50,7 +48,7 @@ pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
-    within(|x| x > 0.0, &[], x, x.ln(), "ln")
+    within(Ends::Positive, x, x.ln(), "ln")
 }
 
 /// The solution of asin(x) = v, sin v, for |v| ≤ π/2.
@@ -59,14 +57,7 @@ pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
-    let inside = |v: f64| v.abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON);
-    within(
-        inside,
-        &[-FRAC_PI_2, FRAC_PI_2],
-        v,
-        v.sin_cos().0,
-        "the inverse of asin",
-    )
+    within(Ends::RightAngles, v, v.sin_cos().0, "the inverse of asin")
 }
 
 /// The solution of acos(x) = v, cos v, for 0 ≤ v ≤ π.
@@ -75,9 +66,7 @@ pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
-    let rounding = 4.0 * PI * T::EPSILON;
-    let inside = |v: f64| v >= -rounding && v <= PI + rounding;
-    within(inside, &[0.0, PI], v, v.sin_cos().1, "the inverse of acos")
+    within(Ends::HalfTurn, v, v.sin_cos().1, "the inverse of acos")
 }
 
 /// The solution of atan(x) = v, tan v, for |v| < π/2.
@@ -87,8 +76,7 @@ pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 #[inline(always)]
 pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let (sine, cosine) = v.sin_cos();
-    let ends = [-FRAC_PI_2, FRAC_PI_2];
-    within(|v| v.abs() < FRAC_PI_2, &ends, v, sine / cosine, "the inverse of atan")
+    within(Ends::WithinRightAngles, v, sine / cosine, "the inverse of atan")
 }
 
 /// The solution of sqrt(x) = v, v², for v ≥ 0.
@@ -97,27 +85,23 @@ pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
 #[inline(always)]
 pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
-    within(|v| v >= 0.0, &[], v, v * v, "the inverse of sqrt")
+    within(Ends::NotNegative, v, v * v, "the inverse of sqrt")
 }
 
-/// The result if its argument is inside of the domain. `ends` are the ends of the domain that are of the size of 1; the terms of an
-/// argument next to an end at zero are not known here.
+/// The result if its argument is inside of the domain, and the result and its rates are finite.
 #[inline(always)]
-fn within<T: Scalar>(
-    inside: impl Fn(f64) -> bool,
-    ends: &[f64],
-    argument: T,
-    result: T,
-    function: &'static str,
-) -> Result<T, Failure> {
-    let is_told = |argument| ends.iter().all(|end| is_told_from::<T>(*end, argument, 1.0));
-    // Of several poses, each has to be asked here: an infinite value is lost in what is divided by it.
-    let conditions = |[argument, result]: [f64; 2]| [inside(argument), is_told(argument), result.is_finite()];
-    match result.provided([argument, result], conditions) {
+fn within<T: Scalar>(ends: Ends, argument: T, result: T, function: &'static str) -> Result<T, Failure> {
+    let domain = Domain {
+        argument,
+        result,
+        ends,
+        function,
+    };
+    match result.provided(domain) {
         Some(result) if result.is_finite() => Ok(result),
         _ => {
             let argument = argument.real();
-            Err(outside(inside(argument), argument, function))
+            Err(outside(domain.is_inside(argument), argument, function))
         }
     }
 }

@@ -1,94 +1,10 @@
 //! The solution that lies in the range declared for an unknown.
 
-use core::f64::consts::TAU;
-
-use num_traits::Float;
-
-use super::turn::add_turns;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::doubt::is_told_from;
-
-/// Units of rounding by which a solution may lie outside of its range.
-const TOLERANCE: f64 = 8.0;
-
-/// The failure of a decision that several poses must leave to the solver of one pose.
-const IN_DOUBT: Failure = Failure::NotFinite { quantity: "lanes" };
-
-/// The ends of a range belong to it, and what lies beyond them by no more than rounding does too.
-#[derive(Clone, Copy)]
-struct Range {
-    low: f64,
-    high: f64,
-    tolerance: f64,
-}
-
-impl Range {
-    /// `value` is any value of the size of those that will be asked for.
-    fn new(low: f64, high: f64, value: f64, epsilon: f64) -> Self {
-        let finite = |end: f64| if end.is_finite() { end.abs() } else { 0.0 };
-        let size = finite(low).max(finite(high)).max(finite(value));
-        Self {
-            low,
-            high,
-            tolerance: TOLERANCE * epsilon * size,
-        }
-    }
-
-    fn holds_strictly(self, value: f64) -> bool {
-        value >= self.low && value <= self.high
-    }
-
-    fn holds(self, value: f64) -> bool {
-        value >= self.low - self.tolerance && value <= self.high + self.tolerance
-    }
-
-    /// Whether a value is told from both ends: beyond [doubt](Scalar::DOUBT) where it stands for several poses.
-    fn tells<T: Scalar>(self, value: f64) -> bool {
-        let size = self.tolerance / TOLERANCE / T::EPSILON;
-        is_told_from::<T>(self.low, value, size) && is_told_from::<T>(self.high, value, size)
-    }
-
-    /// The same for an angle that may have been brought to the range by whole turns.
-    fn tells_angle<T: Scalar>(self, angle: f64) -> bool {
-        let size = angle.abs().max(TAU);
-        let ends = [self.low, self.low + TAU, self.high, self.high - TAU];
-        ends.iter().all(|end| is_told_from::<T>(*end, angle, size))
-    }
-
-    fn distance(self, value: f64) -> f64 {
-        (self.low - value).max(value - self.high).max(0.0)
-    }
-
-    /// How many turns have to be added to an angle to have it in the range, or next to it: as few as possible.
-    fn turns(self, angle: f64) -> f64 {
-        let turns = if angle < self.low {
-            Float::ceil((self.low - self.tolerance - angle) / TAU)
-        } else if angle > self.high {
-            -Float::ceil((angle - self.high - self.tolerance) / TAU)
-        } else {
-            0.0
-        };
-        if turns == 0.0 { 0.0 } else { turns }
-    }
-
-    /// The representative of an angle that is in the range, or that comes nearest to it.
-    fn representative(self, angle: f64) -> f64 {
-        let inside = angle + TAU * self.turns(angle);
-        if self.holds(inside) {
-            return inside;
-        }
-        // A range of less than a turn can be missed on either side.
-        [inside - TAU, inside + TAU].into_iter().fold(inside, |nearest, other| {
-            if self.distance(other) < self.distance(nearest) {
-                other
-            } else {
-                nearest
-            }
-        })
-    }
-}
+use crate::solve::check::{AngleInRange, SolutionInRange, Span, ValueInRange, out_of_range};
+use crate::solve::guard::turn::turned;
 
 /// Which of two solutions lies in `low..=high`: [`Assembly::Open`] for the first, [`Assembly::Crossed`] for the second.
 ///
@@ -111,16 +27,12 @@ pub fn choose_value<T: Scalar>(
     low: f64,
     high: f64,
 ) -> Result<Assembly, Failure> {
-    T::decided([first, second], |[first, second]| {
-        let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
-        if !(range.tells::<T>(first) && range.tells::<T>(second)) {
-            return Err(IN_DOUBT);
-        }
-        match (first >= low && first <= high, second >= low && second <= high) {
-            (true, false) if second.is_finite() => Ok(Assembly::Open),
-            (false, true) if first.is_finite() => Ok(Assembly::Crossed),
-            _ => choose(unknown, first, second, range),
-        }
+    T::chosen(SolutionInRange {
+        unknown,
+        solutions: [first, second],
+        low,
+        high,
+        is_angle: false,
     })
 }
 
@@ -143,40 +55,13 @@ pub fn choose_angle<T: Scalar>(
     low: f64,
     high: f64,
 ) -> Result<Assembly, Failure> {
-    T::decided([first, second], |[first, second]| {
-        let range = Range::new(low, high, first.abs().max(second.abs()), T::EPSILON);
-        let (first, second) = (range.representative(first), range.representative(second));
-        if !(range.tells_angle::<T>(first) && range.tells_angle::<T>(second)) {
-            return Err(IN_DOUBT);
-        }
-        choose(unknown, first, second, range)
+    T::chosen(SolutionInRange {
+        unknown,
+        solutions: [first, second],
+        low,
+        high,
+        is_angle: true,
     })
-}
-
-fn choose(unknown: &'static str, first: f64, second: f64, range: Range) -> Result<Assembly, Failure> {
-    if !(first.is_finite() && second.is_finite()) {
-        return Err(Failure::NotFinite { quantity: unknown });
-    }
-    if (first - second).abs() <= range.tolerance && range.holds(first) && range.holds(second) {
-        return Ok(Assembly::Open);
-    }
-    // Rounding is allowed for only where there would be no solution otherwise.
-    for inside in [Range::holds_strictly, Range::holds] {
-        match (inside(range, first), inside(range, second)) {
-            (true, false) => return Ok(Assembly::Open),
-            (false, true) => return Ok(Assembly::Crossed),
-            (true, true) => {
-                return Err(Failure::Ambiguous { unknown, first, second });
-            }
-            (false, false) => {}
-        }
-    }
-    let value = if range.distance(second) < range.distance(first) {
-        second
-    } else {
-        first
-    };
-    Err(out_of_range(unknown, value, range.low, range.high))
 }
 
 /// The value itself if it lies in `low..=high`, up to rounding.
@@ -192,13 +77,7 @@ fn choose(unknown: &'static str, first: f64, second: f64, range: Range) -> Resul
 /// ```
 #[inline(always)]
 pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
-    let holds = |real: f64| {
-        let strictly = real >= low && real <= high;
-        real.is_finite() && (strictly || Range::new(low, high, real, T::EPSILON).holds(real))
-    };
-    let is_told = |real: f64| T::DOUBT == 0.0 || Range::new(low, high, real, T::EPSILON).tells::<T>(real);
-    let conditions = |[real]: [f64; 1]| [holds(real), is_told(real)];
-    value.provided([value], conditions).ok_or_else(|| {
+    value.provided(ValueInRange { value, low, high }).ok_or_else(|| {
         let real = value.real();
         if real.is_finite() {
             out_of_range(unknown, real, low, high)
@@ -221,37 +100,17 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
 /// ```
 #[inline(always)]
 pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
-    let range = |real: f64| Range::new(low, high, real, T::EPSILON);
-    let strictly = |real: f64| real >= low && real <= high;
-    let holds = |real: f64| {
-        let range = range(real);
-        real.is_finite() && (strictly(real) || range.holds(range.representative(real)))
-    };
-    let is_told = |real: f64| {
-        let range = range(real);
-        T::DOUBT == 0.0 || range.tells_angle::<T>(range.representative(real))
-    };
-    let Some(value) = value.provided([value], |[real]| [holds(real), is_told(real)]) else {
+    let range = |angle: T| AngleInRange { angle, low, high };
+    let Some(value) = value.provided(range(value)) else {
         let real = value.real();
         return Err(if real.is_finite() {
-            out_of_range(unknown, range(real).representative(real), low, high)
+            let nearest = Span::new(low, high, real, T::EPSILON).representative(real);
+            out_of_range(unknown, nearest, low, high)
         } else {
             Failure::NotFinite { quantity: unknown }
         });
     };
-    Ok(add_turns([value], |[real]| {
-        if strictly(real) { 0.0 } else { range(real).turns(real) }
-    }))
-}
-
-#[cold]
-fn out_of_range(unknown: &'static str, value: f64, low: f64, high: f64) -> Failure {
-    Failure::OutOfRange {
-        unknown,
-        value,
-        low,
-        high,
-    }
+    Ok(turned(value, range(value).turns()))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::diagnosis::ordinary;
+use crate::solve::check::Regular;
 
 /// The determinant itself if one may divide by it: if its magnitude is neither zero, nor so small that it has lost digits,
 /// nor too large to have a reciprocal with all digits.
@@ -19,7 +19,7 @@ use crate::solve::diagnosis::ordinary;
 #[inline(always)]
 pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
     determinant
-        .provided([determinant], |[determinant]| ordinary(determinant.abs(), T::SMALLEST))
+        .provided(Regular(determinant))
         .ok_or_else(|| irregular(determinant.real()))
 }
 

@@ -1,11 +1,8 @@
 //! Which of the angles that differ by whole turns.
 
-use core::f64::consts::TAU;
-
-use num_traits::Float;
-
 use crate::failure::Failure;
 use crate::solve::Scalar;
+use crate::solve::check::{NearestTurns, SameSides, SumOfSizes, TellsDirection, Zero};
 
 /// Numbers that lie further apart than this, about a degree, tell no direction.
 const COARSEST: f64 = 1.0 / 64.0;
@@ -20,11 +17,7 @@ const COARSEST: f64 = 1.0 / 64.0;
 /// ```
 #[inline(always)]
 pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
-    add_turns([angle, guess], |[angle, guess]| {
-        let turns = Float::round((guess - angle) / TAU);
-        // A guess that is not finite is none.
-        if turns.is_finite() { turns } else { 0.0 }
-    })
+    turned(angle, T::measured(NearestTurns { angle, guess }))
 }
 
 /// [`nearest_turn`] to the guess with the given index. Without guesses, or without one of that index, the angle stays
@@ -66,16 +59,10 @@ pub fn within_turns<T: Scalar, const N: usize, const K: usize>(
 ) -> Result<[T; N], Failure> {
     let limit = COARSEST / T::EPSILON;
     let angle = |(_, place): (_, usize)| near.get(place).copied().unwrap_or_else(|| T::constant(0.0));
-    let together = T::constant_of(angles.map(angle), |angles| {
-        let mut sum = 0.0;
-        for angle in angles {
-            sum += angle.abs();
-        }
-        sum
-    });
+    let size = T::measured(SumOfSizes(angles.map(angle)));
     let mut kept = near;
     for value in &mut kept {
-        match value.provided([together], |[together]| [together <= limit || together.is_nan()]) {
+        match value.provided(TellsDirection { size, limit }) {
             Some(own) => *value = own,
             None => return each_within(near, &angles, limit),
         }
@@ -109,24 +96,15 @@ fn each_within<T: Scalar, const N: usize>(
 /// it is.
 #[inline(always)]
 pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orientations: [T; K]) -> [T; N] {
-    let first = orientations.map(|orientation| orientation.real() >= 0.0);
-    near.map(|value| {
-        value
-            .provided(orientations, |orientations| {
-                let is_told = orientations.iter().all(|orientation| !orientation.is_nan());
-                [is_told, orientations.map(|orientation| orientation >= 0.0) == first]
-            })
-            .unwrap_or(value)
-    })
+    let leading = orientations.map(|orientation| orientation.leading() >= 0.0);
+    near.map(|value| value.provided(SameSides { orientations, leading }).unwrap_or(value))
 }
 
-/// The first of some numbers, an angle, after as many whole turns as a function of them says.
+/// An angle after whole turns, given in radians.
 #[inline(always)]
-pub(super) fn add_turns<T: Scalar, const N: usize>(judges: [T; N], turns: impl Fn([f64; N]) -> f64) -> T {
-    let angle = judges[0];
-    let added = T::constant_of(judges, |judges| turns(judges) * TAU);
+pub(super) fn turned<T: Scalar>(angle: T, turns: T) -> T {
     // A sum with zero would take the sign of a negative zero.
-    T::either([added], |[added]| added == 0.0, || angle, || angle + added)
+    T::either(Zero(turns), || angle, || angle + turns)
 }
 
 #[cfg(test)]

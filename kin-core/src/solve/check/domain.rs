@@ -1,0 +1,89 @@
+//! Domains of functions.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use crate::solve::Scalar;
+use crate::solve::check::Check;
+use crate::solve::doubt::{is_told_from, size};
+
+/// Where a function is defined.
+#[derive(Clone, Copy)]
+pub(in crate::solve) enum Ends {
+    /// From zero on.
+    NotNegative,
+    /// Above zero.
+    Positive,
+    /// From -1 to 1.
+    Unit,
+    /// From -π/2 to π/2, up to rounding.
+    RightAngles,
+    /// From 0 to π, up to rounding.
+    HalfTurn,
+    /// Between -π/2 and π/2.
+    WithinRightAngles,
+}
+
+/// Whether an argument lies in the domain of a function, and its value is finite.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct Domain<T> {
+    pub(in crate::solve) argument: T,
+    pub(in crate::solve) result: T,
+    pub(in crate::solve) ends: Ends,
+    /// The function, as it is written in a declaration.
+    pub(in crate::solve) function: &'static str,
+}
+
+impl<T: Scalar> Domain<T> {
+    #[inline(always)]
+    pub(in crate::solve) fn is_inside(&self, x: f64) -> bool {
+        match self.ends {
+            Ends::NotNegative => x >= 0.0,
+            Ends::Positive => x > 0.0,
+            Ends::Unit => x.abs() <= 1.0,
+            Ends::RightAngles => x.abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON),
+            Ends::HalfTurn => {
+                let rounding = 4.0 * PI * T::EPSILON;
+                x >= -rounding && x <= PI + rounding
+            }
+            Ends::WithinRightAngles => x.abs() < FRAC_PI_2,
+        }
+    }
+
+    /// Whether an argument is told from the ends that are of the size of 1.
+    #[inline(always)]
+    fn is_told(&self, x: f64) -> bool {
+        let told = |low, high| is_told_from::<T>(low, x, 1.0) && is_told_from::<T>(high, x, 1.0);
+        match self.ends {
+            Ends::NotNegative | Ends::Positive => true,
+            Ends::Unit => told(-1.0, 1.0),
+            Ends::RightAngles | Ends::WithinRightAngles => told(-FRAC_PI_2, FRAC_PI_2),
+            Ends::HalfTurn => told(0.0, PI),
+        }
+    }
+}
+
+impl<T: Scalar> Check<T, 2, 3> for Domain<T> {
+    fn name(&self) -> &'static str {
+        self.function
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 2] {
+        [self.argument, self.result]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [argument, result]: [f64; 2]) -> [bool; 3] {
+        // Of several poses, each has to be asked here: an infinite value is lost in what is divided by it.
+        [self.is_inside(argument), self.is_told(argument), result.is_finite()]
+    }
+
+    fn margin(&self) -> T {
+        match self.ends {
+            Ends::NotNegative | Ends::Positive => self.argument,
+            Ends::Unit => T::constant(1.0) - size(self.argument),
+            Ends::RightAngles | Ends::WithinRightAngles => T::constant(FRAC_PI_2) - size(self.argument),
+            Ends::HalfTurn => T::constant(FRAC_PI_2) - size(self.argument - T::constant(FRAC_PI_2)),
+        }
+    }
+}

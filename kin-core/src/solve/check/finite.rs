@@ -1,0 +1,33 @@
+//! Whether a number can be worked with further.
+
+use crate::solve::Scalar;
+use crate::solve::check::Check;
+
+/// Whether the real parts of some numbers are finite.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct Finite<T, const N: usize>(pub(in crate::solve) [T; N]);
+
+impl<T: Scalar, const N: usize> Check<T, N, N> for Finite<T, N> {
+    fn name(&self) -> &'static str {
+        "finite numbers"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; N] {
+        self.0
+    }
+
+    #[inline(always)]
+    fn holds(&self, numbers: [f64; N]) -> [bool; N] {
+        numbers.map(f64::is_finite)
+    }
+
+    /// Infinite, or not a number.
+    fn margin(&self) -> T {
+        let sum = self
+            .0
+            .into_iter()
+            .fold(T::constant(0.0), |sum, number| sum + number - number);
+        T::constant(f64::INFINITY) + sum
+    }
+}

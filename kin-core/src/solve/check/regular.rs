@@ -1,0 +1,30 @@
+//! Whether one may divide by a determinant.
+
+use crate::solve::Scalar;
+use crate::solve::check::Check;
+use crate::solve::diagnosis::ordinary;
+use crate::solve::doubt::size;
+
+/// Whether a determinant is neither zero, nor so small that it has lost digits, nor too large to have a reciprocal.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct Regular<T>(pub(in crate::solve) T);
+
+impl<T: Scalar> Check<T, 1, 2> for Regular<T> {
+    fn name(&self) -> &'static str {
+        "regular determinant"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 1] {
+        [self.0]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [determinant]: [f64; 1]) -> [bool; 2] {
+        ordinary(determinant.abs(), T::SMALLEST)
+    }
+
+    fn margin(&self) -> T {
+        size(self.0)
+    }
+}

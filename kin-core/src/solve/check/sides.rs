@@ -1,0 +1,40 @@
+//! On which sides of the singular positions values of the unknowns lie.
+
+use crate::solve::Scalar;
+use crate::solve::check::Check;
+use crate::solve::doubt;
+
+/// Whether the orientations of a pose are told, and are those of the pose that leads.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct SameSides<T, const K: usize> {
+    pub(in crate::solve) orientations: [T; K],
+    /// Whether those of the leading pose are positive or zero.
+    pub(in crate::solve) leading: [bool; K],
+}
+
+impl<T: Scalar, const K: usize> Check<T, K, 2> for SameSides<T, K> {
+    fn name(&self) -> &'static str {
+        "assembly of the values nearby"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; K] {
+        self.orientations
+    }
+
+    #[inline(always)]
+    fn holds(&self, orientations: [f64; K]) -> [bool; 2] {
+        let is_told = orientations.iter().all(|orientation| !orientation.is_nan());
+        [
+            is_told,
+            orientations.map(|orientation| orientation >= 0.0) == self.leading,
+        ]
+    }
+
+    /// The smallest of the orientations.
+    fn margin(&self) -> T {
+        let own = self.orientations.into_iter().zip(self.leading);
+        let own = own.map(|(orientation, is_positive)| if is_positive { orientation } else { -orientation });
+        own.reduce(doubt::smaller).unwrap_or_else(|| T::constant(f64::INFINITY))
+    }
+}

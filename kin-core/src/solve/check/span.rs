@@ -1,0 +1,276 @@
+//! The range declared for an unknown.
+
+use core::f64::consts::TAU;
+
+use num_traits::Float;
+
+use crate::assembly::Assembly;
+use crate::failure::Failure;
+use crate::solve::Scalar;
+use crate::solve::check::{Check, Choose, TurnsInto};
+use crate::solve::doubt::{is_told_from, size, smaller};
+
+/// Units of rounding by which a solution may lie outside of its range.
+const TOLERANCE: f64 = 8.0;
+
+/// The failure of a choice that several poses must leave to the solver of one pose.
+const IN_DOUBT: Failure = Failure::NotFinite { quantity: "lanes" };
+
+/// The ends of a range belong to it, and what lies beyond them by no more than rounding does too.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct Span {
+    pub(in crate::solve) low: f64,
+    pub(in crate::solve) high: f64,
+    tolerance: f64,
+}
+
+impl Span {
+    /// `value` is any value of the size of those that will be asked for.
+    pub(in crate::solve) fn new(low: f64, high: f64, value: f64, epsilon: f64) -> Self {
+        let finite = |end: f64| if end.is_finite() { end.abs() } else { 0.0 };
+        let size = finite(low).max(finite(high)).max(finite(value));
+        Self {
+            low,
+            high,
+            tolerance: TOLERANCE * epsilon * size,
+        }
+    }
+
+    fn holds_strictly(self, value: f64) -> bool {
+        value >= self.low && value <= self.high
+    }
+
+    fn holds(self, value: f64) -> bool {
+        value >= self.low - self.tolerance && value <= self.high + self.tolerance
+    }
+
+    /// Whether a value is told from both ends: beyond [doubt](Scalar::DOUBT) where it stands for several poses.
+    fn tells<T: Scalar>(self, value: f64) -> bool {
+        let size = self.tolerance / TOLERANCE / T::EPSILON;
+        is_told_from::<T>(self.low, value, size) && is_told_from::<T>(self.high, value, size)
+    }
+
+    /// The same for an angle that may have been brought to the range by whole turns.
+    fn tells_angle<T: Scalar>(self, angle: f64) -> bool {
+        let size = angle.abs().max(TAU);
+        let ends = [self.low, self.low + TAU, self.high, self.high - TAU];
+        ends.iter().all(|end| is_told_from::<T>(*end, angle, size))
+    }
+
+    fn distance(self, value: f64) -> f64 {
+        (self.low - value).max(value - self.high).max(0.0)
+    }
+
+    /// How many turns have to be added to an angle to have it in the range, or next to it: as few as possible.
+    pub(in crate::solve) fn turns(self, angle: f64) -> f64 {
+        let turns = if angle < self.low {
+            Float::ceil((self.low - self.tolerance - angle) / TAU)
+        } else if angle > self.high {
+            -Float::ceil((angle - self.high - self.tolerance) / TAU)
+        } else {
+            0.0
+        };
+        if turns == 0.0 { 0.0 } else { turns }
+    }
+
+    /// The representative of an angle that is in the range, or that comes nearest to it.
+    pub(in crate::solve) fn representative(self, angle: f64) -> f64 {
+        let inside = angle + TAU * self.turns(angle);
+        if self.holds(inside) {
+            return inside;
+        }
+        // A range of less than a turn can be missed on either side.
+        [inside - TAU, inside + TAU].into_iter().fold(inside, |nearest, other| {
+            if self.distance(other) < self.distance(nearest) {
+                other
+            } else {
+                nearest
+            }
+        })
+    }
+}
+
+/// Whether a value lies in its range, up to rounding.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct ValueInRange<T> {
+    pub(in crate::solve) value: T,
+    pub(in crate::solve) low: f64,
+    pub(in crate::solve) high: f64,
+}
+
+impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
+    fn name(&self) -> &'static str {
+        "range of a value"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 1] {
+        [self.value]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [value]: [f64; 1]) -> [bool; 2] {
+        let span = || Span::new(self.low, self.high, value, T::EPSILON);
+        let is_strictly_inside = value >= self.low && value <= self.high;
+        [
+            value.is_finite() && (is_strictly_inside || span().holds(value)),
+            T::DOUBT == 0.0 || span().tells::<T>(value),
+        ]
+    }
+
+    fn margin(&self) -> T {
+        inside(self.value, self.low, self.high)
+    }
+}
+
+/// Whether an angle lies in its range after whole turns, up to rounding.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct AngleInRange<T> {
+    pub(in crate::solve) angle: T,
+    pub(in crate::solve) low: f64,
+    pub(in crate::solve) high: f64,
+}
+
+impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
+    fn name(&self) -> &'static str {
+        "range of an angle"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 1] {
+        [self.angle]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [angle]: [f64; 1]) -> [bool; 2] {
+        let span = || Span::new(self.low, self.high, angle, T::EPSILON);
+        let is_strictly_inside = angle >= self.low && angle <= self.high;
+        let holds = || {
+            let span = span();
+            span.holds(span.representative(angle))
+        };
+        let is_told = || {
+            let span = span();
+            span.tells_angle::<T>(span.representative(angle))
+        };
+        [
+            angle.is_finite() && (is_strictly_inside || holds()),
+            T::DOUBT == 0.0 || is_told(),
+        ]
+    }
+
+    fn margin(&self) -> T {
+        inside(self.angle + self.turns(), self.low, self.high)
+    }
+}
+
+impl<T: Scalar> AngleInRange<T> {
+    /// The turns that bring the angle into the range, in radians.
+    #[inline(always)]
+    pub(in crate::solve) fn turns(&self) -> T {
+        T::measured(TurnsInto {
+            angle: self.angle,
+            low: self.low,
+            high: self.high,
+        })
+    }
+}
+
+/// How far a value is from the ends of its range, counted positive inside.
+fn inside<T: Scalar>(value: T, low: f64, high: f64) -> T {
+    smaller(value - T::constant(low), T::constant(high) - value)
+}
+
+/// Which of two solutions lies in a range.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct SolutionInRange<T> {
+    pub(in crate::solve) unknown: &'static str,
+    pub(in crate::solve) solutions: [T; 2],
+    pub(in crate::solve) low: f64,
+    pub(in crate::solve) high: f64,
+    /// Whether whole turns make no difference.
+    pub(in crate::solve) is_angle: bool,
+}
+
+impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
+    fn name(&self) -> &'static str {
+        self.unknown
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 2] {
+        self.solutions
+    }
+
+    #[inline(always)]
+    fn choose(&self, [first, second]: [f64; 2]) -> Result<Assembly, Failure> {
+        let (low, high) = (self.low, self.high);
+        let span = Span::new(low, high, first.abs().max(second.abs()), T::EPSILON);
+        if self.is_angle {
+            let (first, second) = (span.representative(first), span.representative(second));
+            if !(span.tells_angle::<T>(first) && span.tells_angle::<T>(second)) {
+                return Err(IN_DOUBT);
+            }
+            return choose(self.unknown, first, second, span);
+        }
+        if !(span.tells::<T>(first) && span.tells::<T>(second)) {
+            return Err(IN_DOUBT);
+        }
+        match (first >= low && first <= high, second >= low && second <= high) {
+            (true, false) if second.is_finite() => Ok(Assembly::Open),
+            (false, true) if first.is_finite() => Ok(Assembly::Crossed),
+            _ => choose(self.unknown, first, second, span),
+        }
+    }
+
+    /// The smaller of the distances to the ends.
+    fn margin(&self) -> T {
+        let [first, second] = self.solutions.map(|solution| {
+            let (low, high) = (self.low, self.high);
+            let angle = AngleInRange {
+                angle: solution,
+                low,
+                high,
+            };
+            let turns = if self.is_angle { angle.turns() } else { T::constant(0.0) };
+            size(inside(solution + turns, low, high))
+        });
+        smaller(first, second)
+    }
+}
+
+fn choose(unknown: &'static str, first: f64, second: f64, span: Span) -> Result<Assembly, Failure> {
+    if !(first.is_finite() && second.is_finite()) {
+        return Err(Failure::NotFinite { quantity: unknown });
+    }
+    if (first - second).abs() <= span.tolerance && span.holds(first) && span.holds(second) {
+        return Ok(Assembly::Open);
+    }
+    // Rounding is allowed for only where there would be no solution otherwise.
+    for inside in [Span::holds_strictly, Span::holds] {
+        match (inside(span, first), inside(span, second)) {
+            (true, false) => return Ok(Assembly::Open),
+            (false, true) => return Ok(Assembly::Crossed),
+            (true, true) => {
+                return Err(Failure::Ambiguous { unknown, first, second });
+            }
+            (false, false) => {}
+        }
+    }
+    let value = if span.distance(second) < span.distance(first) {
+        second
+    } else {
+        first
+    };
+    Err(out_of_range(unknown, value, span.low, span.high))
+}
+
+#[cold]
+pub(in crate::solve) fn out_of_range(unknown: &'static str, value: f64, low: f64, high: f64) -> Failure {
+    Failure::OutOfRange {
+        unknown,
+        value,
+        low,
+        high,
+    }
+}
