@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Attribute, ImplItem, Item, Meta};
 
@@ -175,6 +175,15 @@ fn collect(tokens: TokenStream, module: &[String], paths: &mut BTreeSet<Vec<Stri
                     place += 2;
                 }
             }
+            // A statement that is compiled for tests alone.
+            TokenTree::Punct(mark) if mark.as_char() == '#' && is_test(tokens.get(place + 1)) => {
+                let ends = |token: &TokenTree| match token {
+                    TokenTree::Punct(mark) => mark.as_char() == ';',
+                    TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+                    _ => false,
+                };
+                place += tokens[place..].iter().position(ends).unwrap_or(tokens.len() - place);
+            }
             // `pub(crate)` has no path behind it.
             TokenTree::Ident(word) if (word == "crate" || word == "super") && is_colons(&tokens[place + 1..]) => {
                 let base = if word == "crate" { Vec::new() } else { above(module) };
@@ -186,6 +195,10 @@ fn collect(tokens: TokenStream, module: &[String], paths: &mut BTreeSet<Vec<Stri
         }
         place += 1;
     }
+}
+
+fn is_test(attribute: Option<&TokenTree>) -> bool {
+    matches!(attribute, Some(TokenTree::Group(group)) if group.stream().to_string().replace(' ', "") == "cfg(test)")
 }
 
 fn above(module: &[String]) -> Vec<String> {
@@ -265,5 +278,7 @@ mod tests {
         let code = "#[cfg(test)] use crate::a; #[cfg(test)] mod tests; #[cfg(test)] mod inner { use crate::b; } \
                     impl X { #[cfg(test)] fn f() { crate::c() } #[cfg(unix)] fn g() { crate::d() } }";
         assert_eq!(found("x/mod.rs", code), ["d", "test x::inner", "test x::tests"]);
+        let body = "fn f() { #[cfg(test)] crate::a::b(1); crate::c(); #[cfg(test)] { crate::d() } crate::e() }";
+        assert_eq!(found("x.rs", body), ["c", "e"]);
     }
 }

@@ -59,7 +59,10 @@ fn arrows(house: &House, sources: &[Source], faults: &mut Vec<String>) -> Arrows
                     Some(to) => {
                         arrows.entry((from, to)).or_default().insert(place);
                     }
-                    None => faults.push(format!("{place}, which is a face of the crate and no room")),
+                    None if house.faces.contains(&other) => {
+                        faults.push(format!("{place}, which is a face of the crate and no room"));
+                    }
+                    None => {}
                 },
             }
         }

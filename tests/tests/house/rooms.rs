@@ -71,8 +71,7 @@ pub(crate) const MACROS: House = House {
     rooms: &[
         room("work", &["work.rs", "room.rs"], "counted work, stack"),
         room("report", &["report.rs"], "mistakes"),
-        room("function", &["function/"], "elementary functions"),
-        room("expr", &["expr/"], "graph in normal form"),
+        room("algebra", &["algebra/"], "graph, functions"),
         room("syntax", &["syntax/"], "tokens to tree"),
         room("model", &["model/"], "names, dimensions"),
         room("structure", &["structure/"], "blocks and parts"),
@@ -88,6 +87,6 @@ pub(crate) const MACROS: House = House {
         room("expand", &["expand.rs"], "the pipeline"),
         room("bug", &["bug.rs"], "the net for panics"),
     ],
-    known: &[("function", "expr")],
+    known: &[],
     large: &["emit"],
 };
