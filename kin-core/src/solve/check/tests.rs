@@ -110,11 +110,14 @@ fn vector([x, y]: [f64; 2]) -> Plane<Recorded> {
     Plane::new(Recorded(x), Recorded(y))
 }
 
+/// A result, and the checks on the way to it with their margins.
+type Noted = (Result<(), Failure>, Vec<(&'static str, f64)>);
+
 /// Where a closed form refuses for want of reach, its check is called by its name and has the margin of the failure.
 #[test]
 fn checks_know_the_margins_of_the_failures() {
     let (r, assembly) = (Recorded, Assembly::Open);
-    let cases: [(&str, (Result<(), Failure>, Vec<(&'static str, f64)>)); 11] = [
+    let cases: [(&str, Noted); 11] = [
         (
             "reach of two circles",
             notes_of(|| solve::circle_circle(r(3.0), r(4.0), vector([6.0, 5.0]), assembly).map(drop)),
