@@ -32,6 +32,8 @@
 //! ```
 
 mod column;
+#[cfg(test)]
+mod comparison_tests;
 mod destination;
 mod dispatch;
 pub(crate) mod lanes;

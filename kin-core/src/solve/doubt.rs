@@ -71,6 +71,7 @@ mod tests {
     use crate::batch::lanes::Lanes;
     use crate::geometry::Plane;
     use crate::number::Number;
+    use crate::solve::Scalar;
     use crate::solve::{
         arc_sine, check_angle, check_value, circle_circle, circle_circle_squared, circle_line, circle_line_x,
         cosine_sine, factor, inverse_sine, linear_pair, polar_offset, quadratic, sine_of_arc,
@@ -108,47 +109,13 @@ mod tests {
         assert_eq!(finite, [true, false, true, true], "{inside} {limit}: {found:?}");
     }
 
+    /// Whatever the unit of length is.
     #[test]
     fn every_form_leaves_to_others_what_rounding_decides() {
+        for unit in [1.0, 1.0 / 1_073_741_824.0, 1_073_741_824.0] {
+            every_form_of_lengths(unit);
+        }
         let is = |value: f64| Four::constant(value);
-        let at = |x: Four, y: f64| Plane::new(x, is(y));
-        let open = Assembly::Open;
-        leaves_the_second(
-            5.0,
-            7.0,
-            |d| circle_circle(is(3.0), is(4.0), at(d, 0.0), open).unwrap(),
-            |r| r.0.y,
-        );
-        leaves_the_second(
-            2.0,
-            1.0,
-            |d| circle_circle(is(3.0), is(-4.0), at(d, 0.0), open).unwrap(),
-            |r| r.0.y,
-        );
-        leaves_the_second(
-            5.0,
-            7.0,
-            |d| circle_circle_squared(is(9.0), is(16.0), at(d, 0.0), open).unwrap(),
-            |r| r.y,
-        );
-        let slide = |y: Four| circle_line(is(25.0), at(is(0.6), 0.8), Plane::new(is(1.0), y), open).unwrap();
-        leaves_the_second(0.0, (5.0 + 0.8) / 0.6, slide, |(link, _)| link.x);
-        let slide = |y: Four| circle_line_x(is(25.0), Plane::new(is(1.0), y), open).unwrap();
-        leaves_the_second(0.0, 5.0, slide, |(_, travel)| travel);
-        leaves_the_second(
-            9.0,
-            2.0,
-            |d| polar_offset(at(is(1.0), 2.0), at(d, 0.0), open).unwrap(),
-            |r| r.0,
-        );
-        leaves_the_second(1.0, 5.0, |c| cosine_sine(is(3.0), is(4.0), c, open).unwrap(), |r| r.x);
-        leaves_the_second(
-            1.0,
-            5.0,
-            |height| inverse_sine(height, is(-5.0), open).unwrap(),
-            |r| r.value,
-        );
-        leaves_the_second(1.0, 4.0, |c| quadratic(is(1.0), is(-4.0), c, open).unwrap(), |x| x);
         let pair = |c: Four| linear_pair([[is(2.0), is(3.0)], [c, is(6.0)]], [is(1.0), is(1.0)]).unwrap();
         leaves_the_second(1.0, 4.0, pair, |(x, _)| x);
         let system = |c: Four| {
@@ -159,12 +126,82 @@ mod tests {
         leaves_the_second(1.0, 4.0, system, |[x, _]| x);
         leaves_the_second(0.5, 1.0, |x| arc_sine(x).unwrap(), |x| x);
         leaves_the_second(0.5, -FRAC_PI_2, |x| sine_of_arc(x).unwrap(), |x| x);
-        leaves_the_second(1.5, 1.0, |x| check_value("x", x, 1.0, 3.0).unwrap(), |x| x);
         leaves_the_second(
             -4.0,
             3.0 - 2.0 * PI,
             |x| check_angle("x", x, 1.0, 3.0).unwrap_or(x),
             |x| x,
         );
+    }
+
+    fn every_form_of_lengths(unit: f64) {
+        let is = |value: f64| Four::constant(value);
+        let long = |length: f64| is(length * unit);
+        let square = |area: f64| is(area * unit * unit);
+        let at = |x: Four, y: f64| Plane::new(x, long(y));
+        let open = Assembly::Open;
+        leaves_the_second(
+            5.0 * unit,
+            7.0 * unit,
+            |d| circle_circle(long(3.0), long(4.0), at(d, 0.0), open).unwrap(),
+            |r| r.0.y,
+        );
+        leaves_the_second(
+            2.0 * unit,
+            1.0 * unit,
+            |d| circle_circle(long(3.0), long(-4.0), at(d, 0.0), open).unwrap(),
+            |r| r.0.y,
+        );
+        leaves_the_second(
+            5.0 * unit,
+            7.0 * unit,
+            |d| circle_circle_squared(square(9.0), square(16.0), at(d, 0.0), open).unwrap(),
+            |r| r.y,
+        );
+        let along = Plane::new(is(0.6), is(0.8));
+        let slide = |y: Four| circle_line(square(25.0), along, Plane::new(long(1.0), y), open).unwrap();
+        leaves_the_second(0.0, unit * (5.0 + 0.8) / 0.6, slide, |(link, _)| link.x);
+        let slide = |y: Four| circle_line_x(square(25.0), Plane::new(long(1.0), y), open).unwrap();
+        leaves_the_second(0.0, 5.0 * unit, slide, |(_, travel)| travel);
+        leaves_the_second(
+            9.0 * unit,
+            2.0 * unit,
+            |d| polar_offset(at(long(1.0), 2.0), at(d, 0.0), open).unwrap(),
+            |r| r.0,
+        );
+        leaves_the_second(
+            1.0 * unit,
+            5.0 * unit,
+            |c| cosine_sine(long(3.0), long(4.0), c, open).unwrap(),
+            |r| r.x,
+        );
+        leaves_the_second(
+            1.0 * unit,
+            5.0 * unit,
+            |height| inverse_sine(height, long(-5.0), open).unwrap(),
+            |r| r.value,
+        );
+        let area = unit * unit;
+        leaves_the_second(
+            1.0 * area,
+            4.0 * area,
+            |c| quadratic(is(1.0), long(-4.0), c, open).unwrap(),
+            |x| x,
+        );
+        leaves_the_second(
+            1.5 * unit,
+            1.0 * unit,
+            |x| check_value("x", x, unit, 3.0 * unit).unwrap(),
+            |x| x,
+        );
+    }
+
+    /// What is nearer to an end of a range than a part of the range's size is left to others, and nothing else is.
+    #[test]
+    fn an_end_of_a_range_is_told_beyond_a_part_of_its_size() {
+        let nearer = |part: f64| 1.0 + part * 3.0 * Four::DOUBT;
+        let values = Lanes([2.0, nearer(0.9), nearer(1.1), nearer(20.0)]);
+        let Lanes(found) = check_value::<Four>("x", values, 1.0, 3.0).unwrap();
+        assert_eq!(found.map(f64::is_finite), [true, false, true, true]);
     }
 }

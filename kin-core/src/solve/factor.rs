@@ -507,6 +507,21 @@ mod tests {
         assert!(factor([[1.0_f64, 1.0], [1.0, 1.0 + f64::from(f32::EPSILON)]]).is_ok());
     }
 
+    /// A pivot of two rows decides if it is larger than 4 ε times the largest entry; with entries of 7/4, than 7 ε.
+    #[test]
+    fn rounding_of_the_largest_entry_is_what_a_pivot_must_exceed() {
+        let with_pivot = |units: f64| factor([[1.75, 1.75], [1.75, 1.75 + units * f64::EPSILON]]);
+        for units in [1.0, 4.0, 7.0, -6.0] {
+            assert!(
+                matches!(with_pivot(units), Err(Failure::Singular { .. })),
+                "{units} units of rounding"
+            );
+        }
+        for units in [9.0, -9.0, 100.0] {
+            assert!(with_pivot(units).is_ok(), "{units} units of rounding");
+        }
+    }
+
     #[test]
     fn what_is_not_finite_is_refused() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -277,3 +277,64 @@ pub(super) fn halt<M: Mechanism<Scalar = f64>>(
         names: M::DESCRIPTION.inputs,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::super::station;
+    use super::*;
+    use crate::assembly::Assembly;
+    use crate::failure::InputValues;
+    use crate::library::FourBar;
+
+    /// What is looked at lies ahead, further and further, near by, and not beyond the end.
+    #[test]
+    fn places_ahead_are_near_by() {
+        let linkage = FourBar {
+            r1: 90.0,
+            r2: 30.0,
+            r3: 70.0,
+            r4: 60.0,
+        };
+        let start = linkage.solve_position([0.5], Assembly::Open).unwrap();
+        let way = Way::new(linkage, [0.5], &start, [1.5]);
+        let from = |travel: f64| -> Vec<f64> {
+            let unknowns = linkage.solve_position(way.inputs(travel), Assembly::Open).unwrap();
+            let here = station(&way, travel, unknowns).ok().expect("the linkage closes there");
+            ahead(&way, &here).collect()
+        };
+        let places = from(0.25);
+        assert_eq!(places[0], 0.25 + way.shortest());
+        assert!(places.windows(2).all(|pair| pair[0] < pair[1]), "{places:?}");
+        let last = places[places.len() - 1] - 0.25;
+        assert!(last > 0.2 * BLUR && last < 1.01 * BLUR, "{places:?}");
+
+        let places = from(way.length - 1e-9);
+        assert!(places.iter().all(|place| *place <= way.length), "{places:?}");
+        assert_eq!(places[places.len() - 1], way.length);
+    }
+
+    /// In a place where rounding moves nothing and nothing stands in the way, the solvers' own word is handed on.
+    #[test]
+    fn an_error_that_nothing_explains_is_told_as_it_is() {
+        let linkage = FourBar {
+            r1: 90.0,
+            r2: 30.0,
+            r3: 70.0,
+            r4: 60.0,
+        };
+        let start = linkage.solve_position([0.5], Assembly::Open).unwrap();
+        let way = Way::new(linkage, [0.5], &start, [1.5]);
+        let here = station(&way, 0.0, start).ok().expect("the linkage closes there");
+        let failure = Failure::NotFinite { quantity: "something" };
+        let error = failure.at("theta3, theta4", InputValues::new(&["theta2"], &[0.5]));
+        let blocked = |error| blocked(&way, &here, &here, &here.sides, error, &Steps::NONE);
+        assert_eq!(blocked(Some(error)), TrackError::Failed(error));
+        let none = blocked(None);
+        assert!(
+            matches!(&none, TrackError::Lost(halt) if halt.inputs == [0.5] && halt.rounding < FIRM),
+            "{none:?}"
+        );
+    }
+}

@@ -5,6 +5,8 @@ mod obstacle;
 mod rounding;
 mod sides;
 mod steps;
+#[cfg(test)]
+mod tests;
 mod turning;
 mod way;
 

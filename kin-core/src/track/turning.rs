@@ -100,7 +100,7 @@ impl<M: Mechanism<Scalar = f64>> Local<M> {
     }
 }
 
-/// The place of the largest rate.
+/// The place of the largest rate, the first of several.
 pub(super) fn fastest<R: Row<f64>>(rates: &R) -> usize {
     let rates = rates.as_ref().iter().enumerate();
     let best = rates.fold(
@@ -342,4 +342,57 @@ fn arrived<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Local<M>, parameter:
         reach = next;
     }
     unknowns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::Assembly;
+    use crate::library::FourBar;
+
+    const LINKAGE: FourBar = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+
+    /// The way between two crank angles, both before a limit, and the curve where it begins.
+    fn begin(assembly: Assembly, from: f64, to: f64) -> (Way<FourBar>, Local<FourBar>, usize) {
+        let unknowns = LINKAGE.solve_position([from], assembly).unwrap();
+        let way = Way::new(LINKAGE, [from], &unknowns, [to]);
+        let point = Point { unknowns, travel: 0.0 };
+        let first = Local::new(&way, point, 0).unwrap();
+        let parameter = first.fastest();
+        let here = Local::new(&way, point, parameter).unwrap();
+        (way, here, parameter)
+    }
+
+    /// Towards a limit and away from it, the unknowns are those where the inputs are as wanted, however long the step is.
+    #[test]
+    fn within_a_step_the_inputs_arrive_where_they_are_wanted() {
+        let end = LINKAGE.crank_range().unwrap().high;
+        for assembly in Assembly::BOTH {
+            for (far, near) in [(1e-4, 1e-6), (1e-3, 5e-4), (1e-6, 1e-10), (1e-3, 1e-10)] {
+                for (from, to) in [(end - far, end - near), (end - near, end - far)] {
+                    let (way, here, parameter) = begin(assembly, from, to);
+                    let expected = LINKAGE.solve_position([to], assembly).unwrap();
+                    let reach = (expected[parameter] - here.point.unknowns[parameter]) / way.sizes[parameter];
+                    for part in [1.0, 1.1, 1.5] {
+                        // not beyond the limit, where the inputs turn back
+                        let is_towards = to > from;
+                        let step = if is_towards { reach } else { reach * part };
+                        let found = arrived(&way, &here, parameter, step * (1.0 + 1e-9));
+                        for (one, other) in found.into_iter().zip(expected) {
+                            // the angles are as sensitive as the limit is near
+                            assert!(
+                                (one - other).abs() <= 1e-10 + 64.0 * f64::EPSILON / near.sqrt(),
+                                "{from} to {to}, {part}: {one} {other}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
 }

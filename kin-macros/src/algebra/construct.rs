@@ -342,4 +342,17 @@ mod tests {
         let expected = graph.negate(sine);
         assert_eq!(graph.sine(opposite), expected);
     }
+
+    /// A root with its own radicand beside it, in any power, is the power of the radicand that it means.
+    #[test]
+    fn powers_of_roots_are_powers_of_what_stands_below() {
+        let mut graph = Graph::new();
+        let (a, b) = (parameter(&mut graph, 0), parameter(&mut graph, 1));
+        let radicand = graph.multiply(a, b);
+        let root = graph.call(Function::Sqrt, &[radicand]);
+        for (exponent, whole, odd) in [(1, 0, 1), (2, 1, 0), (3, 1, 1), (5, 2, 1), (-2, -1, 0), (-3, -1, -1)] {
+            let expected = graph.product(&[(a, whole), (b, whole), (root, odd)]);
+            assert_eq!(graph.power(root, exponent), expected, "{exponent}");
+        }
+    }
 }

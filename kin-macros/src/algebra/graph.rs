@@ -353,3 +353,35 @@ impl Graph {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a sum it is the largest in its terms; a symbol by itself has none.
+    #[test]
+    fn the_largest_exponent_is_that_of_any_factor() {
+        let mut graph = Graph::new();
+        let [a, b] = [0, 1].map(|parameter| graph.symbol(Symbol::Parameter(parameter)));
+        let product = graph.product(&[(a, 3), (b, -4)]);
+        assert_eq!(graph.largest_exponent(product), Some(4));
+        let square = graph.power(a, 2);
+        let sum = graph.linear(1.0, &[(a, 1.0), (square, -2.0), (product, 1.0)]);
+        assert_eq!(graph.largest_exponent(sum), Some(4));
+        assert_eq!(graph.largest_exponent(a), None);
+    }
+
+    /// A number in front is split off, and nothing else is: what comes back multiplies to the same expression.
+    #[test]
+    fn a_coefficient_is_what_stands_in_front() {
+        let mut graph = Graph::new();
+        let [a, b] = [0, 1].map(|parameter| graph.symbol(Symbol::Parameter(parameter)));
+        let product = graph.multiply(a, b);
+        let scaled = graph.scale(-3.0, product);
+        assert_eq!(graph.split_coefficient(scaled), (-3.0, product));
+        let shifted = graph.linear(1.0, &[(a, 2.0)]);
+        assert_eq!(graph.split_coefficient(shifted), (1.0, shifted));
+        let sum = graph.linear(0.0, &[(a, 2.0), (b, 2.0)]);
+        assert_eq!(graph.split_coefficient(sum), (1.0, sum));
+    }
+}

@@ -533,4 +533,35 @@ mod tests {
         let value = polynomial.free_term(&mut graph);
         assert!(graph.is_one(value));
     }
+
+    /// Whether a sum of so many unknowns, to such a power, is multiplied out.
+    fn is_multiplied_out(unknowns: usize, power: i32) -> bool {
+        let mut graph = Graph::new();
+        let terms: Vec<Node> = (0..unknowns)
+            .map(|unknown| graph.symbol(Symbol::Unknown(unknown)))
+            .collect();
+        let sum = graph.sum(&terms);
+        let whole = graph.power(sum, power);
+        let mut expansion = Expansion::new(&mut graph, Variables::AllUnknowns);
+        let polynomial = expansion.equation(whole);
+        let is_complete = expansion.is_complete();
+        // x² and x y of all unknowns
+        let count = if power == 1 {
+            unknowns
+        } else {
+            unknowns * (unknowns + 1) / 2
+        };
+        assert_eq!(polynomial.0.len(), if is_complete { count } else { 1 });
+        is_complete
+    }
+
+    /// An expression is left as it is where it has too many monomials, or would take too many multiplications to have them.
+    #[test]
+    fn what_is_too_large_is_left_as_it_is() {
+        assert!(is_multiplied_out(LARGEST, 1));
+        assert!(!is_multiplied_out(LARGEST + 1, 1));
+        // the square of a sum takes as many multiplications as its length has, squared
+        assert!(is_multiplied_out(30, 2));
+        assert!(!is_multiplied_out(BUDGET.isqrt() + 1, 2));
+    }
 }

@@ -121,3 +121,18 @@ impl Printer<'_> {
         self.text.push_str(if parentheses { ")" } else { "" });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A text of the greatest length is whole, a longer one is cut there.
+    #[test]
+    fn only_what_is_longer_is_cut_off() {
+        let mut graph = Graph::new();
+        let symbol = graph.symbol(Symbol::Parameter(0));
+        let text = |length: usize| graph.print(symbol, &|_| "x".repeat(length));
+        assert_eq!(text(LONGEST), "x".repeat(LONGEST));
+        assert_eq!(text(LONGEST + 1), format!("{}…", "x".repeat(LONGEST)));
+    }
+}

@@ -148,4 +148,31 @@ mod tests {
             assert_eq!(graph.vanishes(node), vanishes);
         }
     }
+
+    /// What vanishes and what does not is the same in any unit.
+    #[test]
+    fn multiples_vanish_with_what_they_are_multiples_of() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Unknown(0));
+        let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+        let (c2, s2) = (graph.power(cosine, 2), graph.power(sine, 2));
+        for unit in [1e-11, 1e-6, 1.0, 1e6, 1e12] {
+            let nothing = graph.linear(-unit, &[(c2, unit), (s2, unit)]);
+            assert!(graph.vanishes(nothing), "{unit}");
+            let something = graph.linear(-unit, &[(c2, unit), (s2, 2.0 * unit)]);
+            assert!(!graph.vanishes(something), "{unit}");
+        }
+    }
+
+    /// Expressions are the same by an identity as well, and not by their looks alone.
+    #[test]
+    fn what_differs_by_an_identity_is_the_same() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Unknown(0));
+        let (cosine, sine, one) = (graph.cosine(x), graph.sine(x), graph.one());
+        let (c2, s2) = (graph.power(cosine, 2), graph.power(sine, 2));
+        let rest = graph.subtract(one, s2);
+        assert!(graph.same(c2, rest) && graph.same(c2, c2));
+        assert!(!graph.same(c2, s2));
+    }
 }

@@ -303,3 +303,163 @@ impl Builder<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use quote::quote;
+
+    use super::*;
+    use crate::algebra::{Angle, Graph};
+    use crate::assemble::units::Units;
+    use crate::passes::Passes;
+    use crate::program::Names;
+    use crate::testing::{declarations, sound};
+
+    /// Angles that are found from the directions of links are the unknowns that give the links these directions.
+    #[test]
+    fn unknowns_follow_from_combinations_of_angles() {
+        const TRUE: [f64; 2] = [0.7, -1.9];
+        const LENGTHS: [f64; 2] = [2.0, 1.5];
+        for (multiples, mirrored) in [
+            ([[1, 0], [0, 1]], [false, false]),
+            ([[1, 0], [1, 1]], [false, false]),
+            ([[1, 1], [0, 1]], [true, false]),
+            ([[1, 0], [2, -1]], [false, true]),
+            ([[2, 1], [1, 1]], [false, false]),
+            ([[1, -1], [1, 0]], [true, true]),
+        ] {
+            let mut graph = Graph::new();
+            let factors = [0, 1].map(|index| graph.symbol(Symbol::Parameter(index)));
+            let [c, d] = [2, 3].map(|index| graph.symbol(Symbol::Parameter(index)));
+            let zero = graph.zero();
+            let arm = |index: usize| {
+                let symbols = [0, 1].map(Symbol::Unknown).into_iter().zip(multiples[index]);
+                Arm {
+                    angle: Angle(symbols.filter(|&(_, multiple)| multiple != 0).collect()),
+                    mirrored: mirrored[index],
+                    factor: Complex::new(factors[index], zero),
+                }
+            };
+            let arms = [arm(0), arm(1)];
+            let mut names = Names::default();
+            for symbol in [0, 1]
+                .map(Symbol::Unknown)
+                .into_iter()
+                .chain([0, 1].map(Symbol::Parameter))
+            {
+                names.name(symbol, "known");
+            }
+            let mut builder = Builder {
+                graph: &mut graph,
+                names: &mut names,
+                steps: Vec::new(),
+                units: Units::new(Passes::ALL),
+                nonzero: Vec::new(),
+                roots: Vec::new(),
+            };
+            builder.two_angles([0, 1], &arms, Complex::new(c, d));
+            let steps = builder.steps;
+
+            let vectors = [0, 1].map(|index| {
+                let [p, q] = multiples[index].map(f64::from);
+                let angle = p * TRUE[0] + q * TRUE[1];
+                let angle = if mirrored[index] { -angle } else { angle };
+                [LENGTHS[index] * angle.cos(), LENGTHS[index] * angle.sin()]
+            });
+            let mut values = BTreeMap::from([
+                (Symbol::Parameter(0), LENGTHS[0]),
+                (Symbol::Parameter(1), LENGTHS[1]),
+                (Symbol::Parameter(2), vectors[0][0] + vectors[1][0]),
+                (Symbol::Parameter(3), vectors[0][1] + vectors[1][1]),
+            ]);
+            let mut found = Vec::new();
+            for step in steps {
+                let value = |node: Node, values: &BTreeMap<Symbol, f64>| {
+                    graph.evaluate(node, &|symbol| values.get(&symbol).copied().unwrap_or(f64::NAN))
+                };
+                match step {
+                    Step::Define { symbol, value: node } => drop(values.insert(symbol, value(node, &values))),
+                    Step::Solve { results, .. } => values.extend(results.into_iter().flatten().zip(vectors[0])),
+                    Step::Angle { symbol, x, y, .. } => {
+                        found.push((symbol, value(y, &values).atan2(value(x, &values))));
+                    }
+                    other => panic!("{other:?}"),
+                }
+            }
+            assert_eq!(found.len(), 2);
+            for (symbol, angle) in found {
+                let Symbol::Unknown(unknown) = symbol else {
+                    panic!("{symbol:?}");
+                };
+                let difference = (angle - TRUE[unknown]).sin().abs() + 1.0 - (angle - TRUE[unknown]).cos();
+                assert!(difference < 1e-14, "{multiples:?} {mirrored:?}: {angle}");
+            }
+        }
+    }
+
+    /// The components of a link are called after its length, or else after the angles that it turns with.
+    #[test]
+    fn links_are_called_after_their_length_or_their_angle() {
+        let solvable = sound(quote! {
+            struct Links { r: Length, l: Vector, g: Vector, w: Vector }
+            input q: Angle;
+            unknown a: Angle, b: Angle;
+            r * cis(q) + l * cis(a) == g + w * cis(a + b);
+        });
+        let is_taken = |names: &Names, name: &str| names.clone().unique(name) != name;
+        let names = solvable.solvers(Passes::ALL).motion.names;
+        for name in ["link_a_x", "link_a_y", "link_a_b_x", "link_a_b_y"] {
+            assert!(is_taken(&names, name), "{name}");
+        }
+        let names = sound(declarations::four_bar()).solvers(Passes::ALL).motion.names;
+        for name in ["r3_x", "r3_y", "r4_x", "r4_y"] {
+            assert!(is_taken(&names, name), "{name}");
+        }
+    }
+
+    /// A slide along an axis has a form of its own if its length is measured as it is.
+    #[test]
+    fn slides_along_axes_are_solved_as_such() {
+        for (direction, expected) in [
+            ([1.0, 0.0], Solver::CircleLineX),
+            ([-1.0, 0.0], Solver::CircleLineX),
+            ([0.0, 1.0], Solver::CircleLineY),
+            ([2.0, 0.0], Solver::CircleLine),
+            ([0.0, 0.5], Solver::CircleLine),
+            ([1.0, 1.0], Solver::CircleLine),
+        ] {
+            let mut graph = Graph::new();
+            let [re, im] = direction.map(|part| graph.number(part));
+            let [l, c, d] = [0, 1, 2].map(|index| graph.symbol(Symbol::Parameter(index)));
+            let arm = Arm {
+                angle: Angle(vec![(Symbol::Unknown(0), 1)]),
+                mirrored: false,
+                factor: Complex::new(l, graph.zero()),
+            };
+            let mut names = Names::default();
+            for symbol in [Symbol::Unknown(0), Symbol::Unknown(1), Symbol::Parameter(0)] {
+                names.name(symbol, "known");
+            }
+            let mut builder = Builder {
+                graph: &mut graph,
+                names: &mut names,
+                steps: Vec::new(),
+                units: Units::new(Passes::ALL),
+                nonzero: Vec::new(),
+                roots: Vec::new(),
+            };
+            builder.angle_length(0, 1, &arm, Complex::new(re, im), Complex::new(c, d));
+            let solvers: Vec<Solver> = builder
+                .steps
+                .iter()
+                .filter_map(|step| match step {
+                    Step::Solve { solver, .. } => Some(*solver),
+                    _ => None,
+                })
+                .collect();
+            assert_eq!(solvers, [expected], "{direction:?}");
+        }
+    }
+}

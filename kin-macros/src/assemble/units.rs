@@ -216,3 +216,114 @@ impl Units {
         Some(parts)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parameter, the input and the unknowns of the tests, and the direction of the first unknown as a closed form finds it.
+    struct Known {
+        graph: Graph,
+        units: Units,
+        parameter: Node,
+        input: Node,
+        unknown: Node,
+        other: Node,
+    }
+
+    const ANGLES: [f64; 4] = [0.3, 0.7, -1.9, 2.3];
+
+    impl Known {
+        fn new() -> Self {
+            let mut graph = Graph::new();
+            let (parameter, input) = (graph.symbol(Symbol::Parameter(0)), graph.symbol(Symbol::Input(0)));
+            let [unknown, other] = [0, 1].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
+            let direction = Complex::new(graph.new_step().1, graph.new_step().1);
+            let mut units = Units::new(Passes::ALL);
+            units.learn_direction(unknown, direction);
+            Self {
+                graph,
+                units,
+                parameter,
+                input,
+                unknown,
+                other,
+            }
+        }
+
+        /// Whether the direction of an angle is that of its value.
+        fn points_along(&mut self, angle: Node) -> bool {
+            let direction = self.units.direction(&mut self.graph, angle);
+            let value = |symbol: Symbol| match symbol {
+                Symbol::Parameter(_) => ANGLES[0],
+                Symbol::Input(_) => ANGLES[1],
+                Symbol::Unknown(unknown) => ANGLES[2 + unknown],
+                Symbol::Step(0) => ANGLES[2].cos(),
+                _ => ANGLES[2].sin(),
+            };
+            let expected = self.graph.evaluate(angle, &value).sin_cos();
+            let found = [direction.re, direction.im].map(|part| self.graph.evaluate(part, &value));
+            // a product of at most three unit vectors
+            (found[0] - expected.1).abs() < 8.0 * f64::EPSILON && (found[1] - expected.0).abs() < 8.0 * f64::EPSILON
+        }
+    }
+
+    /// Whatever an angle is put together from, its cosine and sine are those of the whole angle.
+    #[test]
+    fn combined_directions_are_those_of_the_whole_angle() {
+        let Known {
+            parameter,
+            input,
+            unknown,
+            other,
+            ..
+        } = Known::new();
+        for (constant, terms) in [
+            (0.4, vec![(unknown, 1.0)]),
+            (0.0, vec![(unknown, -2.0), (input, 1.0)]),
+            (0.4, vec![(unknown, 1.0), (other, 1.0), (parameter, -3.0)]),
+            (0.0, vec![(unknown, 0.5), (input, 1.0)]),
+            (0.0, vec![(unknown, 1.0), (input, 1.5)]),
+            (0.0, vec![(unknown, -1.0), (parameter, 0.5)]),
+            (0.0, vec![(input, 2.0)]),
+        ] {
+            let mut known = Known::new();
+            let angle = known.graph.linear(constant, &terms);
+            assert!(known.points_along(angle), "{constant} {terms:?}");
+        }
+    }
+
+    /// A multiple of the input is put together from the input's own sine and cosine, a sum of inputs and parameters is evaluated.
+    #[test]
+    fn multiples_of_inputs_need_no_further_sine() {
+        let mut known = Known::new();
+        let graph = &mut known.graph;
+        let double = graph.scale(2.0, known.input);
+        let (cosine, sine) = (graph.cosine(known.input), graph.sine(known.input));
+        let unit = Complex::new(cosine, sine);
+        let expected = unit.times(graph, unit);
+        let found = known.units.direction(graph, double);
+        assert_eq!((found.re, found.im), (expected.re, expected.im));
+
+        let sum = graph.add(known.input, known.parameter);
+        let expected = (graph.cosine(sum), graph.sine(sum));
+        let found = known.units.direction(graph, sum);
+        assert_eq!((found.re, found.im), expected);
+    }
+
+    /// An angle by another name is read by that name, beside and inside of functions, but for the direction that is known.
+    #[test]
+    fn renamed_angles_are_read_by_their_new_name() {
+        let mut known = Known::new();
+        let (_, name) = known.graph.new_step();
+        let graph = &mut known.graph;
+        let cosine = graph.cosine(known.unknown);
+        let before = graph.product(&[(known.unknown, 1), (cosine, 1)]);
+        let learnt = known.units.direction(graph, known.unknown).re;
+        let expected = graph.multiply(known.unknown, learnt);
+        assert_eq!(known.units.rewrite(graph, before), expected);
+        known.units.rename(known.unknown, name);
+        let expected = graph.multiply(name, learnt);
+        assert_eq!(known.units.rewrite(graph, before), expected);
+    }
+}

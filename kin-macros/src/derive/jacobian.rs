@@ -584,6 +584,10 @@ mod tests {
             Symbol::UnknownRate(..) => found.get(&symbol).copied().unwrap_or(f64::NAN),
             _ => f64::NAN,
         };
+        assert!(
+            !is_still || rates.iter().all(|rate| matches!(rate, Rate::Value { .. })),
+            "{pattern:?}: where nothing moves there is no system to be solved"
+        );
         for rate in &rates {
             let values = match rate {
                 Rate::Value { value, .. } => vec![graph.evaluate(*value, &|symbol| known(&found, symbol))],

@@ -302,3 +302,38 @@ impl Derivatives {
         hints
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An equation is multiplied out where that is complete, or leaves no more than a few terms for each node.
+    #[test]
+    fn equations_are_multiplied_out_if_they_stay_small() {
+        let mut graph = Graph::new();
+        let sum_of = |graph: &mut Graph, count: usize| {
+            let unknowns: Vec<Node> = (0..count)
+                .map(|unknown| graph.symbol(Symbol::Unknown(unknown)))
+                .collect();
+            graph.sum(&unknowns)
+        };
+        for (count, power, is_small) in [(2, 2, true), (12, 2, false), (40, 3, false)] {
+            let sum = sum_of(&mut graph, count);
+            let typed = graph.power(sum, power);
+            for output in [false, true] {
+                let (residuals, outputs) = if output {
+                    (vec![], vec![typed])
+                } else {
+                    (vec![typed], vec![])
+                };
+                let chosen = formulas(&mut graph, &residuals, &outputs, true);
+                let node = chosen.residuals.iter().chain(&chosen.outputs).next();
+                assert_eq!(node == Some(&typed), !is_small, "{count} {power}");
+                assert_eq!(chosen.is_given_up, !is_small, "{count} {power}");
+                let left = formulas(&mut graph, &residuals, &outputs, false);
+                assert_eq!((left.residuals, left.outputs), (residuals, outputs));
+                assert!(!left.is_given_up);
+            }
+        }
+    }
+}

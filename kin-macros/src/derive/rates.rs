@@ -349,4 +349,26 @@ mod tests {
             }
         }
     }
+
+    /// The rate of a rate is the rate of a higher order.
+    #[test]
+    fn orders_add_up() {
+        let mut graph = Graph::new();
+        let mut rates = Rates::new(Passes::ALL);
+        let with_order: [fn(usize) -> Symbol; 3] = [
+            |order| Symbol::InputRate(2, order),
+            |order| Symbol::UnknownRate(1, order),
+            |order| Symbol::Sensitivity(1, 3, order),
+        ];
+        for symbol in with_order {
+            for (lower, order) in [(1, 1), (2, 1), (1, 3), (3, 2)] {
+                let node = graph.symbol(symbol(lower));
+                assert_eq!(
+                    rates.total(&mut graph, node, order),
+                    graph.symbol(symbol(lower + order)),
+                    "{lower} {order}"
+                );
+            }
+        }
+    }
 }

@@ -93,3 +93,60 @@ impl Add for Cost {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ONE: Cost = Cost {
+        additions: 1,
+        multiplications: 20,
+        divisions: 300,
+        negations: 4000,
+        square_roots: 5,
+        sine_cosines: 60,
+        arc_tangents: 700,
+        others: 8000,
+    };
+
+    /// The cost of both is the sum of each kind.
+    #[test]
+    fn costs_add_up_by_kind() {
+        let double = Cost {
+            additions: 2,
+            multiplications: 40,
+            divisions: 600,
+            negations: 8000,
+            square_roots: 10,
+            sine_cosines: 120,
+            arc_tangents: 1400,
+            others: 16000,
+        };
+        assert_eq!(ONE + ONE, double);
+        assert_eq!(ONE + Cost::default(), ONE);
+        assert_eq!(ONE.arithmetic(), 4321);
+        // a function is worth twenty operations
+        assert_eq!(ONE.total(), 4321 + 20 * 8765);
+    }
+
+    /// Gaussian elimination of three rows: one division for each of the three entries below the diagonal, and for each of these a
+    /// product and a difference for each entry that is left in its row, 2 · 2 and 1. Solving takes a product and a difference for
+    /// each of the six entries beside the diagonal, a division for each row, and levels rows and columns.
+    #[test]
+    fn factors_cost_what_elimination_takes() {
+        let factors = Cost::of_factors(3);
+        assert_eq!(
+            (factors.additions, factors.multiplications, factors.divisions),
+            (5, 5 + 2 * 9, 3)
+        );
+        let substitution = Cost::of_substitution(3);
+        assert_eq!(
+            (
+                substitution.additions,
+                substitution.multiplications,
+                substitution.divisions
+            ),
+            (6, 6 + 2 * 3, 3)
+        );
+    }
+}

@@ -181,3 +181,80 @@ impl Solver {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+    use std::fs;
+
+    use quote::ToTokens;
+
+    use super::*;
+
+    /// The functions of `kin_core::solve`: whether the last argument is an assembly, and what an `Ok` holds.
+    fn functions() -> BTreeMap<String, (bool, String)> {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/solve");
+        let rooms = ["forms", "guard"].map(|room| fs::read_dir(format!("{folder}/{room}")));
+        let mut functions = BTreeMap::new();
+        for file in rooms.into_iter().flat_map(|room| room.expect("there are closed forms")) {
+            let path = file.expect("it can be read").path();
+            let text = fs::read_to_string(path).expect("it is text");
+            for item in syn::parse_file(&text).expect("it is Rust").items {
+                let syn::Item::Fn(function) = item else { continue };
+                let signature = function.sig;
+                let last = signature.inputs.last().map(|input| input.to_token_stream().to_string());
+                let returned = signature.output.to_token_stream().to_string().replace(' ', "");
+                let returned = returned
+                    .trim_start_matches("->Result<")
+                    .trim_end_matches(",Failure>")
+                    .to_owned();
+                functions.insert(
+                    signature.ident.to_string(),
+                    (last.is_some_and(|last| last == "assembly : Assembly"), returned),
+                );
+            }
+        }
+        functions
+    }
+
+    /// Generated code calls each closed form as it is declared, and takes apart what it returns.
+    #[test]
+    fn solvers_are_what_is_declared_in_kin_core() {
+        let functions = functions();
+        for solver in [
+            Solver::CircleCircle,
+            Solver::CircleCircleSquared,
+            Solver::CircleLine,
+            Solver::CircleLineX,
+            Solver::CircleLineY,
+            Solver::Polar,
+            Solver::PolarOffset,
+            Solver::CosineSine,
+            Solver::InverseCosine,
+            Solver::InverseSine,
+            Solver::Linear,
+            Solver::LinearPair,
+            Solver::Quadratic,
+            Solver::SquareRoot,
+            Solver::SineOfArc,
+            Solver::CosineOfArc,
+            Solver::TangentOfArc,
+            Solver::SquareOfRoot,
+            Solver::Logarithm,
+        ] {
+            let (takes_assembly, returned) = &functions[solver.name()];
+            assert_eq!(solver.takes_assembly(), *takes_assembly, "{solver:?}");
+            let expected = match solver.returns() {
+                Returns::Scalar => "T",
+                Returns::Pair => "(T,T)",
+                Returns::Plane => "Plane<T>",
+                Returns::Root => "Root<T>",
+                Returns::PlaneAndRoot => "(Plane<T>,Root<T>)",
+                Returns::RootAndScalar => "(Root<T>,T)",
+                Returns::PlaneAndScalar => "(Plane<T>,T)",
+                Returns::ScalarAndPlane => "(T,Plane<T>)",
+            };
+            assert_eq!(returned, expected, "{solver:?}");
+        }
+    }
+}

@@ -229,3 +229,39 @@ impl Step<Node> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use super::*;
+    use crate::passes::Passes;
+    use crate::testing::sound;
+
+    /// What an iteration of Newton's method computes within itself is neither defined nor used outside of it.
+    #[test]
+    fn symbols_within_an_iteration_stay_there() {
+        let declared = sound(quote! {
+            struct Kepler { eccentricity: Scalar }
+            input mean: Angle;
+            unknown eccentric: Angle;
+            eccentric - eccentricity * sin(eccentric) == mean;
+        });
+        let solvers = declared.solvers(Passes::ALL);
+        let newton = solvers.motion.stages[0]
+            .steps
+            .iter()
+            .find(|step| matches!(step, Step::Newton { .. }))
+            .expect("it has no closed form");
+        let Step::Newton { body, .. } = newton else {
+            unreachable!("it has just been found as such");
+        };
+        let inner: Vec<Symbol> = body.iter().flat_map(Step::defines).collect();
+        let uses = newton.uses();
+        assert!(!inner.is_empty() && uses.contains(&Symbol::Parameter(0)), "{uses:?}");
+        for symbol in inner {
+            assert!(!uses.contains(&symbol), "{symbol:?}");
+        }
+        assert!(newton.defines().is_empty());
+    }
+}

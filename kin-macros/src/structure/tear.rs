@@ -217,3 +217,45 @@ fn link(graph: &mut Graph, equations: &[Node], polynomials: &[Polynomial], unkno
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What gears say of angles is taken out of a block, one relation after the other, until a single unknown is left.
+    #[test]
+    fn linear_relations_are_taken_out_of_a_block() {
+        let mut graph = Graph::new();
+        let p = graph.symbol(Symbol::Parameter(0));
+        let [x, y, z] = [3, 4, 5].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
+        let (first, second) = (
+            graph.linear(0.0, &[(x, 2.0), (y, -1.0), (p, 1.0)]),
+            graph.linear(0.0, &[(y, 3.0), (z, 1.0)]),
+        );
+        let sines = [x, y, z].map(|angle| graph.sine(angle));
+        let last = graph.linear(-1.0, &[(sines[0], 1.0), (sines[1], 1.0), (sines[2], 1.0)]);
+
+        let taken = whole(&mut graph, &[first, last, second], &[3, 4, 5]);
+        // y = 2 x + p, z = -3 y
+        assert_eq!(taken.unknowns, [3]);
+        assert!(matches!(
+            taken.relations[..],
+            [
+                ClosedForm::Linear { unknown: 4, .. },
+                ClosedForm::Linear { unknown: 5, .. }
+            ] | [
+                ClosedForm::Linear { unknown: 5, .. },
+                ClosedForm::Linear { unknown: 4, .. }
+            ]
+        ));
+        let y = graph.linear(0.0, &[(x, 2.0), (p, 1.0)]);
+        let z = graph.scale(-3.0, y);
+        let sines = [x, y, z].map(|angle| graph.sine(angle));
+        let rest = graph.linear(-1.0, &[(sines[0], 1.0), (sines[1], 1.0), (sines[2], 1.0)]);
+        assert_eq!(taken.equations, [rest]);
+
+        // of the last unknown nothing is taken
+        let alone = whole(&mut graph, &[y], &[3]);
+        assert_eq!((alone.unknowns, alone.relations.len()), (vec![3], 0));
+    }
+}

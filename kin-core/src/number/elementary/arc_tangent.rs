@@ -234,7 +234,7 @@ impl<const SELECT: bool> Sign<SELECT> {
 mod tests {
     use core::f64::consts::{FRAC_PI_4, PI};
 
-    use super::{arc_tangent, arc_tangent_single, ordinary_arc_tangent};
+    use super::{arc_tangent, arc_tangent_single, arc_tangents, arc_tangents_single, ordinary_arc_tangent};
     use crate::number::{
         elementary::reference::{self, fractions, units},
         single,
@@ -413,6 +413,28 @@ mod tests {
     fn signs_turn_the_angle_round() {
         for (y, x) in around() {
             assert_eq!(arc_tangent(-y, x), -arc_tangent(y, x));
+        }
+    }
+
+    /// Whatever its neighbour is, a point has its own angle, to the last bit.
+    #[test]
+    fn each_of_two_points_has_its_own_angle() {
+        let sizes = [0.0, f64::from_bits(1), 1.0, 3.0, f64::MAX, f64::INFINITY];
+        let values = || sizes.into_iter().flat_map(|size| [size, -size]);
+        let points = || values().flat_map(|y| values().map(move |x| (y, x)));
+        for (first, second) in points().zip(points().skip(5)).chain(points().zip(points().skip(71))) {
+            let found = arc_tangents([first.0, second.0], [first.1, second.1]);
+            let expected = [arc_tangent(first.0, first.1), arc_tangent(second.0, second.1)];
+            assert_eq!(
+                found.map(f64::to_bits),
+                expected.map(f64::to_bits),
+                "{first:?} {second:?}"
+            );
+
+            let [y, x] = [[first.0, second.0], [first.1, second.1]].map(|pair| pair.map(single));
+            let found = arc_tangents_single(y, x);
+            let expected = [arc_tangent_single(y[0], x[0]), arc_tangent_single(y[1], x[1])];
+            assert_eq!(found.map(f32::to_bits), expected.map(f32::to_bits), "{y:?} {x:?}");
         }
     }
 }

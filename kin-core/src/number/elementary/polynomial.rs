@@ -60,3 +60,35 @@ fn by_halves<const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
     }
     multiply_add::<true>(odd, z, even)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::polynomial;
+
+    fn is_exact<const N: usize>() {
+        let digits = [3.0, -1.0, 4.0, 1.0, -5.0, 9.0, -2.0, 6.0, 5.0, -3.0, 5.0, 8.0];
+        let coefficients: [f64; N] = core::array::from_fn(|power| digits[power]);
+        for z in [0.0, 1.0, -2.0, 3.0, 0.5] {
+            let expected = coefficients
+                .iter()
+                .rev()
+                .fold(0.0, |sum, coefficient| sum * z + coefficient);
+            assert_eq!(polynomial::<false, N>(coefficients, z), expected, "{N} {z}");
+            assert_eq!(polynomial::<true, N>(coefficients, z), expected, "{N} {z}, fused");
+        }
+    }
+
+    /// With small whole numbers nothing is rounded, whatever the order is in which terms are joined.
+    #[test]
+    fn all_orders_of_evaluation_agree() {
+        is_exact::<1>();
+        is_exact::<2>();
+        is_exact::<3>();
+        is_exact::<4>();
+        is_exact::<5>();
+        is_exact::<6>();
+        is_exact::<7>();
+        is_exact::<11>();
+        is_exact::<12>();
+    }
+}

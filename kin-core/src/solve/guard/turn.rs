@@ -113,8 +113,9 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::{agreeing, nearest_turn, on_turn};
+    use super::{agreeing, nearest_turn, on_turn, within_turns};
     use crate::batch::lanes::Lanes;
+    use crate::failure::Failure;
 
     proptest! {
         #[test]
@@ -145,5 +146,47 @@ mod tests {
         assert_eq!([kept[0], kept[2]], [0.1, 0.3]);
         assert!(kept[1].is_nan() && kept[3].is_nan(), "{kept:?}");
         assert_eq!(agreeing([0.2], [f64::NAN]), [0.2]);
+    }
+
+    /// Only angles are looked at, and the first that is too far is told; what is not finite is no guess.
+    #[test]
+    fn a_guess_where_numbers_are_a_degree_apart_is_refused() {
+        let angles = [("first", 2), ("second", 0)];
+        let near = [1e9, 1e200, -1e13];
+        assert_eq!(within_turns(near, angles), Ok(near));
+        let refused = |unknown, guess, spacing| Failure::TooManyTurns {
+            unknown,
+            guess,
+            spacing,
+        };
+        assert_eq!(
+            within_turns([1e15, 0.0, 1.0], angles),
+            Err(refused("second", 1e15, 0.125))
+        );
+        assert_eq!(
+            within_turns([1.0, 0.0, -1e16], angles),
+            Err(refused("first", -1e16, 2.0))
+        );
+        assert_eq!(
+            within_turns([1e15, 0.0, 1e16], angles),
+            Err(refused("first", 1e16, 2.0))
+        );
+        let [kept, ..] = within_turns([1.0, 0.0, f64::NAN], angles).unwrap();
+        assert_eq!(kept, 1.0);
+        // a number of single precision is as coarse as this much earlier
+        let spacing = f64::from(1e6_f32.next_up() - 1e6);
+        assert_eq!(within_turns([1e6_f32], [("x", 0)]), Err(refused("x", 1e6, spacing)));
+    }
+
+    /// Those poses go on that are in the assembly of the first one.
+    #[test]
+    fn poses_of_another_assembly_are_left() {
+        let near = [Lanes::<4, false>([1.0, 2.0, 3.0, 4.0])];
+        let first = Lanes([1.0, 0.0, -2.0, 3.0]);
+        let second = Lanes([-1.0, -2.0, -3.0, 4.0]);
+        let [Lanes(kept)] = agreeing(near, [first, second]);
+        assert_eq!(kept[..2], [1.0, 2.0]);
+        assert!(kept[2].is_nan() && kept[3].is_nan(), "{kept:?}");
+        assert_eq!(agreeing([5.0, 6.0], [-1.0, 1.0]), [5.0, 6.0]);
     }
 }

@@ -47,3 +47,55 @@ const fn is_invertible(function: Function) -> bool {
         Function::Sin | Function::Cos | Function::Tan | Function::Atan2 => false,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{Node, Symbol};
+
+    fn form(graph: &mut Graph, node: Node) -> Option<ClosedForm> {
+        let equation = Expansion::new(graph, Variables::Unknowns(&[0])).equation(node);
+        recognise(graph, &equation, 0)
+    }
+
+    /// One function of the unknown is inverted, times a number or a parameter and with what is free of the unknown beside it.
+    #[test]
+    fn a_single_function_is_inverted() {
+        let mut graph = Graph::new();
+        let [p, q] = [0, 1].map(|index| graph.symbol(Symbol::Parameter(index)));
+        let x = graph.symbol(Symbol::Unknown(0));
+        let inside = graph.linear(1.0, &[(x, 2.0)]);
+        let exponential = graph.call(Function::Exp, &[inside]);
+        let scaled = graph.multiply(p, exponential);
+        let equation = graph.linear(0.0, &[(scaled, 1.0), (q, -1.0)]);
+        let Some(ClosedForm::Inverse {
+            function: Function::Exp,
+            value,
+            then,
+            ..
+        }) = form(&mut graph, equation)
+        else {
+            panic!("p exp(2 x + 1) = q");
+        };
+        assert_eq!(value, graph.divide(q, p));
+        assert!(matches!(*then, ClosedForm::Linear { unknown: 0, .. }));
+    }
+
+    #[test]
+    fn more_than_one_function_is_not() {
+        let mut graph = Graph::new();
+        let x = graph.symbol(Symbol::Unknown(0));
+        let (exponential, root) = (graph.call(Function::Exp, &[x]), graph.call(Function::Sqrt, &[x]));
+        let (cosine, square) = (graph.cosine(x), graph.power(exponential, 2));
+        let product = graph.multiply(exponential, root);
+        let arc = graph.call(Function::Atan2, &[x, exponential]);
+        for other in [root, cosine, x] {
+            let equation = graph.linear(-3.0, &[(exponential, 1.0), (other, 1.0)]);
+            assert!(form(&mut graph, equation).is_none());
+        }
+        for alone in [square, product, cosine, arc] {
+            let equation = graph.linear(-3.0, &[(alone, 1.0)]);
+            assert!(form(&mut graph, equation).is_none());
+        }
+    }
+}

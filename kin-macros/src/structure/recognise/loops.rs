@@ -336,3 +336,88 @@ fn polar(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [u
         target: target.over(graph, direction),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{Expansion, Variables};
+
+    /// The form of two equations for the first two unknowns.
+    fn form(graph: &mut Graph, equations: [Node; 2]) -> Option<ClosedForm> {
+        let [above, below] =
+            equations.map(|equation| Expansion::new(graph, Variables::Unknowns(&[0, 1])).equation(equation));
+        recognise(graph, [&above, &below], [0, 1])
+    }
+
+    struct Links {
+        graph: Graph,
+        /// Two lengths and the parts of what they span.
+        parameters: [Node; 4],
+        unknowns: [Node; 2],
+    }
+
+    fn links() -> Links {
+        let mut graph = Graph::new();
+        Links {
+            parameters: [0, 1, 2, 3].map(|index| graph.symbol(Symbol::Parameter(index))),
+            unknowns: [0, 1].map(|index| graph.symbol(Symbol::Unknown(index))),
+            graph,
+        }
+    }
+
+    /// Σ length · cis(± angle) - (c + i d), the signs those of the senses.
+    fn loop_of(links: &mut Links, senses: [f64; 2]) -> [Node; 2] {
+        let [a, b, c, d] = links.parameters;
+        let graph = &mut links.graph;
+        let cosines = links.unknowns.map(|angle| graph.cosine(angle));
+        let sines = links.unknowns.map(|angle| graph.sine(angle));
+        let above = [graph.multiply(a, cosines[0]), graph.multiply(b, cosines[1])];
+        let below = [graph.multiply(a, sines[0]), graph.multiply(b, sines[1])];
+        [
+            graph.linear(0.0, &[(above[0], 1.0), (above[1], 1.0), (c, -1.0)]),
+            graph.linear(0.0, &[(below[0], senses[0]), (below[1], senses[1]), (d, -1.0)]),
+        ]
+    }
+
+    /// A loop is read as it was typed, and not as its mirror image, in which open and crossed change places.
+    #[test]
+    fn angles_keep_their_sense() {
+        for senses in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0]] {
+            let mut links = links();
+            let equations = loop_of(&mut links, senses);
+            let [a, b, c, d] = links.parameters;
+            let Some(ClosedForm::TwoAngles { arms, target, .. }) = form(&mut links.graph, equations) else {
+                panic!("{senses:?}");
+            };
+            assert_eq!(arms.each_ref().map(|arm| arm.mirrored), senses.map(|sense| sense < 0.0));
+            assert_eq!(arms.map(|arm| arm.factor.re), [a, b]);
+            assert_eq!((target.re, target.im), (c, d));
+        }
+    }
+
+    /// A length that is found with its angle may have another one added to it.
+    #[test]
+    fn a_length_may_have_an_offset() {
+        let Links {
+            mut graph,
+            parameters: [offset, factor, c, d],
+            unknowns: [length, angle],
+        } = links();
+        let (cosine, sine) = (graph.cosine(angle), graph.sine(angle));
+        let scaled = graph.multiply(factor, length);
+        let whole = graph.add(scaled, offset);
+        let equations = [(cosine, c), (sine, d)].map(|(part, end)| {
+            let along = graph.multiply(whole, part);
+            graph.subtract(along, end)
+        });
+        let Some(ClosedForm::Polar {
+            offset: found, target, ..
+        }) = form(&mut graph, equations)
+        else {
+            panic!("it is a vector with a length and an angle");
+        };
+        let expected = [offset, c, d].map(|part| graph.divide(part, factor));
+        assert_eq!([found.re, target.re, target.im], expected);
+        assert!(graph.is_zero(found.im));
+    }
+}

@@ -34,3 +34,38 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
     }
     Some(ClosedForm::Quadratic { unknown, a, b, c })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{Expansion, Function, Node, Variables};
+
+    /// The form of `node == 0` for the first unknown.
+    fn form(graph: &mut Graph, node: Node) -> Option<ClosedForm> {
+        let equation = Expansion::new(graph, Variables::Unknowns(&[0])).equation(node);
+        recognise(graph, &equation, 0)
+    }
+
+    /// An equation has this form if it has the unknown's first two powers, and nothing else that depends on it.
+    #[test]
+    fn powers_are_those_of_the_unknown_itself() {
+        let mut graph = Graph::new();
+        let (x, p) = (graph.symbol(Symbol::Unknown(0)), graph.symbol(Symbol::Parameter(0)));
+        let (square, cube) = (graph.power(x, 2), graph.power(x, 3));
+        let root = graph.call(Function::Sqrt, &[x]);
+        let by_root = graph.multiply(x, root);
+
+        let linear = graph.linear(-1.0, &[(x, 2.0), (p, 1.0)]);
+        assert!(matches!(form(&mut graph, linear), Some(ClosedForm::Linear { .. })));
+        let pure = graph.linear(0.0, &[(square, 2.0), (p, -1.0)]);
+        assert!(matches!(form(&mut graph, pure), Some(ClosedForm::SquareRoot { .. })));
+        let mixed = graph.linear(-1.0, &[(square, 2.0), (x, 1.0)]);
+        assert!(matches!(form(&mut graph, mixed), Some(ClosedForm::Quadratic { .. })));
+        for other in [root, by_root, cube] {
+            for rest in [p, square, x] {
+                let equation = graph.linear(0.0, &[(other, 1.0), (rest, -1.0)]);
+                assert!(form(&mut graph, equation).is_none());
+            }
+        }
+    }
+}

@@ -1,0 +1,332 @@
+//! A batch finds what one pose after the other finds. Many mechanisms are solved in batches in the package of tests.
+
+use std::vec;
+use std::vec::Vec;
+
+use super::{
+    Column, LengthMismatch, MotionColumns, Outcome, Place, Summary, Target, Vectors, Visitor, solve, solve_near,
+};
+use crate::assembly::Assembly;
+use crate::geometry::Space;
+use crate::library::{FourBar, FourBarBatch};
+use crate::mechanism::PoseOf;
+use crate::motion::Motion;
+
+const LINKAGE: FourBar = FourBar {
+    r1: 90.0,
+    r2: 30.0,
+    r3: 40.0,
+    r4: 45.0,
+};
+
+type Parameters<'a> = [Column<'a>; 4];
+type Poses = FourBarBatch<Vec<f64>>;
+
+fn parameters<'a>() -> Parameters<'a> {
+    [LINKAGE.r1, LINKAGE.r2, LINKAGE.r3, LINKAGE.r4].map(Column::Same)
+}
+
+fn turning<'a>(angles: &'a [f64]) -> [Motion<Column<'a>, 5>; 1] {
+    [Motion::from([
+        Column::Each(angles),
+        2.0.into(),
+        0.5.into(),
+        Column::Same(-1.0),
+        0.25.into(),
+    ])]
+}
+
+/// Crank angles over more than the linkage reaches.
+fn angles(count: u32) -> Vec<f64> {
+    (0..count)
+        .map(|index| 4.0 * f64::from(index) / f64::from(count.max(1)) - 2.0)
+        .collect()
+}
+
+fn targets(count: usize) -> (Poses, Vec<Outcome>) {
+    (
+        FourBarBatch::filled(|| vec![0.0; count]),
+        vec![Outcome::Unsolved; count],
+    )
+}
+
+fn vectors() -> impl Iterator<Item = Vectors> {
+    [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512]
+        .into_iter()
+        .filter(|vectors| vectors.are_there())
+}
+
+/// Holds a batch to the poses one by one.
+fn compare(angles: &[f64], poses: &Poses, outcomes: &[Outcome], summary: Summary) {
+    let (mut failed, mut first_failure) = (0, None);
+    for (index, angle) in angles.iter().enumerate() {
+        let crank = Motion::new([*angle, 2.0, 0.5, -1.0, 0.25]);
+        match LINKAGE.solve(crank, Assembly::Open) {
+            Ok(pose) => {
+                assert_eq!(outcomes[index], Outcome::Solved, "{index}");
+                // near its limits the linkage magnifies rounding, and each order more
+                let margin = (pose.theta3.position() - pose.theta4.position()).sin().abs();
+                for order in 0..5 {
+                    for (found, expected) in [
+                        (&poses.theta2, crank[order]),
+                        (&poses.theta3, pose.theta3[order]),
+                        (&poses.theta4, pose.theta4[order]),
+                    ] {
+                        let found = found[order][index];
+                        assert!(
+                            (found - expected).abs() * margin.powi(2) <= 1e-12 * expected.abs().max(1.0),
+                            "{index} {order}: {found} {expected}"
+                        );
+                    }
+                }
+            }
+            Err(error) => {
+                failed += 1;
+                first_failure = first_failure.or(Some((index, error)));
+                assert_eq!(outcomes[index], Outcome::from(&error), "{index}");
+                for order in 0..5 {
+                    assert!(poses.theta3[order][index].is_nan() && poses.theta4[order][index].is_nan());
+                }
+            }
+        }
+    }
+    assert_eq!((summary.solved, summary.failed), (angles.len() - failed, failed));
+    assert_eq!(summary.first_failure, first_failure);
+}
+
+#[test]
+fn batches_of_any_size_in_all_vectors() {
+    for vectors in vectors() {
+        for count in [0, 1, 3, 4, 5, 7, 8, 9, 15, 16, 17, 33, 100] {
+            let angles = angles(count);
+            let (mut poses, mut outcomes) = targets(angles.len());
+            let summary = solve::<FourBar, _, _>(
+                parameters(),
+                turning(&angles),
+                Assembly::Open,
+                &mut poses,
+                &mut outcomes,
+                vectors,
+            )
+            .unwrap();
+            compare(&angles, &poses, &outcomes, summary);
+            if count == 100 {
+                // those that failed as well: what is solved in lanes is not solved alone
+                assert!(summary.failed > 10 && summary.alone < 5, "{summary:?}");
+            }
+        }
+    }
+}
+
+/// Values near each position lead to the assembly that they are of.
+#[test]
+fn values_near_by_tell_the_assembly() {
+    let angles = angles(50);
+    for assembly in Assembly::BOTH {
+        let expected: Vec<Option<[f64; 2]>> = angles
+            .iter()
+            .map(|angle| LINKAGE.position(*angle, assembly).ok().map(|pose| pose.unknowns()))
+            .collect();
+        // those out of reach get values of this assembly as well
+        let reachable = expected[25].unwrap();
+        let beside = |unknown: usize, shift: f64| -> Vec<f64> {
+            let poses = expected.iter().map(|pose| pose.unwrap_or(reachable));
+            poses.map(|unknowns| unknowns[unknown] + shift).collect()
+        };
+        let near = [beside(0, 0.01), beside(1, -0.01)];
+        for vectors in vectors() {
+            let (mut poses, mut outcomes) = targets(50);
+            let summary = solve_near::<FourBar, _, _>(
+                parameters(),
+                turning(&angles),
+                [Column::Each(&near[0]), Column::Each(&near[1])],
+                &mut poses,
+                &mut outcomes,
+                vectors,
+            )
+            .unwrap();
+            let mut solved = 0;
+            for (index, pose) in expected.iter().enumerate() {
+                assert_eq!(outcomes[index].is_solved(), pose.is_some(), "{index}");
+                let Some([theta3, theta4]) = *pose else { continue };
+                solved += 1;
+                for (found, expected) in [(&poses.theta3, theta3), (&poses.theta4, theta4)] {
+                    let error = (found[0][index] - expected).abs();
+                    // near its limits the linkage magnifies rounding
+                    assert!(error * (theta3 - theta4).sin().abs() <= 1e-13, "{index}: {error}");
+                }
+            }
+            assert_eq!((summary.solved, summary.failed), (solved, 50 - solved));
+            assert!(solved > 20);
+        }
+    }
+}
+
+/// The last piece is shorter than the others, and longer than lanes.
+#[cfg(feature = "rayon")]
+#[test]
+fn all_cores_find_what_one_finds() {
+    use super::solve_in_parallel;
+
+    for count in [0, 3, 512, 3 * 512 + 3, 3 * 512 + 40] {
+        let angles = angles(count);
+        for vectors in vectors() {
+            let (mut poses, mut outcomes) = targets(angles.len());
+            let crank = turning(&angles);
+            let summary = solve_in_parallel::<FourBar, _, _>(
+                parameters(),
+                crank,
+                Assembly::Open,
+                &mut poses,
+                &mut outcomes,
+                vectors,
+            )
+            .unwrap();
+            compare(&angles, &poses, &outcomes, summary);
+        }
+    }
+    // the first failure is found behind the first piece
+    let angles: Vec<f64> = (0..2000).map(|index| 0.001 * f64::from(index)).collect();
+    let (mut poses, mut outcomes) = targets(2000);
+    let crank = turning(&angles);
+    let vectors = Vectors::widest();
+    let summary =
+        solve_in_parallel::<FourBar, _, _>(parameters(), crank, Assembly::Open, &mut poses, &mut outcomes, vectors)
+            .unwrap();
+    compare(&angles, &poses, &outcomes, summary);
+    assert!(
+        summary.first_failure.is_some_and(|(index, _)| index > 512),
+        "{summary:?}"
+    );
+    let error = solve_in_parallel::<FourBar, _, _>(
+        parameters(),
+        crank,
+        Assembly::Open,
+        &mut poses,
+        &mut outcomes[1..],
+        vectors,
+    )
+    .unwrap_err();
+    assert_eq!((error.quantity, error.poses, error.length), ("theta2", 1999, 2000));
+}
+
+#[test]
+fn whatever_is_of_another_length_is_named() {
+    let (four, five) = (&[0.1; 4], &[0.1; 5]);
+    let mismatch = |quantity, length| {
+        Err(LengthMismatch {
+            quantity,
+            poses: 5,
+            length,
+        })
+    };
+    let solved = |parameters: Parameters<'_>, crank: &[f64], near: [Column<'_>; 2], rocker: usize| {
+        let (mut poses, mut outcomes) = targets(5);
+        poses.theta4[3] = vec![0.0; rocker];
+        let result = solve_near::<FourBar, _, _>(
+            parameters,
+            turning(crank),
+            near,
+            &mut poses,
+            &mut outcomes,
+            Vectors::widest(),
+        );
+        assert_eq!(outcomes.iter().all(Outcome::is_solved), result.is_ok());
+        assert_eq!(
+            outcomes.iter().all(|outcome| *outcome == Outcome::Unsolved),
+            result.is_err()
+        );
+        result.map(|summary| summary.solved)
+    };
+    let near = LINKAGE
+        .position(0.1, Assembly::Open)
+        .unwrap()
+        .unknowns()
+        .map(Column::Same);
+    let mut with_column = parameters();
+    with_column[2] = Column::Each(&[LINKAGE.r3; 5]);
+    assert_eq!(solved(parameters(), five, near, 5), Ok(5));
+    assert_eq!(solved(with_column, five, near, 5), Ok(5));
+    with_column[2] = Column::Each(&[LINKAGE.r3; 6]);
+    assert_eq!(solved(with_column, five, near, 5), mismatch("r3", 6));
+    assert_eq!(solved(parameters(), four, near, 5), mismatch("theta2", 4));
+    assert_eq!(
+        solved(parameters(), five, [near[0], Column::Each(four)], 5),
+        mismatch("theta4", 4)
+    );
+    assert_eq!(solved(parameters(), five, near, 6), mismatch("theta4", 6));
+}
+
+#[test]
+fn what_is_not_wanted_is_left_out() {
+    let angles = [0.1, 0.2, 0.3, 0.4, 0.5];
+    let mut wanted = [0.0; 5];
+    let mut poses = FourBarBatch::filled(|| None);
+    poses.theta4[2] = Some(wanted.as_mut_slice());
+    let mut outcomes = [Outcome::Unsolved; 5];
+    let vectors = Vectors::Compiled;
+    let crank = turning(&angles);
+    solve::<FourBar, _, _>(parameters(), crank, Assembly::Open, &mut poses, &mut outcomes, vectors).unwrap();
+    for (angle, found) in angles.into_iter().zip(wanted) {
+        let crank = Motion::new([angle, 2.0, 0.5, -1.0, 0.25]);
+        let expected = LINKAGE.solve(crank, Assembly::Open).unwrap().theta4[2];
+        assert!((found - expected).abs() <= 1e-12 * expected.abs(), "{angle}");
+    }
+}
+
+#[test]
+fn columns_are_read_by_index() {
+    let numbers = vec![1.0, 2.0];
+    for column in [
+        Column::Each(&numbers),
+        Column::from(&numbers),
+        Column::from(&[1.0, 2.0]),
+    ] {
+        assert_eq!((column.at(0), column.at(1)), (1.0, 2.0));
+        assert!(column.at(2).is_nan());
+        assert_eq!(column.length(), Some(2));
+    }
+    let same = Column::from(3.0);
+    assert_eq!((same.at(0), same.at(7), same.length()), (3.0, 3.0, None));
+}
+
+#[test]
+fn targets_are_what_they_hold() {
+    let mut vector = vec![1.0, 2.0];
+    let mut array = [1.0, 2.0];
+    let expected = Some([1.0, 2.0].as_mut_slice().to_vec());
+    let read = |slice: Option<&mut [f64]>| slice.map(|slice| slice.to_vec());
+    assert_eq!(read(array.slice()), expected);
+    assert_eq!(read(vector.slice()), expected);
+    assert_eq!(read((&mut array[..]).slice()), expected);
+    assert_eq!(read(Some(vector).slice()), expected);
+    assert_eq!(read(None::<Vec<f64>>.slice()), None);
+}
+
+/// The places that are visited, and what is there.
+struct Seen(Vec<(Place, f64)>);
+
+impl<'a> Visitor<'a, f64> for Seen {
+    fn visit(&mut self, place: Place, there: &'a mut f64) {
+        self.0.push((place, *there));
+    }
+}
+
+/// The scalars of a point in space count one after the other, each with all its orders.
+#[test]
+fn the_parts_of_a_point_have_places_of_their_own() {
+    let mut number = 0.0;
+    let mut next = || {
+        number += 1.0;
+        number
+    };
+    let mut motion: Motion<Space<f64>, 2> = MotionColumns::filled(&mut next);
+    let mut seen = Seen(Vec::new());
+    motion.each(4, Place::Output, &mut seen);
+    let mut expected = Vec::new();
+    for order in 0..2 {
+        let Space { x, y, z } = motion[order];
+        expected.extend([(4, x), (5, y), (6, z)].map(|(index, value)| (Place::Output(index, order), value)));
+    }
+    assert_eq!(seen.0, expected);
+}
