@@ -355,4 +355,20 @@ mod tests {
             assert_eq!(graph.power(root, exponent), expected, "{exponent}");
         }
     }
+
+    /// A product of more factors than are merged is a factor of others.
+    #[test]
+    fn long_products_stay_whole() {
+        for (count, is_merged) in [(LONGEST_PRODUCT, true), (LONGEST_PRODUCT + 1, false)] {
+            let mut graph = Graph::new();
+            let factors: Vec<(Node, i32)> = (0..count).map(|index| (parameter(&mut graph, index), 1)).collect();
+            let product = graph.product(&factors);
+            let other = parameter(&mut graph, count);
+            let whole = graph.multiply(product, other);
+            let Term::Product(found) = graph.term(whole) else {
+                panic!("it is a product");
+            };
+            assert_eq!(found.len(), if is_merged { count + 1 } else { 2 });
+        }
+    }
 }

@@ -564,4 +564,53 @@ mod tests {
         assert!(is_multiplied_out(30, 2));
         assert!(!is_multiplied_out(BUDGET.isqrt() + 1, 2));
     }
+
+    /// Products of sines and cosines of any multiples of angles keep their values.
+    #[test]
+    fn expansions_have_the_value_of_what_they_expand() {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
+        let angles: Vec<Node> = [(1.0, 0.0), (2.0, 0.0), (0.0, 3.0), (1.0, -2.0), (-3.0, 1.0)]
+            .map(|(p, q)| graph.linear(0.0, &[(x, p), (y, q)]))
+            .to_vec();
+        let circular: Vec<Node> = angles
+            .into_iter()
+            .flat_map(|angle| [graph.cosine(angle), graph.sine(angle)])
+            .collect();
+        let value = |symbol: Symbol| if symbol == Symbol::Unknown(0) { 0.7 } else { -1.9 };
+        for &one in &circular {
+            for &other in &circular {
+                let product = graph.product(&[(one, 1), (other, 2)]);
+                let polynomial = Expansion::new(&mut graph, Variables::AllUnknowns).equation(product);
+                assert!(polynomial.0.keys().all(|monomial| monomial.powers.is_empty()));
+                let expanded = polynomial.node(&mut graph);
+                let (found, expected) = (graph.evaluate(expanded, &value), graph.evaluate(product, &value));
+                // a few terms below one
+                assert!(
+                    (found - expected).abs() < 16.0 * f64::EPSILON,
+                    "{found} and not {expected}"
+                );
+            }
+        }
+    }
+
+    /// Quotients are brought over a common denominator as long as that takes few enough multiplications: two for each monomial that
+    /// has been gathered.
+    #[test]
+    fn few_quotients_are_brought_together() {
+        for (count, is_small) in [(40, true), (50, false)] {
+            let mut graph = Graph::new();
+            let quotients: Vec<Node> = (0..count)
+                .map(|unknown| {
+                    let below = graph.symbol(Symbol::Unknown(unknown));
+                    graph.power(below, -1)
+                })
+                .collect();
+            let sum = graph.sum(&quotients);
+            let mut expansion = Expansion::new(&mut graph, Variables::AllUnknowns);
+            let above = expansion.equation(sum);
+            assert_eq!(expansion.is_complete(), is_small, "{count}");
+            assert_eq!(above.0.len(), if is_small { count } else { 1 });
+        }
+    }
 }

@@ -175,4 +175,37 @@ mod tests {
         assert!(graph.same(c2, rest) && graph.same(c2, c2));
         assert!(!graph.same(c2, s2));
     }
+
+    /// No two symbols have the same value at a point, or a difference of them would vanish.
+    #[test]
+    fn symbols_are_told_apart() {
+        let mut symbols = Vec::new();
+        for index in 0..6 {
+            symbols.extend([
+                Symbol::Parameter(index),
+                Symbol::Input(index),
+                Symbol::Unknown(index),
+                Symbol::Step(index),
+                Symbol::Value(index),
+            ]);
+            for order in 0..8 {
+                symbols.extend([
+                    Symbol::InputRate(index, order),
+                    Symbol::UnknownRate(index, order),
+                    Symbol::Turning(index, order),
+                    Symbol::OutputRate(index, order),
+                ]);
+                for parameter in 0..3 {
+                    symbols.extend([
+                        Symbol::Sensitivity(index, parameter, order),
+                        Symbol::OutputSensitivity(index, parameter, order),
+                    ]);
+                }
+            }
+        }
+        let values: std::collections::BTreeSet<u64> = Probe::all()
+            .flat_map(|probe| symbols.iter().map(move |&symbol| probe.value(symbol).to_bits()))
+            .collect();
+        assert_eq!(values.len(), POINTS * symbols.len());
+    }
 }

@@ -384,3 +384,41 @@ impl Builder<'_> {
         self.solve(solver, vec![Argument::Scalar(value)], vec![result]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenStream;
+    use quote::quote;
+
+    use super::*;
+    use crate::testing::sound;
+
+    /// A function of an unknown is inverted by the closed form of its inverse; only that of the logarithm needs none.
+    #[test]
+    fn functions_are_inverted_by_their_inverses() {
+        let solvers = |function: TokenStream| -> Vec<Solver> {
+            let declared = sound(quote! {
+                struct Inverse { a: Scalar }
+                input t: Scalar;
+                unknown x: Scalar;
+                #function(x) == a * t;
+            });
+            let steps = &declared.solvers(Passes::ALL).motion.stages[0].steps;
+            let solvers = steps.iter().filter_map(|step| match step {
+                Step::Solve { solver, .. } => Some(*solver),
+                _ => None,
+            });
+            solvers.filter(|solver| *solver != Solver::Linear).collect()
+        };
+        for (function, expected) in [
+            (quote!(sqrt), vec![Solver::SquareOfRoot]),
+            (quote!(asin), vec![Solver::SineOfArc]),
+            (quote!(acos), vec![Solver::CosineOfArc]),
+            (quote!(atan), vec![Solver::TangentOfArc]),
+            (quote!(exp), vec![Solver::Logarithm]),
+            (quote!(ln), vec![]),
+        ] {
+            assert_eq!(solvers(function.clone()), expected, "{function}");
+        }
+    }
+}

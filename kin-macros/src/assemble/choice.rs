@@ -112,3 +112,56 @@ fn by_sign(limits: Limits) -> Option<bool> {
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+
+    /// A range decides where it holds one of the two solutions only, whatever the dimensions are.
+    #[test]
+    fn ranges_within_half_a_turn_decide() {
+        let mut graph = Graph::new();
+        let one = graph.one();
+        let cosine = ClosedForm::InverseCosine {
+            unknown: 0,
+            radius: one,
+            width: one,
+        };
+        let sine = ClosedForm::InverseSine {
+            unknown: 0,
+            radius: one,
+            height: one,
+        };
+        let root = ClosedForm::SquareRoot {
+            unknown: 0,
+            square: one,
+        };
+        for (form, low, high, expected) in [
+            (&cosine, 0.0, PI, Some(true)),
+            (&cosine, 0.5, 1.0, Some(true)),
+            (&cosine, -PI, 0.0, Some(false)),
+            (&cosine, PI, 2.0 * PI, Some(false)),
+            (&cosine, -1.0, 1.0, None),
+            (&cosine, 1.0, 4.0, None),
+            (&cosine, -4.0, -1.0, None),
+            (&sine, -FRAC_PI_2, FRAC_PI_2, Some(true)),
+            (&sine, FRAC_PI_2, 3.0 * FRAC_PI_2, Some(false)),
+            (&sine, FRAC_PI_2, 3.0 * FRAC_PI_2 + 0.01, None),
+            (&sine, 2.0, 4.7, Some(false)),
+            (&sine, -2.0, 1.0, None),
+            (&sine, 1.0, 2.0, None),
+            (&root, 0.0, 1.0, Some(true)),
+            (&root, -1.0, 0.0, Some(false)),
+            (&root, -1.0, 1.0, None),
+        ] {
+            let limits = Limits { low, high };
+            assert_eq!(
+                fixed_by_range(&graph, form, 0, limits),
+                expected,
+                "{form:?} {low} {high}"
+            );
+        }
+    }
+}

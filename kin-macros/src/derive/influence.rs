@@ -196,3 +196,39 @@ fn mover(graph: &Graph, factors: &[(Node, i32)], movers: &BTreeMap<Node, Mover>)
         is_along: !matches!(factors, [(_, 1)]),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rate by itself moves its quantity, rates of one quantity multiplied by each other move it along, and those of several
+    /// are the motion of none.
+    #[test]
+    fn rates_move_the_quantity_that_they_are_of() {
+        let mut graph = Graph::new();
+        let [rate, second, other, input, known, length] = [
+            Symbol::UnknownRate(3, 1),
+            Symbol::UnknownRate(3, 2),
+            Symbol::UnknownRate(4, 1),
+            Symbol::InputRate(3, 1),
+            Symbol::Value(0),
+            Symbol::Parameter(0),
+        ]
+        .map(|symbol| graph.symbol(symbol));
+        let of = |quantity: Symbol, is_along: bool| Some(Mover { quantity, is_along });
+        let movers = BTreeMap::from([(known, of(Symbol::Unknown(7), true).expect("it is one"))]);
+        for (factors, expected) in [
+            (vec![(rate, 1)], of(Symbol::Unknown(3), false)),
+            (vec![(input, 1)], of(Symbol::Input(3), false)),
+            (vec![(rate, 2)], of(Symbol::Unknown(3), true)),
+            (vec![(rate, 1), (second, 1)], of(Symbol::Unknown(3), true)),
+            (vec![(known, 1)], of(Symbol::Unknown(7), true)),
+            (vec![(rate, 1), (other, 1)], None),
+            (vec![(rate, 1), (input, 1)], None),
+            (vec![(length, 1)], None),
+            (vec![], None),
+        ] {
+            assert_eq!(mover(&graph, &factors, &movers), expected, "{factors:?}");
+        }
+    }
+}

@@ -83,3 +83,17 @@ impl Program<Expression> {
         self.stages.iter().fold(Cost::NONE, |sum, stage| sum + stage.cost)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the first stage takes from the structure is a parameter itself.
+    #[test]
+    fn parameters_are_carried_by_their_place() {
+        let place = |symbol: Symbol| Carried { symbol, factors: None }.parameter();
+        assert_eq!(place(Symbol::Parameter(3)), Some(3));
+        assert_eq!(place(Symbol::Parameter(0)), Some(0));
+        assert_eq!(place(Symbol::Unknown(3)), None);
+    }
+}

@@ -271,6 +271,12 @@ mod tests {
         ] {
             assert_eq!(result, Err(Failure::OutOfReach { margin: -0.5 }));
         }
+        // (5, 3.5) is 5 · 0.8 - 3.5 · 0.6 = 1.9 beside a slide in the direction (3, 4)
+        let slanted = circle_line(0.81, Plane::new(3.0, 4.0), c, Assembly::Open);
+        assert!(
+            matches!(slanted, Err(Failure::OutOfReach { margin }) if (margin + 1.0).abs() < 1e-15),
+            "{slanted:?}"
+        );
     }
 
     #[test]

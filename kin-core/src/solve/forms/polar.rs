@@ -209,6 +209,11 @@ mod tests {
             polar_offset(Plane::new(1.0, 5.0), c, Assembly::Open),
             Err(Failure::Singular { determinant: 0.0 })
         );
+        // by rounding alone
+        assert_eq!(
+            polar_offset(Plane::new(1.0, 5.0 * (1.0 + 4.0 * f64::EPSILON)), c, Assembly::Open),
+            Err(Failure::Singular { determinant: 0.0 })
+        );
     }
 
     #[test]
