@@ -39,6 +39,8 @@ pub(crate) struct Tally {
     pub(crate) closure: [f64; TERMS],
     /// Values of batches that were compared.
     pub(crate) values: usize,
+    /// Poses of batches that close for a batch and not alone, or the other way round, as an earlier number is known too badly.
+    pub(crate) undecided: usize,
     /// The largest difference of a batch from single poses, in the same unit.
     pub(crate) batch: f64,
     /// The largest difference of single from double precision, in the unit of single precision.
@@ -90,6 +92,7 @@ impl Tally {
         self.solved += other.solved;
         self.ill += other.ill;
         self.values += other.values;
+        self.undecided += other.undecided;
         self.singles += other.singles;
         for (own, other) in self.refused.iter_mut().zip(other.refused) {
             *own += other;
@@ -208,15 +211,15 @@ impl fmt::Display for Report {
         writeln!(formatter)?;
         writeln!(
             formatter,
-            "| mechanism | closure: position | velocity | acceleration | jerk | snap | batch | values | single | poses |"
+            "| mechanism | closure: position | velocity | acceleration | jerk | snap | batch | values | undecided | single | poses |"
         )?;
-        writeln!(formatter, "|{}", "---|".repeat(10))?;
+        writeln!(formatter, "|{}", "---|".repeat(11))?;
         for tally in rows() {
             let closure = tally.closure.map(|worst| format!("{worst:.2}")).join(" | ");
             writeln!(
                 formatter,
-                "| `{}` | {closure} | {:.2} | {} | {:.2} | {} |",
-                tally.name, tally.batch, tally.values, tally.single, tally.singles
+                "| `{}` | {closure} | {:.2} | {} | {} | {:.2} | {} |",
+                tally.name, tally.batch, tally.values, tally.undecided, tally.single, tally.singles
             )?;
         }
         writeln!(formatter)?;
