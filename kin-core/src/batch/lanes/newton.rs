@@ -150,3 +150,58 @@ fn largest<const W: usize, const FUSED: bool, const N: usize>(vector: &[Lanes<W,
     }
     largest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::newton;
+
+    type Four = Lanes<4, false>;
+
+    /// x² + y = p, x y³ = q, and what their unknowns give.
+    fn system<T: crate::solve::Scalar>(p: T, q: T) -> impl Fn([T; 2]) -> ([T; 2], [[T; 2]; 2]) {
+        move |[x, y]| {
+            let (two, three) = (T::constant(2.0), T::constant(3.0));
+            let residuals = [x * x + y - p, x * y * y * y - q];
+            (residuals, [[two * x, T::constant(1.0)], [y * y * y, three * x * y * y]])
+        }
+    }
+
+    /// A lane that arrives is at the root of the ordinary method, in few steps from a good guess; one whose guess is bad does not.
+    #[test]
+    fn lanes_arrive_where_the_ordinary_method_does() {
+        let roots = [[1.0, 2.0], [0.8, 1.2], [2.0, -1.0], [-1.0, 0.8]];
+        let given = roots.map(|[x, y]: [f64; 2]| [x * x + y, x * y * y * y]);
+        let sizes = [3.0, 0.25];
+        for shift in [1e-12, 1e-6, 1e-3, 0.01] {
+            let guesses = roots.map(|[x, y]| [x + shift, y - 0.5 * shift]);
+            let lanes = |of: &dyn Fn(usize) -> f64| Four::from_fn(of);
+            let evaluate = system(lanes(&|lane| given[lane][0]), lanes(&|lane| given[lane][1]));
+            let guess = [lanes(&|lane| guesses[lane][0]), lanes(&|lane| guesses[lane][1])];
+            let found = root(guess, sizes.map(Four::constant), &evaluate).unwrap();
+            for lane in 0..4 {
+                let expected = newton(guesses[lane], sizes, system(given[lane][0], given[lane][1])).unwrap();
+                for (found, expected) in found.iter().zip(expected) {
+                    // well-conditioned, so that both stop within a few roundings
+                    assert!(
+                        (found.0[lane] - expected).abs() <= 1e-13,
+                        "{shift} {lane}: {found:?} {expected}"
+                    );
+                }
+            }
+        }
+        // a step as long as the unknown itself is too long
+        let evaluate = system(Four::constant(3.0), Four::constant(8.0));
+        let guess = [Lanes([1.001, 40.0, f64::NAN, 1.001]), Lanes([2.001, -3.0, 2.0, 1.999])];
+        let [x, _] = root(guess, [1.0, 2.0].map(Four::constant), &evaluate).unwrap();
+        assert_eq!(x.0.map(f64::is_finite), [true, false, false, true], "{x:?}");
+    }
+
+    #[test]
+    fn the_largest_magnitude_is_that_of_each_lane() {
+        let row = [Lanes([1.0, -5.0, f64::NAN, 0.0]), Lanes([-2.0, 3.0, 1.0, f64::NAN])];
+        let Lanes(found) = largest::<4, false, 2>(&row);
+        assert_eq!(found[..2], [2.0, 5.0]);
+        assert!(found[2].is_nan() && found[3].is_nan(), "{found:?}");
+    }
+}
