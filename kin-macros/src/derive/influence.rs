@@ -160,7 +160,8 @@ pub(super) fn influences(
                 .iter()
                 .copied()
                 .partition(|&(factor, _)| graph.depends_on_position_alone(factor));
-            let by = mover(graph, &motion, movers);
+            // beside other coefficients it is not the whole of what the motion is multiplied by
+            let by = mover(graph, &motion, movers).filter(|_| position.len() == 1);
             let (by, is_opposite) = (
                 by.map(|(mover, _)| mover),
                 is_opposite != by.is_some_and(|(_, is_minus)| is_minus),
