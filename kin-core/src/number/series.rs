@@ -15,7 +15,7 @@ use crate::number::Number;
 /// chapter 13.
 ///
 /// ```
-/// use kin_core::Scalar;
+/// use kin_core::Number;
 /// use kin_core::series::Series;
 ///
 /// // an angle that starts at 0 with speed 2: its sine has the derivatives 0, 2, 0, -8
