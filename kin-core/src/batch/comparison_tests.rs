@@ -26,7 +26,7 @@ fn parameters<'a>() -> Parameters<'a> {
     [LINKAGE.r1, LINKAGE.r2, LINKAGE.r3, LINKAGE.r4].map(Column::Same)
 }
 
-fn turning<'a>(angles: &'a [f64]) -> [Motion<Column<'a>, 5>; 1] {
+fn turning(angles: &[f64]) -> [Motion<Column<'_>, 5>; 1] {
     [Motion::from([
         Column::Each(angles),
         2.0.into(),

@@ -36,7 +36,7 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
     }
 
     /// The condition of each unknown's value, in the unit of the unknown: rounding changes the value by about this times ε, the
-    /// [distance](crate::Scalar::EPSILON) from 1 to the next number.
+    /// [distance](crate::Number::EPSILON) from 1 to the next number.
     ///
     /// It is the sum of the changes to first order that the following make of the unknown, each changed by a part ε of itself and alone:
     /// every parameter and every input; the term of every unknown in every equation, where an angle's term is that of a radian; and

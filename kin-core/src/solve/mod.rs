@@ -22,7 +22,7 @@
 //! Declared ranges are looked after by [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`];
 //! functions that are not defined everywhere by [`square_root_of`], [`arc_sine`] and their like. [`direction`] makes an
 //! angle of a vector, [`directions`] of two, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
-//! a way on, and [`culprit`] what is in the way. [`decisive`] and [`decisive_vector`] are for several poses at once.
+//! a way on. Each decision is a [`Check`] with a name, operands and a margin. [`decisive`] and [`decisive_vector`] are for several poses at once.
 //!
 //! Where rates are divided by a square root, it comes with its square, as [`Root`].
 //!
