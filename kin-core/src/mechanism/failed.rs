@@ -28,19 +28,19 @@ pub fn failed<M: Mechanism>(
     failure.at(block, InputValues::new(names, &kept))
 }
 
-/// The first result that is not finite, and the first input that made it so, or the result again.
+/// The error of the first result that is not finite. It names the first input that made it so, or the result.
 #[cold]
 #[inline(never)]
-#[must_use]
 pub fn culprit<const RESULTS: usize, const INPUTS: usize>(
     results: [(&'static str, bool); RESULTS],
     inputs: [(&'static str, bool); INPUTS],
-) -> (&'static str, Failure) {
+    failed: impl FnOnce(Failure, &'static str) -> SolveError,
+) -> SolveError {
     let first = |quantities: &[(&'static str, bool)]| {
         let (name, _) = quantities.iter().find(|(_, is_finite)| !is_finite)?;
         Some(*name)
     };
     let result = first(&results).unwrap_or_default();
     let quantity = first(&inputs).unwrap_or(result);
-    (result, Failure::NotFinite { quantity })
+    failed(Failure::NotFinite { quantity }, result)
 }

@@ -113,11 +113,11 @@ pub(in crate::emit) fn shared(mechanism: &Mechanism<'_>) -> TokenStream {
             // the other rates show in these: a value that is not finite makes no finite sum or product
             if !(#(#tests)&&*) {
                 // what is finite, and not the results by reference: they need no place in memory but where they are returned
-                let (#block, #failure) = #runtime::culprit(
+                return ::core::result::Result::Err(#runtime::culprit(
                     [#((#field_labels, #result.#fields.is_finite())),*],
                     [#((#labels, #inputs.is_finite())),*],
-                );
-                return ::core::result::Result::Err(self.__failed(#failure, #block, #(#inputs.position()),*));
+                    |#failure, #block| self.__failed(#failure, #block, #(#inputs.position()),*),
+                ));
             }
             ::core::result::Result::Ok(#result)
         }

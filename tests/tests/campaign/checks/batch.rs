@@ -67,16 +67,15 @@ impl Campaign<'_> {
 
     /// The condition of a pose that closes for a batch or alone, whichever has found it.
     fn condition(&self, solved: &Solved, table: &Table, index: usize) -> f64 {
-        let own = match &solved.result {
-            Ok(pose) => pose.units.as_ref().map(|units| units.condition),
-            Err(_) => {
-                let unknowns: Vec<Rates> = table
-                    .unknowns
-                    .iter()
-                    .map(|columns| std::array::from_fn(|order| columns.get(order).map_or(0.0, |column| column[index])))
-                    .collect();
-                units(self.engine, &solved.problem, &unknowns).map(|units| units.condition)
-            }
+        let own = if let Ok(pose) = &solved.result {
+            pose.units.as_ref().map(|units| units.condition)
+        } else {
+            let unknowns: Vec<Rates> = table
+                .unknowns
+                .iter()
+                .map(|columns| std::array::from_fn(|order| columns.get(order).map_or(0.0, |column| column[index])))
+                .collect();
+            units(self.engine, &solved.problem, &unknowns).map(|units| units.condition)
         };
         own.unwrap_or(f64::NAN)
     }
