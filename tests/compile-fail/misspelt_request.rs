@@ -10,7 +10,7 @@ mechanism! {
     input theta2: Angle;
     unknown theta3: Angle, theta4: Angle;
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
-    wiht test;
+    with transmission_angels, sensitivity;
 }
 
 fn main() {}
