@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::declaration::vector_type;
 use crate::algebra::Symbol;
 use crate::model::{Dimension, Model, Request, Shape};
-use crate::program::{Limits, Mode, Names, Solvers, order_name};
+use crate::program::{Mode, Names, Solvers, order_name};
 use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
 
@@ -231,15 +231,6 @@ impl Mechanism<'_> {
                 Ident::new(&names.unique(&unknowns.join("_")), self.model.name.span())
             })
             .collect()
-    }
-
-    /// The range declared for an unknown.
-    pub(super) fn limits(&self, unknown: usize) -> Option<Limits> {
-        let range = self.model.unknowns[unknown].range.as_ref()?;
-        Some(Limits {
-            low: range.low,
-            high: range.high,
-        })
     }
 
     /// The type that says which assembly of the parts with a closed form: one choice, a structure of several, or nothing.

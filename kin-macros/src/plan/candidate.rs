@@ -151,11 +151,9 @@ impl<'a> Draft<'a> {
 
     /// Rates divide by the reciprocals of the roots that closed forms take.
     fn learn_reciprocals(&mut self) {
-        if self.task.passes.include(Pass::InvertedRoots) {
-            self.reciprocals = Reciprocals::learn(&mut self.graph, &mut self.names, &mut self.units, &self.roots);
-        } else {
-            self.reciprocals = Reciprocals::learn(&mut self.graph, &mut self.names, &mut self.units, &[]);
-        }
+        let is_included = self.task.passes.include(Pass::InvertedRoots);
+        let roots: &[Root] = if is_included { &self.roots } else { &[] };
+        self.reciprocals = Reciprocals::learn(&mut self.graph, &mut self.names, &mut self.units, roots);
     }
 
     /// Cosine and sine of the unknowns that are handed out as unit vectors.

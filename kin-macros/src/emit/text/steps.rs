@@ -104,14 +104,14 @@ impl Text<'_> {
             .unknowns
             .iter()
             .filter_map(|&unknown| {
-                let limits = self.mechanism.limits(unknown)?;
+                let range = model.unknowns[unknown].range.as_ref()?;
                 let own = Symbol::Unknown(unknown);
                 let turns = inside
                     .iter()
                     .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
                 let choose = local(if turns { "choose_angle" } else { "choose_value" });
                 let place = Literal::usize_unsuffixed(kept.iter().position(|&symbol| symbol == own)?);
-                let (low, high) = (number(limits.low), number(limits.high));
+                let (low, high) = (number(range.low), number(range.high));
                 let label = model.unknowns[unknown].name.to_string();
                 Some(quote!(#runtime::solve::#choose(#label, #first.#place, #second.#place, #low, #high)))
             })
@@ -376,9 +376,9 @@ impl Text<'_> {
         let runtime = self.mechanism.runtime;
         let own = &self.mechanism.model.unknowns[unknown];
         let name = self.name(Symbol::Unknown(unknown));
-        if let Some(limits) = self.mechanism.limits(unknown) {
+        if let Some(range) = &own.range {
             let label = own.name.to_string();
-            let (low, high) = (number(limits.low), number(limits.high));
+            let (low, high) = (number(range.low), number(range.high));
             let check = local(if turns { "check_angle" } else { "check_value" });
             let failed = self.mechanism.failed(part.expect("bounds stand in parts of blocks"));
             return quote!(let #name = #runtime::solve::#check(#label, #name, #low, #high) #failed;);
