@@ -1,6 +1,6 @@
 //! The position solvers.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::algebra::Symbol;
@@ -169,15 +169,9 @@ fn result(mechanism: &Mechanism<'_>) -> TokenStream {
         let value = mechanism.name_of(Symbol::Unknown(index));
         quote!(#name: #runtime::Motion::new([#value]))
     });
-    let outputs = model
-        .outputs
-        .iter()
-        .zip(mechanism.output_parts())
-        .map(|(output, parts)| {
-            let name = &output.name;
-            let value = output_value(mechanism, &output.value, &parts, 0);
-            quote!(#name: #runtime::Motion::new([#value]))
-        });
+    let outputs = output_values(mechanism, 0)
+        .into_iter()
+        .map(|(name, value)| quote!(#name: #runtime::Motion::new([#value])));
     let stage = &mechanism.solvers.orders()[0];
     let parameters = mechanism.scalar_parameters();
     let carried = stage.carries.iter().map(|carried| {
@@ -193,13 +187,16 @@ fn result(mechanism: &Mechanism<'_>) -> TokenStream {
     quote!(#pose { #(#inputs,)* #(#unknowns,)* #(#outputs,)* #(#carried,)* })
 }
 
+/// The outputs' derivatives of an order, each put together from its parts.
+pub(super) fn output_values<'a>(mechanism: &Mechanism<'a>, order: usize) -> Vec<(&'a Ident, TokenStream)> {
+    let outputs = mechanism.model.outputs.iter().zip(mechanism.output_parts());
+    outputs
+        .map(|(output, parts)| (&output.name, output_value(mechanism, &output.value, &parts, order)))
+        .collect()
+}
+
 /// An output's derivative of an order from its parts.
-pub(in crate::emit) fn output_value(
-    mechanism: &Mechanism<'_>,
-    value: &Value,
-    parts: &[usize],
-    order: usize,
-) -> TokenStream {
+fn output_value(mechanism: &Mechanism<'_>, value: &Value, parts: &[usize], order: usize) -> TokenStream {
     let runtime = mechanism.runtime;
     let names: Vec<_> = parts
         .iter()

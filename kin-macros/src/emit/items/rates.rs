@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::position::output_value;
+use super::position::output_values;
 use crate::algebra::Symbol;
 use crate::emit::mechanism::{Mechanism, local};
 use crate::emit::text::Text;
@@ -40,15 +40,9 @@ pub(in crate::emit) fn method(mechanism: &Mechanism<'_>, order: usize) -> TokenS
         let (name, rate) = (&unknown.name, mechanism.name_of(Symbol::UnknownRate(index, order)));
         quote!(#name: self.#name.and(#rate))
     });
-    let outputs = model
-        .outputs
-        .iter()
-        .zip(mechanism.output_parts())
-        .map(|(output, parts)| {
-            let name = &output.name;
-            let value = output_value(mechanism, &output.value, &parts, order);
-            quote!(#name: self.#name.and(#value))
-        });
+    let outputs = output_values(mechanism, order)
+        .into_iter()
+        .map(|(name, value)| quote!(#name: self.#name.and(#value)));
     let carried = stage.carries.iter().map(|carried| {
         let name = text.name(carried.symbol);
         if known.contains(&carried.symbol) {
