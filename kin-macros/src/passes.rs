@@ -18,8 +18,14 @@ pub(crate) enum Pass {
     WholeTurnings,
     /// What rates add to other rates is collected in coefficients that depend on the position alone, if that is cheaper.
     Influences,
-    /// A large Jacobian is reduced as far as that cannot fail.
+    /// Coefficients that differ only by a number in front are one coefficient.
+    CommonNumbers,
+    /// A determinant or a coefficient of the form m cos² x + m sin² x is m.
+    Radii,
+    /// A Jacobian of more than three equations is reduced as far as that cannot fail.
     ReducedJacobians,
+    /// Three equations are solved by Cramer's rule, and not by factors.
+    CramerOfThree,
     /// Sines and cosines of unknown angles are read off vectors that the closed forms return.
     UnitVectors,
     /// The sine and the cosine of an angle are one call.
@@ -34,6 +40,8 @@ pub(crate) enum Pass {
     SharedNumbers,
     /// A factor of several terms of a sum is taken out, if that is cheaper.
     SharedFactors,
+    /// A factor of several terms of a sum stays in them, if that is cheaper.
+    FactorsLeft,
     /// What a closed form takes the root of is inverted beside the root.
     InvertedRoots,
     /// What is divided by more than once is inverted once.

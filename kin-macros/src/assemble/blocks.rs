@@ -119,20 +119,19 @@ fn steps(
 impl Builder<'_> {
     /// What a block's Jacobian must fulfil, once all of its unknowns are known.
     fn regular(&mut self, jacobian: &Regularity) {
-        for &node in &jacobian.regular {
-            let node = self.known(node);
-            self.steps.push(Step::Regular { value: node });
-        }
-        if let Some((symbol, matrix)) = &jacobian.system {
-            let matrix = matrix
-                .iter()
-                .map(|row| row.iter().map(|&entry| self.known(entry)).collect())
-                .collect();
-            self.steps.push(Step::Factor {
-                symbol: *symbol,
-                matrix,
-            });
-        }
+        let step = match jacobian {
+            Regularity::Determinant(determinant) => Step::Regular {
+                value: self.known(*determinant),
+            },
+            Regularity::Factors { factors, matrix } => Step::Factor {
+                symbol: *factors,
+                matrix: matrix
+                    .iter()
+                    .map(|row| row.iter().map(|&entry| self.known(entry)).collect())
+                    .collect(),
+            },
+        };
+        self.steps.push(step);
     }
 
     /// The unknowns of a part, just found, are brought to the turn or into the range that is wanted.

@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Mover;
 use super::radius::radius;
 use crate::algebra::{Graph, Node, Symbol, Term};
+use crate::passes::{Pass, Passes};
 
 /// How right-hand sides are multiplied by an adjugate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -22,9 +23,9 @@ pub(crate) enum Influences {
 
 impl Influences {
     /// Σ weight · right.
-    pub(super) fn combined(self, graph: &mut Graph, weights: &[Node], rights: &[Node]) -> Node {
+    pub(super) fn combined(self, graph: &mut Graph, weights: &[Node], rights: &[Node], passes: Passes) -> Node {
         if self == Self::Collected {
-            return collected(graph, weights, rights);
+            return collected(graph, weights, rights, passes);
         }
         let terms: Vec<Node> = weights
             .iter()
@@ -35,16 +36,23 @@ impl Influences {
     }
 
     /// Σ weight · right / determinant.
-    pub(super) fn quotient(self, graph: &mut Graph, weights: &[Node], rights: &[Node], determinant: Node) -> Node {
+    pub(super) fn quotient(
+        self,
+        graph: &mut Graph,
+        weights: &[Node],
+        rights: &[Node],
+        determinant: Node,
+        passes: Passes,
+    ) -> Node {
         // where there is nothing to divide by there is nothing that all orders share
         if self == Self::Collected && graph.as_number(determinant).is_none() {
             let quotients: Vec<Node> = weights
                 .iter()
                 .map(|&weight| graph.divide(weight, determinant))
                 .collect();
-            return collected(graph, &quotients, rights);
+            return collected(graph, &quotients, rights, passes);
         }
-        let numerator = Self::Separate.combined(graph, weights, rights);
+        let numerator = Self::Separate.combined(graph, weights, rights, passes);
         graph.divide(numerator, determinant)
     }
 }
@@ -56,7 +64,7 @@ struct Collected {
 }
 
 /// Σ weight · right, the rates outside and what depends on the position alone inside.
-fn collected(graph: &mut Graph, weights: &[Node], rights: &[Node]) -> Node {
+fn collected(graph: &mut Graph, weights: &[Node], rights: &[Node], passes: Passes) -> Node {
     let mut collected = Collected::default();
     for (&weight, &right) in weights.iter().zip(rights) {
         let (constant, terms) = match graph.term(right).clone() {
@@ -78,7 +86,7 @@ fn collected(graph: &mut Graph, weights: &[Node], rights: &[Node]) -> Node {
         .coefficients
         .into_iter()
         .map(|(rate, coefficients)| {
-            let (number, influence) = influence(graph, &coefficients);
+            let (number, influence) = influence(graph, &coefficients, passes);
             (graph.multiply(rate, influence), number)
         })
         .collect();
@@ -105,15 +113,15 @@ impl Collected {
 }
 
 /// A coefficient and the number before it, the same for all orders whatever the numbers of their right-hand sides.
-fn influence(graph: &mut Graph, terms: &[(Node, f64)]) -> (f64, Node) {
+fn influence(graph: &mut Graph, terms: &[(Node, f64)], passes: Passes) -> (f64, Node) {
     let sum = graph.linear(0.0, terms);
-    let sum = radius(graph, sum).unwrap_or(sum);
+    let sum = radius(graph, sum, passes);
     let Term::Sum(constant, terms) = graph.term(sum).clone() else {
         return (1.0, sum);
     };
     let number = terms[0].1.get();
     let is_common = terms.iter().all(|(_, other)| other.get().abs() == number.abs());
-    if constant.get() != 0.0 || !is_common {
+    if constant.get() != 0.0 || !is_common || !passes.include(Pass::CommonNumbers) {
         return (1.0, sum);
     }
     let terms: Vec<(Node, f64)> = terms

@@ -12,7 +12,8 @@ mod sensitivity;
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) use influence::Influences;
-pub(crate) use sensitivity::{Definition, Row};
+pub(crate) use jacobian::Regularity;
+pub(crate) use sensitivity::{Definition, Differentiated};
 
 use influence::Found;
 use jacobian::Jacobian;
@@ -28,7 +29,7 @@ pub(crate) struct Derivatives {
     pub(crate) orders: Vec<Vec<Rate>>,
     /// `outputs[n - 1][k]` is the n-th derivative of the k-th output expression.
     pub(crate) outputs: Vec<Vec<Node>>,
-    /// What is asked of each block's Jacobian when the position is known.
+    /// What must hold in each block for its rates to exist.
     pub(crate) regularity: Vec<Regularity>,
     /// What the rates are divided by, besides the determinants, that does not vanish where these do not.
     pub(crate) guaranteed: Vec<Node>,
@@ -41,14 +42,6 @@ pub(crate) struct Derivatives {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct TooLarge {
     pub(crate) order: usize,
-}
-
-/// What is asked of a block's Jacobian.
-pub(crate) struct Regularity {
-    /// What must not vanish: the factors of its determinant.
-    pub(crate) regular: Vec<Node>,
-    /// What is to be factored at run time, with the symbol by which later stages know the factors.
-    pub(crate) system: Option<(Symbol, Vec<Vec<Node>>)>,
 }
 
 /// A part of the derivation that has a name.
@@ -174,13 +167,7 @@ impl Derivatives {
         let mut derivatives = Self {
             orders: Vec::new(),
             outputs: Vec::new(),
-            regularity: jacobians
-                .iter()
-                .map(|jacobian| Regularity {
-                    regular: jacobian.regular(graph),
-                    system: jacobian.system(),
-                })
-                .collect(),
+            regularity: jacobians.iter().map(|jacobian| jacobian.regularity(graph)).collect(),
             guaranteed: jacobians
                 .iter()
                 .flat_map(|jacobian| jacobian.guaranteed(graph))
@@ -198,9 +185,12 @@ impl Derivatives {
         Ok(derivatives)
     }
 
-    /// What must not vanish, in all blocks.
-    pub(crate) fn regular(&self) -> impl Iterator<Item = &Node> {
-        self.regularity.iter().flat_map(|block| &block.regular)
+    /// The determinants that must not vanish, of all blocks.
+    pub(crate) fn determinants(&self) -> impl Iterator<Item = &Node> {
+        self.regularity.iter().filter_map(|block| match block {
+            Regularity::Determinant(determinant) => Some(determinant),
+            Regularity::Factors { .. } => None,
+        })
     }
 
     fn derive_next(&mut self, graph: &mut Graph, task: Task<'_>) {

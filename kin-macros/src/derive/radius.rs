@@ -1,10 +1,18 @@
 //! The determinant of a length and its own direction: m cos² x + m sin² x = m.
 
 use crate::algebra::{Function, Graph, Node, Term};
+use crate::passes::{Pass, Passes};
 
-/// m, if an expression is m cos² x + m sin² x.
-pub(super) fn radius(graph: &mut Graph, determinant: Node) -> Option<Node> {
-    let Term::Sum(constant, terms) = graph.term(determinant).clone() else {
+/// m, if an expression is m cos² x + m sin² x; otherwise the expression.
+pub(super) fn radius(graph: &mut Graph, expression: Node, passes: Passes) -> Node {
+    if !passes.include(Pass::Radii) {
+        return expression;
+    }
+    found(graph, expression).unwrap_or(expression)
+}
+
+fn found(graph: &mut Graph, expression: Node) -> Option<Node> {
+    let Term::Sum(constant, terms) = graph.term(expression).clone() else {
         return None;
     };
     let &[(first, coefficient), (second, other)] = terms.as_slice() else {
@@ -48,16 +56,16 @@ mod tests {
         let by_other = graph.product(&[(length, 1), (other, 2)]);
         let expected = graph.scale(-3.0, length);
         let both = graph.linear(0.0, &[(by_cosine, -3.0), (by_sine, -3.0)]);
-        assert_eq!(radius(&mut graph, both), Some(expected));
+        assert_eq!(found(&mut graph, both), Some(expected));
         for terms in [
             [(by_cosine, 1.0), (by_sine, -1.0)],
             [(by_cosine, 1.0), (by_other, 1.0)],
             [(by_sine, 1.0), (by_other, 1.0)],
         ] {
             let sum = graph.linear(0.0, &terms);
-            assert_eq!(radius(&mut graph, sum), None);
+            assert_eq!(found(&mut graph, sum), None);
         }
         let more = graph.linear(1.0, &[(by_cosine, 1.0), (by_sine, 1.0)]);
-        assert_eq!(radius(&mut graph, more), None);
+        assert_eq!(found(&mut graph, more), None);
     }
 }

@@ -32,7 +32,7 @@ pub(crate) enum Definition {
     Entry {
         symbol: Symbol,
         node: Node,
-        row: Row,
+        row: Differentiated,
         unknown: usize,
         order: usize,
     },
@@ -40,7 +40,7 @@ pub(crate) enum Definition {
 
 /// What is differentiated.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum Row {
+pub(crate) enum Differentiated {
     Equation(usize),
     Output(usize),
 }
@@ -75,14 +75,14 @@ impl Derivatives {
                         .equations
                         .iter()
                         .map(|&equation| {
-                            let total = derivation.total(Row::Equation(equation), &known, parameter, order);
+                            let total = derivation.total(Differentiated::Equation(equation), &known, parameter, order);
                             derivation.graph.negate(total)
                         })
                         .collect();
                     derivation.solve(jacobian, &right, parameter, order);
                 }
                 for output in 0..task.outputs.len() {
-                    let node = derivation.total(Row::Output(output), &known, parameter, order);
+                    let node = derivation.total(Differentiated::Output(output), &known, parameter, order);
                     derivation.definitions.push(Definition::Value {
                         symbol: Symbol::OutputSensitivity(output, parameter, order),
                         node,
@@ -102,7 +102,7 @@ struct Derivation<'a> {
     task: Task<'a>,
     rates: &'a mut Rates,
     definitions: Vec<Definition>,
-    partials: BTreeMap<(Row, Symbol), Node>,
+    partials: BTreeMap<(Differentiated, Symbol), Node>,
     /// The symbols under which the sums know the time derivatives of partial derivatives.
     entries: BTreeMap<Node, Node>,
     /// The sensitivities of unknowns found so far: symbols, or zero.
@@ -111,7 +111,7 @@ struct Derivation<'a> {
 
 impl Derivation<'_> {
     /// (∂f/∂p)⁽ⁿ⁾ + Σ C(n, k) (∂f/∂q)⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾ over the unknowns given, as far as their S⁽ᵏ⁾ have been found.
-    fn total(&mut self, row: Row, unknowns: &[usize], parameter: usize, order: usize) -> Node {
+    fn total(&mut self, row: Differentiated, unknowns: &[usize], parameter: usize, order: usize) -> Node {
         let own = self.partial(row, Symbol::Parameter(parameter), order);
         let mut terms = vec![(own, 1.0)];
         let whole = self.node(row);
@@ -133,15 +133,15 @@ impl Derivation<'_> {
         self.graph.linear(0.0, &terms)
     }
 
-    const fn node(&self, row: Row) -> Node {
+    const fn node(&self, row: Differentiated) -> Node {
         match row {
-            Row::Equation(equation) => self.task.residuals[equation],
-            Row::Output(output) => self.task.outputs[output],
+            Differentiated::Equation(equation) => self.task.residuals[equation],
+            Differentiated::Output(output) => self.task.outputs[output],
         }
     }
 
     /// The time derivative of a partial derivative.
-    fn partial(&mut self, row: Row, symbol: Symbol, order: usize) -> Node {
+    fn partial(&mut self, row: Differentiated, symbol: Symbol, order: usize) -> Node {
         let node = self.node(row);
         let partial = if let Some(&partial) = self.partials.get(&(row, symbol)) {
             partial
@@ -154,7 +154,7 @@ impl Derivation<'_> {
     }
 
     /// The time derivative of a partial derivative by an unknown, computed once for all parameters.
-    fn entry(&mut self, row: Row, unknown: usize, order: usize) -> Node {
+    fn entry(&mut self, row: Differentiated, unknown: usize, order: usize) -> Node {
         let whole = self.partial(row, Symbol::Unknown(unknown), order);
         let (coefficient, bare) = self.graph.split_coefficient(whole);
         if matches!(self.graph.term(bare), Term::Number(_) | Term::Symbol(_)) {

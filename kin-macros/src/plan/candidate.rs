@@ -13,7 +13,7 @@ use crate::passes::{Pass, Passes};
 use crate::program::{
     Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Summary, Trial, Way, order_name,
 };
-use crate::schedule::{Factors, Style, schedule};
+use crate::schedule::{Style, schedule};
 
 /// A program that was derived in one way, and its schedule.
 pub(super) struct Candidate {
@@ -56,13 +56,14 @@ impl Candidate {
     }
 
     /// Takes out factors that terms share, if that is cheaper.
-    pub(super) fn take_out_factors(&mut self, factors: Factors, passes: Passes) {
+    pub(super) fn take_out_factors(&mut self, passes: Passes) {
         if !passes.include(Pass::SharedFactors) {
             return;
         }
-        let style = Style::checked(factors, passes);
+        let style = Style::checked(passes).with_factors_taken_out();
         let other = schedule(&self.graph, &self.program, &self.hints, style);
-        if other.cost().arithmetic() < self.scheduled.cost().arithmetic() {
+        let is_cheaper = other.cost().arithmetic() < self.scheduled.cost().arithmetic();
+        if is_cheaper || !passes.include(Pass::FactorsLeft) {
             self.scheduled = other;
             self.way.takes_out_factors = true;
         }
@@ -233,7 +234,7 @@ impl<'a> Draft<'a> {
     /// Names for parts of the formulas that have a meaning.
     fn hint_names(&mut self) {
         let derivatives = &self.derived.derivatives;
-        for &determinant in derivatives.regular() {
+        for &determinant in derivatives.determinants() {
             let node = self.units.rewrite(&mut self.graph, determinant);
             self.hints.push((node, "determinant".to_owned()));
         }
@@ -278,7 +279,7 @@ impl<'a> Draft<'a> {
         let guaranteed: Vec<Node> = derivatives
             .guaranteed
             .iter()
-            .chain(derivatives.regular())
+            .chain(derivatives.determinants())
             .chain(&self.nonzero)
             .map(|&node| self.units.rewrite(&mut self.graph, node))
             .collect();
@@ -309,7 +310,7 @@ impl<'a> Draft<'a> {
             directions: self.directions,
             has_sensitivities: self.has_sensitivities,
         };
-        let style = Style::checked(Factors::Left, self.task.passes);
+        let style = Style::checked(self.task.passes);
         let scheduled = schedule(&self.graph, &program, &self.hints, style);
         Candidate {
             way: Way {

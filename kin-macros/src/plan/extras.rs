@@ -5,7 +5,7 @@ use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble;
 use crate::passes::Passes;
 use crate::program::{Choice, Expression, Mode, Names, Program, Step, TransmissionAngles};
-use crate::schedule::{Factors, Style, schedule};
+use crate::schedule::{Style, schedule};
 use crate::structure::{Block, dyads};
 
 /// The programs beside the motion.
@@ -52,7 +52,7 @@ fn every(task: &Task<'_>) -> Option<Program<Expression>> {
     let (mut graph, mut names) = (task.graph.clone(), task.names.clone());
     let stage = assemble::assemble_every(&mut graph, &mut names, task.blocks, &task.ranges, task.passes)?;
     let program = Program::single(stage.steps, names);
-    let style = Style::checked(Factors::Left, task.passes);
+    let style = Style::checked(task.passes);
     Some(schedule(&graph, &program, &[], style))
 }
 

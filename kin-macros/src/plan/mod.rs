@@ -21,7 +21,6 @@ use forms::{Derived, Form, forms};
 use crate::derive::{Influences, TooLarge};
 use crate::passes::Pass;
 use crate::program::{Solvers, Trial};
-use crate::schedule::Factors;
 
 /// As many expressions as the largest declarations that compile in minutes have: some hundred thousand operations.
 pub(crate) const MOST_EXPRESSIONS: usize = 1_000_000;
@@ -48,7 +47,6 @@ pub(crate) fn plan(task: &Task<'_>) -> Result<Solvers, TooLarge> {
     if task.parameters > 0 {
         candidate = with_sensitivities(task, derived)?;
     }
-    candidate.take_out_factors(Factors::TakenOutOfRates, task.passes);
     Ok(candidate.finish(task, trials, is_form_given_up))
 }
 
@@ -62,7 +60,7 @@ fn attempt(
     let derived = Derived::new(task, form, influences)?;
     let mut candidate = Candidate::new(task, &derived, &[]);
     trials.push(candidate.trial());
-    candidate.take_out_factors(Factors::TakenOut, task.passes);
+    candidate.take_out_factors(task.passes);
     if candidate.way.takes_out_factors {
         trials.push(candidate.trial());
     }
@@ -84,6 +82,6 @@ fn with_sensitivities(task: &Task<'_>, mut derived: Derived) -> Result<Candidate
         .derivatives
         .sensitivities(&mut derived.graph, own, task.parameters)?;
     let mut candidate = Candidate::new(task, &derived, &definitions);
-    candidate.take_out_factors(Factors::TakenOut, task.passes);
+    candidate.take_out_factors(task.passes);
     Ok(candidate)
 }

@@ -1,7 +1,7 @@
 //! Names for rates and partial derivatives.
 
 use crate::algebra::Symbol;
-use crate::derive::{Definition, Derivatives, Rate, Row};
+use crate::derive::{Definition, Derivatives, Differentiated, Rate, Regularity};
 use crate::program::{Names, order_name};
 
 /// Names the rates of all orders: `theta4_velocity`, `theta4_q2`.
@@ -29,8 +29,10 @@ pub(super) fn name_rates(
             names.name(*symbol, &wish);
         }
     }
-    for (symbol, _) in derivatives.regularity.iter().filter_map(|block| block.system.as_ref()) {
-        names.name(*symbol, "factors");
+    for block in &derivatives.regularity {
+        if let Regularity::Factors { factors, .. } = block {
+            names.name(*factors, "factors");
+        }
     }
 }
 
@@ -48,8 +50,8 @@ pub(super) fn name_sensitivities(definitions: &[Definition], names: &mut Names) 
                 ..
             } => {
                 let row = match *row {
-                    Row::Equation(equation) => (equation + 1).to_string(),
-                    Row::Output(output) => names.of(Symbol::OutputRate(output, 0)).to_owned(),
+                    Differentiated::Equation(equation) => (equation + 1).to_string(),
+                    Differentiated::Output(output) => names.of(Symbol::OutputRate(output, 0)).to_owned(),
                 };
                 let unknown = names.of(Symbol::Unknown(*unknown));
                 let wish = format!("entry_{row}_{unknown}_{}", order_name(*order));

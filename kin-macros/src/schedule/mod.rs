@@ -13,4 +13,4 @@ mod share;
 mod style;
 
 pub(crate) use scheduler::schedule;
-pub(crate) use style::{Factors, Style};
+pub(crate) use style::Style;

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::style::{Factors, Style};
+use super::style::Style;
 use crate::algebra::{Function, Graph, HashMap, Node, Number, Symbol, Term};
 use crate::passes::Pass;
 use crate::work;
@@ -223,18 +223,13 @@ impl Rows {
 
     /// Whether a factor is multiplied by others of its kind before it is multiplied by a rate.
     fn is_still(&self, graph: &Graph, factor: Node) -> bool {
-        let is_step = || matches!(graph.as_symbol(factor), Some(Symbol::Step(_)));
-        match self.style.factors {
-            Factors::Left => false,
-            Factors::TakenOut => graph.depends_on_position_alone(factor),
-            Factors::TakenOutOfRates => is_step() || graph.depends_on_position_alone(factor),
-        }
+        self.style.takes_out_factors && graph.depends_on_position_alone(factor)
     }
 
     /// A sum, with a factor that several of its terms share taken out if that is asked for: the most frequent one, then the most
     /// frequent one of the new sum, and so on.
     fn factored_sum(&mut self, terms: Vec<(bool, RowId)>) -> RowId {
-        if self.style.factors == Factors::Left || terms.len() < 2 {
+        if !self.style.takes_out_factors || terms.len() < 2 {
             return self.sum(terms);
         }
         let mut sum = FactoredSum::default();
