@@ -89,6 +89,7 @@ mod model;
 mod optimiser_tests;
 mod passes;
 mod plan;
+mod precedence;
 mod program;
 mod refuse;
 mod report;

@@ -9,7 +9,7 @@ use crate::model::{Model, Origin, Request};
 use crate::program::order_name;
 use crate::report::Report;
 use crate::room::with_room;
-use crate::structure::{Block, Fault, Solution, Structure, dyads};
+use crate::structure::{Block, Fault, Method, Structure, dyads};
 use crate::syntax::Declaration;
 
 /// Reports why a declaration cannot be solved.
@@ -123,7 +123,7 @@ pub(crate) fn constants(declaration: &Declaration, model: &Model, misfit: Misfit
 /// A range chooses one of two solutions, and coupled equations may have any number of them.
 pub(crate) fn ranges(model: &Model, blocks: &[Block], report: &mut Report) {
     for part in blocks.iter().flat_map(|block| &block.parts) {
-        if !matches!(part.solution, Solution::Newton { .. }) {
+        if !matches!(part.method, Method::Newton { .. }) {
             continue;
         }
         for &unknown in &part.unknowns {

@@ -45,7 +45,7 @@ impl<'t, M: Mechanism> Destination<'t, M> {
         poses: &'t mut P,
         count: usize,
     ) -> Result<(), LengthMismatch> {
-        let mut search = Search {
+        let mut search = ColumnSearch {
             found: self,
             count,
             mismatch: None,
@@ -122,14 +122,14 @@ impl<const W: usize, const FUSED: bool> Stored for Lanes<W, FUSED> {
     }
 }
 
-struct Search<'s, 't, M: Mechanism> {
+struct ColumnSearch<'s, 't, M: Mechanism> {
     found: &'s mut Destination<'t, M>,
     count: usize,
     /// The first place that is not as long, and its length.
     mismatch: Option<(Place, usize)>,
 }
 
-impl<'t, M: Mechanism, C: Target> Visitor<'t, C> for Search<'_, 't, M> {
+impl<'t, M: Mechanism, C: Target> Visitor<'t, C> for ColumnSearch<'_, 't, M> {
     #[inline(always)]
     fn visit(&mut self, place: Place, there: &'t mut C) {
         let Some(slice) = there.slice() else {

@@ -10,7 +10,7 @@ std::thread_local! {
 }
 
 #[derive(Clone, Copy)]
-enum Operation {
+enum Counted {
     Addition,
     Multiplication,
     Division,
@@ -22,17 +22,17 @@ enum Operation {
 }
 
 /// Adds one operation to what this thread has counted.
-fn note(kind: Operation) {
+fn note(kind: Counted) {
     let mut tally = TALLY.get();
     *match kind {
-        Operation::Addition => &mut tally.additions,
-        Operation::Multiplication => &mut tally.multiplications,
-        Operation::Division => &mut tally.divisions,
-        Operation::Negation => &mut tally.negations,
-        Operation::SquareRoot => &mut tally.square_roots,
-        Operation::SineCosine => &mut tally.sine_cosines,
-        Operation::ArcTangent => &mut tally.arc_tangents,
-        Operation::Other => &mut tally.others,
+        Counted::Addition => &mut tally.additions,
+        Counted::Multiplication => &mut tally.multiplications,
+        Counted::Division => &mut tally.divisions,
+        Counted::Negation => &mut tally.negations,
+        Counted::SquareRoot => &mut tally.square_roots,
+        Counted::SineCosine => &mut tally.sine_cosines,
+        Counted::ArcTangent => &mut tally.arc_tangents,
+        Counted::Other => &mut tally.others,
     } += 1;
     TALLY.set(tally);
 }
@@ -96,7 +96,7 @@ impl Add for Counted {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        note(Operation::Addition);
+        note(Counted::Addition);
         Self(self.0 + other.0)
     }
 }
@@ -105,7 +105,7 @@ impl Sub for Counted {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        note(Operation::Addition);
+        note(Counted::Addition);
         Self(self.0 - other.0)
     }
 }
@@ -114,7 +114,7 @@ impl Mul for Counted {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        note(Operation::Multiplication);
+        note(Counted::Multiplication);
         Self(self.0 * other.0)
     }
 }
@@ -123,7 +123,7 @@ impl Div for Counted {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        note(Operation::Division);
+        note(Counted::Division);
         Self(self.0 / other.0)
     }
 }
@@ -132,7 +132,7 @@ impl Neg for Counted {
     type Output = Self;
 
     fn neg(self) -> Self {
-        note(Operation::Negation);
+        note(Counted::Negation);
         Self(-self.0)
     }
 }
@@ -153,43 +153,43 @@ impl Number for Counted {
     }
 
     fn sqrt(self) -> Self {
-        note(Operation::SquareRoot);
+        note(Counted::SquareRoot);
         Self(self.0.sqrt())
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        note(Operation::SineCosine);
+        note(Counted::SineCosine);
         let (sine, cosine) = self.0.sin_cos();
         (Self(sine), Self(cosine))
     }
 
     fn asin(self) -> Self {
-        note(Operation::Other);
+        note(Counted::Other);
         Self(self.0.asin())
     }
 
     fn acos(self) -> Self {
-        note(Operation::Other);
+        note(Counted::Other);
         Self(self.0.acos())
     }
 
     fn atan(self) -> Self {
-        note(Operation::ArcTangent);
+        note(Counted::ArcTangent);
         Self(self.0.atan())
     }
 
     fn atan2(self, x: Self) -> Self {
-        note(Operation::ArcTangent);
+        note(Counted::ArcTangent);
         Self(self.0.atan2(x.0))
     }
 
     fn exp(self) -> Self {
-        note(Operation::Other);
+        note(Counted::Other);
         Self(self.0.exp())
     }
 
     fn ln(self) -> Self {
-        note(Operation::Other);
+        note(Counted::Other);
         Self(self.0.ln())
     }
 }

@@ -1,6 +1,6 @@
 //! By how much rounding errors move a position.
 
-use super::sides::{Sides, System, bordered};
+use super::sides::{FactoredMatrix, Sides, bordered};
 use super::way::{Linear, Point, Way, largest};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -13,7 +13,7 @@ const UNITS: f64 = 4.0;
 pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     point: &Point<M>,
-    system: &System<M>,
+    system: &FactoredMatrix<M>,
 ) -> M::Unknowns<f64> {
     let terms = way.terms(point);
     let size = |shift: &M::Unknowns<f64>| largest(shift.as_ref().iter().copied());
@@ -31,7 +31,12 @@ pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
 /// How far rounding errors may move the unknowns at a point, in sizes. Not finite where the equations are singular.
 pub(super) fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> f64 {
     way.linearise(point).map_or(f64::INFINITY, |linear| {
-        largest(rounding(way, point, &System::whole(&linear)).as_ref().iter().copied())
+        largest(
+            rounding(way, point, &FactoredMatrix::whole(&linear))
+                .as_ref()
+                .iter()
+                .copied(),
+        )
     })
 }
 
@@ -45,7 +50,7 @@ pub(super) fn is_indistinct<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Po
     if here.has_zero() {
         return true;
     }
-    let shift = rounding(way, point, &System::whole(&linear));
+    let shift = rounding(way, point, &FactoredMatrix::whole(&linear));
     any_beside(way, point, &shift, None, |linear| Sides::of(linear).shrink_from(&here))
 }
 

@@ -29,7 +29,7 @@ impl Orientation {
 }
 
 /// A square matrix in triangular factors.
-pub(super) struct System<M: Mechanism> {
+pub(super) struct FactoredMatrix<M: Mechanism> {
     rows: M::Unknowns<M::Unknowns<f64>>,
     origins: M::Unknowns<usize>,
     row_exponents: M::Unknowns<i32>,
@@ -38,7 +38,7 @@ pub(super) struct System<M: Mechanism> {
     odd: bool,
 }
 
-impl<M: Mechanism<Scalar = f64>> System<M> {
+impl<M: Mechanism<Scalar = f64>> FactoredMatrix<M> {
     /// The matrix of `count` rows and columns with the entries given by row and column.
     pub(super) fn new(count: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let mut system = Self {
@@ -119,7 +119,7 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
         Self(M::Unknowns::from_fn(|block| {
             M::DESCRIPTION.blocks.get(block).map_or(none, |block| {
                 let jacobian = linear.jacobian.as_ref();
-                System::<M>::new(block.members.len(), |row, column| {
+                FactoredMatrix::<M>::new(block.members.len(), |row, column| {
                     jacobian[block.equations[row]][block.members[column]]
                 })
                 .orientation()
@@ -173,8 +173,8 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
 }
 
 /// The closure with the travel in the place of one unknown, which becomes the parameter.
-pub(super) fn bordered<M: Mechanism<Scalar = f64>>(linear: &Linear<M>, parameter: usize) -> System<M> {
-    System::new(Way::<M>::COUNT, |row, column| {
+pub(super) fn bordered<M: Mechanism<Scalar = f64>>(linear: &Linear<M>, parameter: usize) -> FactoredMatrix<M> {
+    FactoredMatrix::new(Way::<M>::COUNT, |row, column| {
         if column == parameter {
             linear.travel[row]
         } else {

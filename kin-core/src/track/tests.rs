@@ -5,7 +5,7 @@ use std::string::ToString;
 use std::{format, vec};
 
 use super::rounding::{blur, is_crossed, is_indistinct};
-use super::sides::{Sides, System};
+use super::sides::{FactoredMatrix, Sides};
 use super::turning::fastest;
 use super::way::{Point, Way, largest};
 use super::{CORRECTION, TrackError, TrackErrorOf, attempted, predicted, rates, station, track};
@@ -323,7 +323,7 @@ fn orientations_are_those_of_determinants() {
         [[1.0, 5.0], [2.0, -1.0]],
         [[-1e-9, 2e-9], [-3e6, -1e6]],
     ] {
-        let system = System::<FourBar>::new(2, |row, column| matrix[row][column]);
+        let system = FactoredMatrix::<FourBar>::new(2, |row, column| matrix[row][column]);
         let determinant: f64 = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
         let orientation = system.orientation();
         assert_eq!(f64::from(orientation.sign), determinant.signum(), "{matrix:?}");
@@ -340,7 +340,7 @@ fn orientations_are_those_of_determinants() {
             );
         }
     }
-    let singular = System::<FourBar>::new(2, |_, _| 1.0).orientation();
+    let singular = FactoredMatrix::<FourBar>::new(2, |_, _| 1.0).orientation();
     assert_eq!((singular.sign, singular.logarithm), (0, f64::NEG_INFINITY));
 }
 

@@ -6,7 +6,7 @@
 //! Transactions on Mathematical Software 9, 1983, 215-235.)
 
 use super::rounding::{is_crossed, rounding};
-use super::sides::{Orientation, Sides, System, bordered};
+use super::sides::{FactoredMatrix, Orientation, Sides, bordered};
 use super::steps::Steps;
 use super::way::{Linear, Point, Way, largest};
 use super::{BLUR, CREEPING, FAR, MOST_CREEPING};
@@ -142,7 +142,7 @@ fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: Point<M>, paramete
 
 /// How far rounding errors may lead from the curve. No more than a fifth of the longest step: beyond that they would
 /// excuse everything.
-fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, system: &System<M>) -> f64 {
+fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, system: &FactoredMatrix<M>) -> f64 {
     let size = largest(rounding(way, point, system).as_ref().iter().copied());
     if size <= 0.2 * LONGEST { size } else { 0.0 }
 }

@@ -3,15 +3,7 @@
 use std::fmt::Write;
 
 use super::{Graph, Node, Symbol, Term};
-
-/// How tightly the surroundings bind.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
-    Loose,
-    Sum,
-    Product,
-    Power,
-}
+use crate::precedence::Precedence;
 
 /// A text is cut off where it is longer than this: nobody reads it, and an expression of expressions that occur twice is longer by powers
 /// of two.
@@ -25,7 +17,7 @@ impl Graph {
             name,
             text: String::new(),
         };
-        printer.print(node, Binding::Loose);
+        printer.print(node, Precedence::Sum);
         let mut text = printer.text;
         if text.len() > LONGEST {
             let end = (0..=LONGEST).rev().find(|&end| text.is_char_boundary(end));
@@ -43,7 +35,7 @@ struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    fn print(&mut self, node: Node, outside: Binding) {
+    fn print(&mut self, node: Node, place: Precedence) {
         if self.text.len() > LONGEST {
             return;
         }
@@ -52,20 +44,20 @@ impl Printer<'_> {
             Term::Pi => self.text.push_str("PI"),
             Term::Symbol(symbol) => self.text.push_str(&(self.name)(*symbol)),
             Term::Sum(constant, terms) => {
-                self.within(outside > Binding::Loose, |printer| {
-                    for (place, &(part, coefficient)) in terms.iter().enumerate() {
+                self.within(Precedence::Sum.needs_parentheses(place), |printer| {
+                    for (index, &(part, coefficient)) in terms.iter().enumerate() {
                         let value = coefficient.get();
-                        printer.text.push_str(match (place, value < 0.0) {
+                        printer.text.push_str(match (index, value < 0.0) {
                             (0, false) => "",
                             (0, true) => "-",
                             (_, false) => " + ",
                             (_, true) => " - ",
                         });
                         if value.abs() == 1.0 {
-                            printer.print(part, Binding::Sum);
+                            printer.print(part, Precedence::Product);
                         } else {
                             let _ = write!(printer.text, "{} * ", value.abs());
-                            printer.print(part, Binding::Product);
+                            printer.print(part, Precedence::Atom);
                         }
                     }
                     let constant = constant.get();
@@ -77,7 +69,7 @@ impl Printer<'_> {
             }
             Term::Product(factors) => {
                 let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|&&(_, exponent)| exponent > 0);
-                self.within(outside > Binding::Sum, |printer| {
+                self.within(Precedence::Product.needs_parentheses(place), |printer| {
                     if above.is_empty() {
                         printer.text.push('1');
                     }
@@ -91,9 +83,9 @@ impl Printer<'_> {
             Term::Call(function, arguments) => {
                 self.text.push_str(function.name());
                 self.within(true, |printer| {
-                    for (place, &argument) in arguments.iter().enumerate() {
-                        printer.text.push_str(if place == 0 { "" } else { ", " });
-                        printer.print(argument, Binding::Loose);
+                    for (index, &argument) in arguments.iter().enumerate() {
+                        printer.text.push_str(if index == 0 { "" } else { ", " });
+                        printer.print(argument, Precedence::Sum);
                     }
                 });
             }
@@ -105,9 +97,9 @@ impl Printer<'_> {
         for (place, &(part, exponent)) in factors.iter().enumerate() {
             self.text.push_str(if place == 0 { "" } else { " * " });
             match exponent.unsigned_abs() {
-                1 => self.print(part, Binding::Product),
+                1 => self.print(part, Precedence::Atom),
                 power => {
-                    self.print(part, Binding::Power);
+                    self.print(part, Precedence::Atom);
                     let _ = write!(self.text, ".powi({power})");
                 }
             }

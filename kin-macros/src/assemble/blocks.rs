@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use super::choice;
-use super::reciprocals::Root;
+use super::reciprocals::KnownRoot;
 use super::units::Units;
 use crate::algebra::{Function, Graph, Node, Symbol, Term};
 use crate::derive::Regularity;
 use crate::passes::Passes;
 use crate::program::{Argument, Choice, Limits, Mode, Names, Solver, Stage, Step};
-use crate::structure::{Block, ClosedForm, Complex, Part, Solution};
+use crate::structure::{Block, ClosedForm, ComplexNode, Method, Part};
 
 /// The steps that find the position, what they teach about directions, and the choices they leave.
 pub(crate) struct Assembled {
@@ -18,7 +18,7 @@ pub(crate) struct Assembled {
     pub(crate) units: Units,
     /// What has been found not to be zero on the way to the position.
     pub(crate) nonzero: Vec<Node>,
-    pub(crate) roots: Vec<Root>,
+    pub(crate) roots: Vec<KnownRoot>,
     pub(crate) choices: Vec<Choice>,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Builder<'a> {
     /// What closed forms divide by, and have found not to be zero.
     pub(super) nonzero: Vec<Node>,
     /// The roots that closed forms have taken.
-    pub(super) roots: Vec<Root>,
+    pub(super) roots: Vec<KnownRoot>,
 }
 
 /// Turns blocks into steps that find a position.
@@ -93,9 +93,9 @@ fn steps(
             let mode = choice::mode(builder.graph, part, ranges, &mut assemblies);
             builder.steps.push(Step::Open { part: number, mode });
             choices.push(Choice { mode, orientation });
-            match &part.solution {
-                Solution::Closed(form) => builder.form(form),
-                Solution::Newton { residuals, .. } => builder.newton(number, &part.unknowns, residuals),
+            match &part.method {
+                Method::Closed(form) => builder.form(form),
+                Method::Newton { residuals, .. } => builder.newton(number, &part.unknowns, residuals),
             }
             builder.bounds(part, ranges);
             if let Some(jacobian) = jacobian
@@ -155,8 +155,8 @@ impl Builder<'_> {
         self.units.rewrite(self.graph, node)
     }
 
-    pub(super) fn known_complex(&mut self, value: Complex) -> Complex {
-        Complex::new(self.known(value.re), self.known(value.im))
+    pub(super) fn known_complex(&mut self, value: ComplexNode) -> ComplexNode {
+        ComplexNode::new(self.known(value.re), self.known(value.im))
     }
 
     /// A value under a name, so that what is built on it refers to it and not to how it came about.
@@ -170,8 +170,8 @@ impl Builder<'_> {
         result
     }
 
-    pub(super) fn define_complex(&mut self, wish: &str, value: Complex) -> Complex {
-        Complex::new(
+    pub(super) fn define_complex(&mut self, wish: &str, value: ComplexNode) -> ComplexNode {
+        ComplexNode::new(
             self.define(&format!("{wish}_x"), value.re),
             self.define(&format!("{wish}_y"), value.im),
         )
@@ -183,9 +183,9 @@ impl Builder<'_> {
         (symbol, node)
     }
 
-    pub(super) fn fresh_plane(&mut self, wish: &str) -> ([Symbol; 2], Complex) {
+    pub(super) fn fresh_plane(&mut self, wish: &str) -> ([Symbol; 2], ComplexNode) {
         let ((x, x_node), (y, y_node)) = (self.fresh(&format!("{wish}_x")), self.fresh(&format!("{wish}_y")));
-        ([x, y], Complex::new(x_node, y_node))
+        ([x, y], ComplexNode::new(x_node, y_node))
     }
 
     pub(super) fn unknown_name(&self, unknown: usize) -> String {
@@ -221,7 +221,7 @@ impl Builder<'_> {
             }
             ClosedForm::InverseCosine { unknown, radius, width } => {
                 let (known, found) = self.inverse_circular(Solver::InverseCosine, *unknown, *radius, *width);
-                self.turn_vector(*unknown, *radius, Complex::new(known, found));
+                self.turn_vector(*unknown, *radius, ComplexNode::new(known, found));
             }
             ClosedForm::InverseSine {
                 unknown,
@@ -229,7 +229,7 @@ impl Builder<'_> {
                 height,
             } => {
                 let (known, found) = self.inverse_circular(Solver::InverseSine, *unknown, *radius, *height);
-                self.turn_vector(*unknown, *radius, Complex::new(found, known));
+                self.turn_vector(*unknown, *radius, ComplexNode::new(found, known));
             }
             ClosedForm::CosineSine { unknown, a, b, c } => {
                 let arguments = [*a, *b, *c].map(|node| Argument::Scalar(self.known(node))).to_vec();
@@ -322,7 +322,7 @@ impl Builder<'_> {
     pub(super) fn root(&mut self, symbol: Symbol, value: Node) -> Symbol {
         let name = self.names.of(symbol).to_owned();
         let (symbol, square) = self.fresh(&format!("{name}_squared"));
-        self.learn_root(Root {
+        self.learn_root(KnownRoot {
             base: value,
             value,
             square,
@@ -333,24 +333,24 @@ impl Builder<'_> {
     }
 
     /// From now on there is this root, and its square is not zero.
-    pub(super) fn learn_root(&mut self, root: Root) {
+    pub(super) fn learn_root(&mut self, root: KnownRoot) {
         self.nonzero.push(root.square);
         self.roots.push(root);
     }
 
     /// The unknown angle of a link that is known as a vector.
-    pub(super) fn turn_vector(&mut self, unknown: usize, length: Node, vector: Complex) {
+    pub(super) fn turn_vector(&mut self, unknown: usize, length: Node, vector: ComplexNode) {
         let length = self.known(length);
         self.nonzero.push(length);
         let angle = self.graph.symbol(Symbol::Unknown(unknown));
-        let divisor = Complex::new(length, self.graph.zero());
+        let divisor = ComplexNode::new(length, self.graph.zero());
         let unit = vector.over(self.graph, divisor);
         self.units.learn_direction(angle, unit);
         self.push_angle(unknown, vector, length);
     }
 
     /// The unknown angle of a unit vector.
-    pub(super) fn turn(&mut self, unknown: usize, unit: Complex) {
+    pub(super) fn turn(&mut self, unknown: usize, unit: ComplexNode) {
         let angle = self.graph.symbol(Symbol::Unknown(unknown));
         self.units.learn_direction(angle, unit);
         let length = self.graph.one();

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{Limits, Mode};
-use crate::structure::{ClosedForm, Part, Solution};
+use crate::structure::{ClosedForm, Method, Part};
 
 /// How a part's solution is chosen; `assemblies` counts the choices left to the caller.
 pub(super) fn mode(graph: &Graph, part: &Part, ranges: &BTreeMap<usize, Limits>, assemblies: &mut usize) -> Mode {
-    let form = match &part.solution {
-        Solution::Closed(form) if form.has_assemblies() => form,
+    let form = match &part.method {
+        Method::Closed(form) if form.has_assemblies() => form,
         _ => return Mode::Only,
     };
     let ranged: Vec<(usize, Limits)> = part
@@ -29,9 +29,9 @@ pub(super) fn mode(graph: &Graph, part: &Part, ranges: &BTreeMap<usize, Limits>,
 
 /// Positive in the open assembly.
 pub(super) fn orientation(graph: &mut Graph, part: &Part) -> Option<Node> {
-    match &part.solution {
-        Solution::Closed(form) => orientation_of(graph, form),
-        Solution::Newton { .. } => None,
+    match &part.method {
+        Method::Closed(form) => orientation_of(graph, form),
+        Method::Newton { .. } => None,
     }
 }
 

@@ -1,10 +1,10 @@
 //! Plane loops as steps: the vectors of the links that turn, and the angles from them.
 
 use super::blocks::Builder;
-use super::reciprocals::Root;
+use super::reciprocals::KnownRoot;
 use crate::algebra::{Node, Symbol};
 use crate::program::{Argument, Solver, Step};
-use crate::structure::{Arm, Complex};
+use crate::structure::{Arm, ComplexNode};
 
 impl Builder<'_> {
     /// What a link's components are called: after its length, if that has a name.
@@ -25,13 +25,13 @@ impl Builder<'_> {
     }
 
     /// The unit vector of an arm from the arm's own vector.
-    fn unit_of(&mut self, vector: Complex, factor: Complex, mirrored: bool) -> Complex {
+    fn unit_of(&mut self, vector: ComplexNode, factor: ComplexNode, mirrored: bool) -> ComplexNode {
         let unit = vector.over(self.graph, factor);
         if mirrored { unit.conjugate(self.graph) } else { unit }
     }
 
     /// The angle of a link that spans a known vector.
-    pub(super) fn direction(&mut self, unknown: usize, arm: &Arm, target: Complex) {
+    pub(super) fn direction(&mut self, unknown: usize, arm: &Arm, target: ComplexNode) {
         let factor = self.known_complex(arm.factor);
         let target = self.known_complex(target);
         let wish = if factor.is_real(self.graph) {
@@ -45,7 +45,7 @@ impl Builder<'_> {
         self.turn(unknown, unit);
     }
 
-    pub(super) fn two_angles(&mut self, unknowns: [usize; 2], arms: &[Arm; 2], target: Complex) {
+    pub(super) fn two_angles(&mut self, unknowns: [usize; 2], arms: &[Arm; 2], target: ComplexNode) {
         let factors = [self.known_complex(arms[0].factor), self.known_complex(arms[1].factor)];
         let mut target = self.known_complex(target);
         let names = [self.angle_name(&arms[0]), self.angle_name(&arms[1])];
@@ -76,7 +76,7 @@ impl Builder<'_> {
                 ],
                 vec![x, y, area, area_squared],
             );
-            let mut other = Complex::new(
+            let mut other = ComplexNode::new(
                 self.graph.subtract(target.re, link.re),
                 self.graph.subtract(target.im, link.im),
             );
@@ -89,7 +89,7 @@ impl Builder<'_> {
             let other = self.define_complex(&wish, other);
             // link × (target - link) is minus half of the root
             let cross = link.conjugate(self.graph).times(self.graph, other).im;
-            self.learn_root(Root {
+            self.learn_root(KnownRoot {
                 base: cross,
                 value: root,
                 square,
@@ -113,7 +113,7 @@ impl Builder<'_> {
                 ],
                 vec![x, y],
             );
-            let other = Complex::new(
+            let other = ComplexNode::new(
                 self.graph.subtract(target.re, link.re),
                 self.graph.subtract(target.im, link.im),
             );
@@ -135,7 +135,7 @@ impl Builder<'_> {
         }
         let mut directions = [vectors[0], vectors[1]];
         for index in 0..2 {
-            let length = Complex::new(lengths[index], self.graph.zero());
+            let length = ComplexNode::new(lengths[index], self.graph.zero());
             directions[index] = self.unit_of(vectors[index], length, arms[index].mirrored);
             let angle = arms[index].angle.node(self.graph);
             self.units.learn_direction(angle, directions[index]);
@@ -148,9 +148,9 @@ impl Builder<'_> {
         &mut self,
         unknowns: [usize; 2],
         arms: &[Arm; 2],
-        vectors: [Complex; 2],
+        vectors: [ComplexNode; 2],
         lengths: [Node; 2],
-        directions: [Complex; 2],
+        directions: [ComplexNode; 2],
     ) {
         let multiple = |arm: usize, unknown: usize| {
             arms[arm]
@@ -170,8 +170,8 @@ impl Builder<'_> {
                 [1, 0] => (self.upright(vectors[0], arms[0].mirrored), lengths[0]),
                 [0, 1] => (self.upright(vectors[1], arms[1].mirrored), lengths[1]),
                 _ => {
-                    let mut vector: Option<Complex> = None;
-                    let mut direction: Option<Complex> = None;
+                    let mut vector: Option<ComplexNode> = None;
+                    let mut direction: Option<ComplexNode> = None;
                     let mut length = self.graph.one();
                     for (arm, &power) in row.iter().enumerate() {
                         let mut link = self.upright(vectors[arm], arms[arm].mirrored);
@@ -186,7 +186,7 @@ impl Builder<'_> {
                             length = self.graph.multiply(length, lengths[arm]);
                         }
                     }
-                    let one = Complex::new(self.graph.one(), self.graph.zero());
+                    let one = ComplexNode::new(self.graph.one(), self.graph.zero());
                     self.units.learn_direction(own, direction.unwrap_or(one));
                     (vector.unwrap_or(one), length)
                 }
@@ -196,11 +196,18 @@ impl Builder<'_> {
     }
 
     /// A clockwise vector as a counter-clockwise one.
-    fn upright(&mut self, vector: Complex, mirrored: bool) -> Complex {
+    fn upright(&mut self, vector: ComplexNode, mirrored: bool) -> ComplexNode {
         if mirrored { vector.conjugate(self.graph) } else { vector }
     }
 
-    pub(super) fn angle_length(&mut self, angle: usize, length: usize, arm: &Arm, direction: Complex, target: Complex) {
+    pub(super) fn angle_length(
+        &mut self,
+        angle: usize,
+        length: usize,
+        arm: &Arm,
+        direction: ComplexNode,
+        target: ComplexNode,
+    ) {
         let mut factor = self.known_complex(arm.factor);
         let mut direction = self.known_complex(direction);
         let mut target = self.known_complex(target);
@@ -241,9 +248,9 @@ impl Builder<'_> {
         if is_along_x || is_along_y {
             let (symbol, leg) = self.fresh(&format!("{wish}_{}", if is_along_x { "x" } else { "y" }));
             link = if is_along_x {
-                Complex::new(leg, target.im)
+                ComplexNode::new(leg, target.im)
             } else {
-                Complex::new(target.re, leg)
+                ComplexNode::new(target.re, leg)
             };
             results = vec![symbol, self.root(symbol, leg)];
         } else {
@@ -267,7 +274,7 @@ impl Builder<'_> {
     }
 
     /// The angle of a vector, a number's sign in front of the length being moved into the vector.
-    pub(super) fn push_angle(&mut self, unknown: usize, vector: Complex, length: Node) {
+    pub(super) fn push_angle(&mut self, unknown: usize, vector: ComplexNode, length: Node) {
         let (coefficient, bare) = self.graph.split_coefficient(length);
         let sign = self.graph.number(coefficient.signum());
         let vector = vector.scaled(self.graph, sign);
@@ -279,7 +286,14 @@ impl Builder<'_> {
         });
     }
 
-    pub(super) fn polar(&mut self, length: usize, angle: usize, mirrored: bool, offset: Complex, target: Complex) {
+    pub(super) fn polar(
+        &mut self,
+        length: usize,
+        angle: usize,
+        mirrored: bool,
+        offset: ComplexNode,
+        target: ComplexNode,
+    ) {
         let (offset, target) = (self.known_complex(offset), self.known_complex(target));
         let target = self.define_complex("span", target);
         let own_length = self.graph.symbol(Symbol::Unknown(length));
@@ -339,7 +353,7 @@ mod tests {
                 Arm {
                     angle: Angle(symbols.filter(|&(_, multiple)| multiple != 0).collect()),
                     mirrored: mirrored[index],
-                    factor: Complex::new(factors[index], zero),
+                    factor: ComplexNode::new(factors[index], zero),
                 }
             };
             let arms = [arm(0), arm(1)];
@@ -359,7 +373,7 @@ mod tests {
                 nonzero: Vec::new(),
                 roots: Vec::new(),
             };
-            builder.two_angles([0, 1], &arms, Complex::new(c, d));
+            builder.two_angles([0, 1], &arms, ComplexNode::new(c, d));
             let steps = builder.steps;
 
             let vectors = [0, 1].map(|index| {
@@ -436,7 +450,7 @@ mod tests {
             let arm = Arm {
                 angle: Angle(vec![(Symbol::Unknown(0), 1)]),
                 mirrored: false,
-                factor: Complex::new(l, graph.zero()),
+                factor: ComplexNode::new(l, graph.zero()),
             };
             let mut names = Names::default();
             for symbol in [Symbol::Unknown(0), Symbol::Unknown(1), Symbol::Parameter(0)] {
@@ -450,7 +464,7 @@ mod tests {
                 nonzero: Vec::new(),
                 roots: Vec::new(),
             };
-            builder.angle_length(0, 1, &arm, Complex::new(re, im), Complex::new(c, d));
+            builder.angle_length(0, 1, &arm, ComplexNode::new(re, im), ComplexNode::new(c, d));
             let solvers: Vec<Solver> = builder
                 .steps
                 .iter()

@@ -12,6 +12,6 @@ mod unit_vectors;
 mod units;
 
 pub(crate) use blocks::{Assembled, assemble, assemble_every};
-pub(crate) use reciprocals::{Reciprocals, Root};
+pub(crate) use reciprocals::{KnownRoot, Reciprocals};
 pub(crate) use unit_vectors::{define, drop_idle, leave_angles};
 pub(crate) use units::Units;

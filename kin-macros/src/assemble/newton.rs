@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::blocks::Builder;
 use crate::algebra::{Node, Symbol, Term};
 use crate::program::{Mode, Step};
-use crate::structure::{System, Variable};
+use crate::structure::{PolynomialSystem, Variable};
 
 impl Builder<'_> {
     /// The step that finds a part's unknowns from the guess that the caller gave.
@@ -56,7 +56,7 @@ impl Builder<'_> {
     }
 
     /// The steps that go through all solutions of a block; `part` is its first.
-    pub(super) fn every(&mut self, block: usize, part: usize, all: &System) {
+    pub(super) fn every(&mut self, block: usize, part: usize, all: &PolynomialSystem) {
         self.steps.push(Step::Open { part, mode: Mode::Only });
         let coefficients = all
             .coefficients

@@ -11,7 +11,7 @@ use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{Names, Stage, Step};
 
 /// What a closed form has taken the root of: the reciprocal of `base` is `factor * value / square`.
-pub(crate) struct Root {
+pub(crate) struct KnownRoot {
     pub(super) base: Node,
     pub(super) value: Node,
     pub(super) square: Node,
@@ -26,7 +26,7 @@ pub(crate) struct Reciprocals(Vec<(Node, [(Symbol, Node); 2])>);
 
 impl Reciprocals {
     /// From now on, expressions that are rewritten divide by none of these roots.
-    pub(crate) fn learn(graph: &mut Graph, names: &mut Names, units: &mut Units, roots: &[Root]) -> Self {
+    pub(crate) fn learn(graph: &mut Graph, names: &mut Names, units: &mut Units, roots: &[KnownRoot]) -> Self {
         let mut known = BTreeMap::new();
         let reciprocals = roots
             .iter()

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::units::Units;
 use crate::algebra::{Graph, Node, Symbol};
-use crate::program::{Direction, Directions, Limits, Names, Stage, Step};
+use crate::program::{DirectionSymbols, Directions, Limits, Names, Stage, Step};
 
 /// The steps that find cosine and sine where everything that the closed forms find is known.
 pub(crate) fn define(
@@ -24,7 +24,7 @@ pub(crate) fn define(
             names.name(symbol, &wish);
             symbol
         };
-        let direction = Direction {
+        let direction = DirectionSymbols {
             cosine: part(format!("cos_{name}")),
             sine: part(format!("sin_{name}")),
             angle: part(format!("{name}_angle")),

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use crate::algebra::{Function, Graph, Node, Symbol, Term};
 use crate::passes::{Pass, Passes};
 use crate::program::Step;
-use crate::structure::Complex;
+use crate::structure::ComplexNode;
 
 /// What is known of the directions of unknown angles.
 pub(crate) struct Units {
     passes: Passes,
     /// cos and sin of an angle, by the angle's expression.
-    directions: BTreeMap<Node, Complex>,
+    directions: BTreeMap<Node, ComplexNode>,
     /// Unknown angles that are linear expressions of others.
     combinations: BTreeMap<Node, Node>,
     /// Angles that are known by another name from here on.
@@ -35,7 +35,7 @@ impl Units {
     }
 
     /// From now on cos and sin of `angle` are these.
-    pub(crate) fn learn_direction(&mut self, angle: Node, direction: Complex) {
+    pub(crate) fn learn_direction(&mut self, angle: Node, direction: ComplexNode) {
         if self.passes.include(Pass::UnitVectors) {
             self.directions.insert(angle, direction);
             self.rewritten.clear();
@@ -58,9 +58,9 @@ impl Units {
     pub(crate) fn learn_reciprocals(&mut self, graph: &mut Graph, reciprocals: BTreeMap<Node, Node>) {
         self.reciprocals = reciprocals;
         self.rewritten.clear();
-        let known: Vec<(Node, Complex)> = self.directions.iter().map(|(&angle, &unit)| (angle, unit)).collect();
+        let known: Vec<(Node, ComplexNode)> = self.directions.iter().map(|(&angle, &unit)| (angle, unit)).collect();
         for (angle, unit) in known {
-            let unit = Complex::new(self.rewrite(graph, unit.re), self.rewrite(graph, unit.im));
+            let unit = ComplexNode::new(self.rewrite(graph, unit.re), self.rewrite(graph, unit.im));
             self.directions.insert(angle, unit);
         }
     }
@@ -141,12 +141,12 @@ impl Units {
     }
 
     /// cos and sin of an angle: known, put together from known ones by the addition theorems, or evaluated.
-    pub(crate) fn direction(&mut self, graph: &mut Graph, angle: Node) -> Complex {
+    pub(crate) fn direction(&mut self, graph: &mut Graph, angle: Node) -> ComplexNode {
         if let Some(&direction) = self.directions.get(&angle) {
             return direction;
         }
         let direction = if let Some(parts) = self.resolve(graph, angle) {
-            let mut product: Option<Complex> = None;
+            let mut product: Option<ComplexNode> = None;
             for (part, multiple) in parts {
                 let mut unit = self.direction(graph, part);
                 if multiple < 0 {
@@ -156,10 +156,10 @@ impl Units {
                     product = Some(product.map_or(unit, |before| before.times(graph, unit)));
                 }
             }
-            product.unwrap_or_else(|| Complex::new(graph.one(), graph.zero()))
+            product.unwrap_or_else(|| ComplexNode::new(graph.one(), graph.zero()))
         } else {
             let argument = self.rewrite(graph, angle);
-            Complex::new(graph.cosine(argument), graph.sine(argument))
+            ComplexNode::new(graph.cosine(argument), graph.sine(argument))
         };
         self.directions.insert(angle, direction);
         direction
@@ -238,7 +238,7 @@ mod tests {
             let mut graph = Graph::new();
             let (parameter, input) = (graph.symbol(Symbol::Parameter(0)), graph.symbol(Symbol::Input(0)));
             let [unknown, other] = [0, 1].map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
-            let direction = Complex::new(graph.new_step().1, graph.new_step().1);
+            let direction = ComplexNode::new(graph.new_step().1, graph.new_step().1);
             let mut units = Units::new(Passes::ALL);
             units.learn_direction(unknown, direction);
             Self {
@@ -300,7 +300,7 @@ mod tests {
         let graph = &mut known.graph;
         let double = graph.scale(2.0, known.input);
         let (cosine, sine) = (graph.cosine(known.input), graph.sine(known.input));
-        let unit = Complex::new(cosine, sine);
+        let unit = ComplexNode::new(cosine, sine);
         let expected = unit.times(graph, unit);
         let found = known.units.direction(graph, double);
         assert_eq!((found.re, found.im), (expected.re, expected.im));

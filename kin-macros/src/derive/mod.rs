@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) use influence::Influences;
 pub(crate) use jacobian::Regularity;
-pub(crate) use sensitivity::{Definition, Differentiated};
+pub(crate) use sensitivity::{Definition, Dependent};
 
 use influence::Found;
 use jacobian::Jacobian;
@@ -94,7 +94,7 @@ impl Rate {
 
 /// What is differentiated.
 #[derive(Clone, Copy)]
-pub(crate) struct Task<'a> {
+pub(crate) struct Subject<'a> {
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
     pub(crate) outputs: &'a [Node],
@@ -158,7 +158,7 @@ pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], 
 
 impl Derivatives {
     /// All orders through the one given, or the order at which there are too many expressions.
-    pub(crate) fn new(graph: &mut Graph, task: Task<'_>, order: usize) -> Result<Self, TooLarge> {
+    pub(crate) fn new(graph: &mut Graph, task: Subject<'_>, order: usize) -> Result<Self, TooLarge> {
         let jacobians: Vec<Jacobian> = task
             .blocks
             .iter()
@@ -193,7 +193,7 @@ impl Derivatives {
         })
     }
 
-    fn derive_next(&mut self, graph: &mut Graph, task: Task<'_>) {
+    fn derive_next(&mut self, graph: &mut Graph, task: Subject<'_>) {
         let order = self.orders.len() + 1;
         let mut found = Vec::new();
         for (block, jacobian) in task.blocks.iter().zip(&self.jacobians) {

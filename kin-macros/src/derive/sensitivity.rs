@@ -1,6 +1,6 @@
 //! Partial derivatives of the motion with respect to the parameters, order by order, with the same Jacobians.
 //!
-//! The closure F(q, u, p) = 0 holds for all values of the parameters, and q depends on them. Differentiated by one of
+//! The closure F(q, u, p) = 0 holds for all values of the parameters, and q depends on them. Dependent by one of
 //! them, with S = ∂q/∂p, it reads J S + ∂F/∂p = 0; differentiated n times in time, by Leibniz's rule,
 //!
 //! J S⁽ⁿ⁾ = -[(∂F/∂p)⁽ⁿ⁾ + Σ C(n, k) J⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾] over k below n.
@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use super::jacobian::Jacobian;
 use super::rates::{Rates, binomial};
-use super::{Derivatives, Influences, Rate, Task, TooLarge};
+use super::{Derivatives, Influences, Rate, Subject, TooLarge};
 use crate::algebra::{Graph, Node, Symbol, Term};
 
 /// One step of the sensitivities' program.
@@ -32,7 +32,7 @@ pub(crate) enum Definition {
     Entry {
         symbol: Symbol,
         node: Node,
-        row: Differentiated,
+        row: Dependent,
         unknown: usize,
         order: usize,
     },
@@ -40,7 +40,7 @@ pub(crate) enum Definition {
 
 /// What is differentiated.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum Differentiated {
+pub(crate) enum Dependent {
     Equation(usize),
     Output(usize),
 }
@@ -53,7 +53,7 @@ impl Derivatives {
     pub(crate) fn sensitivities(
         &mut self,
         graph: &mut Graph,
-        task: Task<'_>,
+        task: Subject<'_>,
         parameters: usize,
     ) -> Result<Vec<Definition>, TooLarge> {
         let highest = self.orders.len();
@@ -75,14 +75,14 @@ impl Derivatives {
                         .equations
                         .iter()
                         .map(|&equation| {
-                            let total = derivation.total(Differentiated::Equation(equation), &known, parameter, order);
+                            let total = derivation.total(Dependent::Equation(equation), &known, parameter, order);
                             derivation.graph.negate(total)
                         })
                         .collect();
                     derivation.solve(jacobian, &right, parameter, order);
                 }
                 for output in 0..task.outputs.len() {
-                    let node = derivation.total(Differentiated::Output(output), &known, parameter, order);
+                    let node = derivation.total(Dependent::Output(output), &known, parameter, order);
                     derivation.definitions.push(Definition::Value {
                         symbol: Symbol::OutputSensitivity(output, parameter, order),
                         node,
@@ -99,10 +99,10 @@ impl Derivatives {
 
 struct Derivation<'a> {
     graph: &'a mut Graph,
-    task: Task<'a>,
+    task: Subject<'a>,
     rates: &'a mut Rates,
     definitions: Vec<Definition>,
-    partials: BTreeMap<(Differentiated, Symbol), Node>,
+    partials: BTreeMap<(Dependent, Symbol), Node>,
     /// The symbols under which the sums know the time derivatives of partial derivatives.
     entries: BTreeMap<Node, Node>,
     /// The sensitivities of unknowns found so far: symbols, or zero.
@@ -111,7 +111,7 @@ struct Derivation<'a> {
 
 impl Derivation<'_> {
     /// (∂f/∂p)⁽ⁿ⁾ + Σ C(n, k) (∂f/∂q)⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾ over the unknowns given, as far as their S⁽ᵏ⁾ have been found.
-    fn total(&mut self, row: Differentiated, unknowns: &[usize], parameter: usize, order: usize) -> Node {
+    fn total(&mut self, row: Dependent, unknowns: &[usize], parameter: usize, order: usize) -> Node {
         let own = self.partial(row, Symbol::Parameter(parameter), order);
         let mut terms = vec![(own, 1.0)];
         let whole = self.node(row);
@@ -133,15 +133,15 @@ impl Derivation<'_> {
         self.graph.linear(0.0, &terms)
     }
 
-    const fn node(&self, row: Differentiated) -> Node {
+    const fn node(&self, row: Dependent) -> Node {
         match row {
-            Differentiated::Equation(equation) => self.task.residuals[equation],
-            Differentiated::Output(output) => self.task.outputs[output],
+            Dependent::Equation(equation) => self.task.residuals[equation],
+            Dependent::Output(output) => self.task.outputs[output],
         }
     }
 
     /// The time derivative of a partial derivative.
-    fn partial(&mut self, row: Differentiated, symbol: Symbol, order: usize) -> Node {
+    fn partial(&mut self, row: Dependent, symbol: Symbol, order: usize) -> Node {
         let node = self.node(row);
         let partial = if let Some(&partial) = self.partials.get(&(row, symbol)) {
             partial
@@ -154,7 +154,7 @@ impl Derivation<'_> {
     }
 
     /// The time derivative of a partial derivative by an unknown, computed once for all parameters.
-    fn entry(&mut self, row: Differentiated, unknown: usize, order: usize) -> Node {
+    fn entry(&mut self, row: Dependent, unknown: usize, order: usize) -> Node {
         let whole = self.partial(row, Symbol::Unknown(unknown), order);
         let (coefficient, bare) = self.graph.split_coefficient(whole);
         if matches!(self.graph.term(bare), Term::Number(_) | Term::Symbol(_)) {

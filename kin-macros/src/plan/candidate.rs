@@ -7,17 +7,17 @@ use super::guards::unguarded_divisors;
 use super::naming::{name_rates, name_sensitivities};
 use super::telltales::telltales;
 use crate::algebra::{Graph, Node, Symbol};
-use crate::assemble::{self, Assembled, Reciprocals, Root, Units};
+use crate::assemble::{self, Assembled, KnownRoot, Reciprocals, Units};
 use crate::derive::{Definition, Hint, Influences, Mover, Rate};
 use crate::passes::{Pass, Passes};
 use crate::program::{
-    Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Summary, Trial, Way, order_name,
+    Approach, Choice, Comparison, Directions, Expression, Names, Program, Solvers, Stage, Step, Trial, order_name,
 };
 use crate::schedule::{Style, schedule};
 
 /// A program that was derived in one way, and its schedule.
 pub(super) struct Candidate {
-    pub(super) way: Way,
+    pub(super) way: Approach,
     graph: Graph,
     program: Program<Node>,
     hints: Vec<(Node, String)>,
@@ -83,7 +83,7 @@ impl Candidate {
             every: extras.every,
             transmission: extras.transmission,
             is_form_given_up,
-            summary: Summary { trials, kept: self.way },
+            comparison: Comparison { trials, kept: self.way },
         }
     }
 }
@@ -97,7 +97,7 @@ struct Draft<'a> {
     stages: Vec<Stage<Node>>,
     /// The directions of links, by which every expression is rewritten.
     units: Units,
-    roots: Vec<Root>,
+    roots: Vec<KnownRoot>,
     reciprocals: Reciprocals,
     directions: Directions,
     choices: Vec<Choice>,
@@ -153,7 +153,7 @@ impl<'a> Draft<'a> {
     /// Rates divide by the reciprocals of the roots that closed forms take.
     fn learn_reciprocals(&mut self) {
         let is_included = self.task.passes.include(Pass::InvertedRoots);
-        let roots: &[Root] = if is_included { &self.roots } else { &[] };
+        let roots: &[KnownRoot] = if is_included { &self.roots } else { &[] };
         self.reciprocals = Reciprocals::learn(&mut self.graph, &mut self.names, &mut self.units, roots);
     }
 
@@ -313,7 +313,7 @@ impl<'a> Draft<'a> {
         let style = Style::checked(self.task.passes);
         let scheduled = schedule(&self.graph, &program, &self.hints, style);
         Candidate {
-            way: Way {
+            way: Approach {
                 is_multiplied_out: self.derived.form.is_multiplied_out,
                 has_influences: self.derived.influences == Influences::Collected,
                 takes_out_factors: false,

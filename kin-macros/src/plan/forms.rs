@@ -15,8 +15,8 @@ pub(super) struct Form {
 
 impl Form {
     /// The equations in this form, to be differentiated.
-    pub(super) fn task<'a>(&'a self, task: &Task<'a>, influences: Influences) -> derive::Task<'a> {
-        derive::Task {
+    pub(super) fn task<'a>(&'a self, task: &Task<'a>, influences: Influences) -> derive::Subject<'a> {
+        derive::Subject {
             residuals: &self.formulas.residuals,
             blocks: task.blocks,
             outputs: &self.formulas.outputs,

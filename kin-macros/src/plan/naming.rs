@@ -1,7 +1,7 @@
 //! Names for rates and partial derivatives.
 
 use crate::algebra::Symbol;
-use crate::derive::{Definition, Derivatives, Differentiated, Rate, Regularity};
+use crate::derive::{Definition, Dependent, Derivatives, Rate, Regularity};
 use crate::program::{Names, order_name};
 
 /// Names the rates of all orders: `theta4_velocity`, `theta4_q2`.
@@ -50,8 +50,8 @@ pub(super) fn name_sensitivities(definitions: &[Definition], names: &mut Names) 
                 ..
             } => {
                 let row = match *row {
-                    Differentiated::Equation(equation) => (equation + 1).to_string(),
-                    Differentiated::Output(output) => names.of(Symbol::OutputRate(output, 0)).to_owned(),
+                    Dependent::Equation(equation) => (equation + 1).to_string(),
+                    Dependent::Output(output) => names.of(Symbol::OutputRate(output, 0)).to_owned(),
                 };
                 let unknown = names.of(Symbol::Unknown(*unknown));
                 let wish = format!("entry_{row}_{unknown}_{}", order_name(*order));

@@ -6,11 +6,11 @@ use crate::algebra::Symbol;
 
 /// The symbols of the unit vectors, by the unknowns' places.
 #[derive(Clone, Default)]
-pub(crate) struct Directions(pub(crate) BTreeMap<usize, Direction>);
+pub(crate) struct Directions(pub(crate) BTreeMap<usize, DirectionSymbols>);
 
 /// The values that stand for an unknown.
 #[derive(Clone, Copy)]
-pub(crate) struct Direction {
+pub(crate) struct DirectionSymbols {
     pub(crate) cosine: Symbol,
     pub(crate) sine: Symbol,
     /// The angle itself as later stages know it.

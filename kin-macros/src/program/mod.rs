@@ -4,6 +4,7 @@
 //! Values are known by symbols. Their names are looked up where a program becomes text, and nowhere before.
 
 mod choice;
+mod comparison;
 mod cost;
 mod directions;
 mod expression;
@@ -14,11 +15,11 @@ mod solver;
 mod solvers;
 mod stage;
 mod step;
-mod summary;
 
 pub(crate) use choice::{Choice, Limits, Mode};
+pub(crate) use comparison::{Approach, Comparison, Trial};
 pub(crate) use cost::Cost;
-pub(crate) use directions::{Direction, Directions, UnitPart};
+pub(crate) use directions::{DirectionSymbols, Directions, UnitPart};
 pub(crate) use expression::Expression;
 pub(crate) use names::{Names, OWN_NAMES};
 pub(crate) use order::order_name;
@@ -26,4 +27,3 @@ pub(crate) use solver::{Argument, Returns, Solver};
 pub(crate) use solvers::{Solvers, TransmissionAngles};
 pub(crate) use stage::{Carried, Program, Stage};
 pub(crate) use step::Step;
-pub(crate) use summary::{Summary, Trial, Way};

@@ -1,6 +1,6 @@
 //! Names for values, so that a reader of the generated code recognises them.
 
-use super::operation::{Operation, Value};
+use super::operation::{Operation, OperationId};
 use super::scheduler::Scheduler;
 use crate::algebra::Symbol;
 
@@ -9,7 +9,7 @@ const NAME_LENGTH: usize = 36;
 
 impl Scheduler<'_> {
     /// Gives a value a name.
-    pub(super) fn bind(&mut self, value: Value) -> Symbol {
+    pub(super) fn bind(&mut self, value: OperationId) -> Symbol {
         let wish = self.hints.get(&value).cloned().unwrap_or_else(|| self.describe(value));
         let symbol = self.names.value(&wish);
         self.bound.insert(value, symbol);
@@ -17,7 +17,7 @@ impl Scheduler<'_> {
     }
 
     /// A name that says what a value is, as long as it is short, or at least of what kind it is.
-    fn describe(&self, value: Value) -> String {
+    fn describe(&self, value: OperationId) -> String {
         self.phrase(value).unwrap_or_else(|| {
             let kind = match self.operations.operation(value) {
                 Operation::Add(..) => "sum",
@@ -32,7 +32,7 @@ impl Scheduler<'_> {
     }
 
     /// A value in the names of its operands.
-    fn phrase(&self, value: Value) -> Option<String> {
+    fn phrase(&self, value: OperationId) -> Option<String> {
         let phrase = match *self.operations.operation(value) {
             Operation::Leaf(symbol) => return Some(self.names.of(symbol).to_owned()),
             Operation::Number(number) => {
@@ -70,7 +70,7 @@ impl Scheduler<'_> {
     }
 
     /// The name of a value that has one, or what it would be called.
-    fn part(&self, value: Value) -> Option<String> {
+    fn part(&self, value: OperationId) -> Option<String> {
         match self.bound.get(&value) {
             Some(&symbol) => Some(self.names.of(symbol).to_owned()),
             None => self.phrase(value),

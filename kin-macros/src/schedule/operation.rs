@@ -1,30 +1,30 @@
-//! Rows as binary operations.
+//! Lines as binary operations.
 
 use std::collections::BTreeMap;
 
-use super::rows::{Row, RowId, Rows};
+use super::lines::{Line, LineId, Lines};
 use crate::algebra::{Function, HashMap, Number, Symbol};
 use crate::program::Cost;
 
 /// An operation's number; operands have lower ones.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(super) struct Value(pub(super) usize);
+pub(super) struct OperationId(pub(super) usize);
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Operation {
     Number(Number),
     Pi,
     Leaf(Symbol),
-    Add(Value, Value),
-    Subtract(Value, Value),
-    Multiply(Value, Value),
-    Divide(Value, Value),
-    Negate(Value),
-    Call(Function, Vec<Value>),
+    Add(OperationId, OperationId),
+    Subtract(OperationId, OperationId),
+    Multiply(OperationId, OperationId),
+    Divide(OperationId, OperationId),
+    Negate(OperationId),
+    Call(Function, Vec<OperationId>),
 }
 
 impl Operation {
-    pub(super) fn operands(&self) -> Vec<Value> {
+    pub(super) fn operands(&self) -> Vec<OperationId> {
         match self {
             Self::Number(_) | Self::Pi | Self::Leaf(_) => Vec::new(),
             Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => vec![*a, *b],
@@ -53,60 +53,60 @@ impl Operation {
 
 /// All operations of a program.
 #[derive(Default)]
-pub(super) struct Operations {
+pub(super) struct OperationList {
     pub(super) list: Vec<Operation>,
-    known: HashMap<Operation, Value>,
-    by_row: BTreeMap<RowId, Value>,
+    known: HashMap<Operation, OperationId>,
+    by_line: BTreeMap<LineId, OperationId>,
 }
 
-impl Operations {
-    pub(super) fn operation(&self, value: Value) -> &Operation {
+impl OperationList {
+    pub(super) fn operation(&self, value: OperationId) -> &Operation {
         &self.list[value.0]
     }
 
-    fn intern(&mut self, operation: Operation) -> Value {
+    fn intern(&mut self, operation: Operation) -> OperationId {
         if let Some(&value) = self.known.get(&operation) {
             return value;
         }
-        let value = Value(self.list.len());
+        let value = OperationId(self.list.len());
         self.list.push(operation.clone());
         self.known.insert(operation, value);
         value
     }
 
     /// The number of an operation, if the program has it.
-    pub(super) fn find(&self, operation: &Operation) -> Option<Value> {
+    pub(super) fn find(&self, operation: &Operation) -> Option<OperationId> {
         self.known.get(operation).copied()
     }
 
-    pub(super) fn leaf(&mut self, symbol: Symbol) -> Value {
+    pub(super) fn leaf(&mut self, symbol: Symbol) -> OperationId {
         self.intern(Operation::Leaf(symbol))
     }
 
-    /// The operations of a row.
-    pub(super) fn lower(&mut self, rows: &Rows, row: RowId) -> Value {
-        if let Some(&value) = self.by_row.get(&row) {
+    /// The operations of a line.
+    pub(super) fn lower(&mut self, lines: &Lines, line: LineId) -> OperationId {
+        if let Some(&value) = self.by_line.get(&line) {
             return value;
         }
-        let value = match rows.row(row).clone() {
-            Row::Number(number) => self.intern(Operation::Number(number)),
-            Row::Pi => self.intern(Operation::Pi),
-            Row::Leaf(symbol) => self.intern(Operation::Leaf(symbol)),
-            Row::Quotient(above, below) => {
-                let (above, below) = (self.lower(rows, above), self.lower(rows, below));
+        let value = match lines.line(line).clone() {
+            Line::Number(number) => self.intern(Operation::Number(number)),
+            Line::Pi => self.intern(Operation::Pi),
+            Line::Leaf(symbol) => self.intern(Operation::Leaf(symbol)),
+            Line::Quotient(above, below) => {
+                let (above, below) = (self.lower(lines, above), self.lower(lines, below));
                 self.intern(Operation::Divide(above, below))
             }
-            Row::Call(function, arguments) => {
+            Line::Call(function, arguments) => {
                 let arguments = arguments
                     .into_iter()
-                    .map(|argument| self.lower(rows, argument))
+                    .map(|argument| self.lower(lines, argument))
                     .collect();
                 self.intern(Operation::Call(function, arguments))
             }
-            Row::Product(factors) => {
+            Line::Product(factors) => {
                 let mut product = None;
                 for factor in factors {
-                    let factor = self.lower(rows, factor);
+                    let factor = self.lower(lines, factor);
                     product = Some(match product {
                         None => factor,
                         Some(before) => self.intern(Operation::Multiply(before, factor)),
@@ -114,11 +114,11 @@ impl Operations {
                 }
                 product.expect("products have factors")
             }
-            Row::Sum(terms) => {
+            Line::Sum(terms) => {
                 let (positive, negative): (Vec<_>, Vec<_>) = terms.into_iter().partition(|&(negative, _)| !negative);
                 let mut sum = None;
                 for (_, term) in positive {
-                    let term = self.lower(rows, term);
+                    let term = self.lower(lines, term);
                     sum = Some(match sum {
                         None => term,
                         Some(before) => self.intern(Operation::Add(before, term)),
@@ -126,7 +126,7 @@ impl Operations {
                 }
                 let mut opposite = None;
                 for (_, term) in negative {
-                    let term = self.lower(rows, term);
+                    let term = self.lower(lines, term);
                     match sum {
                         Some(before) => sum = Some(self.intern(Operation::Subtract(before, term))),
                         None => {
@@ -144,7 +144,7 @@ impl Operations {
                 }
             }
         };
-        self.by_row.insert(row, value);
+        self.by_line.insert(line, value);
         value
     }
 }

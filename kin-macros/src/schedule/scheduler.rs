@@ -1,10 +1,10 @@
-//! Operations as steps: what gets a name, and in which stage it is computed.
+//! OperationList as steps: what gets a name, and in which stage it is computed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::carry;
-use super::operation::{Operation, Operations, Value};
-use super::rows::Rows;
+use super::lines::Lines;
+use super::operation::{Operation, OperationId, OperationList};
 use super::share;
 use super::style::Style;
 use crate::algebra::{Function, Graph, Node, Symbol};
@@ -23,13 +23,13 @@ struct Usage {
 
 /// The state of scheduling.
 pub(super) struct Scheduler<'a> {
-    pub(super) operations: Operations,
+    pub(super) operations: OperationList,
     pub(super) names: Names,
-    pub(super) hints: BTreeMap<Value, String>,
+    pub(super) hints: BTreeMap<OperationId, String>,
     /// By value; none for what is not used.
     usage: Vec<Usage>,
     /// Values that have a name, and it.
-    pub(super) bound: BTreeMap<Value, Symbol>,
+    pub(super) bound: BTreeMap<OperationId, Symbol>,
     program: &'a Program<Node>,
     style: Style,
     stage: usize,
@@ -64,12 +64,12 @@ fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes:
         else {
             continue;
         };
-        // the same rows, in one piece, as an argument of no solver at all
-        let rows = Step::Factor {
+        // the same lines, in one piece, as an argument of no solver at all
+        let lines = Step::Factor {
             symbol: RESIDUALS,
             matrix: [residuals].into_iter().chain(jacobian).cloned().collect(),
         };
-        let inner = Program::single(vec![rows], names.clone());
+        let inner = Program::single(vec![lines], names.clone());
         let mut scheduled = schedule(graph, &inner, &[], Style::plain(passes));
         names.adopt(scheduled.names);
         let Stage {
@@ -106,24 +106,24 @@ pub(crate) fn schedule(
 ) -> Program<Expression> {
     let roots_of = |stages: &[Stage<Node>]| -> Vec<Node> { stages.iter().flat_map(Stage::needs).collect() };
     let roots = roots_of(&program.stages);
-    let mut rows = Rows::new(graph, &roots, style);
+    let mut lines = Lines::new(graph, &roots, style);
     let reachable: BTreeSet<Node> = graph.reachable(&roots);
     if let (true, Some((_, motion))) = (program.has_sensitivities, program.stages.split_last()) {
         // the motion comes first: what it shares is not to be torn apart for what comes after it
-        rows.extend(graph, &roots_of(motion));
-        share::share(&mut rows);
+        lines.extend(graph, &roots_of(motion));
+        share::share(&mut lines);
     }
-    rows.extend(graph, &roots);
-    share::share(&mut rows);
-    let mut operations = Operations::default();
+    lines.extend(graph, &roots);
+    share::share(&mut lines);
+    let mut operations = OperationList::default();
     for &root in &roots {
-        let row = rows.of_node(root);
-        operations.lower(&rows, row);
+        let line = lines.of_node(root);
+        operations.lower(&lines, line);
     }
     let hints = hints
         .iter()
         .filter(|(node, _)| reachable.contains(node))
-        .map(|(node, name)| (operations.lower(&rows, rows.of_node(*node)), name.clone()))
+        .map(|(node, name)| (operations.lower(&lines, lines.of_node(*node)), name.clone()))
         .collect();
     let mut names = program.names.clone();
     let iterations = iterations(graph, program, &mut names, style.passes);
@@ -142,31 +142,31 @@ pub(crate) fn schedule(
         modes: BTreeMap::new(),
         iterations,
     };
-    scheduler.survey(&rows);
-    scheduler.write(&rows)
+    scheduler.survey(&lines);
+    scheduler.write(&lines)
 }
 
 impl Scheduler<'_> {
-    fn value(&mut self, rows: &Rows, node: Node) -> Value {
-        self.operations.lower(rows, rows.of_node(node))
+    fn value(&mut self, lines: &Lines, node: Node) -> OperationId {
+        self.operations.lower(lines, lines.of_node(node))
     }
 
     /// First pass: where each value is used.
-    fn survey(&mut self, rows: &Rows) {
+    fn survey(&mut self, lines: &Lines) {
         let program = self.program;
         for (stage, steps) in program.stages.iter().enumerate() {
             for node in steps.needs() {
-                let value = self.value(rows, node);
+                let value = self.value(lines, node);
                 self.touch(value, stage);
             }
         }
     }
 
-    fn usage(&self, value: Value) -> Usage {
+    fn usage(&self, value: OperationId) -> Usage {
         self.usage.get(value.0).copied().unwrap_or_default()
     }
 
-    fn touch(&mut self, value: Value, stage: usize) {
+    fn touch(&mut self, value: OperationId, stage: usize) {
         if self.usage.len() <= value.0 {
             self.usage.resize(self.operations.list.len(), Usage::default());
         }
@@ -186,12 +186,12 @@ impl Scheduler<'_> {
     }
 
     /// The symbol of a value that has been computed.
-    fn known(&self, value: Value) -> Option<Symbol> {
+    fn known(&self, value: OperationId) -> Option<Symbol> {
         let symbol = self.bound.get(&value).copied();
         symbol.filter(|_| self.includes(Pass::CommonSubexpressions))
     }
 
-    fn is_circular(&self, value: Value) -> bool {
+    fn is_circular(&self, value: OperationId) -> bool {
         matches!(
             self.operations.operation(value),
             Operation::Call(Function::Sin | Function::Cos, _)
@@ -199,7 +199,7 @@ impl Scheduler<'_> {
     }
 
     /// The cosine to a sine and the sine to a cosine, if the program has it.
-    fn partner(&self, value: Value) -> Option<Value> {
+    fn partner(&self, value: OperationId) -> Option<OperationId> {
         let Operation::Call(function, arguments) = self.operations.operation(value) else {
             return None;
         };
@@ -213,7 +213,7 @@ impl Scheduler<'_> {
     }
 
     /// Second pass: the steps.
-    fn write(mut self, rows: &Rows) -> Program<Expression> {
+    fn write(mut self, lines: &Lines) -> Program<Expression> {
         let program = self.program;
         let mut stages = Vec::new();
         for (index, stage) in program.stages.iter().enumerate() {
@@ -222,7 +222,7 @@ impl Scheduler<'_> {
                 self.bound.clear();
             }
             for step in &stage.steps {
-                self.step(rows, step);
+                self.step(lines, step);
             }
             stages.push(Stage {
                 cost: std::mem::replace(&mut self.cost, Cost::NONE),
@@ -239,10 +239,10 @@ impl Scheduler<'_> {
         scheduled
     }
 
-    fn step(&mut self, rows: &Rows, step: &Step<Node>) {
+    fn step(&mut self, lines: &Lines, step: &Step<Node>) {
         let written = match step {
             Step::Define { symbol, value } => {
-                let value = self.value(rows, *value);
+                let value = self.value(lines, *value);
                 let expression = self.root(value);
                 if !matches!(expression, Expression::Name(_) | Expression::Number(_) | Expression::Pi) {
                     self.bound.insert(value, *symbol);
@@ -259,17 +259,17 @@ impl Scheduler<'_> {
             }
             _ => {
                 let written = step.map(&mut |&node| {
-                    let value = self.value(rows, node);
+                    let value = self.value(lines, node);
                     self.expression(value)
                 });
-                self.finished(rows, step, written)
+                self.finished(lines, step, written)
             }
         };
         self.steps.push(written);
     }
 
     /// A step whose expressions are written: what it costs, and what its parts have to know of each other.
-    fn finished(&mut self, rows: &Rows, step: &Step<Node>, mut written: Step<Expression>) -> Step<Expression> {
+    fn finished(&mut self, lines: &Lines, step: &Step<Node>, mut written: Step<Expression>) -> Step<Expression> {
         match &mut written {
             Step::Solve { solver, results, .. } => {
                 for symbol in results.iter().flatten() {
@@ -289,7 +289,7 @@ impl Scheduler<'_> {
                 else {
                     return written;
                 };
-                let known = self.value(rows, *known);
+                let known = self.value(lines, *known);
                 let is_positive = matches!(
                     self.operations.operation(known),
                     Operation::Number(number) if number.get() > 0.0
@@ -342,7 +342,7 @@ impl Scheduler<'_> {
     }
 
     /// The expression for a value that a `let` is about to name.
-    fn root(&mut self, value: Value) -> Expression {
+    fn root(&mut self, value: OperationId) -> Expression {
         if self.must_be_separate(value) {
             self.expression(value)
         } else {
@@ -351,11 +351,11 @@ impl Scheduler<'_> {
     }
 
     /// A function with a partner or a check cannot stand within an expression.
-    fn must_be_separate(&self, value: Value) -> bool {
+    fn must_be_separate(&self, value: OperationId) -> bool {
         self.known(value).is_some() || self.is_circular(value) || self.is_checked(value)
     }
 
-    fn is_checked(&self, value: Value) -> bool {
+    fn is_checked(&self, value: OperationId) -> bool {
         self.style.check_domains
             && self.stage == 0
             && matches!(
@@ -365,7 +365,7 @@ impl Scheduler<'_> {
     }
 
     /// A value by its name if it has or deserves one, else written out.
-    fn expression(&mut self, value: Value) -> Expression {
+    fn expression(&mut self, value: OperationId) -> Expression {
         if let Some(symbol) = self.known(value) {
             return Expression::Name(symbol);
         }
@@ -405,7 +405,7 @@ impl Scheduler<'_> {
     }
 
     /// Whether a value takes more operations than are readable, written out.
-    fn is_long(&self, value: Value) -> bool {
+    fn is_long(&self, value: OperationId) -> bool {
         let mut operations = 0;
         let mut open = vec![value];
         while let Some(value) = open.pop() {
@@ -431,10 +431,10 @@ impl Scheduler<'_> {
         false
     }
 
-    fn unfold(&mut self, value: Value) -> Expression {
+    fn unfold(&mut self, value: OperationId) -> Expression {
         let operation = self.operations.operation(value).clone();
         self.charge(operation.cost());
-        let mut part = |operand: Value| Box::new(self.expression(operand));
+        let mut part = |operand: OperationId| Box::new(self.expression(operand));
         match operation {
             Operation::Number(number) => Expression::Number(number.get()),
             Operation::Pi => Expression::Pi,
@@ -455,7 +455,7 @@ impl Scheduler<'_> {
     }
 
     /// Names a sine or cosine, and its partner with it.
-    fn bind_circular(&mut self, value: Value) -> Symbol {
+    fn bind_circular(&mut self, value: OperationId) -> Symbol {
         let Operation::Call(_, arguments) = self.operations.operation(value).clone() else {
             unreachable!("sines and cosines are calls");
         };

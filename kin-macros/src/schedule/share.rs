@@ -10,7 +10,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::mem;
 
-use super::rows::{Row, RowId, Rows};
+use super::lines::{Line, LineId, Lines};
 use crate::algebra::HashMap;
 use crate::passes::Pass;
 use crate::work;
@@ -18,40 +18,40 @@ use crate::work;
 /// Two factors, or two terms and whether their signs differ.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 enum Pair {
-    Product(RowId, RowId),
-    Sum(RowId, RowId, bool),
+    Product(LineId, LineId),
+    Sum(LineId, LineId, bool),
 }
 
-/// How often a term stands in a row with each sign; a factor has no sign.
+/// How often a term stands in a line with each sign; a factor has no sign.
 type Multiplicity = [usize; 2];
 
-/// Whether a row is a sum, and an element of it: a term is nothing to products, nor a factor to sums.
-type Element = (bool, RowId);
+/// Whether a line is a sum, and an element of it: a term is nothing to products, nor a factor to sums.
+type Element = (bool, LineId);
 
-/// The elements of a row, each as often as it stands there.
-fn elements(row: &Row) -> Vec<(RowId, bool)> {
-    match row {
-        Row::Product(factors) => factors.iter().map(|&factor| (factor, false)).collect(),
-        Row::Sum(terms) => terms.iter().map(|&(negative, term)| (term, negative)).collect(),
+/// The elements of a line, each as often as it stands there.
+fn elements(line: &Line) -> Vec<(LineId, bool)> {
+    match line {
+        Line::Product(factors) => factors.iter().map(|&factor| (factor, false)).collect(),
+        Line::Sum(terms) => terms.iter().map(|&(negative, term)| (term, negative)).collect(),
         _ => Vec::new(),
     }
 }
 
-/// Elements that occur more than once, and for all others the only row that they stand in.
+/// Elements that occur more than once, and for all others the only line that they stand in.
 struct Repeated {
     elements: HashMap<Element, usize>,
     only: HashMap<Element, usize>,
 }
 
 impl Repeated {
-    fn of(rows: &[Row]) -> Self {
+    fn of(lines: &[Line]) -> Self {
         let mut repeated = Self {
             elements: HashMap::default(),
             only: HashMap::default(),
         };
-        for (index, row) in rows.iter().enumerate() {
-            for (id, _) in elements(row) {
-                let element = (matches!(row, Row::Sum(_)), id);
+        for (index, line) in lines.iter().enumerate() {
+            for (id, _) in elements(line) {
+                let element = (matches!(line, Line::Sum(_)), id);
                 if let Some(first) = repeated.only.insert(element, index) {
                     repeated.elements.insert(element, first);
                 }
@@ -64,21 +64,21 @@ impl Repeated {
         self.elements.contains_key(&element)
     }
 
-    /// Takes note that an element now occurs more than once. If it did not before, the row that it stood in is handed back.
+    /// Takes note that an element now occurs more than once. If it did not before, the line that it stood in is handed back.
     fn add(&mut self, element: Element) -> Option<usize> {
         let is_new = self.elements.insert(element, 0).is_none();
         is_new.then(|| self.only.get(&element).copied()).flatten()
     }
 }
 
-/// The terms or factors of a row, of those that occur more than once, ascending.
-type Elements = Vec<(RowId, Multiplicity)>;
+/// The terms or factors of a line, of those that occur more than once, ascending.
+type Elements = Vec<(LineId, Multiplicity)>;
 
-/// The elements of a row that occur more than once.
-fn repeated_elements(row: &Row, repeated: &Repeated) -> Elements {
-    let is_sum = matches!(row, Row::Sum(_));
-    let mut counts: BTreeMap<RowId, Multiplicity> = BTreeMap::new();
-    for (id, negative) in elements(row) {
+/// The elements of a line that occur more than once.
+fn repeated_elements(line: &Line, repeated: &Repeated) -> Elements {
+    let is_sum = matches!(line, Line::Sum(_));
+    let mut counts: BTreeMap<LineId, Multiplicity> = BTreeMap::new();
+    for (id, negative) in elements(line) {
         if repeated.contain((is_sum, id)) {
             counts.entry(id).or_default()[usize::from(negative)] += 1;
         }
@@ -86,30 +86,30 @@ fn repeated_elements(row: &Row, repeated: &Repeated) -> Elements {
     counts.into_iter().collect()
 }
 
-/// An element of a row, and how often it stands there before and after a change.
+/// An element of a line, and how often it stands there before and after a change.
 #[derive(Clone, Copy)]
-struct Change {
-    id: RowId,
+struct Recount {
+    id: LineId,
     before: Multiplicity,
     after: Multiplicity,
 }
 
-/// The elements that a row has before or after a change.
-fn changes(before: &Elements, after: &Elements) -> Vec<Change> {
-    let mut all: BTreeMap<RowId, [Multiplicity; 2]> = BTreeMap::new();
+/// The elements that a line has before or after a change.
+fn changes(before: &Elements, after: &Elements) -> Vec<Recount> {
+    let mut all: BTreeMap<LineId, [Multiplicity; 2]> = BTreeMap::new();
     for (place, elements) in [before, after].into_iter().enumerate() {
         for &(id, count) in elements {
             all.entry(id).or_default()[place] = count;
         }
     }
     all.into_iter()
-        .map(|(id, [before, after])| Change { id, before, after })
+        .map(|(id, [before, after])| Recount { id, before, after })
         .collect()
 }
 
 impl Pair {
-    /// The pairs that two different elements of a row may form, or one with itself.
-    fn of(is_sum: bool, one: RowId, other: RowId) -> impl Iterator<Item = Self> {
+    /// The pairs that two different elements of a line may form, or one with itself.
+    fn of(is_sum: bool, one: LineId, other: LineId) -> impl Iterator<Item = Self> {
         let (a, b) = (one.min(other), one.max(other));
         let pairs = if is_sum {
             [false, true].map(|opposite| (a != b).then_some(Self::Sum(a, b, opposite)))
@@ -119,7 +119,7 @@ impl Pair {
         pairs.into_iter().flatten()
     }
 
-    /// How often the pair can be taken out of a row that has its elements as often as given.
+    /// How often the pair can be taken out of a line that has its elements as often as given.
     const fn times(self, [p, m]: Multiplicity, [q, n]: Multiplicity) -> usize {
         match self {
             Self::Product(a, b) if a.0 == b.0 => p / 2,
@@ -134,23 +134,23 @@ impl Pair {
 /// Where each pair occurs. Only elements that change are looked at again.
 #[derive(Default)]
 struct Occurrences {
-    /// The rows, ascending, and how often each has the pair.
+    /// The lines, ascending, and how often each has the pair.
     places: HashMap<Pair, Vec<(usize, usize)>>,
-    /// The elements of each row.
+    /// The elements of each line.
     elements: Vec<Elements>,
-    /// The pairs that occur in more rows, or more often, than before.
+    /// The pairs that occur in more lines, or more often, than before.
     grown: BTreeSet<Pair>,
 }
 
 impl Occurrences {
-    /// Takes note of what a row has become.
-    fn update(&mut self, index: usize, row: &Row, repeated: &Repeated) {
+    /// Takes note of what a line has become.
+    fn update(&mut self, index: usize, line: &Line, repeated: &Repeated) {
         if self.elements.len() <= index {
             self.elements.resize_with(index + 1, Elements::new);
         }
-        let after = repeated_elements(row, repeated);
+        let after = repeated_elements(line, repeated);
         let before = mem::replace(&mut self.elements[index], after);
-        let is_sum = matches!(row, Row::Sum(_));
+        let is_sum = matches!(line, Line::Sum(_));
         let (changed, unchanged): (Vec<_>, Vec<_>) = changes(&before, &self.elements[index])
             .into_iter()
             .partition(|change| change.before != change.after);
@@ -192,35 +192,38 @@ impl Occurrences {
     }
 }
 
-/// Rewrites the rows until no pair occurs twice.
-pub(super) fn share(rows: &mut Rows) {
-    if !rows.style.passes.include(Pass::SharedPairs) {
+/// Rewrites the lines until no pair occurs twice.
+pub(super) fn share(lines: &mut Lines) {
+    if !lines.style.passes.include(Pass::SharedPairs) {
         return;
     }
     let mut occurrences = Occurrences::default();
-    let mut repeated = Repeated::of(&rows.list);
-    let mut changed: BTreeSet<usize> = (0..rows.list.len()).collect();
+    let mut repeated = Repeated::of(&lines.list);
+    let mut changed: BTreeSet<usize> = (0..lines.list.len()).collect();
     while !changed.is_empty() {
         for index in mem::take(&mut changed) {
-            occurrences.update(index, &rows.list[index], &repeated);
+            occurrences.update(index, &lines.list[index], &repeated);
         }
         for pair in occurrences.candidates() {
             let places = &occurrences.places[&pair];
             // earlier replacements may have used up what this pair needs
-            let current: usize = places.iter().map(|&(place, _)| count_in(&rows.list[place], pair)).sum();
+            let current: usize = places
+                .iter()
+                .map(|&(place, _)| count_in(&lines.list[place], pair))
+                .sum();
             if current < 2 {
                 continue;
             }
-            let replacement = rows.intern(match pair {
-                Pair::Product(a, b) => Row::Product(vec![a, b]),
-                Pair::Sum(a, b, opposite) => Row::Sum(vec![(false, a), (opposite, b)]),
+            let replacement = lines.intern(match pair {
+                Pair::Product(a, b) => Line::Product(vec![a, b]),
+                Pair::Sum(a, b, opposite) => Line::Sum(vec![(false, a), (opposite, b)]),
             });
             if replacement.0 >= occurrences.elements.len() {
                 changed.insert(replacement.0);
             }
             changed.extend(repeated.add((matches!(pair, Pair::Sum(..)), replacement)));
             for &(place, _) in places {
-                if RowId(place) != replacement && replace(&mut rows.list[place], pair, replacement) {
+                if LineId(place) != replacement && replace(&mut lines.list[place], pair, replacement) {
                     changed.insert(place);
                 }
             }
@@ -228,16 +231,16 @@ pub(super) fn share(rows: &mut Rows) {
     }
 }
 
-/// How often a pair can be taken out of a row.
-fn count_in(row: &Row, pair: Pair) -> usize {
-    match (row, pair) {
-        (Row::Product(factors), Pair::Product(a, b)) => {
-            let count = |id: RowId| [factors.iter().filter(|&&factor| factor == id).count(), 0];
+/// How often a pair can be taken out of a line.
+fn count_in(line: &Line, pair: Pair) -> usize {
+    match (line, pair) {
+        (Line::Product(factors), Pair::Product(a, b)) => {
+            let count = |id: LineId| [factors.iter().filter(|&&factor| factor == id).count(), 0];
             pair.times(count(a), count(b))
         }
-        (Row::Sum(terms), Pair::Sum(a, b, _)) => {
+        (Line::Sum(terms), Pair::Sum(a, b, _)) => {
             let count =
-                |id: RowId| [false, true].map(|negative| terms.iter().filter(|&&term| term == (negative, id)).count());
+                |id: LineId| [false, true].map(|negative| terms.iter().filter(|&&term| term == (negative, id)).count());
             pair.times(count(a), count(b))
         }
         _ => 0,
@@ -245,10 +248,10 @@ fn count_in(row: &Row, pair: Pair) -> usize {
 }
 
 /// Puts `replacement` in the place of a pair, as often as it occurs.
-fn replace(row: &mut Row, pair: Pair, replacement: RowId) -> bool {
+fn replace(line: &mut Line, pair: Pair, replacement: LineId) -> bool {
     let mut changed = false;
-    match (row, pair) {
-        (Row::Product(factors), Pair::Product(a, b)) => {
+    match (line, pair) {
+        (Line::Product(factors), Pair::Product(a, b)) => {
             while let Some(first) = factors.iter().position(|&factor| factor == a) {
                 let Some(second) = (0..factors.len()).find(|&index| index != first && factors[index] == b) else {
                     break;
@@ -260,8 +263,8 @@ fn replace(row: &mut Row, pair: Pair, replacement: RowId) -> bool {
                 changed = true;
             }
         }
-        (Row::Sum(terms), Pair::Sum(a, b, opposite)) => {
-            let find = |terms: &[(bool, RowId)], wanted: RowId| terms.iter().position(|&(_, term)| term == wanted);
+        (Line::Sum(terms), Pair::Sum(a, b, opposite)) => {
+            let find = |terms: &[(bool, LineId)], wanted: LineId| terms.iter().position(|&(_, term)| term == wanted);
             if let (Some(first), Some(second)) = (find(terms, a), find(terms, b))
                 && (terms[first].0 != terms[second].0) == opposite
             {

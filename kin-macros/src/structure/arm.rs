@@ -1,6 +1,6 @@
 //! Links that turn.
 
-use super::complex::Complex;
+use super::complex::ComplexNode;
 use crate::algebra::{Angle, Graph, Node};
 
 /// A link that turns: factor · cis(± angle).
@@ -10,25 +10,25 @@ pub(crate) struct Arm {
     pub(crate) angle: Angle,
     /// Whether it turns clockwise as the angle grows.
     pub(crate) mirrored: bool,
-    pub(crate) factor: Complex,
+    pub(crate) factor: ComplexNode,
 }
 
 impl Arm {
     /// The link as a vector.
-    pub(crate) fn vector(&self, graph: &mut Graph) -> Complex {
+    pub(crate) fn vector(&self, graph: &mut Graph) -> ComplexNode {
         let angle = self.signed_angle(graph);
-        let unit = Complex::new(graph.cosine(angle), graph.sine(angle));
+        let unit = ComplexNode::new(graph.cosine(angle), graph.sine(angle));
         self.factor.times(graph, unit)
     }
 
     /// The quotient of another link's vector and this one, times the square of this one's length, in two factors: a constant, and
     /// the unit vector of the angle between their directions.
-    pub(crate) fn turn_to(&self, graph: &mut Graph, other: &Self) -> (Complex, Complex) {
+    pub(crate) fn turn_to(&self, graph: &mut Graph, other: &Self) -> (ComplexNode, ComplexNode) {
         let (own_angle, other_angle) = (self.signed_angle(graph), other.signed_angle(graph));
         let between = graph.subtract(other_angle, own_angle);
         let conjugate = self.factor.conjugate(graph);
         let ratio = conjugate.times(graph, other.factor);
-        (ratio, Complex::new(graph.cosine(between), graph.sine(between)))
+        (ratio, ComplexNode::new(graph.cosine(between), graph.sine(between)))
     }
 
     fn signed_angle(&self, graph: &mut Graph) -> Node {

@@ -1,7 +1,7 @@
 //! The closed forms that a block may have.
 
 use super::arm::Arm;
-use super::complex::Complex;
+use super::complex::ComplexNode;
 use crate::algebra::{Function, Graph, Node, Symbol};
 
 /// How a block is solved. Every expression is free of the block's own unknowns.
@@ -40,25 +40,29 @@ pub(crate) enum ClosedForm {
     TwoAngles {
         unknowns: [usize; 2],
         arms: [Arm; 2],
-        target: Complex,
+        target: ComplexNode,
     },
     /// arm + length · direction = target: a circle meets a line (RRP dyad).
     AngleLength {
         angle: usize,
         length: usize,
         arm: Arm,
-        direction: Complex,
-        target: Complex,
+        direction: ComplexNode,
+        target: ComplexNode,
     },
     /// arm = target, where their lengths are equal: the direction of a link that other equations have placed.
-    Direction { unknown: usize, arm: Arm, target: Complex },
+    Direction {
+        unknown: usize,
+        arm: Arm,
+        target: ComplexNode,
+    },
     /// (length + offset) · cis(± angle) = target: polar form (RPR dyad).
     Polar {
         length: usize,
         angle: usize,
         mirrored: bool,
-        offset: Complex,
-        target: Complex,
+        offset: ComplexNode,
+        target: ComplexNode,
     },
 }
 

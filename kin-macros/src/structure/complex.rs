@@ -1,15 +1,15 @@
-//! Complex numbers of expressions, as which vectors of the plane are written.
+//! ComplexNode numbers of expressions, as which vectors of the plane are written.
 
 use crate::algebra::{Graph, Node};
 
 /// A complex number, or plane vector, of known expressions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Complex {
+pub(crate) struct ComplexNode {
     pub(crate) re: Node,
     pub(crate) im: Node,
 }
 
-impl Complex {
+impl ComplexNode {
     pub(crate) const fn new(re: Node, im: Node) -> Self {
         Self { re, im }
     }

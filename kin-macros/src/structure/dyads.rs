@@ -1,6 +1,6 @@
 //! The angles at which the links of dyads meet.
 
-use super::{Block, ClosedForm, Part, Solution};
+use super::{Block, ClosedForm, Method, Part};
 use crate::algebra::{Graph, Node, Symbol};
 
 /// A dyad of two links, or of a link and a slider, and its transmission angle.
@@ -41,8 +41,8 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
         .iter()
         .flat_map(|block| block.parts.iter().map(move |part| (block, part)))
     {
-        match &part.solution {
-            Solution::Closed(ClosedForm::TwoAngles {
+        match &part.method {
+            Method::Closed(ClosedForm::TwoAngles {
                 arms: [first, second], ..
             }) => {
                 let (ratio, turn) = first.turn_to(graph, second);
@@ -55,7 +55,7 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
                     along,
                 });
             }
-            Solution::Closed(ClosedForm::AngleLength { arm, direction, .. }) => {
+            Method::Closed(ClosedForm::AngleLength { arm, direction, .. }) => {
                 let vector = arm.vector(graph);
                 let product = vector.conjugate(graph).times(graph, *direction);
                 // i d in place of d turns the product by a quarter
@@ -94,7 +94,7 @@ fn slider_on_an_axis(graph: &mut Graph, residuals: &[Node], blocks: &[Block], bl
         let (
             [
                 Part {
-                    solution: Solution::Closed(ClosedForm::Linear { unknown: travel, .. }),
+                    method: Method::Closed(ClosedForm::Linear { unknown: travel, .. }),
                     ..
                 },
             ],

@@ -18,9 +18,9 @@ use std::collections::BTreeSet;
 
 pub(crate) use arm::Arm;
 pub(crate) use closed_form::ClosedForm;
-pub(crate) use complex::Complex;
+pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
-pub(crate) use polynomials::{System, Variable};
+pub(crate) use polynomials::{PolynomialSystem, Variable};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
 
@@ -33,7 +33,7 @@ pub(crate) struct Block {
     /// How they are solved, one part after another; most blocks are of one part.
     pub(crate) parts: Vec<Part>,
     /// All solutions of a block of which a part is left to Newton's method, if its equations are algebraic.
-    pub(crate) all: Option<System>,
+    pub(crate) all: Option<PolynomialSystem>,
     /// Whether the parts alone do not guarantee that the Jacobian is regular where they succeed.
     pub(crate) check_jacobian: bool,
 }
@@ -42,11 +42,11 @@ pub(crate) struct Block {
 pub(crate) struct Part {
     /// Their numbers, ascending.
     pub(crate) unknowns: Vec<usize>,
-    pub(crate) solution: Solution,
+    pub(crate) method: Method,
 }
 
 /// How a part is solved.
-pub(crate) enum Solution {
+pub(crate) enum Method {
     Closed(ClosedForm),
     /// By Newton's method for as many expressions that must vanish, in which earlier parts' unknowns are known.
     Newton {
@@ -61,7 +61,7 @@ impl Block {
     pub(crate) fn is_coupled(&self) -> bool {
         self.parts
             .iter()
-            .any(|part| matches!(part.solution, Solution::Newton { .. }))
+            .any(|part| matches!(part.method, Method::Newton { .. }))
     }
 }
 
@@ -189,7 +189,7 @@ fn solve_block(
     let check_jacobian = match parts.as_slice() {
         [
             Part {
-                solution: Solution::Closed(form),
+                method: Method::Closed(form),
                 ..
             },
         ] => cleared || form.has_inverse(),

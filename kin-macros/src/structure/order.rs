@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use super::matching::Matching;
 
-struct Search<'a> {
+struct DepthFirst<'a> {
     incidence: &'a [BTreeSet<usize>],
     matching: &'a Matching,
     /// When each equation was first seen.
@@ -23,7 +23,7 @@ struct Search<'a> {
 /// The blocks as lists of equations, each solvable once the ones before it are.
 pub(super) fn blocks(incidence: &[BTreeSet<usize>], matching: &Matching) -> Vec<Vec<usize>> {
     let size = incidence.len();
-    let mut search = Search {
+    let mut search = DepthFirst {
         incidence,
         matching,
         seen: vec![None; size],
@@ -41,7 +41,7 @@ pub(super) fn blocks(incidence: &[BTreeSet<usize>], matching: &Matching) -> Vec<
     search.blocks
 }
 
-impl Search<'_> {
+impl DepthFirst<'_> {
     fn visit(&mut self, equation: usize) {
         let time = self.count;
         self.count += 1;

@@ -13,11 +13,11 @@ use crate::algebra::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomi
 const LARGEST: usize = 1024;
 
 /// Polynomial equations for the unknowns of a block.
-pub(crate) struct System {
+pub(crate) struct PolynomialSystem {
     /// What the variables stand for.
     pub(crate) variables: Vec<Variable>,
     /// The terms, those of one equation after those of the other.
-    pub(crate) terms: Vec<Term>,
+    pub(crate) terms: Vec<PolynomialTerm>,
     /// Their coefficients, free of the block's unknowns.
     pub(crate) coefficients: Vec<Node>,
     /// The unknowns that linear relations give, from the others.
@@ -36,7 +36,7 @@ pub(crate) enum Variable {
 }
 
 /// A term of an equation: a coefficient, by its place, and powers of variables, by their places.
-pub(crate) struct Term {
+pub(crate) struct PolynomialTerm {
     pub(crate) equation: usize,
     pub(crate) coefficient: usize,
     pub(crate) powers: Vec<(usize, u32)>,
@@ -46,7 +46,7 @@ pub(crate) struct Term {
 type Powers = BTreeMap<usize, u32>;
 
 /// The system of a block, if it is algebraic and not too large.
-pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<System> {
+pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem> {
     let unknowns = whole.unknowns.clone();
     let polynomials: Vec<Polynomial> = whole
         .equations
@@ -97,7 +97,7 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<System> {
     if !(1..=LARGEST).contains(&paths) {
         return None;
     }
-    let mut system = System {
+    let mut system = PolynomialSystem {
         variables,
         terms: Vec::new(),
         coefficients: Vec::new(),
@@ -144,7 +144,7 @@ fn degree(polynomial: &Polynomial) -> usize {
     polynomial.0.keys().map(of_monomial).max().unwrap_or(0)
 }
 
-impl System {
+impl PolynomialSystem {
     /// Adds the terms of an equation.
     fn equation(
         &mut self,
@@ -178,7 +178,7 @@ impl System {
                 self.coefficients.push(coefficient);
                 self.coefficients.len() - 1
             });
-        self.terms.push(Term {
+        self.terms.push(PolynomialTerm {
             equation,
             coefficient: place,
             powers: powers.into_iter().collect(),

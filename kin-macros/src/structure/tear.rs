@@ -12,7 +12,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Matching;
-use super::{ClosedForm, Part, Solution, incidence, order, recognise, without_cancelling};
+use super::{ClosedForm, Method, Part, incidence, order, recognise, without_cancelling};
 use crate::algebra::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
 
 /// The parts that equations fall into, in the order in which they are solved.
@@ -108,14 +108,14 @@ struct Torn {
 fn closed(unknowns: Vec<usize>, form: ClosedForm) -> Part {
     Part {
         unknowns,
-        solution: Solution::Closed(form),
+        method: Method::Closed(form),
     }
 }
 
 fn newton(equations: &[Node], unknowns: &[usize], is_given_up: bool) -> Part {
     Part {
         unknowns: unknowns.to_vec(),
-        solution: Solution::Newton {
+        method: Method::Newton {
             residuals: equations.to_vec(),
             is_given_up,
         },

@@ -71,6 +71,7 @@ pub(crate) const MACROS: House = House {
     rooms: &[
         room("work", &["work.rs", "room.rs"], "counted work, stack"),
         room("report", &["report.rs"], "mistakes"),
+        room("precedence", &["precedence.rs"], "parentheses"),
         room("algebra", &["algebra/"], "graph, functions"),
         room("syntax", &["syntax/"], "tokens to tree"),
         room("model", &["model/"], "names, dimensions"),

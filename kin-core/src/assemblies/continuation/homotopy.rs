@@ -25,14 +25,14 @@ pub(super) struct Homotopy<'a, const M: usize> {
     coefficients: &'a [f64],
     coordinates: Coordinates<M>,
     /// The equations of higher degree than one; as many are used as there are free coordinates.
-    equations: [Equation<M>; M],
+    equations: [NonlinearEquation<M>; M],
     /// In which forms of coordinates marks are made.
     number: u64,
 }
 
 /// An equation of higher degree than one.
 #[derive(Clone, Copy, Debug)]
-struct Equation<const M: usize> {
+struct NonlinearEquation<const M: usize> {
     /// Its first term and the one after its last.
     terms: [usize; 2],
     degree: u8,
@@ -138,7 +138,7 @@ impl<const M: usize> Start<M> {
     }
 }
 
-impl<const M: usize> Equation<M> {
+impl<const M: usize> NonlinearEquation<M> {
     const UNUSED: Self = Self {
         terms: [0; 2],
         degree: 0,
@@ -198,14 +198,14 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         number: u64,
     ) -> Self {
         let mut random = Sequence::new(number);
-        let mut equations = [Equation::UNUSED; M];
+        let mut equations = [NonlinearEquation::UNUSED; M];
         let mut row = 0;
         for (equation, &degree) in degrees.iter().enumerate() {
             if degree > 1 {
                 let terms = system.range(equation);
                 let (support, occurring) = system.support(terms, coefficients);
                 let inverse_units = core::array::from_fn(|place| 1.0 / scales.variables[support[place]]);
-                equations[row] = Equation {
+                equations[row] = NonlinearEquation {
                     terms,
                     degree,
                     scale: scales.equations[equation],
@@ -371,7 +371,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
 
     /// F of one equation, with its slopes.
     #[inline]
-    fn add_target(&self, equation: &Equation<M>, x: &[Complex; M], infinity: Complex, slopes: &mut Slopes<M>) {
+    fn add_target(&self, equation: &NonlinearEquation<M>, x: &[Complex; M], infinity: Complex, slopes: &mut Slopes<M>) {
         let [first, end] = equation.terms;
         for term in &self.system.terms()[first..end] {
             let coefficient = self.coefficients[usize::from(term.coefficient)] * equation.scale;

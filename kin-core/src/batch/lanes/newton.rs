@@ -14,7 +14,7 @@ use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
 const ITERATIONS: u32 = 12;
 
 /// A step that has been taken.
-struct Step<const W: usize, const FUSED: bool, const N: usize> {
+struct NewtonStep<const W: usize, const FUSED: bool, const N: usize> {
     from: [Lanes<W, FUSED>; N],
     length: Lanes<W, FUSED>,
     factors: Factors<Lanes<W, FUSED>, N>,
@@ -29,7 +29,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
     let mut point = guess;
     let mut root = [Lanes([f64::NAN; W]); N];
     let mut pending = [true; W];
-    let mut last: Option<Step<W, FUSED, N>> = None;
+    let mut last: Option<NewtonStep<W, FUSED, N>> = None;
     for _ in 0..ITERATIONS {
         // In one place only: called from two, it would be no part of this function, and know nothing of the machine's vectors.
         let (residuals, mut jacobian) = evaluate(point);
@@ -102,7 +102,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
                 }
             }
         }
-        last = Some(Step { from, length, factors });
+        last = Some(NewtonStep { from, length, factors });
     }
     Ok(root)
 }

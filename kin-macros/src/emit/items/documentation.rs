@@ -4,7 +4,7 @@ use crate::algebra::Symbol;
 use crate::emit::mechanism::Mechanism;
 use crate::model::{Dimension, Quantity, Unknown};
 use crate::program::Cost;
-use crate::structure::{Block, Part, Solution};
+use crate::structure::{Block, Method, Part};
 
 impl Mechanism<'_> {
     /// The equations as a list of code lines.
@@ -49,10 +49,10 @@ impl Mechanism<'_> {
 
     /// How a part is solved.
     pub(in crate::emit) fn solution_of_part(&self, part: &Part) -> String {
-        match &part.solution {
-            Solution::Closed(form) => form.description(&self.solvers.graph),
-            Solution::Newton { is_given_up: false, .. } => "Newton's method".to_owned(),
-            Solution::Newton { is_given_up: true, .. } => {
+        match &part.method {
+            Method::Closed(form) => form.description(&self.solvers.graph),
+            Method::Newton { is_given_up: false, .. } => "Newton's method".to_owned(),
+            Method::Newton { is_given_up: true, .. } => {
                 "Newton's method (the equations are too large to look for a closed form)".to_owned()
             }
         }

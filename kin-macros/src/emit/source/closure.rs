@@ -11,18 +11,10 @@ use quote::{format_ident, quote, quote_spanned};
 use crate::algebra::Function;
 use crate::emit::declaration::vector_type;
 use crate::model::{Model, Shape};
+use crate::precedence::Precedence;
 use crate::syntax::{
     Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operation, Operator, Statement,
 };
-
-/// How tightly a translated formula holds together, to set parentheses where they are needed and nowhere else.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Binding {
-    Sum,
-    Product,
-    Sign,
-    Atom,
-}
 
 /// So many operands stand in a row, each of which nests the expression deeper, before what they come to gets a name.
 const LONGEST: usize = 256;
@@ -31,7 +23,7 @@ const LONGEST: usize = 256;
 #[derive(Clone)]
 pub(super) struct Translated {
     pub(super) shape: Shape,
-    pub(super) binding: Binding,
+    pub(super) precedence: Precedence,
     pub(super) tokens: TokenStream,
     /// The angle of a unit vector that was typed as `cis(angle)`.
     angle: Option<TokenStream>,
@@ -41,7 +33,7 @@ impl Translated {
     pub(super) fn new(shape: Shape, tokens: TokenStream) -> Self {
         Self {
             shape,
-            binding: Binding::Atom,
+            precedence: Precedence::Atom,
             tokens,
             angle: None,
         }
@@ -56,9 +48,9 @@ impl Translated {
     }
 
     /// In parentheses if it holds together less tightly than its place requires.
-    pub(super) fn within(self, place: Binding) -> TokenStream {
+    pub(super) fn within(self, place: Precedence) -> TokenStream {
         let tokens = self.tokens;
-        if self.binding < place {
+        if self.precedence.needs_parentheses(place) {
             quote_spanned!(Span::mixed_site()=> (#tokens))
         } else {
             tokens
@@ -243,10 +235,10 @@ impl Translation<'_> {
             ExpressionKind::Negate(of) => {
                 let of = self.expression(of);
                 let shape = of.shape;
-                let operand = of.within(Binding::Atom);
+                let operand = of.within(Precedence::Atom);
                 Translated {
                     shape,
-                    binding: Binding::Sign,
+                    precedence: Precedence::Sign,
                     tokens: quote_spanned!(site=> -#operand),
                     angle: None,
                 }
@@ -275,12 +267,12 @@ impl Translation<'_> {
             }
             ExpressionKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
             ExpressionKind::Power { base, exponent, .. } => {
-                let base = self.expression(base).within(Binding::Atom);
+                let base = self.expression(base).within(Precedence::Atom);
                 let exponent = Literal::i32_unsuffixed(*exponent);
                 Translated::scalar(quote_spanned!(site=> #base.powi(#exponent)))
             }
             ExpressionKind::Part { of, axis } => {
-                let of = self.expression(of).within(Binding::Atom);
+                let of = self.expression(of).within(Precedence::Atom);
                 let part = Ident::new(&axis.to_string(), site);
                 Translated::scalar(quote_spanned!(site=> #of.#part))
             }
@@ -307,7 +299,7 @@ impl Translation<'_> {
         let (left_shape, right_shape) = (left.shape, right.shape);
         let (left, right) = (self.lifted(left, right_shape), self.lifted(right, left_shape));
         let shape = left.shape;
-        let (mut tokens, right) = (left.within(Binding::Sum), right.within(Binding::Product));
+        let (mut tokens, right) = (left.within(Precedence::Sum), right.within(Precedence::Product));
         let site = Span::mixed_site();
         // the left side is not copied: it may be long
         tokens.extend(if operator == Operator::Subtract {
@@ -317,7 +309,7 @@ impl Translation<'_> {
         });
         Translated {
             shape,
-            binding: Binding::Sum,
+            precedence: Precedence::Sum,
             tokens,
             angle: None,
         }
@@ -328,11 +320,11 @@ impl Translation<'_> {
         let site = Span::mixed_site();
         let shapes = (left.shape, right.shape);
         if shapes == (Shape::Scalar, Shape::Scalar) {
-            let (mut tokens, factor) = (left.within(Binding::Product), right.within(Binding::Sign));
+            let (mut tokens, factor) = (left.within(Precedence::Product), right.within(Precedence::Sign));
             tokens.extend(quote_spanned!(site=> * #factor));
             return Translated {
                 shape: Shape::Scalar,
-                binding: Binding::Product,
+                precedence: Precedence::Product,
                 tokens,
                 angle: None,
             };
@@ -366,7 +358,7 @@ impl Translation<'_> {
 
     fn quotient(&self, left: Translated, right: Translated) -> Translated {
         let site = Span::mixed_site();
-        let divisor = right.within(Binding::Sign);
+        let divisor = right.within(Precedence::Sign);
         if let Some(vector) = vector_type(left.shape) {
             let (runtime, dividend, one) = (self.runtime, left.tokens, constant(1.0));
             return Translated::new(
@@ -374,11 +366,11 @@ impl Translation<'_> {
                 quote_spanned!(site=> #runtime::#vector::scale(#dividend, #one / #divisor)),
             );
         }
-        let mut tokens = left.within(Binding::Product);
+        let mut tokens = left.within(Precedence::Product);
         tokens.extend(quote_spanned!(site=> / #divisor));
         Translated {
             shape: Shape::Scalar,
-            binding: Binding::Product,
+            precedence: Precedence::Product,
             tokens,
             angle: None,
         }

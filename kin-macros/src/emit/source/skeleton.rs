@@ -8,10 +8,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
-use super::closure::{self, Binding, Translated, Translation};
+use super::closure::{self, Translated, Translation};
 use crate::emit::items::values;
 use crate::emit::mechanism::{Mechanism, local};
 use crate::model::{Dimension, Shape};
+use crate::precedence::Precedence;
 use crate::syntax::{Declaration, Expression, ExpressionKind, Operation, Operator, OutputStatement, Statement};
 
 /// So many abbreviations are written out on one side of an equation.
@@ -85,11 +86,11 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
             let value = match (&last, place, link.negative) {
                 (Some(last), 1.., negative) => {
                     let operator = if negative { quote!(-) } else { quote!(+) };
-                    let term = term.within(Binding::Product);
+                    let term = term.within(Precedence::Product);
                     quote!(#last #operator #term)
                 }
                 (_, _, true) => {
-                    let term = term.within(Binding::Atom);
+                    let term = term.within(Precedence::Atom);
                     quote!(-#term)
                 }
                 (_, _, false) => term.tokens,

@@ -5,24 +5,16 @@ use quote::quote;
 
 use super::Text;
 use crate::emit::mechanism::local;
+use crate::precedence::Precedence;
 use crate::program::Expression;
 
-/// How tightly an expression holds together.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
-    Sum,
-    Product,
-    Sign,
-    Atom,
-}
-
-fn binding(expression: &Expression) -> Binding {
+fn precedence(expression: &Expression) -> Precedence {
     match expression {
-        _ if sum_with_product(expression).is_some() => Binding::Atom,
-        Expression::Add(..) | Expression::Subtract(..) => Binding::Sum,
-        Expression::Multiply(..) | Expression::Divide(..) => Binding::Product,
-        Expression::Negate(_) => Binding::Sign,
-        _ => Binding::Atom,
+        _ if sum_with_product(expression).is_some() => Precedence::Atom,
+        Expression::Add(..) | Expression::Subtract(..) => Precedence::Sum,
+        Expression::Multiply(..) | Expression::Divide(..) => Precedence::Product,
+        Expression::Negate(_) => Precedence::Sign,
+        _ => Precedence::Atom,
     }
 }
 
@@ -53,7 +45,7 @@ impl Text<'_> {
     /// An expression in the number type `T`.
     pub(super) fn formula(&self, expression: &Expression) -> TokenStream {
         if let Some((rest, method, a, b)) = sum_with_product(expression) {
-            let (rest, method) = (self.within(rest, Binding::Atom), local(method));
+            let (rest, method) = (self.within(rest, Precedence::Atom), local(method));
             let (a, b) = (self.formula(a), self.formula(b));
             return quote!(#rest.#method(#a, #b));
         }
@@ -71,18 +63,18 @@ impl Text<'_> {
                 quote!(T::constant(#value))
             }
             Expression::Pi => quote!(T::constant(::core::f64::consts::PI)),
-            Expression::Add(a, b) => self.binary(a, &quote!(+), b, Binding::Sum, Binding::Product),
-            Expression::Subtract(a, b) => self.binary(a, &quote!(-), b, Binding::Sum, Binding::Product),
-            Expression::Multiply(a, b) => self.binary(a, &quote!(*), b, Binding::Product, Binding::Sign),
-            Expression::Divide(a, b) => self.binary(a, &quote!(/), b, Binding::Product, Binding::Sign),
+            Expression::Add(a, b) => self.binary(a, &quote!(+), b, Precedence::Sum, Precedence::Product),
+            Expression::Subtract(a, b) => self.binary(a, &quote!(-), b, Precedence::Sum, Precedence::Product),
+            Expression::Multiply(a, b) => self.binary(a, &quote!(*), b, Precedence::Product, Precedence::Sign),
+            Expression::Divide(a, b) => self.binary(a, &quote!(/), b, Precedence::Product, Precedence::Sign),
             Expression::Negate(a) => {
-                let a = self.within(a, Binding::Atom);
+                let a = self.within(a, Precedence::Atom);
                 quote!(-#a)
             }
             Expression::Call(function, arguments) => {
                 let method = local(function.name());
                 let (first, others) = arguments.split_first().expect("functions have arguments");
-                let first = self.within(first, Binding::Atom);
+                let first = self.within(first, Precedence::Atom);
                 let others = self.formulas(others);
                 quote!(#first.#method(#(#others),*))
             }
@@ -94,17 +86,17 @@ impl Text<'_> {
         a: &Expression,
         operator: &TokenStream,
         b: &Expression,
-        left: Binding,
-        right: Binding,
+        left: Precedence,
+        right: Precedence,
     ) -> TokenStream {
         let (a, b) = (self.within(a, left), self.within(b, right));
         quote!(#a #operator #b)
     }
 
     /// In parentheses if it holds together less tightly than its place requires.
-    fn within(&self, expression: &Expression, place: Binding) -> TokenStream {
+    fn within(&self, expression: &Expression, place: Precedence) -> TokenStream {
         let inner = self.formula(expression);
-        if binding(expression) < place {
+        if precedence(expression).needs_parentheses(place) {
             quote!((#inner))
         } else {
             inner

@@ -8,7 +8,7 @@ use crate::algebra::Symbol;
 use crate::emit::mechanism::local;
 use crate::model::Dimension;
 use crate::program::{Expression, Step};
-use crate::structure::System;
+use crate::structure::PolynomialSystem;
 
 impl Text<'_> {
     /// Newton's method from the guess.
@@ -116,7 +116,7 @@ impl Text<'_> {
     }
 }
 
-fn terms<'a>(runtime: &'a TokenStream, system: &'a System) -> impl Iterator<Item = TokenStream> + 'a {
+fn terms<'a>(runtime: &'a TokenStream, system: &'a PolynomialSystem) -> impl Iterator<Item = TokenStream> + 'a {
     system.terms.iter().map(move |term| {
         let (equation, coefficient) = (
             Literal::usize_unsuffixed(term.equation),

@@ -7,10 +7,10 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Angle, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
-use crate::structure::{Arm, ClosedForm, Complex};
+use crate::structure::{Arm, ClosedForm, ComplexNode};
 
 /// A pair of rows, `rows[0] = 0` the real part and `rows[1] = 0` the imaginary part of a loop.
-struct Rows<'a> {
+struct Pair<'a> {
     rows: [&'a Polynomial; 2],
     /// What the second row is multiplied by.
     scale: Node,
@@ -20,18 +20,18 @@ struct Rows<'a> {
 struct Reading<'a> {
     /// How far it is from the plain way to write a loop.
     cost: usize,
-    factors: Vec<(Complex, bool)>,
-    rows: Rows<'a>,
+    factors: Vec<(ComplexNode, bool)>,
+    rows: Pair<'a>,
 }
 
 /// cos φ and sin φ times a power product: one place where a rotating vector stands.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
-struct Place {
+struct TurningTerm {
     powers: Vec<(Node, i32)>,
     angle: Angle,
 }
 
-impl Place {
+impl TurningTerm {
     fn monomials(&self) -> [Monomial; 2] {
         let powers = || self.powers.iter().copied().collect();
         [
@@ -48,12 +48,12 @@ impl Place {
 }
 
 pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns: [usize; 2]) -> Option<ClosedForm> {
-    let places: Vec<Place> = equations
+    let places: Vec<TurningTerm> = equations
         .iter()
         .flat_map(|equation| equation.0.keys())
         .filter_map(|monomial| match &monomial.harmonic {
             Harmonic::One => None,
-            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => Some(Place {
+            Harmonic::Cosine(angle) | Harmonic::Sine(angle) => Some(TurningTerm {
                 powers: monomial.powers.iter().map(|(&atom, &power)| (atom, power)).collect(),
                 angle: angle.clone(),
             }),
@@ -73,7 +73,7 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
             let Some(scale) = row_scale(graph, rows, first, mirrored) else {
                 continue;
             };
-            let rows = Rows { rows, scale };
+            let rows = Pair { rows, scale };
             let Some(factors) = places
                 .iter()
                 .map(|place| rows.factor(graph, place))
@@ -95,7 +95,7 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
         }
     }
     let Reading { factors, rows, .. } = best?;
-    let arms: Vec<(Place, Arm)> = places
+    let arms: Vec<(TurningTerm, Arm)> = places
         .into_iter()
         .zip(factors)
         .map(|(place, (factor, mirrored))| {
@@ -118,9 +118,9 @@ pub(in crate::structure) fn arm(
     graph: &mut Graph,
     equations: [&Polynomial; 2],
     unknown: usize,
-) -> Option<(Arm, Complex)> {
+) -> Option<(Arm, ComplexNode)> {
     let angle = Angle(vec![(Symbol::Unknown(unknown), 1)]);
-    let place = Place {
+    let place = TurningTerm {
         powers: Vec::new(),
         angle: angle.clone(),
     };
@@ -143,7 +143,7 @@ pub(in crate::structure) fn arm(
             let Some(scale) = row_scale(graph, rows, &place, mirrored) else {
                 continue;
             };
-            let rows = Rows { rows, scale };
+            let rows = Pair { rows, scale };
             let Some((factor, mirrored)) = rows.factor(graph, &place) else {
                 continue;
             };
@@ -152,7 +152,7 @@ pub(in crate::structure) fn arm(
                 polynomial.0.retain(|monomial, _| !monomials.contains(monomial));
             }
             let (above, below) = (above.node(graph), below.node(graph));
-            let rest = Complex::new(above, graph.multiply(rows.scale, below));
+            let rest = ComplexNode::new(above, graph.multiply(rows.scale, below));
             return Some((
                 Arm {
                     angle,
@@ -167,7 +167,7 @@ pub(in crate::structure) fn arm(
 }
 
 /// The factor of the second row that makes the first place a multiplication by a complex number.
-fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &Place, mirrored: bool) -> Option<Node> {
+fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &TurningTerm, mirrored: bool) -> Option<Node> {
     let [cosine, sine] = place.monomials();
     let (cosine_above, sine_above) = (rows[0].coefficient(graph, &cosine), rows[0].coefficient(graph, &sine));
     let (cosine_below, sine_below) = (rows[1].coefficient(graph, &cosine), rows[1].coefficient(graph, &sine));
@@ -196,7 +196,7 @@ fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &Place, mirrored:
     Some(graph.divide(above, below))
 }
 
-impl Rows<'_> {
+impl Pair<'_> {
     fn entry(&self, graph: &mut Graph, row: usize, monomial: &Monomial) -> Node {
         let coefficient = self.rows[row].coefficient(graph, monomial);
         if row == 1 {
@@ -206,12 +206,12 @@ impl Rows<'_> {
         }
     }
 
-    fn complex(&self, graph: &mut Graph, monomial: &Monomial) -> Complex {
-        Complex::new(self.entry(graph, 0, monomial), self.entry(graph, 1, monomial))
+    fn complex(&self, graph: &mut Graph, monomial: &Monomial) -> ComplexNode {
+        ComplexNode::new(self.entry(graph, 0, monomial), self.entry(graph, 1, monomial))
     }
 
     /// p + i q, and whether the angle runs clockwise, if the place is a rotating vector.
-    fn factor(&self, graph: &mut Graph, place: &Place) -> Option<(Complex, bool)> {
+    fn factor(&self, graph: &mut Graph, place: &TurningTerm) -> Option<(ComplexNode, bool)> {
         let [cosine, sine] = place.monomials();
         let factor = self.complex(graph, &cosine);
         let turned = self.complex(graph, &sine);
@@ -227,9 +227,9 @@ impl Rows<'_> {
     }
 
     /// What the rotating vectors add up to: minus the terms free of unknowns.
-    fn target(&self, graph: &mut Graph) -> Complex {
+    fn target(&self, graph: &mut Graph) -> ComplexNode {
         let free = self.complex(graph, &Monomial::one());
-        Complex::new(graph.negate(free.re), graph.negate(free.im))
+        ComplexNode::new(graph.negate(free.re), graph.negate(free.im))
     }
 
     /// The monomials without sine or cosine that contain unknowns.
@@ -243,7 +243,12 @@ impl Rows<'_> {
 }
 
 /// A cis(φ) + B cis(ψ) = C.
-fn two_angles(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
+fn two_angles(
+    graph: &mut Graph,
+    rows: &Pair<'_>,
+    arms: &[(TurningTerm, Arm)],
+    unknowns: [usize; 2],
+) -> Option<ClosedForm> {
     let [(first_place, first), (second_place, second)] = arms else {
         return None;
     };
@@ -281,7 +286,12 @@ fn split_unknowns(arm: &Arm, unknowns: [usize; 2]) -> Option<(usize, usize)> {
 }
 
 /// A cis(φ) + s D = C.
-fn angle_length(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
+fn angle_length(
+    graph: &mut Graph,
+    rows: &Pair<'_>,
+    arms: &[(TurningTerm, Arm)],
+    unknowns: [usize; 2],
+) -> Option<ClosedForm> {
     let [(place, arm)] = arms else {
         return None;
     };
@@ -306,7 +316,7 @@ fn angle_length(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unkno
 }
 
 /// (s D + E) cis(φ) = C.
-fn polar(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
+fn polar(graph: &mut Graph, rows: &Pair<'_>, arms: &[(TurningTerm, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
     if !rows.straight().is_empty() {
         return None;
     }
@@ -315,7 +325,7 @@ fn polar(graph: &mut Graph, rows: &Rows<'_>, arms: &[(Place, Arm)], unknowns: [u
     let variable = graph.symbol(Symbol::Unknown(length));
     let mut direction = None;
     let zero = graph.zero();
-    let mut offset = Complex::new(zero, zero);
+    let mut offset = ComplexNode::new(zero, zero);
     for (place, other) in arms {
         if other.angle != arm.angle || other.mirrored != arm.mirrored {
             return None;

@@ -1,4 +1,4 @@
-//! Expressions as rows: sums and products of any number of terms, numbered, equal ones once.
+//! Expressions as lines: sums and products of any number of terms, numbered, equal ones once.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,39 +9,39 @@ use crate::passes::Pass;
 use crate::work;
 
 /// Sums and products of more terms than this are sums and products of shorter ones. Pairs that occur more than once are looked
-/// for within a row, and there are as many pairs as the square of its length.
+/// for within a line, and there are as many pairs as the square of its length.
 const WIDEST: usize = 64;
 
-/// A row's number.
+/// A line's number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(super) struct RowId(pub(super) usize);
+pub(super) struct LineId(pub(super) usize);
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub(super) enum Row {
+pub(super) enum Line {
     Number(Number),
     Pi,
     Leaf(Symbol),
     /// Σ ± term; true is minus.
-    Sum(Vec<(bool, RowId)>),
+    Sum(Vec<(bool, LineId)>),
     /// Π factor, ascending, repeated for powers.
-    Product(Vec<RowId>),
-    Quotient(RowId, RowId),
-    Call(Function, Vec<RowId>),
+    Product(Vec<LineId>),
+    Quotient(LineId, LineId),
+    Call(Function, Vec<LineId>),
 }
 
-/// All rows of a program.
-pub(super) struct Rows {
-    pub(super) list: Vec<Row>,
-    known: HashMap<Row, RowId>,
-    by_node: BTreeMap<Node, RowId>,
+/// All lines of a program.
+pub(super) struct Lines {
+    pub(super) list: Vec<Line>,
+    known: HashMap<Line, LineId>,
+    by_node: BTreeMap<Node, LineId>,
     /// What more than one product divides by: its reciprocal is computed once.
     shared_divisors: BTreeSet<Node>,
-    shared_reciprocals: BTreeSet<RowId>,
+    shared_reciprocals: BTreeSet<LineId>,
     pub(super) style: Style,
 }
 
-impl Rows {
-    /// No rows yet; what the expressions given divide by more than once will be inverted once.
+impl Lines {
+    /// No lines yet; what the expressions given divide by more than once will be inverted once.
     pub(super) fn new(graph: &Graph, roots: &[Node], style: Style) -> Self {
         let reachable = graph.reachable(roots);
         let mut divisions: BTreeMap<Node, usize> = BTreeMap::new();
@@ -67,40 +67,40 @@ impl Rows {
         }
     }
 
-    /// Adds the rows of expressions.
+    /// Adds the lines of expressions.
     pub(super) fn extend(&mut self, graph: &Graph, roots: &[Node]) {
         for node in graph.reachable(roots) {
             if !self.by_node.contains_key(&node) {
-                let row = self.lower(graph, node);
-                self.by_node.insert(node, row);
+                let line = self.lower(graph, node);
+                self.by_node.insert(node, line);
             }
         }
     }
 
-    pub(super) fn row(&self, id: RowId) -> &Row {
+    pub(super) fn line(&self, id: LineId) -> &Line {
         &self.list[id.0]
     }
 
-    /// The row of an expression that was among, or within, the roots.
-    pub(super) fn of_node(&self, node: Node) -> RowId {
+    /// The line of an expression that was among, or within, the roots.
+    pub(super) fn of_node(&self, node: Node) -> LineId {
         self.by_node[&node]
     }
 
-    pub(super) fn intern(&mut self, row: Row) -> RowId {
-        if let Some(&id) = self.known.get(&row) {
+    pub(super) fn intern(&mut self, line: Line) -> LineId {
+        if let Some(&id) = self.known.get(&line) {
             return id;
         }
-        let id = RowId(self.list.len());
-        self.list.push(row.clone());
-        self.known.insert(row, id);
+        let id = LineId(self.list.len());
+        self.list.push(line.clone());
+        self.known.insert(line, id);
         id
     }
 
-    fn number(&mut self, value: f64) -> RowId {
-        self.intern(Row::Number(Number::new(value)))
+    fn number(&mut self, value: f64) -> LineId {
+        self.intern(Line::Number(Number::new(value)))
     }
 
-    fn product(&mut self, mut factors: Vec<RowId>) -> RowId {
+    fn product(&mut self, mut factors: Vec<LineId>) -> LineId {
         match factors.len() {
             0 => self.number(1.0),
             1 => factors[0],
@@ -111,56 +111,56 @@ impl Rows {
                         .chunks(WIDEST)
                         .map(|part| match part {
                             &[only] => only,
-                            part => self.intern(Row::Product(part.to_vec())),
+                            part => self.intern(Line::Product(part.to_vec())),
                         })
                         .collect();
                 }
-                self.intern(Row::Product(factors))
+                self.intern(Line::Product(factors))
             }
         }
     }
 
-    fn sum(&mut self, mut terms: Vec<(bool, RowId)>) -> RowId {
+    fn sum(&mut self, mut terms: Vec<(bool, LineId)>) -> LineId {
         while terms.len() > WIDEST {
             terms = terms
                 .chunks(WIDEST)
                 .map(|part| match part {
                     &[only] => only,
-                    part => (false, self.intern(Row::Sum(part.to_vec()))),
+                    part => (false, self.intern(Line::Sum(part.to_vec()))),
                 })
                 .collect();
         }
         match terms[..] {
             [(false, only)] => only,
-            _ => self.intern(Row::Sum(terms)),
+            _ => self.intern(Line::Sum(terms)),
         }
     }
 
-    fn lower(&mut self, graph: &Graph, node: Node) -> RowId {
+    fn lower(&mut self, graph: &Graph, node: Node) -> LineId {
         match graph.term(node) {
-            Term::Number(value) => self.intern(Row::Number(*value)),
-            Term::Pi => self.intern(Row::Pi),
-            Term::Symbol(symbol) => self.intern(Row::Leaf(*symbol)),
+            Term::Number(value) => self.intern(Line::Number(*value)),
+            Term::Pi => self.intern(Line::Pi),
+            Term::Symbol(symbol) => self.intern(Line::Leaf(*symbol)),
             Term::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|argument| self.by_node[argument]).collect();
-                self.intern(Row::Call(*function, arguments))
+                self.intern(Line::Call(*function, arguments))
             }
             Term::Product(factors) => {
                 let (mut above, mut still, mut below) = (Vec::new(), Vec::new(), Vec::new());
                 for &(base, exponent) in factors {
-                    let row = self.by_node[&base];
+                    let line = self.by_node[&base];
                     let (list, factor) = if exponent > 0 {
-                        (&mut above, row)
+                        (&mut above, line)
                     } else if self.shared_divisors.contains(&base) {
                         let one = self.number(1.0);
-                        let reciprocal = self.intern(Row::Quotient(one, row));
+                        let reciprocal = self.intern(Line::Quotient(one, line));
                         self.shared_reciprocals.insert(reciprocal);
                         (&mut above, reciprocal)
                     } else {
-                        (&mut below, row)
+                        (&mut below, line)
                     };
                     // what is computed once for all orders is not torn apart by a factor that some terms share
-                    let is_above = exponent > 0 || factor != row;
+                    let is_above = exponent > 0 || factor != line;
                     let is_still = is_above && self.is_still(graph, base);
                     let list = if is_still { &mut still } else { list };
                     list.extend((0..exponent.abs()).map(|_| factor));
@@ -173,18 +173,18 @@ impl Rows {
                     return above;
                 }
                 let below = self.product(below);
-                self.intern(Row::Quotient(above, below))
+                self.intern(Line::Quotient(above, below))
             }
             Term::Sum(constant, terms) => {
                 // terms with the same number in front share its multiplication
-                let mut groups: Vec<(f64, Vec<(bool, RowId)>)> = Vec::new();
+                let mut groups: Vec<(f64, Vec<(bool, LineId)>)> = Vec::new();
                 for &(part, coefficient) in terms {
-                    let (value, row) = (coefficient.get(), self.by_node[&part]);
+                    let (value, line) = (coefficient.get(), self.by_node[&part]);
                     let size = value.abs();
                     let shares = size == 1.0 || self.style.passes.include(Pass::SharedNumbers);
                     match groups.iter_mut().find(|(own, _)| shares && *own == size) {
-                        Some((_, group)) => group.push((value < 0.0, row)),
-                        None => groups.push((size, vec![(value < 0.0, row)])),
+                        Some((_, group)) => group.push((value < 0.0, line)),
+                        None => groups.push((size, vec![(value < 0.0, line)])),
                     }
                 }
                 let mut result = Vec::new();
@@ -205,12 +205,12 @@ impl Rows {
                     let inner = self.factored_sum(group);
                     let number = self.number(size);
                     // a number times a reciprocal is one division
-                    let multiple = match *self.row(inner) {
-                        Row::Quotient(above, below)
-                            if *self.row(above) == Row::Number(Number::new(1.0))
+                    let multiple = match *self.line(inner) {
+                        Line::Quotient(above, below)
+                            if *self.line(above) == Line::Number(Number::new(1.0))
                                 && !self.shared_reciprocals.contains(&inner) =>
                         {
-                            self.intern(Row::Quotient(number, below))
+                            self.intern(Line::Quotient(number, below))
                         }
                         _ => self.product(vec![number, inner]),
                     };
@@ -228,7 +228,7 @@ impl Rows {
 
     /// A sum, with a factor that several of its terms share taken out if that is asked for: the most frequent one, then the most
     /// frequent one of the new sum, and so on.
-    fn factored_sum(&mut self, terms: Vec<(bool, RowId)>) -> RowId {
+    fn factored_sum(&mut self, terms: Vec<(bool, LineId)>) -> LineId {
         if !self.style.takes_out_factors || terms.len() < 2 {
             return self.sum(terms);
         }
@@ -259,9 +259,9 @@ impl Rows {
         self.sum(sum.terms.into_values().collect())
     }
 
-    fn factors_of(&self, id: RowId) -> Vec<RowId> {
-        match self.row(id) {
-            Row::Product(factors) => factors.clone(),
+    fn factors_of(&self, id: LineId) -> Vec<LineId> {
+        match self.line(id) {
+            Line::Product(factors) => factors.clone(),
             _ => vec![id],
         }
     }
@@ -271,28 +271,28 @@ impl Rows {
 #[derive(Default)]
 struct FactoredSum {
     /// By place. New terms stand before all others.
-    terms: BTreeMap<isize, (bool, RowId)>,
-    places: BTreeMap<RowId, BTreeSet<isize>>,
+    terms: BTreeMap<isize, (bool, LineId)>,
+    places: BTreeMap<LineId, BTreeSet<isize>>,
     /// The factors of more than one term, by the number of terms.
-    shared: BTreeSet<(usize, Reverse<RowId>)>,
+    shared: BTreeSet<(usize, Reverse<LineId>)>,
 }
 
 impl FactoredSum {
-    fn push_back(&mut self, rows: &Rows, negative: bool, term: RowId) {
+    fn push_back(&mut self, lines: &Lines, negative: bool, term: LineId) {
         let place = self.terms.last_key_value().map_or(0, |(&place, _)| place + 1);
-        self.insert(rows, place, negative, term);
+        self.insert(lines, place, negative, term);
     }
 
-    fn push_front(&mut self, rows: &Rows, negative: bool, term: RowId) {
+    fn push_front(&mut self, lines: &Lines, negative: bool, term: LineId) {
         let place = self.terms.first_key_value().map_or(0, |(&place, _)| place - 1);
-        self.insert(rows, place, negative, term);
+        self.insert(lines, place, negative, term);
     }
 
-    fn insert(&mut self, rows: &Rows, place: isize, negative: bool, term: RowId) {
+    fn insert(&mut self, lines: &Lines, place: isize, negative: bool, term: LineId) {
         self.terms.insert(place, (negative, term));
-        for factor in rows.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
+        for factor in lines.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
             work::turn();
-            if !matches!(rows.row(factor), Row::Number(_)) {
+            if !matches!(lines.line(factor), Line::Number(_)) {
                 self.change(factor, |places| {
                     places.insert(place);
                 });
@@ -300,7 +300,7 @@ impl FactoredSum {
         }
     }
 
-    fn change(&mut self, factor: RowId, change: impl FnOnce(&mut BTreeSet<isize>)) {
+    fn change(&mut self, factor: LineId, change: impl FnOnce(&mut BTreeSet<isize>)) {
         let places = self.places.entry(factor).or_default();
         self.shared.remove(&(places.len(), Reverse(factor)));
         change(places);
@@ -310,19 +310,19 @@ impl FactoredSum {
     }
 
     /// The factor of the most terms, the first one if there are several.
-    fn most_frequent(&self) -> Option<RowId> {
+    fn most_frequent(&self) -> Option<LineId> {
         self.shared.last().map(|&(_, Reverse(factor))| factor)
     }
 
     /// Removes the terms with a factor.
-    fn take(&mut self, rows: &Rows, factor: RowId) -> Vec<(bool, RowId)> {
+    fn take(&mut self, lines: &Lines, factor: LineId) -> Vec<(bool, LineId)> {
         let places = self.places.get(&factor).cloned().unwrap_or_default();
         let mut taken = Vec::new();
         for place in places {
             let Some((negative, term)) = self.terms.remove(&place) else {
                 continue;
             };
-            for own in rows.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
+            for own in lines.factors_of(term).into_iter().collect::<BTreeSet<_>>() {
                 if self.places.contains_key(&own) {
                     self.change(own, |places| {
                         places.remove(&place);

@@ -6,7 +6,7 @@ use super::Cost;
 
 /// A way to derive a program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Way {
+pub(crate) struct Approach {
     /// Whether the equations are multiplied out before they are differentiated.
     pub(crate) is_multiplied_out: bool,
     /// Whether the influences of rates on each other are collected in coefficients.
@@ -15,7 +15,7 @@ pub(crate) struct Way {
     pub(crate) takes_out_factors: bool,
 }
 
-impl Display for Way {
+impl Display for Approach {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
         formatter.write_str(if self.is_multiplied_out {
             "the equations multiplied out"
@@ -35,18 +35,18 @@ impl Display for Way {
 /// A way that was tried.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trial {
-    pub(crate) way: Way,
+    pub(crate) way: Approach,
     pub(crate) cost: Cost,
 }
 
 /// All trials, and the way that was kept.
 #[derive(Clone, Debug)]
-pub(crate) struct Summary {
+pub(crate) struct Comparison {
     pub(crate) trials: Vec<Trial>,
-    pub(crate) kept: Way,
+    pub(crate) kept: Approach,
 }
 
-impl Display for Summary {
+impl Display for Comparison {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
         for Trial { way, cost } in &self.trials {
             let mark = if *way == self.kept { '>' } else { ' ' };
