@@ -1,4 +1,4 @@
-//! OperationList as steps: what gets a name, and in which stage it is computed.
+//! Operations as steps: what gets a name, and in which stage it is computed.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! ComplexNode numbers of expressions, as which vectors of the plane are written.
+//! Complex numbers of expressions, as which vectors of the plane are written.
 
 use crate::algebra::{Graph, Node};
 
