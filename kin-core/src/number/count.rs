@@ -10,7 +10,7 @@ std::thread_local! {
 }
 
 #[derive(Clone, Copy)]
-enum Counted {
+enum Tallied {
     Addition,
     Multiplication,
     Division,
@@ -22,17 +22,17 @@ enum Counted {
 }
 
 /// Adds one operation to what this thread has counted.
-fn note(kind: Counted) {
+fn note(kind: Tallied) {
     let mut tally = TALLY.get();
     *match kind {
-        Counted::Addition => &mut tally.additions,
-        Counted::Multiplication => &mut tally.multiplications,
-        Counted::Division => &mut tally.divisions,
-        Counted::Negation => &mut tally.negations,
-        Counted::SquareRoot => &mut tally.square_roots,
-        Counted::SineCosine => &mut tally.sine_cosines,
-        Counted::ArcTangent => &mut tally.arc_tangents,
-        Counted::Other => &mut tally.others,
+        Tallied::Addition => &mut tally.additions,
+        Tallied::Multiplication => &mut tally.multiplications,
+        Tallied::Division => &mut tally.divisions,
+        Tallied::Negation => &mut tally.negations,
+        Tallied::SquareRoot => &mut tally.square_roots,
+        Tallied::SineCosine => &mut tally.sine_cosines,
+        Tallied::ArcTangent => &mut tally.arc_tangents,
+        Tallied::Other => &mut tally.others,
     } += 1;
     TALLY.set(tally);
 }
@@ -96,7 +96,7 @@ impl Add for Counted {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        note(Counted::Addition);
+        note(Tallied::Addition);
         Self(self.0 + other.0)
     }
 }
@@ -105,7 +105,7 @@ impl Sub for Counted {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        note(Counted::Addition);
+        note(Tallied::Addition);
         Self(self.0 - other.0)
     }
 }
@@ -114,7 +114,7 @@ impl Mul for Counted {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        note(Counted::Multiplication);
+        note(Tallied::Multiplication);
         Self(self.0 * other.0)
     }
 }
@@ -123,7 +123,7 @@ impl Div for Counted {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        note(Counted::Division);
+        note(Tallied::Division);
         Self(self.0 / other.0)
     }
 }
@@ -132,7 +132,7 @@ impl Neg for Counted {
     type Output = Self;
 
     fn neg(self) -> Self {
-        note(Counted::Negation);
+        note(Tallied::Negation);
         Self(-self.0)
     }
 }
@@ -153,43 +153,43 @@ impl Number for Counted {
     }
 
     fn sqrt(self) -> Self {
-        note(Counted::SquareRoot);
+        note(Tallied::SquareRoot);
         Self(self.0.sqrt())
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        note(Counted::SineCosine);
+        note(Tallied::SineCosine);
         let (sine, cosine) = self.0.sin_cos();
         (Self(sine), Self(cosine))
     }
 
     fn asin(self) -> Self {
-        note(Counted::Other);
+        note(Tallied::Other);
         Self(self.0.asin())
     }
 
     fn acos(self) -> Self {
-        note(Counted::Other);
+        note(Tallied::Other);
         Self(self.0.acos())
     }
 
     fn atan(self) -> Self {
-        note(Counted::ArcTangent);
+        note(Tallied::ArcTangent);
         Self(self.0.atan())
     }
 
     fn atan2(self, x: Self) -> Self {
-        note(Counted::ArcTangent);
+        note(Tallied::ArcTangent);
         Self(self.0.atan2(x.0))
     }
 
     fn exp(self) -> Self {
-        note(Counted::Other);
+        note(Tallied::Other);
         Self(self.0.exp())
     }
 
     fn ln(self) -> Self {
-        note(Counted::Other);
+        note(Tallied::Other);
         Self(self.0.ln())
     }
 }

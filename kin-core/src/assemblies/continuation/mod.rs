@@ -70,13 +70,13 @@
 //!
 //! // x² + y² = a² and (x - d)² + y² = b²
 //! const SYSTEM: PolynomialSystem<2> = PolynomialSystem::new(&[
-//!     Term { equation: 0, coefficient: 0, powers: &[(0, 2)] },
-//!     Term { equation: 0, coefficient: 0, powers: &[(1, 2)] },
-//!     Term { equation: 0, coefficient: 1, powers: &[] },
-//!     Term { equation: 1, coefficient: 0, powers: &[(0, 2)] },
-//!     Term { equation: 1, coefficient: 2, powers: &[(0, 1)] },
-//!     Term { equation: 1, coefficient: 0, powers: &[(1, 2)] },
-//!     Term { equation: 1, coefficient: 3, powers: &[] },
+//!     Term::new(0, 0, &[(0, 2)]),
+//!     Term::new(0, 0, &[(1, 2)]),
+//!     Term::new(0, 1, &[]),
+//!     Term::new(1, 0, &[(0, 2)]),
+//!     Term::new(1, 2, &[(0, 1)]),
+//!     Term::new(1, 0, &[(1, 2)]),
+//!     Term::new(1, 3, &[]),
 //! ]);
 //! const PATHS: usize = SYSTEM.paths();
 //!

@@ -128,36 +128,12 @@ mod tests {
     use super::scales;
 
     const CIRCLES: PolynomialSystem<2> = PolynomialSystem::new(&[
-        Term {
-            equation: 0,
-            coefficient: 0,
-            powers: &[(0, 2)],
-        },
-        Term {
-            equation: 0,
-            coefficient: 0,
-            powers: &[(1, 2)],
-        },
-        Term {
-            equation: 0,
-            coefficient: 1,
-            powers: &[],
-        },
-        Term {
-            equation: 1,
-            coefficient: 2,
-            powers: &[(0, 1)],
-        },
-        Term {
-            equation: 1,
-            coefficient: 3,
-            powers: &[(1, 1)],
-        },
-        Term {
-            equation: 1,
-            coefficient: 4,
-            powers: &[],
-        },
+        Term::new(0, 0, &[(0, 2)]),
+        Term::new(0, 0, &[(1, 2)]),
+        Term::new(0, 1, &[]),
+        Term::new(1, 2, &[(0, 1)]),
+        Term::new(1, 3, &[(1, 1)]),
+        Term::new(1, 4, &[]),
     ]);
 
     #[test]

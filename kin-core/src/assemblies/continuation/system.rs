@@ -12,6 +12,16 @@ pub struct Term {
 }
 
 impl Term {
+    /// A term of an equation, with its coefficient and the powers of its variables.
+    #[must_use]
+    pub const fn new(equation: u16, coefficient: u16, powers: &'static [(u16, u8)]) -> Self {
+        Self {
+            equation,
+            coefficient,
+            powers,
+        }
+    }
+
     /// The sum of the powers.
     pub(super) const fn degree(&self) -> u32 {
         let (mut degree, mut place) = (0, 0);
@@ -33,11 +43,11 @@ impl Term {
 ///
 /// // a x² + b y + c = 0 and d x y + e = 0
 /// const SYSTEM: PolynomialSystem<2> = PolynomialSystem::new(&[
-///     Term { equation: 0, coefficient: 0, powers: &[(0, 2)] },
-///     Term { equation: 0, coefficient: 1, powers: &[(1, 1)] },
-///     Term { equation: 0, coefficient: 2, powers: &[] },
-///     Term { equation: 1, coefficient: 3, powers: &[(0, 1), (1, 1)] },
-///     Term { equation: 1, coefficient: 4, powers: &[] },
+///     Term::new(0, 0, &[(0, 2)]),
+///     Term::new(0, 1, &[(1, 1)]),
+///     Term::new(0, 2, &[]),
+///     Term::new(1, 3, &[(0, 1), (1, 1)]),
+///     Term::new(1, 4, &[]),
 /// ]);
 /// assert_eq!(SYSTEM.paths(), 4);
 /// ```
@@ -249,41 +259,13 @@ mod tests {
     fn products_are_divided() {
         // r c + q s + t, and a triangle
         const SYSTEM: PolynomialSystem<6> = PolynomialSystem::new(&[
-            Term {
-                equation: 0,
-                coefficient: 0,
-                powers: &[(0, 1), (1, 1)],
-            },
-            Term {
-                equation: 0,
-                coefficient: 0,
-                powers: &[(0, 1), (4, 1)],
-            },
-            Term {
-                equation: 0,
-                coefficient: 0,
-                powers: &[(2, 1), (3, 1)],
-            },
-            Term {
-                equation: 0,
-                coefficient: 0,
-                powers: &[(5, 1)],
-            },
-            Term {
-                equation: 1,
-                coefficient: 0,
-                powers: &[(0, 1), (1, 1)],
-            },
-            Term {
-                equation: 1,
-                coefficient: 0,
-                powers: &[(1, 1), (2, 1)],
-            },
-            Term {
-                equation: 1,
-                coefficient: 0,
-                powers: &[(0, 1), (2, 1)],
-            },
+            Term::new(0, 0, &[(0, 1), (1, 1)]),
+            Term::new(0, 0, &[(0, 1), (4, 1)]),
+            Term::new(0, 0, &[(2, 1), (3, 1)]),
+            Term::new(0, 0, &[(5, 1)]),
+            Term::new(1, 0, &[(0, 1), (1, 1)]),
+            Term::new(1, 0, &[(1, 1), (2, 1)]),
+            Term::new(1, 0, &[(0, 1), (2, 1)]),
         ]);
         let members = |equation| {
             let range = SYSTEM.range(equation);

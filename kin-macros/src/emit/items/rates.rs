@@ -52,12 +52,14 @@ pub(in crate::emit) fn method(mechanism: &Mechanism<'_>, order: usize) -> TokenS
         }
     });
 
+    let approach = format!(" Derived from {}.", mechanism.solvers.comparison.kept);
     let summary = format!(
-        " Adds the {} to what is known, from the {} of the input{}.{}",
+        " Adds the {} to what is known, from the {} of the input{}.{}{}",
         order_name(order),
         order_name(order),
         if model.inputs.len() == 1 { "" } else { "s" },
         mechanism.cost_line(order),
+        if order == 1 { approach.as_str() } else { "" },
     );
     quote! {
             #[doc = #summary]

@@ -127,7 +127,7 @@ fn terms<'a>(runtime: &'a TokenStream, system: &'a PolynomialSystem) -> impl Ite
             quote!((#variable, #power))
         });
         quote! {
-            #runtime::continuation::Term { equation: #equation, coefficient: #coefficient, powers: &[#(#powers),*] }
+            #runtime::continuation::Term::new(#equation, #coefficient, &[#(#powers),*])
         }
     })
 }

@@ -14,11 +14,11 @@ pub(super) struct Table {
 
 impl Table {
     pub(super) fn add(&mut self, equation: usize, coefficient: f64, powers: &[(u16, u8)]) {
-        self.terms.push(Term {
-            equation: u16::try_from(equation).unwrap(),
-            coefficient: u16::try_from(self.coefficients.len()).unwrap(),
-            powers: Box::leak(powers.into()),
-        });
+        self.terms.push(Term::new(
+            u16::try_from(equation).unwrap(),
+            u16::try_from(self.coefficients.len()).unwrap(),
+            Box::leak(powers.into()),
+        ));
         self.coefficients.push(coefficient);
     }
 
