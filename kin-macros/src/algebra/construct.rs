@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::graph::Number;
 use super::{Graph, Misfit, Node, Symbol, Term};
-use crate::algebra::Function;
+use crate::algebra::{Calculation, Function};
 
 /// A sum of more terms than this is a term of other sums, and is not merged with them: a chain of long sums would take the square
 /// of its length. In the library 123 is the largest number.
@@ -183,15 +183,15 @@ impl Graph {
 
     /// A function of its arguments.
     pub(crate) fn call(&mut self, function: Function, arguments: &[Node]) -> Node {
-        match function {
-            Function::Sin => self.sine(arguments[0]),
-            Function::Cos => self.cosine(arguments[0]),
-            Function::Tan => {
+        match function.calculation() {
+            Calculation::Sine => self.sine(arguments[0]),
+            Calculation::Cosine => self.cosine(arguments[0]),
+            Calculation::Tangent => {
                 let sine = self.sine(arguments[0]);
                 let cosine = self.cosine(arguments[0]);
                 self.divide(sine, cosine)
             }
-            _ => self.plain_call(function, arguments),
+            Calculation::Method => self.plain_call(function, arguments),
         }
     }
 
@@ -276,8 +276,7 @@ impl Graph {
             && function.contains(&values)
         {
             let value = function.value(&values);
-            // no function but this one comes as near to zero as it likes and never arrives
-            self.note(Misfit::of(value, function != Function::Exp));
+            self.note(Misfit::of(value, function.has_zeros()));
             return if value == FRAC_PI_2 || value == -FRAC_PI_2 {
                 // asin(1) and its kind are quarter turns; keep them exact
                 let pi = self.pi();

@@ -17,7 +17,7 @@ mod print;
 mod probe;
 mod substitute;
 
-pub(crate) use function::Function;
+pub(crate) use function::{Calculation, Checked, Function, Gives, Inverse, InverseFunction, Takes, Work};
 pub(crate) use graph::{Graph, Misfit, Node, Number, Symbol, Term, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
 pub(crate) use hash::HashMap;

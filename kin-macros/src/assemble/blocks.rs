@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use super::choice;
 use super::reciprocals::KnownRoot;
 use super::units::Units;
-use crate::algebra::{Function, Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, InverseFunction, Node, Symbol, Term};
 use crate::derive::Regularity;
 use crate::passes::Passes;
 use crate::program::{Argument, Choice, Limits, Mode, Names, Solver, Stage, Step};
@@ -238,13 +238,28 @@ impl Builder<'_> {
                 self.turn(*unknown, unit);
             }
             ClosedForm::Inverse {
-                function,
+                inverse,
                 value,
                 result,
                 then,
+                ..
             } => {
-                self.inverse(*function, *value, *result);
+                self.inverse(*inverse, *value, *result);
                 self.form(then);
+            }
+            ClosedForm::EvenInverse {
+                inverse,
+                unknown,
+                coefficient,
+                offset,
+                value,
+                ..
+            } => {
+                let (result, argument) = self.fresh("inverse");
+                let arguments = [*value, *coefficient].map(|node| Argument::Scalar(self.known(node)));
+                self.solve(Solver::EvenInverse(inverse), arguments.to_vec(), vec![result]);
+                let right = self.graph.add(argument, *offset);
+                self.linear(*unknown, *coefficient, right);
             }
             ClosedForm::LinearPair {
                 unknowns,
@@ -362,25 +377,22 @@ impl Builder<'_> {
         });
     }
 
-    fn inverse(&mut self, function: Function, value: Node, result: Symbol) {
+    /// The argument of a function by its value.
+    fn inverse(&mut self, inverse: InverseFunction, value: Node, result: Symbol) {
         let value = self.known(value);
         self.names.name(result, "inverse");
-        let solver = match function {
-            Function::Sqrt => Solver::SquareOfRoot,
-            Function::Asin => Solver::SineOfArc,
-            Function::Acos => Solver::CosineOfArc,
-            Function::Atan => Solver::TangentOfArc,
-            Function::Exp => Solver::Logarithm,
-            _ => {
-                let node = self.graph.call(Function::Exp, &[value]);
+        match inverse {
+            InverseFunction::Elementary(function) => {
+                let node = self.graph.call(function, &[value]);
                 self.steps.push(Step::Define {
                     symbol: result,
                     value: node,
                 });
-                return;
             }
-        };
-        self.solve(solver, vec![Argument::Scalar(value)], vec![result]);
+            InverseFunction::Checked(function) => {
+                self.solve(Solver::Inverse(function), vec![Argument::Scalar(value)], vec![result]);
+            }
+        }
     }
 }
 
@@ -395,7 +407,7 @@ mod tests {
     /// A function of an unknown is inverted by the closed form of its inverse; only that of the logarithm needs none.
     #[test]
     fn functions_are_inverted_by_their_inverses() {
-        let solvers = |function: TokenStream| -> Vec<Solver> {
+        let names = |function: TokenStream| -> Vec<&str> {
             let declared = sound(quote! {
                 struct Inverse { a: Scalar }
                 input t: Scalar;
@@ -407,17 +419,20 @@ mod tests {
                 Step::Solve { solver, .. } => Some(*solver),
                 _ => None,
             });
-            solvers.filter(|solver| *solver != Solver::Linear).collect()
+            solvers
+                .filter(|solver| *solver != Solver::Linear)
+                .map(Solver::name)
+                .collect()
         };
         for (function, expected) in [
-            (quote!(sqrt), vec![Solver::SquareOfRoot]),
-            (quote!(asin), vec![Solver::SineOfArc]),
-            (quote!(acos), vec![Solver::CosineOfArc]),
-            (quote!(atan), vec![Solver::TangentOfArc]),
-            (quote!(exp), vec![Solver::Logarithm]),
+            (quote!(sqrt), vec!["square_of_root"]),
+            (quote!(asin), vec!["sine_of_arc"]),
+            (quote!(acos), vec!["cosine_of_arc"]),
+            (quote!(atan), vec!["tangent_of_arc"]),
+            (quote!(exp), vec!["logarithm"]),
             (quote!(ln), vec![]),
         ] {
-            assert_eq!(solvers(function.clone()), expected, "{function}");
+            assert_eq!(names(function.clone()), expected, "{function}");
         }
     }
 }

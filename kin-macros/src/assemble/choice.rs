@@ -40,6 +40,21 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
         ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } | ClosedForm::Direction { .. } => return None,
         ClosedForm::Inverse { then, .. } => return orientation_of(graph, then),
         ClosedForm::SquareRoot { unknown, .. } => graph.symbol(Symbol::Unknown(*unknown)),
+        ClosedForm::EvenInverse {
+            unknown,
+            coefficient,
+            offset,
+            ..
+        } => {
+            // how far the unknown is beyond the middle of the solutions, times a square
+            let x = graph.symbol(Symbol::Unknown(*unknown));
+            let product = graph.multiply(*coefficient, x);
+            let argument = graph.subtract(product, *offset);
+            match graph.constant_value(*coefficient) {
+                Some(value) => graph.scale(value.signum(), argument),
+                None => graph.multiply(*coefficient, argument),
+            }
+        }
         ClosedForm::Quadratic { unknown, a, b, .. } => {
             let x = graph.symbol(Symbol::Unknown(*unknown));
             let double = graph.product(&[(*a, 1), (x, 1)]);
@@ -93,6 +108,7 @@ fn fixed_by_range(graph: &Graph, form: &ClosedForm, unknown: usize, limits: Limi
     let within = |low: f64, high: f64| limits.low >= low - SLACK && limits.high <= high + SLACK;
     match form {
         ClosedForm::SquareRoot { .. } => by_sign(limits),
+        ClosedForm::EvenInverse { offset, .. } if graph.is_zero(*offset) => by_sign(limits),
         ClosedForm::Polar { length, offset, .. } if *length == unknown && graph.is_zero(offset.re) => by_sign(limits),
         ClosedForm::InverseCosine { .. } if within(0.0, PI) => Some(true),
         ClosedForm::InverseCosine { .. } if within(-PI, 0.0) || within(PI, 2.0 * PI) => Some(false),

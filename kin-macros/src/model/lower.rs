@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use crate::algebra::{Function, Graph, Node};
+use crate::algebra::{Function, Gives, Graph, Node, Takes};
 use crate::model::Value;
 use crate::model::dimension::{Exponent, Measure, common, product};
 use crate::model::scope::Scope;
@@ -366,11 +366,11 @@ impl Lowering<'_, '_> {
         let nodes: Vec<Node> = nodes.into_iter().collect::<Option<_>>()?;
         match (callee, nodes.as_slice()) {
             (Callee::Cis, &[angle]) => {
-                self.expect_number(name, &arguments[0], &typed[0])?;
+                self.expect_angle(name, &arguments[0], &typed[0])?;
                 Some(Typed::number(self.turned(None, angle)))
             }
             (Callee::Polar, &[length, angle]) => {
-                self.expect_number(name, &arguments[1], &typed[1])?;
+                self.expect_second_angle(name, callee.form(), &arguments[1], &typed[1])?;
                 Some(Typed {
                     value: self.turned(Some(length), angle),
                     exponent: typed[0].exponent,
@@ -397,7 +397,7 @@ impl Lowering<'_, '_> {
         match (callee, typed) {
             (Callee::Rot, [axis, angle]) => {
                 let direction = self.vector_argument(name, &arguments[0], axis);
-                self.expect_number(name, &arguments[1], angle)?;
+                self.expect_second_angle(name, callee.form(), &arguments[1], angle)?;
                 direction?;
                 self.rotation(&arguments[0], axis, angle.value.as_scalar()?)
             }
@@ -457,7 +457,7 @@ impl Lowering<'_, '_> {
         typed: &Typed,
         angle: Node,
     ) -> Option<Typed> {
-        self.expect_number(name, argument, typed)?;
+        self.expect_angle(name, argument, typed)?;
         let (zero, one) = (self.graph.zero(), self.graph.one());
         let parts = [Axis::X, Axis::Y, Axis::Z].map(|own| if own == axis { one } else { zero });
         Some(Typed::number(self.rodrigues(parts, angle)))
@@ -533,21 +533,26 @@ impl Lowering<'_, '_> {
         nodes: &[Node],
     ) -> Option<Typed> {
         let name = function.name();
-        let exponent = match function {
-            Function::Atan2 => {
+        match function.takes() {
+            Takes::Anything => {}
+            Takes::Alike => {
                 self.same_dimension(name, arguments, typed)?;
-                Some(Exponent::NUMBER)
             }
-            Function::Sqrt => typed[0].exponent.map(Exponent::half),
-            _ => {
-                self.expect_number(name, &arguments[0], &typed[0])?;
-                Some(Exponent::NUMBER)
+            Takes::Number {
+                wanted,
+                instead_of_length,
+            } => {
+                for (argument, typed) in arguments.iter().zip(typed) {
+                    let remedy = Remedy::Divide { instead_of_length };
+                    self.expect_number(name, wanted, remedy, argument, typed)?;
+                }
             }
+        }
+        let exponent = match function.gives() {
+            Gives::Number => Some(Exponent::NUMBER),
+            Gives::Root => typed[0].exponent.map(Exponent::half),
         };
-        let constants: Option<Vec<f64>> = nodes.iter().map(|&node| self.graph.constant_value(node)).collect();
-        if let Some(constants) = constants
-            && let Some(domain) = self.outside_of_domain(function, nodes, &constants)
-        {
+        if let Some(domain) = function.left_domain(self.graph, nodes) {
             let extent = arguments[0].extent.to(arguments[arguments.len() - 1].extent);
             self.report.error(
                 extent,
@@ -559,21 +564,6 @@ impl Lowering<'_, '_> {
             value: Value::scalar(self.graph.call(function, nodes)),
             exponent,
         })
-    }
-
-    /// What the domain is, if the constants lie outside of it.
-    fn outside_of_domain(&mut self, function: Function, nodes: &[Node], constants: &[f64]) -> Option<&'static str> {
-        match (function, constants) {
-            (Function::Sqrt, &[x]) if x < 0.0 => Some("begins at 0"),
-            (Function::Asin | Function::Acos, &[x]) if x.abs() > 1.0 => Some("goes from -1 to 1"),
-            (Function::Ln, &[x]) if x <= 0.0 => Some("begins above 0"),
-            (Function::Atan2, &[y, x]) if y == 0.0 && x == 0.0 => Some("leaves out the point (0, 0)"),
-            (Function::Tan, _) => {
-                let cosine = self.graph.cosine(nodes[0]);
-                self.graph.is_zero(cosine).then_some("leaves out the odd quarter turns")
-            }
-            _ => None,
-        }
     }
 
     /// Most functions work on scalars.
@@ -606,25 +596,47 @@ impl Lowering<'_, '_> {
         None
     }
 
-    fn expect_number(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<()> {
+    fn expect_angle(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<()> {
+        let remedy = Remedy::Divide {
+            instead_of_length: "divide it by a length",
+        };
+        self.expect_number(name, "an angle", remedy, argument, typed)
+    }
+
+    fn expect_second_angle(
+        &mut self,
+        name: &str,
+        form: &'static str,
+        argument: &Expression,
+        typed: &Typed,
+    ) -> Option<()> {
+        self.expect_number(
+            name,
+            "an angle as its second argument",
+            Remedy::Write(form),
+            argument,
+            typed,
+        )
+    }
+
+    fn expect_number(
+        &mut self,
+        name: &str,
+        wanted: &str,
+        remedy: Remedy,
+        argument: &Expression,
+        typed: &Typed,
+    ) -> Option<()> {
         let measure = typed.measure();
         if measure.is_number() {
             return Some(());
         }
-        let wanted = match name {
-            "asin" | "acos" | "atan" => "a ratio",
-            "exp" | "ln" => "a plain number",
-            "cis" | "rot_x" | "rot_y" | "rot_z" => "an angle",
-            "rot" => "an angle as its second argument",
-            "polar" => "an angle as its second argument",
-            _ => "an angle or a ratio",
-        };
-        let remedy = match (name, measure.exponent) {
-            ("polar", _) => "write `polar(length, angle)`",
-            ("rot", _) => "write `rot(axis, angle)`",
-            ("atan", Some(Exponent::LENGTH)) => "divide it by a length, or write `atan2(y, x)`",
-            (_, Some(Exponent::LENGTH)) => "divide it by a length",
-            _ => "divide it by something of the same dimension",
+        let remedy = match remedy {
+            Remedy::Write(form) => format!("write `{form}`"),
+            Remedy::Divide { instead_of_length } if measure.exponent == Some(Exponent::LENGTH) => {
+                instead_of_length.to_owned()
+            }
+            Remedy::Divide { .. } => "divide it by something of the same dimension".to_owned(),
         };
         self.report.error(
             argument.extent,
@@ -652,6 +664,15 @@ impl Lowering<'_, '_> {
         }
         shared
     }
+}
+
+/// What to write instead of an argument that has a dimension.
+#[derive(Clone, Copy)]
+enum Remedy {
+    /// The call as it should be.
+    Write(&'static str),
+    /// A quotient without dimension.
+    Divide { instead_of_length: &'static str },
 }
 
 /// The sum of the products of the parts.

@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::model::value::Typed;
 use crate::report::{Report, nearest, suggestion};
-use crate::syntax::{Declaration, FUNCTION_NAMES, form, is_keyword};
+use crate::syntax::{Declaration, form, is_keyword};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
@@ -136,8 +136,8 @@ impl<'a> Scope<'a> {
         if is_keyword(word) {
             return format!("`{word}` is a keyword of Rust and names nothing here; choose another name");
         }
-        if FUNCTION_NAMES.contains(&word) {
-            return format!("`{word}` is a function: write its arguments, as in `{}`", form(word));
+        if let Some(form) = form(word) {
+            return format!("`{word}` is a function: write its arguments, as in `{form}`");
         }
         let broken = &self.declaration.broken;
         let usable: Vec<String> = self

@@ -2,6 +2,8 @@
 
 use std::ops::Add;
 
+use crate::algebra::Work;
+
 /// A number of operations, by kind.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Cost {
@@ -28,15 +30,9 @@ impl Cost {
         others: 0,
     };
     /// One arctangent.
-    pub(crate) const ARC_TANGENT: Self = Self {
-        arc_tangents: 1,
-        ..Self::NONE
-    };
+    pub(crate) const ARC_TANGENT: Self = Self::of(&[Work::ArcTangent]);
     /// A sine and a cosine of one angle.
-    pub(crate) const SINE_COSINE: Self = Self {
-        sine_cosines: 1,
-        ..Self::NONE
-    };
+    pub(crate) const SINE_COSINE: Self = Self::of(&[Work::SineCosine]);
 
     /// Everything but roots, trigonometry and other functions.
     pub(crate) const fn arithmetic(self) -> usize {
@@ -46,6 +42,25 @@ impl Cost {
     /// The number of operations, where a function counts as twenty.
     pub(crate) const fn total(self) -> usize {
         self.arithmetic() + 20 * (self.square_roots + self.sine_cosines + self.arc_tangents + self.others)
+    }
+
+    /// The cost of some work.
+    pub(crate) const fn of(work: &[Work]) -> Self {
+        let mut cost = Self::NONE;
+        let mut rest = work;
+        while let [piece, others @ ..] = rest {
+            let count = match piece {
+                Work::Multiplication => &mut cost.multiplications,
+                Work::Division => &mut cost.divisions,
+                Work::SquareRoot => &mut cost.square_roots,
+                Work::SineCosine => &mut cost.sine_cosines,
+                Work::ArcTangent => &mut cost.arc_tangents,
+                Work::Other => &mut cost.others,
+            };
+            *count += 1;
+            rest = others;
+        }
+        cost
     }
 
     /// The cost of factoring a matrix of so many rows, see `kin_core::solve::factor`.
@@ -127,6 +142,34 @@ mod tests {
         assert_eq!(ONE.arithmetic(), 4321);
         // a function is worth twenty operations
         assert_eq!(ONE.total(), 4321 + 20 * 8765);
+    }
+
+    /// Each piece of work is counted among its kind, as often as it occurs.
+    #[test]
+    fn work_is_counted_by_kind() {
+        use Work::{ArcTangent, Division, Multiplication, Other, SineCosine, SquareRoot};
+        let work = [
+            Division,
+            Other,
+            Division,
+            Multiplication,
+            SquareRoot,
+            SineCosine,
+            ArcTangent,
+            Other,
+            Other,
+        ];
+        let expected = Cost {
+            multiplications: 1,
+            divisions: 2,
+            square_roots: 1,
+            sine_cosines: 1,
+            arc_tangents: 1,
+            others: 3,
+            ..Cost::NONE
+        };
+        assert_eq!(Cost::of(&work), expected);
+        assert_eq!(Cost::of(&[]), Cost::NONE);
     }
 
     /// Gaussian elimination of three rows: one division for each of the three entries below the diagonal, and for each of these a

@@ -105,7 +105,7 @@ fn line(step: &Step<Expression>, names: &Names) -> Option<String> {
     let defined = list(step.defines());
     Some(match step {
         Step::Define { .. } | Step::Bound { .. } | Step::Open { .. } | Step::Close { .. } => return None,
-        Step::Check { function, .. } => format!("{} (checked): {defined}", function.name()),
+        Step::Check { guard, .. } => format!("{}: {defined}", guard.name),
         Step::SineCosine { .. } => format!("sine and cosine: {defined}"),
         Step::Solve { solver, .. } => format!("{}: {defined}", solver.name()),
         Step::Angle { .. } => format!("direction: {defined}"),

@@ -1,6 +1,7 @@
 //! The closed forms of `kin_core::solve` that generated code calls: their names, what they take and return, and what they cost.
 
 use super::Cost;
+use crate::algebra::Checked;
 
 /// An argument of a closed form.
 #[derive(Clone, PartialEq, Debug)]
@@ -62,11 +63,10 @@ pub(crate) enum Solver {
     LinearPair,
     Quadratic,
     SquareRoot,
-    SineOfArc,
-    CosineOfArc,
-    TangentOfArc,
-    SquareOfRoot,
-    Logarithm,
+    /// The inverse of a function.
+    Inverse(&'static Checked),
+    /// The inverse of an even function, of its value and of the coefficient of the unknown in its argument.
+    EvenInverse(&'static Checked),
 }
 
 impl Solver {
@@ -87,26 +87,46 @@ impl Solver {
             Self::LinearPair => "linear_pair",
             Self::Quadratic => "quadratic",
             Self::SquareRoot => "square_root",
-            Self::SineOfArc => "sine_of_arc",
-            Self::CosineOfArc => "cosine_of_arc",
-            Self::TangentOfArc => "tangent_of_arc",
-            Self::SquareOfRoot => "square_of_root",
-            Self::Logarithm => "logarithm",
+            Self::Inverse(function) | Self::EvenInverse(function) => function.name,
         }
     }
 
     /// Whether it takes an assembly.
     pub(crate) const fn takes_assembly(self) -> bool {
-        !matches!(
-            self,
-            Self::Linear
-                | Self::LinearPair
-                | Self::SineOfArc
-                | Self::CosineOfArc
-                | Self::TangentOfArc
-                | Self::SquareOfRoot
-                | Self::Logarithm
-        )
+        match self {
+            Self::Linear | Self::LinearPair | Self::Inverse(_) => false,
+            Self::CircleCircle
+            | Self::CircleCircleSquared
+            | Self::CircleLine
+            | Self::CircleLineX
+            | Self::CircleLineY
+            | Self::Polar
+            | Self::PolarOffset
+            | Self::CosineSine
+            | Self::InverseCosine
+            | Self::InverseSine
+            | Self::Quadratic
+            | Self::SquareRoot
+            | Self::EvenInverse(_) => true,
+        }
+    }
+
+    /// Whether it decides on its first argument, of which it does not know the terms.
+    pub(crate) const fn decides_on_its_first(self) -> bool {
+        match self {
+            Self::Linear | Self::SquareRoot | Self::Quadratic | Self::Polar => true,
+            Self::Inverse(function) | Self::EvenInverse(function) => function.decides_by_sign,
+            Self::CircleCircle
+            | Self::CircleCircleSquared
+            | Self::CircleLine
+            | Self::CircleLineX
+            | Self::CircleLineY
+            | Self::PolarOffset
+            | Self::CosineSine
+            | Self::InverseCosine
+            | Self::InverseSine
+            | Self::LinearPair => false,
+        }
     }
 
     pub(crate) const fn returns(self) -> Returns {
@@ -118,7 +138,9 @@ impl Solver {
             Self::Polar | Self::InverseCosine | Self::InverseSine => Returns::Root,
             Self::PolarOffset => Returns::ScalarAndPlane,
             Self::LinearPair => Returns::Pair,
-            _ => Returns::Scalar,
+            Self::Linear | Self::Quadratic | Self::SquareRoot | Self::Inverse(_) | Self::EvenInverse(_) => {
+                Returns::Scalar
+            }
         }
     }
 
@@ -134,22 +156,20 @@ impl Solver {
 
     /// What it costs in an assembly; a test runs every library mechanism with counting numbers and compares.
     pub(crate) const fn cost(self, is_open: bool) -> Cost {
-        let (additions, multiplications, divisions, square_roots) = match self {
-            Self::CircleCircle => (8, 12, 1, 1),
-            Self::CircleCircleSquared => (6, 11, 1, 1),
-            Self::CircleLine => (7, 10, 1, 1),
-            Self::CircleLineX | Self::CircleLineY => (2, 1, 0, 1),
-            Self::Polar => (1, 2, 0, 1),
-            Self::PolarOffset => (5, 9, 1, 1),
-            Self::CosineSine => (4, 9, 1, 1),
-            Self::InverseCosine | Self::InverseSine => (2, 1, 0, 1),
-            Self::Linear => (0, 0, 1, 0),
-            Self::LinearPair => (3, 8, 1, 0),
-            Self::Quadratic => (2, 3, 1, 1),
-            Self::SquareRoot => (0, 0, 0, 1),
-            Self::SquareOfRoot => (0, 1, 0, 0),
-            Self::TangentOfArc => (0, 0, 1, 0),
-            Self::SineOfArc | Self::CosineOfArc | Self::Logarithm => (0, 0, 0, 0),
+        let work = match self {
+            Self::CircleCircle => closed_form(8, 12, 1, 1),
+            Self::CircleCircleSquared => closed_form(6, 11, 1, 1),
+            Self::CircleLine => closed_form(7, 10, 1, 1),
+            Self::CircleLineX | Self::CircleLineY => closed_form(2, 1, 0, 1),
+            Self::Polar => closed_form(1, 2, 0, 1),
+            Self::PolarOffset => closed_form(5, 9, 1, 1),
+            Self::CosineSine => closed_form(4, 9, 1, 1),
+            Self::InverseCosine | Self::InverseSine => closed_form(2, 1, 0, 1),
+            Self::Linear => closed_form(0, 0, 1, 0),
+            Self::LinearPair => closed_form(3, 8, 1, 0),
+            Self::Quadratic => closed_form(2, 3, 1, 1),
+            Self::SquareRoot => closed_form(0, 0, 0, 1),
+            Self::Inverse(function) | Self::EvenInverse(function) => Cost::of(function.cost),
         };
         // one of the assemblies changes a sign
         let changes_sign = match self {
@@ -160,25 +180,28 @@ impl Solver {
             | Self::PolarOffset
             | Self::InverseCosine
             | Self::InverseSine
-            | Self::SquareRoot => !is_open,
-            _ => false,
+            | Self::SquareRoot
+            | Self::EvenInverse(_) => !is_open,
+            Self::CircleLine
+            | Self::CosineSine
+            | Self::Linear
+            | Self::LinearPair
+            | Self::Quadratic
+            | Self::Inverse(_) => false,
         };
         let negations = if changes_sign { 1 } else { 0 };
-        let (sine_cosines, others) = match self {
-            Self::SineOfArc | Self::CosineOfArc | Self::TangentOfArc => (1, 0),
-            Self::Logarithm => (0, 1),
-            _ => (0, 0),
-        };
-        Cost {
-            additions,
-            multiplications,
-            divisions,
-            negations,
-            square_roots,
-            sine_cosines,
-            arc_tangents: 0,
-            others,
-        }
+        Cost { negations, ..work }
+    }
+}
+
+/// The cost of a closed form that only one of the assemblies adds to.
+const fn closed_form(additions: usize, multiplications: usize, divisions: usize, square_roots: usize) -> Cost {
+    Cost {
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        ..Cost::NONE
     }
 }
 
@@ -190,6 +213,7 @@ mod tests {
     use quote::ToTokens;
 
     use super::*;
+    use crate::algebra::{Function, Inverse, InverseFunction};
 
     /// The functions of `kin_core::solve`: whether the last argument is an assembly, and what an `Ok` holds.
     fn functions() -> BTreeMap<String, (bool, String)> {
@@ -221,7 +245,7 @@ mod tests {
     #[test]
     fn solvers_are_what_is_declared_in_kin_core() {
         let functions = functions();
-        for solver in [
+        let mut solvers = vec![
             Solver::CircleCircle,
             Solver::CircleCircleSquared,
             Solver::CircleLine,
@@ -236,12 +260,16 @@ mod tests {
             Solver::LinearPair,
             Solver::Quadratic,
             Solver::SquareRoot,
-            Solver::SineOfArc,
-            Solver::CosineOfArc,
-            Solver::TangentOfArc,
-            Solver::SquareOfRoot,
-            Solver::Logarithm,
-        ] {
+        ];
+        for function in Function::ALL {
+            solvers.extend(function.guard().map(Solver::Inverse));
+            solvers.extend(match function.inverse() {
+                Inverse::None | Inverse::One(InverseFunction::Elementary(_)) => None,
+                Inverse::One(InverseFunction::Checked(inverse)) => Some(Solver::Inverse(inverse)),
+                Inverse::Even(inverse) => Some(Solver::EvenInverse(inverse)),
+            });
+        }
+        for solver in solvers {
             let (takes_assembly, returned) = &functions[solver.name()];
             assert_eq!(solver.takes_assembly(), *takes_assembly, "{solver:?}");
             let expected = match solver.returns() {

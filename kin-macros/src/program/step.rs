@@ -3,7 +3,7 @@
 use super::choice::Mode;
 use super::expression::Expression;
 use super::solver::{Argument, Solver};
-use crate::algebra::{Function, Node, Symbol};
+use crate::algebra::{Checked, Node, Symbol};
 
 /// One step. The expressions `E` are nodes of a graph until the program is scheduled, and then expressions to be written.
 #[derive(Clone, PartialEq, Debug)]
@@ -13,7 +13,7 @@ pub(crate) enum Step<E> {
     /// A function that is not defined everywhere, with a check. Scheduling makes this step.
     Check {
         symbol: Symbol,
-        function: Function,
+        guard: &'static Checked,
         argument: E,
     },
     /// Sine and cosine of one angle, of which one may not be needed. Scheduling makes this step.
@@ -111,11 +111,11 @@ impl<E> Step<E> {
             },
             Self::Check {
                 symbol,
-                function,
+                guard,
                 argument,
             } => Step::Check {
                 symbol: *symbol,
-                function: *function,
+                guard,
                 argument: other(argument),
             },
             Self::SineCosine { sine, cosine, angle } => Step::SineCosine {

@@ -42,10 +42,8 @@ impl Operation {
             Self::Multiply(..) => cost.multiplications = 1,
             Self::Divide(..) => cost.divisions = 1,
             Self::Negate(_) => cost.negations = 1,
-            Self::Call(Function::Sin | Function::Cos, _) => {}
-            Self::Call(Function::Sqrt, _) => cost.square_roots = 1,
-            Self::Call(Function::Atan | Function::Atan2, _) => cost.arc_tangents = 1,
-            Self::Call(..) => cost.others = 1,
+            Self::Call(function, _) if function.partner().is_some() => {}
+            Self::Call(function, _) => cost = Cost::of(function.cost()),
         }
         cost
     }

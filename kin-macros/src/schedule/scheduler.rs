@@ -7,7 +7,7 @@ use super::lines::Lines;
 use super::operation::{Operation, OperationId, OperationList};
 use super::share;
 use super::style::Style;
-use crate::algebra::{Function, Graph, Node, Symbol};
+use crate::algebra::{Checked, Function, Graph, Node, Symbol};
 use crate::passes::{Pass, Passes};
 use crate::program::{Cost, Expression, Mode, Names, Program, Solver, Stage, Step};
 
@@ -192,10 +192,7 @@ impl Scheduler<'_> {
     }
 
     fn is_circular(&self, value: OperationId) -> bool {
-        matches!(
-            self.operations.operation(value),
-            Operation::Call(Function::Sin | Function::Cos, _)
-        )
+        matches!(self.operations.operation(value), Operation::Call(function, _) if function.partner().is_some())
     }
 
     /// The cosine to a sine and the sine to a cosine, if the program has it.
@@ -203,11 +200,7 @@ impl Scheduler<'_> {
         let Operation::Call(function, arguments) = self.operations.operation(value) else {
             return None;
         };
-        let other = if *function == Function::Sin {
-            Function::Cos
-        } else {
-            Function::Sin
-        };
+        let other = function.partner()?;
         let partner = self.operations.find(&Operation::Call(other, arguments.clone()))?;
         (self.usage(partner).count > 0 && self.includes(Pass::SineCosinePairs)).then_some(partner)
     }
@@ -352,16 +345,15 @@ impl Scheduler<'_> {
 
     /// A function with a partner or a check cannot stand within an expression.
     fn must_be_separate(&self, value: OperationId) -> bool {
-        self.known(value).is_some() || self.is_circular(value) || self.is_checked(value)
+        self.known(value).is_some() || self.is_circular(value) || self.guard(value).is_some()
     }
 
-    fn is_checked(&self, value: OperationId) -> bool {
-        self.style.check_domains
-            && self.stage == 0
-            && matches!(
-                self.operations.operation(value),
-                Operation::Call(Function::Sqrt | Function::Asin | Function::Acos | Function::Ln, _)
-            )
+    /// The check that a call needs.
+    fn guard(&self, value: OperationId) -> Option<&'static Checked> {
+        match self.operations.operation(value) {
+            Operation::Call(function, _) if self.style.check_domains && self.stage == 0 => function.guard(),
+            _ => None,
+        }
     }
 
     /// A value by its name if it has or deserves one, else written out.
@@ -372,16 +364,13 @@ impl Scheduler<'_> {
         if self.is_circular(value) {
             return Expression::Name(self.bind_circular(value));
         }
-        if self.is_checked(value) {
-            let Operation::Call(function, arguments) = self.operations.operation(value).clone() else {
-                unreachable!("only calls are checked");
-            };
-            let argument = self.expression(arguments[0]);
+        if let Some(guard) = self.guard(value) {
+            let argument = self.expression(self.operations.operation(value).operands()[0]);
             let symbol = self.bind(value);
             self.charge(self.operations.operation(value).cost());
             self.steps.push(Step::Check {
                 symbol,
-                function,
+                guard,
                 argument,
             });
             return Expression::Name(symbol);

@@ -2,7 +2,7 @@
 
 use super::arm::Arm;
 use super::complex::ComplexNode;
-use crate::algebra::{Function, Graph, Node, Symbol};
+use crate::algebra::{Checked, Function, Graph, InverseFunction, Node, Symbol};
 
 /// How a block is solved. Every expression is free of the block's own unknowns.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -26,9 +26,19 @@ pub(crate) enum ClosedForm {
     /// f(argument) = value, where `then` solves argument = `result` for the unknown.
     Inverse {
         function: Function,
+        inverse: InverseFunction,
         value: Node,
         result: Symbol,
         then: Box<Self>,
+    },
+    /// f(coefficient · x - offset) = value with an even f, which has two solutions.
+    EvenInverse {
+        function: Function,
+        inverse: &'static Checked,
+        unknown: usize,
+        coefficient: Node,
+        offset: Node,
+        value: Node,
     },
     /// A 2x2 linear system.
     LinearPair {
@@ -78,7 +88,7 @@ impl ClosedForm {
 
     /// Whether a function is inverted on the way.
     pub(crate) const fn has_inverse(&self) -> bool {
-        matches!(self, Self::Inverse { .. })
+        matches!(self, Self::Inverse { .. } | Self::EvenInverse { .. })
     }
 
     /// What documentation calls it.
@@ -93,6 +103,7 @@ impl ClosedForm {
             Self::Inverse { function, then, .. } => {
                 format!("inverse of {}, then {}", function.name(), then.description(graph))
             }
+            Self::EvenInverse { function, .. } => format!("inverse of {}, with both signs", function.name()),
             Self::LinearPair { .. } => "two linear equations".to_owned(),
             Self::TwoAngles { .. } => "circle meets circle (RRR dyad)".to_owned(),
             Self::AngleLength { .. } => "circle meets line (RRP dyad)".to_owned(),

@@ -11,13 +11,9 @@ use syn::{Lifetime, Lit, Token, parenthesized, token};
 
 use crate::algebra::Misfit;
 use crate::report::{Extent, suggestion};
-use crate::syntax::{Axis, Callee, Expression, ExpressionKind, Operation, Operator, nesting};
-
-/// Every name that can be called.
-pub(crate) const FUNCTION_NAMES: [&str; 22] = [
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "powi", "cis", "polar", "vec2", "vec3",
-    "rot_x", "rot_y", "rot_z", "rot", "dot", "cross", "norm",
-];
+use crate::syntax::{
+    Axis, Callee, Expression, ExpressionKind, Operation, Operator, callee, form, function_names, is_function, nesting,
+};
 
 /// The largest exponent of `powi`: far beyond any mechanism, and small enough to multiply out.
 const LARGEST_EXPONENT: u32 = 64;
@@ -233,7 +229,7 @@ fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expressio
         return Err(input.error("a function takes no types here: write only its arguments"));
     }
     if input.peek(token::Paren) {
-        if !FUNCTION_NAMES.contains(&word.as_str()) {
+        if !is_function(&word) {
             return Err(unknown_function(&member, true));
         }
         let mut arguments = vec![of];
@@ -250,7 +246,7 @@ fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expressio
                 "`await` has no meaning here: write only formulas",
             ));
         }
-        _ if FUNCTION_NAMES.contains(&word.as_str()) => {
+        _ if is_function(&word) => {
             return Err(syn::Error::new(
                 member.span(),
                 format!("`{word}` is a function: write `.{word}()`"),
@@ -398,7 +394,7 @@ fn word(input: ParseStream<'_>) -> Result<Expression> {
         return at("parameters are written without `self`: write their names alone".to_owned());
     }
     if input.peek(token::Paren) {
-        if !FUNCTION_NAMES.contains(&text.as_str()) {
+        if !is_function(&text) {
             return Err(unknown_function(&word, false));
         }
         let mut arguments = Vec::new();
@@ -453,40 +449,12 @@ fn path(input: ParseStream<'_>, first: &Ident) -> syn::Error {
         "write `PI`".to_owned()
     } else if word == "TAU" {
         "write `2 * PI`".to_owned()
-    } else if FUNCTION_NAMES.contains(&word.as_str()) {
-        format!("write `{}`", form(&word))
+    } else if let Some(form) = form(&word) {
+        format!("write `{form}`")
     } else {
         "write a parameter for a value from outside".to_owned()
     };
     syn::Error::new_spanned(extent, format!("there are no paths here: {instead}"))
-}
-
-/// How a function is written.
-pub(crate) fn form(function: &str) -> &'static str {
-    match function {
-        "sin" => "sin(x)",
-        "cos" => "cos(x)",
-        "tan" => "tan(x)",
-        "asin" => "asin(x)",
-        "acos" => "acos(x)",
-        "atan" => "atan(x)",
-        "atan2" => "atan2(y, x)",
-        "sqrt" => "sqrt(x)",
-        "exp" => "exp(x)",
-        "ln" => "ln(x)",
-        "powi" => "powi(x, 2)",
-        "cis" => "cis(angle)",
-        "polar" => "polar(length, angle)",
-        "vec3" => "vec3(x, y, z)",
-        "rot_x" => "rot_x(angle)",
-        "rot_y" => "rot_y(angle)",
-        "rot_z" => "rot_z(angle)",
-        "rot" => "rot(axis, angle)",
-        "dot" => "dot(a, b)",
-        "cross" => "cross(a, b)",
-        "norm" => "norm(v)",
-        _ => "vec2(x, y)",
-    }
 }
 
 fn unknown_function(name: &Ident, method: bool) -> syn::Error {
@@ -499,29 +467,36 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
         "log" => "; write `ln(x)` for the natural logarithm".to_owned(),
         "to_radians" => "; write `x * PI / 180`".to_owned(),
         "to_degrees" => "; write `x * 180 / PI`".to_owned(),
-        "arcsin" | "arccos" | "arctan" | "arctan2" => {
-            format!("; did you mean `{}`?", word.replace("arc", "a"))
-        }
         "abs" | "signum" | "min" | "max" | "clamp" | "floor" | "ceil" | "round" | "rem_euclid" => {
             "; a formula must have all its derivatives, and that one has not".to_owned()
         }
         "sin_cos" => "; write `sin(x)` and `cos(x)`, they are computed together all the same".to_owned(),
-        _ => {
-            let near = suggestion(&word, FUNCTION_NAMES);
-            if near.is_empty() && !method {
-                "; write `*` for a product".to_owned()
-            } else {
-                near
+        _ => match without_arc(&word) {
+            Some(name) => format!("; did you mean `{name}`?"),
+            None => {
+                let near = suggestion(&word, function_names());
+                if near.is_empty() && !method {
+                    "; write `*` for a product".to_owned()
+                } else {
+                    near
+                }
             }
-        }
+        },
     };
     syn::Error::new(
         name.span(),
         format!(
             "`{word}` is no function of the declaration language, which has {}{instead}",
-            FUNCTION_NAMES.join(", ")
+            function_names().collect::<Vec<_>>().join(", ")
         ),
     )
+}
+
+/// The inverse function that is written with `arc` or `ar` elsewhere, and with `a` here.
+fn without_arc(word: &str) -> Option<String> {
+    let function = word.strip_prefix("arc").or_else(|| word.strip_prefix("ar"))?;
+    let name = format!("a{function}");
+    is_function(&name).then_some(name)
 }
 
 /// Reads `( … )` and tells where it closes.
@@ -543,13 +518,13 @@ fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Expression>) -> Result<
 fn call(name: &Ident, arguments: Vec<Expression>, method: bool, close: Span) -> Result<Expression> {
     let word = name.to_string();
     let callee = match word.as_str() {
-        "powi" => None,
+        callee::POWER => None,
         _ => match Callee::from_name(&word) {
             Some(callee) => Some(callee),
             None => return Err(unknown_function(name, method)),
         },
     };
-    let arity = callee.map_or(2, Callee::arity);
+    let (arity, form) = callee.map_or((2, callee::FORM_OF_POWER), |callee| (callee.arity(), callee.form()));
     let extent = match arguments.first() {
         Some(receiver) if method => receiver.extent.to(Extent::at(close)),
         _ => Extent::at(name.span()).to(Extent::at(close)),
@@ -571,9 +546,8 @@ fn call(name: &Ident, arguments: Vec<Expression>, method: bool, close: Span) -> 
         return Err(syn::Error::new_spanned(
             Extent::at(name.span()).to(Extent::at(close)),
             format!(
-                "`{word}` takes {} and is given {given}{counted}: write `{}`",
+                "`{word}` takes {} and is given {given}{counted}: write `{form}`",
                 count(arity),
-                form(&word)
             ),
         ));
     }

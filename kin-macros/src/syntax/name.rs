@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 
-use crate::syntax::expression::FUNCTION_NAMES;
+use crate::syntax::callee::is_function;
 
 /// Words that begin a statement.
 pub(crate) const STATEMENT_WORDS: [&str; 4] = ["input", "unknown", "let", "output"];
@@ -51,7 +51,7 @@ pub(crate) fn check(name: &Ident) -> Result<()> {
         format!("`{word}` is a keyword of Rust; choose another name")
     } else if word == "PI" {
         "`PI` is the number π of the declaration language; choose another name".to_owned()
-    } else if FUNCTION_NAMES.contains(&word.as_str()) {
+    } else if is_function(&word) {
         format!("`{word}` is a function of the declaration language; choose another name")
     } else {
         return Ok(());

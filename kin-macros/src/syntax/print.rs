@@ -2,9 +2,8 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::algebra::Function;
 use crate::syntax::{
-    Axis, Callee, Comparison, EquationStatement, Expression, ExpressionKind, Operator, RangeClause, RangeKind,
+    Axis, Comparison, EquationStatement, Expression, ExpressionKind, Operator, RangeClause, RangeKind,
 };
 
 impl Operator {
@@ -25,59 +24,6 @@ impl Comparison {
             Self::LessOrEqual => "<=",
             Self::Greater => ">",
             Self::GreaterOrEqual => ">=",
-        }
-    }
-}
-
-impl Callee {
-    /// Every one that is not an elementary function.
-    const OF_VECTORS: [Self; 11] = [
-        Self::Cis,
-        Self::Polar,
-        Self::Vec2,
-        Self::Vec3,
-        Self::RotX,
-        Self::RotY,
-        Self::RotZ,
-        Self::Rot,
-        Self::Dot,
-        Self::Cross,
-        Self::Norm,
-    ];
-
-    /// The function that is written `name`.
-    pub(crate) fn from_name(name: &str) -> Option<Self> {
-        Self::OF_VECTORS
-            .into_iter()
-            .find(|callee| callee.name() == name)
-            .or_else(|| Function::from_name(name).map(Self::Elementary))
-    }
-
-    /// How many arguments it takes.
-    pub(crate) fn arity(self) -> usize {
-        match self {
-            Self::Elementary(function) => function.arity(),
-            Self::Cis | Self::RotX | Self::RotY | Self::RotZ | Self::Norm => 1,
-            Self::Polar | Self::Vec2 | Self::Rot | Self::Dot | Self::Cross => 2,
-            Self::Vec3 => 3,
-        }
-    }
-
-    /// As it is written.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Elementary(function) => function.name(),
-            Self::Cis => "cis",
-            Self::Polar => "polar",
-            Self::Vec2 => "vec2",
-            Self::Vec3 => "vec3",
-            Self::RotX => "rot_x",
-            Self::RotY => "rot_y",
-            Self::RotZ => "rot_z",
-            Self::Rot => "rot",
-            Self::Dot => "dot",
-            Self::Cross => "cross",
-            Self::Norm => "norm",
         }
     }
 }

@@ -1,13 +1,32 @@
 //! acos x: the derivative is -1 / √(1 - x²).
 
-use super::Elementary;
 use super::asin::leg;
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
 
 pub(super) const ACOS: Elementary = Elementary {
     name: "acos",
+    form: "acos(x)",
     arity: 1,
+    takes: Takes::number("a ratio"),
+    gives: Gives::Number,
+    domain: Domain::Part {
+        contains: |x| x[0].abs() <= 1.0,
+        text: "goes from -1 to 1",
+    },
+    guard: Some(&Checked {
+        name: "arc_cosine",
+        decides_by_sign: false,
+        cost: &[Work::Other],
+    }),
+    inverse: Inverse::One(InverseFunction::Checked(&Checked {
+        name: "cosine_of_arc",
+        decides_by_sign: false,
+        cost: &[Work::SineCosine],
+    })),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
     value: |x| x[0].acos(),
-    domain: |x| x[0].abs() <= 1.0,
     partials: |graph, x, _| {
         let sine = leg(graph, x[0]);
         let reciprocal = graph.power(sine, -1);

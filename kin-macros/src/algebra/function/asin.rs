@@ -1,6 +1,6 @@
 //! asin x: the derivative is 1 / √(1 - x²).
 
-use super::Elementary;
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
 use crate::algebra::{Function, Graph, Node};
 
 /// √(1 - x²), the other leg of the right triangle with hypotenuse 1.
@@ -13,9 +13,28 @@ pub(super) fn leg(graph: &mut Graph, x: Node) -> Node {
 
 pub(super) const ASIN: Elementary = Elementary {
     name: "asin",
+    form: "asin(x)",
     arity: 1,
+    takes: Takes::number("a ratio"),
+    gives: Gives::Number,
+    domain: Domain::Part {
+        contains: |x| x[0].abs() <= 1.0,
+        text: "goes from -1 to 1",
+    },
+    guard: Some(&Checked {
+        name: "arc_sine",
+        decides_by_sign: false,
+        cost: &[Work::Other],
+    }),
+    inverse: Inverse::One(InverseFunction::Checked(&Checked {
+        name: "sine_of_arc",
+        decides_by_sign: false,
+        cost: &[Work::SineCosine],
+    })),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
     value: |x| x[0].asin(),
-    domain: |x| x[0].abs() <= 1.0,
     partials: |graph, x, _| {
         let cosine = leg(graph, x[0]);
         vec![graph.power(cosine, -1)]

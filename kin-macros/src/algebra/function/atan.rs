@@ -1,12 +1,27 @@
 //! atan x: the derivative is 1 / (1 + x²).
 
-use super::Elementary;
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
 
 pub(super) const ATAN: Elementary = Elementary {
     name: "atan",
+    form: "atan(x)",
     arity: 1,
+    takes: Takes::Number {
+        wanted: "a ratio",
+        instead_of_length: "divide it by a length, or write `atan2(y, x)`",
+    },
+    gives: Gives::Number,
+    domain: Domain::Everywhere,
+    guard: None,
+    inverse: Inverse::One(InverseFunction::Checked(&Checked {
+        name: "tangent_of_arc",
+        decides_by_sign: false,
+        cost: &[Work::SineCosine, Work::Division],
+    })),
+    calculation: Calculation::Method,
+    cost: &[Work::ArcTangent],
+    has_zeros: true,
     value: |x| x[0].atan(),
-    domain: super::everywhere,
     partials: |graph, x, _| {
         let square = graph.power(x[0], 2);
         let one = graph.number(1.0);

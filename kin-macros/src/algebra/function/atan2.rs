@@ -1,12 +1,23 @@
 //! atan2(y, x): the derivatives are x / (x² + y²) by y and -y / (x² + y²) by x.
 
-use super::Elementary;
+use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, Work};
 
 pub(super) const ATAN2: Elementary = Elementary {
     name: "atan2",
+    form: "atan2(y, x)",
     arity: 2,
+    takes: Takes::Alike,
+    gives: Gives::Number,
+    domain: Domain::Part {
+        contains: |v| v[0] != 0.0 || v[1] != 0.0,
+        text: "leaves out the point (0, 0)",
+    },
+    guard: None,
+    inverse: Inverse::None,
+    calculation: Calculation::Method,
+    cost: &[Work::ArcTangent],
+    has_zeros: true,
     value: |v| v[0].atan2(v[1]),
-    domain: |v| super::everywhere(v) && (v[0] != 0.0 || v[1] != 0.0),
     partials: |graph, v, _| {
         let (y, x) = (v[0], v[1]);
         let (y2, x2) = (graph.power(y, 2), graph.power(x, 2));

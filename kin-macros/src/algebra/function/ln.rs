@@ -1,11 +1,30 @@
 //! ln x: the derivative is 1 / x.
 
-use super::Elementary;
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use crate::algebra::Function;
+
+/// ln x with a check.
+pub(super) const LOGARITHM: Checked = Checked {
+    name: "logarithm",
+    decides_by_sign: true,
+    cost: &[Work::Other],
+};
 
 pub(super) const LN: Elementary = Elementary {
     name: "ln",
+    form: "ln(x)",
     arity: 1,
+    takes: Takes::number("a plain number"),
+    gives: Gives::Number,
+    domain: Domain::Part {
+        contains: |x| x[0] > 0.0,
+        text: "begins above 0",
+    },
+    guard: Some(&LOGARITHM),
+    inverse: Inverse::One(InverseFunction::Elementary(Function::Exp)),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
     value: |x| x[0].ln(),
-    domain: |x| x[0] > 0.0,
     partials: |graph, x, _| vec![graph.power(x[0], -1)],
 };

@@ -1,12 +1,20 @@
 //! sin x: the derivative is cos x.
 
-use super::Elementary;
+use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, Work};
 use crate::algebra::Function;
 
 pub(super) const SIN: Elementary = Elementary {
     name: "sin",
+    form: "sin(x)",
     arity: 1,
+    takes: Takes::number("an angle or a ratio"),
+    gives: Gives::Number,
+    domain: Domain::Everywhere,
+    guard: None,
+    inverse: Inverse::None,
+    calculation: Calculation::Sine,
+    cost: &[Work::SineCosine],
+    has_zeros: true,
     value: |x| x[0].sin(),
-    domain: super::everywhere,
     partials: |graph, x, _| vec![graph.call(Function::Cos, x)],
 };

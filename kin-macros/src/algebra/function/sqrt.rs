@@ -1,12 +1,31 @@
 //! √x: the derivative is 1 / (2 √x).
 
-use super::Elementary;
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
 
 pub(super) const SQRT: Elementary = Elementary {
     name: "sqrt",
+    form: "sqrt(x)",
     arity: 1,
+    takes: Takes::Anything,
+    gives: Gives::Root,
+    domain: Domain::Part {
+        contains: |x| x[0] >= 0.0,
+        text: "begins at 0",
+    },
+    guard: Some(&Checked {
+        name: "square_root_of",
+        decides_by_sign: true,
+        cost: &[Work::SquareRoot],
+    }),
+    inverse: Inverse::One(InverseFunction::Checked(&Checked {
+        name: "square_of_root",
+        decides_by_sign: true,
+        cost: &[Work::Multiplication],
+    })),
+    calculation: Calculation::Method,
+    cost: &[Work::SquareRoot],
+    has_zeros: true,
     value: |x| x[0].sqrt(),
-    domain: |x| x[0] >= 0.0,
     partials: |graph, _, value| {
         let reciprocal = graph.power(value, -1);
         vec![graph.scale(0.5, reciprocal)]

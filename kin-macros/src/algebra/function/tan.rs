@@ -1,12 +1,23 @@
 //! tan x: the derivative is 1 + tan² x.
 
-use super::Elementary;
+use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, Work};
 
 pub(super) const TAN: Elementary = Elementary {
     name: "tan",
+    form: "tan(x)",
     arity: 1,
+    takes: Takes::number("an angle or a ratio"),
+    gives: Gives::Number,
+    domain: Domain::Between {
+        divisor: |graph, x| graph.cosine(x[0]),
+        text: "leaves out the odd quarter turns",
+    },
+    guard: None,
+    inverse: Inverse::None,
+    calculation: Calculation::Tangent,
+    cost: &[Work::SineCosine, Work::Division],
+    has_zeros: true,
     value: |x| x[0].tan(),
-    domain: super::everywhere,
     partials: |graph, _, value| {
         // 1 + tan² x needs no function but the value itself
         let square = graph.power(value, 2);

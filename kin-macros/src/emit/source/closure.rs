@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
-use crate::algebra::Function;
+use crate::algebra::{Calculation, Function};
 use crate::emit::declaration::vector_type;
 use crate::model::{Model, Shape};
 use crate::precedence::Precedence;
@@ -404,16 +404,7 @@ impl Translation<'_> {
             (Callee::Polar, [length, angle]) => {
                 Translated::plane(quote_spanned!(site=> #runtime::Plane::polar(#length, #angle)))
             }
-            (Callee::Elementary(Function::Sin), [x]) => Translated::scalar(quote_spanned!(site=> T::sin_cos(#x).0)),
-            (Callee::Elementary(Function::Cos), [x]) => Translated::scalar(quote_spanned!(site=> T::sin_cos(#x).1)),
-            (Callee::Elementary(Function::Tan), [x]) => Translated::scalar(quote_spanned! {site=> {
-                let (sine, cosine) = T::sin_cos(#x);
-                sine / cosine
-            }}),
-            (Callee::Elementary(function), arguments) => {
-                let method = Ident::new(function.name(), site);
-                Translated::scalar(quote_spanned!(site=> T::#method(#(#arguments),*)))
-            }
+            (Callee::Elementary(function), arguments) => elementary(function, arguments),
             (Callee::RotX, _) => rotation("about_x"),
             (Callee::RotY, _) => rotation("about_y"),
             (Callee::RotZ, _) => rotation("about_z"),
@@ -429,6 +420,23 @@ impl Translation<'_> {
             (_, arguments) => Translated::plane(quote_spanned!(site=> #runtime::Plane::new(#(#arguments),*))),
         }
     }
+}
+
+/// A call of an elementary function.
+fn elementary(function: Function, arguments: &[TokenStream]) -> Translated {
+    let site = Span::mixed_site();
+    Translated::scalar(match function.calculation() {
+        Calculation::Sine => quote_spanned!(site=> T::sin_cos(#(#arguments),*).0),
+        Calculation::Cosine => quote_spanned!(site=> T::sin_cos(#(#arguments),*).1),
+        Calculation::Tangent => quote_spanned! {site=> {
+            let (sine, cosine) = T::sin_cos(#(#arguments),*);
+            sine / cosine
+        }},
+        Calculation::Method => {
+            let method = Ident::new(function.name(), site);
+            quote_spanned!(site=> T::#method(#(#arguments),*))
+        }
+    })
 }
 
 /// A number of the type `T`.

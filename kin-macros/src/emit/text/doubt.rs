@@ -41,16 +41,7 @@ pub(super) fn decisive_vector(text: &Text<'_>, [x, y]: &[Expression; 2], among: 
 
 /// Whether a closed form decides on an argument of which it does not know the terms.
 pub(super) fn decides_on(solver: Solver, place: usize) -> bool {
-    place == 0
-        && matches!(
-            solver,
-            Solver::Linear
-                | Solver::SquareRoot
-                | Solver::Quadratic
-                | Solver::SquareOfRoot
-                | Solver::Logarithm
-                | Solver::Polar
-        )
+    place == 0 && solver.decides_on_its_first()
 }
 
 fn terms(value: &Expression, among: &[&Step<Expression>]) -> Vec<Expression> {

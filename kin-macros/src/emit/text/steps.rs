@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::{Text, doubt};
-use crate::algebra::{Function, Symbol};
+use crate::algebra::{Checked, Symbol};
 use crate::emit::mechanism::local;
 use crate::program::{Argument, Expression, Mode, Returns, Solver, Stage, Step};
 
@@ -148,9 +148,9 @@ impl Text<'_> {
             Step::Define { symbol, value } => self.define(*symbol, value),
             Step::Check {
                 symbol,
-                function,
+                guard,
                 argument,
-            } => self.check(*symbol, *function, argument, part, among),
+            } => self.check(*symbol, guard, argument, part, among),
             Step::SineCosine { sine, cosine, angle } => {
                 let [sine, cosine] = [sine, cosine].map(|symbol| self.pattern(*symbol));
                 let angle = self.formula(angle);
@@ -248,23 +248,19 @@ impl Text<'_> {
     fn check(
         &self,
         symbol: Symbol,
-        function: Function,
+        guard: &Checked,
         argument: &Expression,
         part: Option<usize>,
         among: &[&Written],
     ) -> TokenStream {
         let runtime = self.mechanism.runtime;
         let name = self.name(symbol);
-        let argument = match function {
-            Function::Asin | Function::Acos => self.formula(argument),
-            _ => doubt::decisive(self, argument, among),
+        let argument = if guard.decides_by_sign {
+            doubt::decisive(self, argument, among)
+        } else {
+            self.formula(argument)
         };
-        let guard = local(match function {
-            Function::Sqrt => "square_root_of",
-            Function::Asin => "arc_sine",
-            Function::Acos => "arc_cosine",
-            _ => "logarithm",
-        });
+        let guard = local(guard.name);
         let failed = match part {
             Some(part) => self.mechanism.failed(part),
             None => self.mechanism.failed_at("the outputs"),

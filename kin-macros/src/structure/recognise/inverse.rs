@@ -1,7 +1,7 @@
 //! An unknown inside of one invertible function: f(g(x)) = v, solved as g(x) = f⁻¹(v).
 
 use super::single;
-use crate::algebra::{Expansion, Function, Graph, Harmonic, Polynomial, Term, Variables};
+use crate::algebra::{Expansion, Graph, Harmonic, Inverse, Polynomial, Term, Variables};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
@@ -22,36 +22,50 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
     let Term::Call(function, arguments) = graph.term(atom).clone() else {
         return None;
     };
-    if !is_invertible(function) {
+    let inverse = function.inverse();
+    if inverse == Inverse::None {
         return None;
     }
     let free = equation.free_term(graph);
     let quotient = graph.divide(free, coefficient);
     let value = graph.negate(quotient);
-    let (result, result_node) = graph.new_step();
-    let remaining = graph.subtract(arguments[0], result_node);
-    let polynomial = Expansion::new(graph, Variables::Unknowns(&[unknown])).equation(remaining);
-    let then = Box::new(single(graph, &polynomial, unknown)?);
-    Some(ClosedForm::Inverse {
-        function,
-        value,
-        result,
-        then,
-    })
-}
-
-/// Sine and cosine have a closed form of their own, with both solutions; two arguments have no inverse.
-const fn is_invertible(function: Function) -> bool {
-    match function {
-        Function::Sqrt | Function::Asin | Function::Acos | Function::Atan | Function::Exp | Function::Ln => true,
-        Function::Sin | Function::Cos | Function::Tan | Function::Atan2 => false,
+    match inverse {
+        Inverse::None => None,
+        Inverse::One(inverse) => {
+            let (result, result_node) = graph.new_step();
+            let remaining = graph.subtract(arguments[0], result_node);
+            let polynomial = Expansion::new(graph, Variables::Unknowns(&[unknown])).equation(remaining);
+            let then = Box::new(single(graph, &polynomial, unknown)?);
+            Some(ClosedForm::Inverse {
+                function,
+                inverse,
+                value,
+                result,
+                then,
+            })
+        }
+        Inverse::Even(inverse) => {
+            let argument = Expansion::new(graph, Variables::Unknowns(&[unknown])).equation(arguments[0]);
+            match single(graph, &argument, unknown)? {
+                ClosedForm::Linear { coefficient, right, .. } => Some(ClosedForm::EvenInverse {
+                    function,
+                    inverse,
+                    unknown,
+                    coefficient,
+                    offset: right,
+                    value,
+                }),
+                // one assembly cannot tell the solutions apart if each of the two arguments has several
+                _ => None,
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::{Node, Symbol};
+    use crate::algebra::{Function, Node, Symbol};
 
     fn form(graph: &mut Graph, node: Node) -> Option<ClosedForm> {
         let equation = Expansion::new(graph, Variables::Unknowns(&[0])).equation(node);

@@ -1,0 +1,102 @@
+//! What can be called: the elementary functions, powers, and the functions of vectors.
+
+use crate::algebra::Function;
+use crate::syntax::Callee;
+
+/// The function whose second argument is a whole number, which belongs to its form.
+pub(super) const POWER: &str = "powi";
+
+/// How that function is written.
+pub(super) const FORM_OF_POWER: &str = "powi(x, 2)";
+
+impl Callee {
+    /// Every one that is not an elementary function.
+    const OF_VECTORS: [Self; 11] = [
+        Self::Cis,
+        Self::Polar,
+        Self::Vec2,
+        Self::Vec3,
+        Self::RotX,
+        Self::RotY,
+        Self::RotZ,
+        Self::Rot,
+        Self::Dot,
+        Self::Cross,
+        Self::Norm,
+    ];
+
+    /// The function that is written `name`.
+    pub(crate) fn from_name(name: &str) -> Option<Self> {
+        Self::OF_VECTORS
+            .into_iter()
+            .find(|callee| callee.name() == name)
+            .or_else(|| Function::from_name(name).map(Self::Elementary))
+    }
+
+    /// How it is written, as messages show it.
+    pub(crate) fn form(self) -> &'static str {
+        match self {
+            Self::Elementary(function) => function.form(),
+            Self::Cis => "cis(angle)",
+            Self::Polar => "polar(length, angle)",
+            Self::Vec2 => "vec2(x, y)",
+            Self::Vec3 => "vec3(x, y, z)",
+            Self::RotX => "rot_x(angle)",
+            Self::RotY => "rot_y(angle)",
+            Self::RotZ => "rot_z(angle)",
+            Self::Rot => "rot(axis, angle)",
+            Self::Dot => "dot(a, b)",
+            Self::Cross => "cross(a, b)",
+            Self::Norm => "norm(v)",
+        }
+    }
+
+    /// How many arguments it takes.
+    pub(crate) fn arity(self) -> usize {
+        match self {
+            Self::Elementary(function) => function.arity(),
+            Self::Cis | Self::RotX | Self::RotY | Self::RotZ | Self::Norm => 1,
+            Self::Polar | Self::Vec2 | Self::Rot | Self::Dot | Self::Cross => 2,
+            Self::Vec3 => 3,
+        }
+    }
+
+    /// As it is written.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Elementary(function) => function.name(),
+            Self::Cis => "cis",
+            Self::Polar => "polar",
+            Self::Vec2 => "vec2",
+            Self::Vec3 => "vec3",
+            Self::RotX => "rot_x",
+            Self::RotY => "rot_y",
+            Self::RotZ => "rot_z",
+            Self::Rot => "rot",
+            Self::Dot => "dot",
+            Self::Cross => "cross",
+            Self::Norm => "norm",
+        }
+    }
+}
+
+/// Every name that can be called, in the order in which messages list them.
+pub(crate) fn function_names() -> impl Iterator<Item = &'static str> {
+    let elementary = Function::ALL.iter().map(|function| function.name());
+    let of_vectors = Callee::OF_VECTORS.into_iter().map(Callee::name);
+    elementary.chain([POWER]).chain(of_vectors)
+}
+
+/// Whether something of this name can be called.
+pub(crate) fn is_function(name: &str) -> bool {
+    form(name).is_some()
+}
+
+/// How the function of this name is written.
+pub(crate) fn form(name: &str) -> Option<&'static str> {
+    if name == POWER {
+        Some(FORM_OF_POWER)
+    } else {
+        Callee::from_name(name).map(Callee::form)
+    }
+}
