@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use proc_macro2::{Span, TokenStream};
 
 use crate::expand::{expand, runtime};
-use crate::report::Report;
+use crate::mistakes::Mistakes;
 use crate::{fallback, syntax};
 
 /// The expansion. A panic is told as a bug, where the declaration stands.
@@ -26,13 +26,13 @@ fn or_tell(tokens: TokenStream, expand: impl FnOnce(TokenStream) -> TokenStream)
         );
         let read = catch_unwind(AssertUnwindSafe(|| {
             let (runtime, tokens) = runtime(tokens);
-            let mut report = Report::new();
-            let declaration = syntax::parse(tokens, &mut report);
+            let mut mistakes = Mistakes::new();
+            let declaration = syntax::parse(tokens, &mut mistakes);
             match &declaration {
-                Some(declaration) => report.error(&declaration.name, &bug),
-                None => report.error_at(Span::call_site(), &bug),
+                Some(declaration) => mistakes.error(&declaration.name, &bug),
+                None => mistakes.error_at(Span::call_site(), &bug),
             }
-            fallback::tokens(declaration.as_ref(), report, &runtime)
+            fallback::tokens(declaration.as_ref(), mistakes, &runtime)
         }));
         read.unwrap_or_else(|_| syn::Error::new(Span::call_site(), bug).to_compile_error())
     })

@@ -3,11 +3,11 @@
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
+use crate::mistakes::Mistakes;
 use crate::model::Model;
 use crate::passes::Passes;
 use crate::plan::{Task, plan};
 use crate::program::Solvers;
-use crate::report::Report;
 use crate::room::with_room;
 use crate::structure::Structure;
 use crate::syntax::Declaration;
@@ -16,12 +16,12 @@ use crate::{emit, fallback, model, refuse, structure, syntax};
 /// Expands `(path::to::kin) declaration`. Each pass tells the mistakes that it finds; after the last check nothing can fail.
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let (runtime, tokens) = runtime(tokens);
-    let mut report = Report::new();
-    let Some(declaration) = syntax::parse(tokens, &mut report) else {
-        return fallback::tokens(None, report, &runtime);
+    let mut mistakes = Mistakes::new();
+    let Some(declaration) = syntax::parse(tokens, &mut mistakes) else {
+        return fallback::tokens(None, mistakes, &runtime);
     };
-    let Some((model, structure, solvers)) = solvers(&declaration, &mut report) else {
-        return fallback::tokens(Some(&declaration), report, &runtime);
+    let Some((model, structure, solvers)) = solvers(&declaration, &mut mistakes) else {
+        return fallback::tokens(Some(&declaration), mistakes, &runtime);
     };
     #[cfg(test)]
     crate::definition_tests::assert_defined(&solvers);
@@ -29,14 +29,14 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
 }
 
 /// The passes between syntax and text; nothing if there are mistakes in the declaration.
-fn solvers(declaration: &Declaration, report: &mut Report) -> Option<(Model, Structure, Solvers)> {
-    let model = model::build(declaration, report)?;
-    let structure = structure(declaration, &model, report)?;
+fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<(Model, Structure, Solvers)> {
+    let model = model::build(declaration, mistakes)?;
+    let structure = structure(declaration, &model, mistakes)?;
     let task = Task::new(&model, &structure, Passes::ALL);
     match with_room(|| plan(&task)) {
-        Err(too_large) => refuse::size(declaration, too_large.order, report),
+        Err(too_large) => refuse::size(declaration, too_large.order, mistakes),
         Ok(solvers) => match solvers.graph.misfit() {
-            Some(misfit) => refuse::constants(declaration, &model, misfit, report),
+            Some(misfit) => refuse::constants(declaration, &model, misfit, mistakes),
             None => return Some((model, structure, solvers)),
         },
     }
@@ -44,24 +44,24 @@ fn solvers(declaration: &Declaration, report: &mut Report) -> Option<(Model, Str
 }
 
 /// The blocks of the equations, if they can be solved and everything that is requested exists.
-pub(crate) fn structure(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<Structure> {
+pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut Mistakes) -> Option<Structure> {
     let (residuals, origins) = model.scalar_equations();
     let (graph, unknowns) = (model.graph.clone(), model.unknowns.len());
     let analysed = with_room(|| structure::analyse(graph, &residuals, unknowns));
     let structure = match analysed {
         Err(structure::Refusal::Constants(misfit)) => {
-            refuse::constants(declaration, model, misfit, report);
+            refuse::constants(declaration, model, misfit, mistakes);
             return None;
         }
         Err(structure::Refusal::Faults(faults)) => {
-            refuse::faults(model, &origins, &faults, report);
+            refuse::faults(model, &origins, &faults, mistakes);
             return None;
         }
         Ok(structure) => structure,
     };
-    refuse::ranges(model, &structure.blocks, report);
-    refuse::requests(model, &structure, report);
-    report.is_empty().then_some(structure)
+    refuse::ranges(model, &structure.blocks, mistakes);
+    refuse::requests(model, &structure, mistakes);
+    mistakes.is_empty().then_some(structure)
 }
 
 /// The path to the items that generated code calls, and the declaration behind it. `mechanism!` passes its own crate, under the

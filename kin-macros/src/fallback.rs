@@ -11,13 +11,13 @@ use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
 use crate::emit;
-use crate::report::Report;
+use crate::mistakes::Mistakes;
 use crate::syntax::{Declaration, ParameterField};
 
 /// The mistakes, and the stand-in for as much as could be read.
-pub(crate) fn tokens(declaration: Option<&Declaration>, report: Report, runtime: &TokenStream) -> TokenStream {
+pub(crate) fn tokens(declaration: Option<&Declaration>, mistakes: Mistakes, runtime: &TokenStream) -> TokenStream {
     let Some(declaration) = declaration else {
-        return report.into_compile_errors();
+        return mistakes.into_compile_errors();
     };
     let mut seen = BTreeSet::new();
     let first_of_its_name = |field: &&ParameterField| seen.insert(field.name.to_string());
@@ -36,7 +36,7 @@ pub(crate) fn tokens(declaration: Option<&Declaration>, report: Report, runtime:
         fields,
         runtime,
     );
-    let errors = report.into_each_compile_error();
+    let errors = mistakes.into_each_compile_error();
     let Some((first, others)) = errors.split_first() else {
         return structure;
     };

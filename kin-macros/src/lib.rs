@@ -84,6 +84,7 @@ mod fuzz_tests;
 mod growth_tests;
 #[cfg(test)]
 mod limit_tests;
+mod mistakes;
 mod model;
 #[cfg(test)]
 mod optimiser_tests;
@@ -92,7 +93,6 @@ mod plan;
 mod precedence;
 mod program;
 mod refuse;
-mod report;
 mod room;
 mod schedule;
 mod structure;

@@ -5,15 +5,15 @@ use std::collections::BTreeSet;
 use quote::ToTokens;
 
 use crate::algebra::Misfit;
+use crate::mistakes::Mistakes;
 use crate::model::{Model, Origin, Request};
 use crate::program::order_name;
-use crate::report::Report;
 use crate::room::with_room;
 use crate::structure::{Block, Fault, Method, Structure, dyads};
 use crate::syntax::Declaration;
 
 /// Reports why a declaration cannot be solved.
-pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], report: &mut Report) {
+pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistakes: &mut Mistakes) {
     let names = |unknowns: &[usize]| -> String {
         list(
             unknowns
@@ -23,7 +23,7 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], report
     };
     for fault in faults {
         match fault {
-            Fault::Underdetermined { unknowns, equations } => report.error(
+            Fault::Underdetermined { unknowns, equations } => mistakes.error(
                 &model.unknowns[unknowns[0]].name,
                 format_args!(
                     "too few equations: {} {} determined by {} only; add {}, or make one of them an input ({})",
@@ -53,7 +53,7 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], report
                     } else {
                         format!(" beside {others}")
                     };
-                    report.error(
+                    mistakes.error(
                         whole(model, origin),
                         format_args!(
                             "too many equations: {} for {} ({}); this {} is one too many{}: remove it, or declare \
@@ -73,7 +73,7 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], report
                 equations,
                 repeats,
             } => match *repeats {
-                Some((first, second)) => report.error(
+                Some((first, second)) => mistakes.error(
                     whole(model, origins[second]),
                     format_args!(
                         "this {} says the same as that of `{}`, so {} {} not determined; replace it by an \
@@ -84,7 +84,7 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], report
                         if unknowns.len() == 1 { "is" } else { "are" },
                     ),
                 ),
-                None => report.error(
+                None => mistakes.error(
                     whole(model, origins[*equations.last().expect("a block has equations")]),
                     format_args!(
                         "the equations for {} depend on each other and do not determine them; replace this one by an \
@@ -98,8 +98,8 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], report
 }
 
 /// Reports that a declaration is beyond what can be derived in reasonable time, and how to cut it.
-pub(crate) fn size(declaration: &Declaration, order: usize, report: &mut Report) {
-    report.error(
+pub(crate) fn size(declaration: &Declaration, order: usize, mistakes: &mut Mistakes) {
+    mistakes.error(
         &declaration.name,
         format_args!(
             "this mechanism is too large: its formulas have more than a million different terms at {}; ask for a lower `order`, \
@@ -111,17 +111,17 @@ pub(crate) fn size(declaration: &Declaration, order: usize, report: &mut Report)
 }
 
 /// Reports a constant from which one follows that no number is: it is not to be told which, but the one farthest from 1 is to blame.
-pub(crate) fn constants(declaration: &Declaration, model: &Model, misfit: Misfit, report: &mut Report) {
+pub(crate) fn constants(declaration: &Declaration, model: &Model, misfit: Misfit, mistakes: &mut Mistakes) {
     let message =
         format!("constants that follow from this one are {misfit}: choose a unit in which the numbers are nearer to 1");
     match model.extreme_constant {
-        Some(extent) => report.error(extent, message),
-        None => report.error(&declaration.name, message),
+        Some(extent) => mistakes.error(extent, message),
+        None => mistakes.error(&declaration.name, message),
     }
 }
 
 /// A range chooses one of two solutions, and coupled equations may have any number of them.
-pub(crate) fn ranges(model: &Model, blocks: &[Block], report: &mut Report) {
+pub(crate) fn ranges(model: &Model, blocks: &[Block], mistakes: &mut Mistakes) {
     for part in blocks.iter().flat_map(|block| &block.parts) {
         if !matches!(part.method, Method::Newton { .. }) {
             continue;
@@ -129,7 +129,7 @@ pub(crate) fn ranges(model: &Model, blocks: &[Block], report: &mut Report) {
         for &unknown in &part.unknowns {
             let own = &model.unknowns[unknown];
             if let Some(range) = &own.range {
-                report.error(
+                mistakes.error(
                     &own.name,
                     format_args!(
                         "the range `{}` cannot choose the assembly of `{}`, which has no closed form: remove it, and tell \
@@ -143,7 +143,7 @@ pub(crate) fn ranges(model: &Model, blocks: &[Block], report: &mut Report) {
 }
 
 /// Reports what is requested of a mechanism that has nothing of the kind.
-pub(crate) fn requests(model: &Model, structure: &Structure, report: &mut Report) {
+pub(crate) fn requests(model: &Model, structure: &Structure, mistakes: &mut Mistakes) {
     for requested in &model.requests {
         let has_dyads = || {
             let Structure {
@@ -154,7 +154,7 @@ pub(crate) fn requests(model: &Model, structure: &Structure, report: &mut Report
             with_room(|| !dyads(&mut graph.clone(), residuals, blocks).is_empty())
         };
         if requested.request == Request::TransmissionAngles && !has_dyads() {
-            report.error(
+            mistakes.error(
                 &requested.name,
                 "the mechanism is not solved by dyads of two links, or of a link and a slider, so there is no transmission \
                  angle: write the closure as a loop of vectors, or remove this",

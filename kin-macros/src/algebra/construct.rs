@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
-use super::graph::Number;
-use super::{Graph, Misfit, Node, Symbol, Term};
+use super::graph::Constant;
+use super::{Graph, Misfit, Node, NodeKind, Symbol};
 use crate::algebra::{Calculation, Function};
 
 /// A sum of more terms than this is a term of other sums, and is not merged with them: a chain of long sums would take the square
@@ -22,7 +22,7 @@ fn times(a: f64, b: f64, misfit: &mut Option<Misfit>) -> f64 {
 
 impl Graph {
     pub(crate) fn number(&mut self, value: f64) -> Node {
-        self.intern(Term::Number(Number::new(value)))
+        self.intern(NodeKind::Number(Constant::new(value)))
     }
 
     pub(crate) fn zero(&mut self) -> Node {
@@ -34,11 +34,11 @@ impl Graph {
     }
 
     pub(crate) fn pi(&mut self) -> Node {
-        self.intern(Term::Pi)
+        self.intern(NodeKind::Pi)
     }
 
     pub(crate) fn symbol(&mut self, symbol: Symbol) -> Node {
-        self.intern(Term::Symbol(symbol))
+        self.intern(NodeKind::Symbol(symbol))
     }
 
     pub(crate) fn add(&mut self, a: Node, b: Node) -> Node {
@@ -68,10 +68,10 @@ impl Graph {
         let mut collected: BTreeMap<Node, f64> = BTreeMap::new();
         let mut misfit = None;
         for &(node, coefficient) in terms {
-            let mut times = |factor: Number| times(coefficient, factor.get(), &mut misfit);
-            match self.term(node) {
-                Term::Number(value) if !self.keeps_numbers => constant += times(*value),
-                Term::Sum(inner, inner_terms) if inner_terms.len() <= LONGEST_SUM => {
+            let mut times = |factor: Constant| times(coefficient, factor.get(), &mut misfit);
+            match self.kind(node) {
+                NodeKind::Number(value) if !self.keeps_numbers => constant += times(*value),
+                NodeKind::Sum(inner, inner_terms) if inner_terms.len() <= LONGEST_SUM => {
                     constant += times(*inner);
                     for &(part, factor) in inner_terms {
                         *collected.entry(part).or_insert(0.0) += times(factor);
@@ -96,9 +96,9 @@ impl Graph {
         }
         let terms = collected
             .into_iter()
-            .map(|(node, coefficient)| (node, Number::new(coefficient)))
+            .map(|(node, coefficient)| (node, Constant::new(coefficient)))
             .collect();
-        self.intern(Term::Sum(Number::new(constant), terms))
+        self.intern(NodeKind::Sum(Constant::new(constant), terms))
     }
 
     pub(crate) fn multiply(&mut self, a: Node, b: Node) -> Node {
@@ -124,8 +124,8 @@ impl Graph {
             return self.zero();
         }
         // √x · √x is x, which may itself be a product with factors to collect
-        let root = collected.iter().find_map(|(&node, &exponent)| match self.term(node) {
-            Term::Call(Function::Sqrt, arguments) if exponent.abs() >= 2 => Some((node, arguments[0], exponent)),
+        let root = collected.iter().find_map(|(&node, &exponent)| match self.kind(node) {
+            NodeKind::Call(Function::Sqrt, arguments) if exponent.abs() >= 2 => Some((node, arguments[0], exponent)),
             _ => None,
         });
         if let Some((node, radicand, exponent)) = root {
@@ -141,7 +141,7 @@ impl Graph {
             1 if collected.first_key_value().is_some_and(|(_, &exponent)| exponent == 1) => {
                 *collected.first_key_value().expect("one factor").0
             }
-            _ => self.intern(Term::Product(collected.into_iter().collect())),
+            _ => self.intern(NodeKind::Product(collected.into_iter().collect())),
         };
         self.scale(coefficient, bare)
     }
@@ -156,7 +156,7 @@ impl Graph {
         if exponent == 0 {
             return;
         }
-        if self.keeps_numbers && matches!(self.term(node), Term::Number(_)) {
+        if self.keeps_numbers && matches!(self.kind(node), NodeKind::Number(_)) {
             *collected.entry(node).or_insert(0) += exponent;
             return;
         }
@@ -166,13 +166,13 @@ impl Graph {
         *coefficient = times(*coefficient, power, &mut misfit);
         self.note(misfit);
         // a - b and b - a are one factor and a sign
-        if matches!(self.term(bare), Term::Sum(..)) && self.leads_negative(bare) {
+        if matches!(self.kind(bare), NodeKind::Sum(..)) && self.leads_negative(bare) {
             bare = self.negate(bare);
             *coefficient *= (-1.0_f64).powi(exponent);
         }
-        match self.term(bare) {
-            Term::Number(_) => {}
-            Term::Product(parts) if parts.len() <= LONGEST_PRODUCT => {
+        match self.kind(bare) {
+            NodeKind::Number(_) => {}
+            NodeKind::Product(parts) if parts.len() <= LONGEST_PRODUCT => {
                 for &(part, inner) in parts {
                     *collected.entry(part).or_insert(0) += inner * exponent;
                 }
@@ -220,9 +220,9 @@ impl Graph {
     /// An angle as quarter turns, modulo four, and what remains.
     fn split_quarter_turns(&mut self, angle: Node) -> (u8, Node) {
         let pi = self.pi();
-        let turns = match self.term(angle) {
-            Term::Pi => 1.0,
-            Term::Sum(_, terms) => terms
+        let turns = match self.kind(angle) {
+            NodeKind::Pi => 1.0,
+            NodeKind::Sum(_, terms) => terms
                 .iter()
                 .find(|&&(node, _)| node == pi)
                 .map_or(0.0, |&(_, coefficient)| coefficient.get()),
@@ -260,9 +260,9 @@ impl Graph {
     }
 
     fn leads_negative(&self, node: Node) -> bool {
-        match self.term(node) {
-            Term::Number(value) => value.get() < 0.0,
-            Term::Sum(_, terms) => terms.first().is_some_and(|&(_, coefficient)| coefficient.get() < 0.0),
+        match self.kind(node) {
+            NodeKind::Number(value) => value.get() < 0.0,
+            NodeKind::Sum(_, terms) => terms.first().is_some_and(|&(_, coefficient)| coefficient.get() < 0.0),
             _ => false,
         }
     }
@@ -285,7 +285,7 @@ impl Graph {
                 self.number(value)
             };
         }
-        self.intern(Term::Call(function, arguments.to_vec()))
+        self.intern(NodeKind::Call(function, arguments.to_vec()))
     }
 }
 
@@ -364,7 +364,7 @@ mod tests {
             let product = graph.product(&factors);
             let other = parameter(&mut graph, count);
             let whole = graph.multiply(product, other);
-            let Term::Product(found) = graph.term(whole) else {
+            let NodeKind::Product(found) = graph.kind(whole) else {
                 panic!("it is a product");
             };
             assert_eq!(found.len(), if is_merged { count + 1 } else { 2 });

@@ -2,7 +2,7 @@
 //!
 //! Of parameters, inputs and unknowns each one is known; of all other symbols only that there are some.
 
-use super::{HashMap, Node, Symbol, Term};
+use super::{HashMap, Node, NodeKind, Symbol};
 
 /// The kinds of symbols that an expression contains, and which parameters, inputs and unknowns.
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
@@ -68,13 +68,13 @@ impl Contents {
     }
 
     /// Adds the content of a new expression, whose operands are known.
-    pub(super) fn push(&mut self, term: &Term) {
+    pub(super) fn push(&mut self, term: &NodeKind) {
         let content = match term {
-            Term::Number(_) | Term::Pi => Content::default(),
-            Term::Symbol(symbol) => self.of_symbol(*symbol),
-            Term::Sum(_, terms) => self.joined(terms.iter().map(|&(part, _)| part)),
-            Term::Product(factors) => self.joined(factors.iter().map(|&(part, _)| part)),
-            Term::Call(_, arguments) => self.joined(arguments.iter().copied()),
+            NodeKind::Number(_) | NodeKind::Pi => Content::default(),
+            NodeKind::Symbol(symbol) => self.of_symbol(*symbol),
+            NodeKind::Sum(_, terms) => self.joined(terms.iter().map(|&(part, _)| part)),
+            NodeKind::Product(factors) => self.joined(factors.iter().map(|&(part, _)| part)),
+            NodeKind::Call(_, arguments) => self.joined(arguments.iter().copied()),
         };
         self.list.push(content);
     }

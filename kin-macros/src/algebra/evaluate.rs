@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Graph, Node, Symbol, Term};
+use super::{Graph, Node, NodeKind, Symbol};
 
 impl Graph {
     /// The value of an expression where every symbol has the value given; NaN outside of a function's domain.
@@ -17,17 +17,17 @@ impl Graph {
 
     /// The value of an expression from those of its operands.
     pub(super) fn value(&self, node: Node, operand: impl Fn(Node) -> f64, symbols: impl Fn(Symbol) -> f64) -> f64 {
-        match self.term(node) {
-            Term::Number(number) => number.get(),
-            Term::Pi => std::f64::consts::PI,
-            Term::Symbol(symbol) => symbols(*symbol),
-            Term::Sum(constant, terms) => terms.iter().fold(constant.get(), |sum, &(part, coefficient)| {
+        match self.kind(node) {
+            NodeKind::Number(number) => number.get(),
+            NodeKind::Pi => std::f64::consts::PI,
+            NodeKind::Symbol(symbol) => symbols(*symbol),
+            NodeKind::Sum(constant, terms) => terms.iter().fold(constant.get(), |sum, &(part, coefficient)| {
                 sum + coefficient.get() * operand(part)
             }),
-            Term::Product(factors) => factors
+            NodeKind::Product(factors) => factors
                 .iter()
                 .fold(1.0, |product, &(part, exponent)| product * operand(part).powi(exponent)),
-            Term::Call(function, arguments) => {
+            NodeKind::Call(function, arguments) => {
                 let arguments: Vec<f64> = arguments.iter().map(|&argument| operand(argument)).collect();
                 function.value(&arguments)
             }

@@ -51,9 +51,9 @@ pub(crate) enum Symbol {
 
 /// A number that can be compared and hashed: never NaN, never the negative zero.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub(crate) struct Number(u64);
+pub(crate) struct Constant(u64);
 
-impl Number {
+impl Constant {
     pub(crate) fn new(value: f64) -> Self {
         // adding zero turns the negative zero into the positive one
         Self((value + 0.0).to_bits())
@@ -94,13 +94,13 @@ impl Display for Misfit {
 
 /// What a node holds, in normal form.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub(crate) enum Term {
-    Number(Number),
+pub(crate) enum NodeKind {
+    Number(Constant),
     /// π, kept apart from numbers so that quarter turns are found exactly.
     Pi,
     Symbol(Symbol),
     /// constant + Σ coefficient · node, the nodes in ascending order, none of them a number or a short sum, no coefficient zero.
-    Sum(Number, Vec<(Node, Number)>),
+    Sum(Constant, Vec<(Node, Constant)>),
     /// Π node^exponent, the nodes in ascending order, none of them a number or a short product, no exponent zero.
     Product(Vec<(Node, i32)>),
     Call(Function, Vec<Node>),
@@ -131,8 +131,8 @@ impl Variables<'_> {
 /// The expressions of one declaration.
 #[derive(Clone, Default)]
 pub(crate) struct Graph {
-    terms: Vec<Term>,
-    known: HashMap<Term, Node>,
+    terms: Vec<NodeKind>,
+    known: HashMap<NodeKind, Node>,
     contents: Contents,
     /// The values of all expressions so far looked at, at the points where identities are probed.
     pub(super) probed: Vec<[f64; POINTS]>,
@@ -184,12 +184,12 @@ impl Graph {
     }
 
     /// What a node holds.
-    pub(crate) fn term(&self, node: Node) -> &Term {
+    pub(crate) fn kind(&self, node: Node) -> &NodeKind {
         &self.terms[node.index()]
     }
 
     /// The node that holds a term, which must be in normal form.
-    pub(super) fn intern(&mut self, term: Term) -> Node {
+    pub(super) fn intern(&mut self, term: NodeKind) -> Node {
         work::look_up();
         if let Some(&node) = self.known.get(&term) {
             return node;
@@ -208,11 +208,11 @@ impl Graph {
 
     /// The nodes that a node is made of, directly.
     pub(crate) fn operands(&self, node: Node) -> Vec<Node> {
-        match self.term(node) {
-            Term::Number(_) | Term::Pi | Term::Symbol(_) => Vec::new(),
-            Term::Sum(_, terms) => terms.iter().map(|&(operand, _)| operand).collect(),
-            Term::Product(factors) => factors.iter().map(|&(operand, _)| operand).collect(),
-            Term::Call(_, arguments) => arguments.clone(),
+        match self.kind(node) {
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => Vec::new(),
+            NodeKind::Sum(_, terms) => terms.iter().map(|&(operand, _)| operand).collect(),
+            NodeKind::Product(factors) => factors.iter().map(|&(operand, _)| operand).collect(),
+            NodeKind::Call(_, arguments) => arguments.clone(),
         }
     }
 
@@ -279,16 +279,16 @@ impl Graph {
 
     /// The symbol that a node is, if it is one.
     pub(crate) fn as_symbol(&self, node: Node) -> Option<Symbol> {
-        match self.term(node) {
-            Term::Symbol(symbol) => Some(*symbol),
+        match self.kind(node) {
+            NodeKind::Symbol(symbol) => Some(*symbol),
             _ => None,
         }
     }
 
     /// The number that a node is, if it is one (π is none).
     pub(crate) fn as_number(&self, node: Node) -> Option<f64> {
-        match self.term(node) {
-            Term::Number(value) => Some(value.get()),
+        match self.kind(node) {
+            NodeKind::Number(value) => Some(value.get()),
             _ => None,
         }
     }
@@ -304,32 +304,32 @@ impl Graph {
 
     /// The largest exponent of a factor, without its sign.
     pub(crate) fn largest_exponent(&self, node: Node) -> Option<u32> {
-        let of_factors = |node: Node| match self.term(node) {
-            Term::Product(factors) => factors.iter().map(|(_, exponent)| exponent.unsigned_abs()).max(),
+        let of_factors = |node: Node| match self.kind(node) {
+            NodeKind::Product(factors) => factors.iter().map(|(_, exponent)| exponent.unsigned_abs()).max(),
             _ => None,
         };
-        match self.term(node) {
-            Term::Sum(_, terms) => terms.iter().filter_map(|&(term, _)| of_factors(term)).max(),
+        match self.kind(node) {
+            NodeKind::Sum(_, terms) => terms.iter().filter_map(|&(term, _)| of_factors(term)).max(),
             _ => of_factors(node),
         }
     }
 
     /// How far the constants that stand in a node itself are from 1, as a logarithm without its sign; zero is not counted.
     pub(crate) fn extremity(&self, node: Node) -> f64 {
-        let size = |number: &Number| {
+        let size = |number: &Constant| {
             if number.get() == 0.0 {
                 0.0
             } else {
                 number.get().abs().ln().abs()
             }
         };
-        match self.term(node) {
-            Term::Number(value) => size(value),
-            Term::Sum(constant, terms) => terms
+        match self.kind(node) {
+            NodeKind::Number(value) => size(value),
+            NodeKind::Sum(constant, terms) => terms
                 .iter()
                 .map(|(_, coefficient)| size(coefficient))
                 .fold(size(constant), f64::max),
-            Term::Pi | Term::Symbol(_) | Term::Product(_) | Term::Call(..) => 0.0,
+            NodeKind::Pi | NodeKind::Symbol(_) | NodeKind::Product(_) | NodeKind::Call(..) => 0.0,
         }
     }
 
@@ -343,12 +343,14 @@ impl Graph {
 
     /// An expression as a number times one that has none in front: `-3 a b` is `(-3, a b)`.
     pub(crate) fn split_coefficient(&mut self, node: Node) -> (f64, Node) {
-        match self.term(node) {
-            Term::Number(value) => {
+        match self.kind(node) {
+            NodeKind::Number(value) => {
                 let value = value.get();
                 (value, self.number(1.0))
             }
-            Term::Sum(constant, terms) if constant.get() == 0.0 && terms.len() == 1 => (terms[0].1.get(), terms[0].0),
+            NodeKind::Sum(constant, terms) if constant.get() == 0.0 && terms.len() == 1 => {
+                (terms[0].1.get(), terms[0].0)
+            }
             _ => (1.0, node),
         }
     }

@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::{Graph, Node, Symbol, Term, Variables};
+use super::{Graph, Node, NodeKind, Symbol, Variables};
 use crate::algebra::Function;
 
 /// Expressions with more monomials than this are not expanded: no closed form has as many. In the library 82 is the largest number.
@@ -286,7 +286,7 @@ impl<'a> Expansion<'a> {
     /// Whether something is free of the variables and not simple enough to multiply an equation by: the norm of a vector, for
     /// instance, of which the coefficients would otherwise carry a high power.
     fn is_known_divisor(&self, node: Node) -> bool {
-        matches!(self.graph.term(node), Term::Sum(..) | Term::Call(..)) && !self.varies(node)
+        matches!(self.graph.kind(node), NodeKind::Sum(..) | NodeKind::Call(..)) && !self.varies(node)
     }
 
     fn varies(&self, node: Node) -> bool {
@@ -377,9 +377,9 @@ impl<'a> Expansion<'a> {
             let above = Polynomial::constant(self.graph, node);
             return self.whole(above);
         }
-        match self.graph.term(node).clone() {
-            Term::Number(_) | Term::Pi | Term::Symbol(_) => self.atom(node),
-            Term::Sum(constant, terms) => {
+        match self.graph.kind(node).clone() {
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => self.atom(node),
+            NodeKind::Sum(constant, terms) => {
                 let constant = self.graph.number(constant.get());
                 let above = Polynomial::constant(self.graph, constant);
                 let mut sum = self.whole(above);
@@ -406,7 +406,7 @@ impl<'a> Expansion<'a> {
                 }
                 sum
             }
-            Term::Product(factors) => {
+            NodeKind::Product(factors) => {
                 let one = self.graph.one();
                 let above = Polynomial::constant(self.graph, one);
                 let mut product = self.whole(above);
@@ -433,10 +433,10 @@ impl<'a> Expansion<'a> {
                 }
                 product
             }
-            Term::Call(function @ (Function::Sin | Function::Cos), arguments) => {
+            NodeKind::Call(function @ (Function::Sin | Function::Cos), arguments) => {
                 self.expand_circular(function, node, arguments[0])
             }
-            Term::Call(..) => self.atom(node),
+            NodeKind::Call(..) => self.atom(node),
         }
     }
 
@@ -467,8 +467,8 @@ impl<'a> Expansion<'a> {
 
     /// An angle as an integer combination of variables and a rest that is free of them.
     fn split_angle(&mut self, angle: Node) -> Option<(BTreeMap<Symbol, i32>, Node)> {
-        let (constant, terms): (f64, Vec<(Node, f64)>) = match self.graph.term(angle) {
-            Term::Sum(constant, terms) => {
+        let (constant, terms): (f64, Vec<(Node, f64)>) = match self.graph.kind(angle) {
+            NodeKind::Sum(constant, terms) => {
                 let terms = terms.iter().map(|&(part, coefficient)| (part, coefficient.get()));
                 (constant.get(), terms.collect())
             }

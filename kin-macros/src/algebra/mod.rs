@@ -18,7 +18,7 @@ mod probe;
 mod substitute;
 
 pub(crate) use function::{Calculation, Checked, Function, Gives, Inverse, InverseFunction, Takes, Work};
-pub(crate) use graph::{Graph, Misfit, Node, Number, Symbol, Term, Variables};
+pub(crate) use graph::{Constant, Graph, Misfit, Node, NodeKind, Symbol, Variables};
 pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
 pub(crate) use hash::HashMap;
 pub(crate) use probe::Probe;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Graph, Node, Symbol, Term};
+use super::{Graph, Node, NodeKind, Symbol};
 
 impl Graph {
     /// The partial derivative of an expression by a parameter, an input or an unknown.
@@ -17,17 +17,17 @@ impl Graph {
         if let Some(&derivative) = known.get(&node) {
             return derivative;
         }
-        let derivative = match self.term(node).clone() {
-            Term::Number(_) | Term::Pi => unreachable!("numbers contain no symbol"),
-            Term::Symbol(_) => self.one(),
-            Term::Sum(_, terms) => {
+        let derivative = match self.kind(node).clone() {
+            NodeKind::Number(_) | NodeKind::Pi => unreachable!("numbers contain no symbol"),
+            NodeKind::Symbol(_) => self.one(),
+            NodeKind::Sum(_, terms) => {
                 let terms: Vec<(Node, f64)> = terms
                     .into_iter()
                     .map(|(part, coefficient)| (self.partial_remembered(part, symbol, known), coefficient.get()))
                     .collect();
                 self.linear(0.0, &terms)
             }
-            Term::Product(factors) => {
+            NodeKind::Product(factors) => {
                 let mut terms = Vec::new();
                 for (index, &(part, exponent)) in factors.iter().enumerate() {
                     let inner = self.partial_remembered(part, symbol, known);
@@ -41,7 +41,7 @@ impl Graph {
                 }
                 self.linear(0.0, &terms)
             }
-            Term::Call(function, arguments) => {
+            NodeKind::Call(function, arguments) => {
                 let partials = function.partials(self, &arguments, node);
                 let mut terms = Vec::new();
                 for (argument, partial) in arguments.into_iter().zip(partials) {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Graph, Node, Symbol, Term};
+use super::{Graph, Node, NodeKind, Symbol};
 use crate::precedence::Precedence;
 
 /// A text is cut off where it is longer than this: nobody reads it, and an expression of expressions that occur twice is longer by powers
@@ -39,11 +39,11 @@ impl Printer<'_> {
         if self.text.len() > LONGEST {
             return;
         }
-        match self.graph.term(node) {
-            Term::Number(value) => self.text.push_str(&value.get().to_string()),
-            Term::Pi => self.text.push_str("PI"),
-            Term::Symbol(symbol) => self.text.push_str(&(self.name)(*symbol)),
-            Term::Sum(constant, terms) => {
+        match self.graph.kind(node) {
+            NodeKind::Number(value) => self.text.push_str(&value.get().to_string()),
+            NodeKind::Pi => self.text.push_str("PI"),
+            NodeKind::Symbol(symbol) => self.text.push_str(&(self.name)(*symbol)),
+            NodeKind::Sum(constant, terms) => {
                 self.within(Precedence::Sum.needs_parentheses(place), |printer| {
                     for (index, &(part, coefficient)) in terms.iter().enumerate() {
                         let value = coefficient.get();
@@ -67,7 +67,7 @@ impl Printer<'_> {
                     }
                 });
             }
-            Term::Product(factors) => {
+            NodeKind::Product(factors) => {
                 let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|&&(_, exponent)| exponent > 0);
                 self.within(Precedence::Product.needs_parentheses(place), |printer| {
                     if above.is_empty() {
@@ -80,7 +80,7 @@ impl Printer<'_> {
                     }
                 });
             }
-            Term::Call(function, arguments) => {
+            NodeKind::Call(function, arguments) => {
                 self.text.push_str(function.name());
                 self.within(true, |printer| {
                     for (index, &argument) in arguments.iter().enumerate() {

@@ -4,7 +4,7 @@
 //! values everywhere; two that differ agree only on a set of measure zero. So an expression is taken to vanish if it
 //! does at several scattered points. The points are fixed, which keeps the expansion deterministic.
 
-use super::{Graph, Node, Symbol, Term};
+use super::{Graph, Node, NodeKind, Symbol};
 use crate::work;
 
 /// How many points are looked at.
@@ -82,11 +82,11 @@ impl Graph {
         if let Some(value) = self.as_number(node) {
             return value == 0.0;
         }
-        match self.term(node).clone() {
-            Term::Product(factors) => factors
+        match self.kind(node).clone() {
+            NodeKind::Product(factors) => factors
                 .iter()
                 .any(|&(factor, exponent)| exponent > 0 && self.vanishes(factor)),
-            Term::Sum(constant, terms) => {
+            NodeKind::Sum(constant, terms) => {
                 let values = self.probe(node);
                 let mut seen = false;
                 for (place, value) in values.into_iter().enumerate().filter(|(_, value)| value.is_finite()) {

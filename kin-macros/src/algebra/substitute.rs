@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Graph, Node, Term};
+use super::{Graph, Node, NodeKind};
 
 impl Graph {
     /// An expression with every node that `replacements` names put in place, the whole brought into normal form again.
@@ -12,23 +12,23 @@ impl Graph {
         if let Some(&replacement) = replacements.get(&node) {
             return replacement;
         }
-        let replacement = match self.term(node).clone() {
-            Term::Number(_) | Term::Pi | Term::Symbol(_) => node,
-            Term::Sum(constant, terms) => {
+        let replacement = match self.kind(node).clone() {
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => node,
+            NodeKind::Sum(constant, terms) => {
                 let terms: Vec<(Node, f64)> = terms
                     .into_iter()
                     .map(|(part, coefficient)| (self.substitute(part, replacements), coefficient.get()))
                     .collect();
                 self.linear(constant.get(), &terms)
             }
-            Term::Product(factors) => {
+            NodeKind::Product(factors) => {
                 let factors: Vec<(Node, i32)> = factors
                     .into_iter()
                     .map(|(part, exponent)| (self.substitute(part, replacements), exponent))
                     .collect();
                 self.product(&factors)
             }
-            Term::Call(function, arguments) => {
+            NodeKind::Call(function, arguments) => {
                 let arguments: Vec<Node> = arguments
                     .into_iter()
                     .map(|argument| self.substitute(argument, replacements))

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use super::choice;
 use super::reciprocals::KnownRoot;
 use super::units::Units;
-use crate::algebra::{Graph, InverseFunction, Node, Symbol, Term};
+use crate::algebra::{Graph, InverseFunction, Node, NodeKind, Symbol};
 use crate::derive::Regularity;
 use crate::passes::Passes;
 use crate::program::{Argument, Choice, Limits, Mode, Names, Solver, Stage, Step};
@@ -323,7 +323,7 @@ impl Builder<'_> {
             _ => ["y", "x"],
         };
         // a product stays what it is: its factors may cancel, or occur elsewhere
-        if matches!(self.graph.term(given), Term::Sum(..)) {
+        if matches!(self.graph.kind(given), NodeKind::Sum(..)) {
             given = self.define(&format!("{wish}_{own}"), given);
         }
         let (symbol, found) = self.fresh(&format!("{wish}_{other}"));

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::blocks::Builder;
-use crate::algebra::{Node, Symbol, Term};
+use crate::algebra::{Node, NodeKind, Symbol};
 use crate::program::{Mode, Step};
 use crate::structure::{PolynomialSystem, Variable};
 
@@ -95,9 +95,9 @@ impl Builder<'_> {
             return known;
         }
         let result = if self.graph.has_any_of(node, unknowns) {
-            match self.graph.term(node).clone() {
-                Term::Number(_) | Term::Pi | Term::Symbol(_) => node,
-                Term::Sum(constant, terms) => {
+            match self.graph.kind(node).clone() {
+                NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => node,
+                NodeKind::Sum(constant, terms) => {
                     let (given, moving): (Vec<_>, Vec<_>) = terms
                         .into_iter()
                         .map(|(part, coefficient)| (part, coefficient.get()))
@@ -114,7 +114,7 @@ impl Builder<'_> {
                         self.graph.linear(0.0, &whole)
                     }
                 }
-                Term::Product(factors) => {
+                NodeKind::Product(factors) => {
                     let (given, moving): (Vec<_>, Vec<_>) = factors
                         .into_iter()
                         .partition(|&(part, _)| !self.graph.has_any_of(part, unknowns));
@@ -126,7 +126,7 @@ impl Builder<'_> {
                     whole.push((self.hoist(given, unknowns, moved), 1));
                     self.graph.product(&whole)
                 }
-                Term::Call(function, arguments) => {
+                NodeKind::Call(function, arguments) => {
                     let arguments: Vec<Node> = arguments
                         .into_iter()
                         .map(|argument| self.hoist(argument, unknowns, moved))

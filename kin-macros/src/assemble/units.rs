@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::{Function, Graph, Node, Symbol, Term};
+use crate::algebra::{Function, Graph, Node, NodeKind, Symbol};
 use crate::passes::{Pass, Passes};
 use crate::program::Step;
 use crate::structure::ComplexNode;
@@ -70,17 +70,17 @@ impl Units {
         if let Some(&known) = self.rewritten.get(&node) {
             return known;
         }
-        let result = match graph.term(node).clone() {
-            Term::Number(_) | Term::Pi => node,
-            Term::Symbol(_) => self.renamed.get(&node).copied().unwrap_or(node),
-            Term::Sum(constant, terms) => {
+        let result = match graph.kind(node).clone() {
+            NodeKind::Number(_) | NodeKind::Pi => node,
+            NodeKind::Symbol(_) => self.renamed.get(&node).copied().unwrap_or(node),
+            NodeKind::Sum(constant, terms) => {
                 let terms: Vec<(Node, f64)> = terms
                     .into_iter()
                     .map(|(part, coefficient)| (self.rewrite(graph, part), coefficient.get()))
                     .collect();
                 graph.linear(constant.get(), &terms)
             }
-            Term::Product(factors) => {
+            NodeKind::Product(factors) => {
                 let factors: Vec<(Node, i32)> = factors
                     .into_iter()
                     .map(|(part, exponent)| (self.rewrite(graph, part), exponent))
@@ -88,9 +88,9 @@ impl Units {
                 let product = graph.product(&factors);
                 self.inverted(graph, product)
             }
-            Term::Call(Function::Cos, arguments) => self.direction(graph, arguments[0]).re,
-            Term::Call(Function::Sin, arguments) => self.direction(graph, arguments[0]).im,
-            Term::Call(function, arguments) => {
+            NodeKind::Call(Function::Cos, arguments) => self.direction(graph, arguments[0]).re,
+            NodeKind::Call(Function::Sin, arguments) => self.direction(graph, arguments[0]).im,
+            NodeKind::Call(function, arguments) => {
                 let arguments: Vec<Node> = arguments
                     .into_iter()
                     .map(|argument| self.rewrite(graph, argument))
@@ -105,7 +105,7 @@ impl Units {
     /// A product that divides by nothing that has another expression for its reciprocal.
     fn inverted(&self, graph: &mut Graph, product: Node) -> Node {
         let (coefficient, bare) = graph.split_coefficient(product);
-        let Term::Product(factors) = graph.term(bare) else {
+        let NodeKind::Product(factors) = graph.kind(bare) else {
             return product;
         };
         if factors.iter().all(|&factor| self.reciprocal(factor).is_none()) {
@@ -167,8 +167,8 @@ impl Units {
 
     /// An angle as an integer combination of angles with known directions and one rest; `None` if it has to be evaluated.
     fn resolve(&mut self, graph: &mut Graph, angle: Node) -> Option<Vec<(Node, i32)>> {
-        let (constant, terms): (f64, Vec<(Node, f64)>) = match graph.term(angle) {
-            Term::Sum(constant, terms) => (
+        let (constant, terms): (f64, Vec<(Node, f64)>) = match graph.kind(angle) {
+            NodeKind::Sum(constant, terms) => (
                 constant.get(),
                 terms.iter().map(|&(part, factor)| (part, factor.get())).collect(),
             ),

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Mover;
 use super::radius::radius;
-use crate::algebra::{Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::passes::{Pass, Passes};
 
 /// How right-hand sides are multiplied by an adjugate.
@@ -67,8 +67,8 @@ struct Collected {
 fn collected(graph: &mut Graph, weights: &[Node], rights: &[Node], passes: Passes) -> Node {
     let mut collected = Collected::default();
     for (&weight, &right) in weights.iter().zip(rights) {
-        let (constant, terms) = match graph.term(right).clone() {
-            Term::Sum(constant, terms) => (constant.get(), terms),
+        let (constant, terms) = match graph.kind(right).clone() {
+            NodeKind::Sum(constant, terms) => (constant.get(), terms),
             _ => (0.0, Vec::new()),
         };
         if terms.is_empty() {
@@ -96,8 +96,8 @@ fn collected(graph: &mut Graph, weights: &[Node], rights: &[Node], passes: Passe
 impl Collected {
     /// A term of a right-hand side, with its weight.
     fn add(&mut self, graph: &mut Graph, weight: Node, term: Node, coefficient: f64) {
-        let factors = match graph.term(term) {
-            Term::Product(factors) => factors.clone(),
+        let factors = match graph.kind(term) {
+            NodeKind::Product(factors) => factors.clone(),
             _ => vec![(term, 1)],
         };
         let (mut position, rates): (Vec<_>, Vec<_>) = factors
@@ -116,7 +116,7 @@ impl Collected {
 fn influence(graph: &mut Graph, terms: &[(Node, f64)], passes: Passes) -> (f64, Node) {
     let sum = graph.linear(0.0, terms);
     let sum = radius(graph, sum, passes);
-    let Term::Sum(constant, terms) = graph.term(sum).clone() else {
+    let NodeKind::Sum(constant, terms) = graph.kind(sum).clone() else {
         return (1.0, sum);
     };
     let number = terms[0].1.get();
@@ -152,18 +152,18 @@ pub(super) fn influences(
         return;
     }
     let is_opposite = number < 0.0;
-    match graph.term(node) {
-        Term::Sum(..) if graph.depends_on_position_alone(node) => found.push(Found {
+    match graph.kind(node) {
+        NodeKind::Sum(..) if graph.depends_on_position_alone(node) => found.push(Found {
             node,
             by: None,
             is_opposite,
         }),
-        Term::Sum(_, terms) => {
+        NodeKind::Sum(_, terms) => {
             for (term, coefficient) in terms {
                 influences(graph, (*term, number * coefficient.get()), movers, seen, found);
             }
         }
-        Term::Product(factors) => {
+        NodeKind::Product(factors) => {
             let (position, motion): (Vec<_>, Vec<_>) = factors
                 .iter()
                 .copied()
@@ -175,7 +175,7 @@ pub(super) fn influences(
                 is_opposite != by.is_some_and(|(_, is_minus)| is_minus),
             );
             for (node, exponent) in position {
-                if exponent > 0 && matches!(graph.term(node), Term::Sum(..)) && seen.insert(node) {
+                if exponent > 0 && matches!(graph.kind(node), NodeKind::Sum(..)) && seen.insert(node) {
                     found.push(Found { node, by, is_opposite });
                 }
             }

@@ -1,6 +1,6 @@
 //! The determinant of a length and its own direction: m cos² x + m sin² x = m.
 
-use crate::algebra::{Function, Graph, Node, Term};
+use crate::algebra::{Function, Graph, Node, NodeKind};
 use crate::passes::{Pass, Passes};
 
 /// m, if an expression is m cos² x + m sin² x; otherwise the expression.
@@ -12,7 +12,7 @@ pub(super) fn radius(graph: &mut Graph, expression: Node, passes: Passes) -> Nod
 }
 
 fn found(graph: &mut Graph, expression: Node) -> Option<Node> {
-    let Term::Sum(constant, terms) = graph.term(expression).clone() else {
+    let NodeKind::Sum(constant, terms) = graph.kind(expression).clone() else {
         return None;
     };
     let &[(first, coefficient), (second, other)] = terms.as_slice() else {
@@ -27,8 +27,8 @@ fn found(graph: &mut Graph, expression: Node) -> Option<Node> {
             let angles: Vec<Node> = graph
                 .operands(by_cosine)
                 .into_iter()
-                .filter_map(|factor| match graph.term(factor) {
-                    Term::Call(Function::Cos, arguments) => Some(arguments[0]),
+                .filter_map(|factor| match graph.kind(factor) {
+                    NodeKind::Call(Function::Cos, arguments) => Some(arguments[0]),
                     _ => None,
                 })
                 .collect();

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::Hint;
-use crate::algebra::{Function, Graph, Node, Symbol, Term};
+use crate::algebra::{Function, Graph, Node, NodeKind, Symbol};
 use crate::passes::{Pass, Passes};
 
 /// The derivatives found so far.
@@ -80,35 +80,39 @@ impl Rates {
         if let Some(&derivative) = self.known.get(&(node, order)) {
             return derivative;
         }
-        let derivative = match graph.term(node).clone() {
-            Term::Number(_) | Term::Pi => graph.zero(),
-            Term::Symbol(Symbol::Input(index)) => graph.symbol(Symbol::InputRate(index, order)),
-            Term::Symbol(Symbol::Unknown(index)) => graph.symbol(Symbol::UnknownRate(index, order)),
-            Term::Symbol(Symbol::InputRate(index, lower)) => graph.symbol(Symbol::InputRate(index, lower + order)),
-            Term::Symbol(Symbol::UnknownRate(index, lower)) => graph.symbol(Symbol::UnknownRate(index, lower + order)),
-            Term::Symbol(Symbol::Sensitivity(index, parameter, lower)) => {
+        let derivative = match graph.kind(node).clone() {
+            NodeKind::Number(_) | NodeKind::Pi => graph.zero(),
+            NodeKind::Symbol(Symbol::Input(index)) => graph.symbol(Symbol::InputRate(index, order)),
+            NodeKind::Symbol(Symbol::Unknown(index)) => graph.symbol(Symbol::UnknownRate(index, order)),
+            NodeKind::Symbol(Symbol::InputRate(index, lower)) => graph.symbol(Symbol::InputRate(index, lower + order)),
+            NodeKind::Symbol(Symbol::UnknownRate(index, lower)) => {
+                graph.symbol(Symbol::UnknownRate(index, lower + order))
+            }
+            NodeKind::Symbol(Symbol::Sensitivity(index, parameter, lower)) => {
                 graph.symbol(Symbol::Sensitivity(index, parameter, lower + order))
             }
-            Term::Symbol(Symbol::Turning(..)) => unreachable!("only what depends on positions alone is differentiated"),
-            Term::Symbol(
+            NodeKind::Symbol(Symbol::Turning(..)) => {
+                unreachable!("only what depends on positions alone is differentiated")
+            }
+            NodeKind::Symbol(
                 Symbol::Parameter(_)
                 | Symbol::OutputRate(..)
                 | Symbol::OutputSensitivity(..)
                 | Symbol::Step(_)
                 | Symbol::Value(_),
             ) => graph.zero(),
-            Term::Sum(_, terms) => {
+            NodeKind::Sum(_, terms) => {
                 let terms: Vec<(Node, f64)> = terms
                     .into_iter()
                     .map(|(part, coefficient)| (self.total(graph, part, order), coefficient.get()))
                     .collect();
                 graph.linear(0.0, &terms)
             }
-            Term::Product(factors) => self.product(graph, &factors, order),
-            Term::Call(Function::Sin | Function::Cos, _) if self.passes.include(Pass::LinkVectors) => {
+            NodeKind::Product(factors) => self.product(graph, &factors, order),
+            NodeKind::Call(Function::Sin | Function::Cos, _) if self.passes.include(Pass::LinkVectors) => {
                 self.product(graph, &[(node, 1)], order)
             }
-            Term::Call(function, arguments) => self.composite(graph, function, &arguments, node, order),
+            NodeKind::Call(function, arguments) => self.composite(graph, function, &arguments, node, order),
         };
         self.known.insert((node, order), derivative);
         derivative
@@ -121,7 +125,7 @@ impl Rates {
             .copied()
             .partition(|&(factor, _)| graph.is_constant_in_time(factor));
         let circular = varying.iter().position(|&(factor, exponent)| {
-            exponent == 1 && matches!(graph.term(factor), Term::Call(Function::Sin | Function::Cos, _))
+            exponent == 1 && matches!(graph.kind(factor), NodeKind::Call(Function::Sin | Function::Cos, _))
         });
         if let Some(position) = circular.filter(|_| self.passes.include(Pass::LinkVectors)) {
             let mut amplitude = varying;
@@ -200,7 +204,7 @@ impl Rates {
 
     /// The angle of a sine or cosine, and the pair (cos, sin) that turns it by a quarter.
     fn pair(graph: &mut Graph, turning: Node) -> (Node, Node, bool) {
-        let Term::Call(function, arguments) = graph.term(turning).clone() else {
+        let NodeKind::Call(function, arguments) = graph.kind(turning).clone() else {
             unreachable!("only sines and cosines turn");
         };
         let other = match function {

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use super::jacobian::Jacobian;
 use super::rates::{Rates, binomial};
 use super::{Derivatives, Influences, Rate, Subject, TooLarge};
-use crate::algebra::{Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, Node, NodeKind, Symbol};
 
 /// One step of the sensitivities' program.
 pub(crate) enum Definition {
@@ -157,7 +157,7 @@ impl Derivation<'_> {
     fn entry(&mut self, row: Dependent, unknown: usize, order: usize) -> Node {
         let whole = self.partial(row, Symbol::Unknown(unknown), order);
         let (coefficient, bare) = self.graph.split_coefficient(whole);
-        if matches!(self.graph.term(bare), Term::Number(_) | Term::Symbol(_)) {
+        if matches!(self.graph.kind(bare), NodeKind::Number(_) | NodeKind::Symbol(_)) {
             return whole;
         }
         let symbol = if let Some(&symbol) = self.entries.get(&bare) {

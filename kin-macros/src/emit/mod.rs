@@ -1,9 +1,9 @@
 //! Model and program to Rust. Nothing here can fail.
 
 mod bindings;
+mod compiled;
 pub(crate) mod declaration;
 mod items;
-mod mechanism;
 mod source;
 mod text;
 
@@ -14,11 +14,11 @@ use crate::model::{Model, Request};
 use crate::program::Solvers;
 use crate::structure::Block;
 use crate::syntax::Declaration;
+use compiled::{Compiled, local};
 use items::{
     assembly, batch, description, every, interface, poses, position, sensitivities, solve, test, track, transmission,
     values,
 };
-use mechanism::{Mechanism, local};
 use source::skeleton;
 
 /// Everything that a declaration expands to.
@@ -30,14 +30,14 @@ pub(crate) fn tokens(
     runtime: &TokenStream,
 ) -> TokenStream {
     let alias = alias(&model.name.to_string());
-    let outside = &Mechanism {
+    let outside = &Compiled {
         declaration,
         model,
         blocks,
         solvers,
         runtime,
     };
-    let inside = &Mechanism {
+    let inside = &Compiled {
         runtime: &quote!(#alias),
         ..*outside
     };

@@ -3,18 +3,18 @@
 use proc_macro2::Span;
 
 use crate::algebra::{Function, Gives, Graph, Node, Takes};
+use crate::mistakes::{Extent, Mistakes};
 use crate::model::Value;
 use crate::model::dimension::{Exponent, Measure, common, product};
 use crate::model::scope::Scope;
 use crate::model::value::Typed;
-use crate::report::{Extent, Report};
-use crate::syntax::{Axis, Callee, EquationStatement, Expression, ExpressionKind, Operation, Operator, Shape};
+use crate::syntax::{Axis, Callee, EquationStatement, Formula, FormulaKind, Operand, Operator, Shape};
 
 /// What formulas are lowered with. Every method returns `None` after a mistake, which has been reported then.
 pub(super) struct Lowering<'a, 'b> {
     pub(super) graph: &'a mut Graph,
     pub(super) scope: &'a mut Scope<'b>,
-    pub(super) report: &'a mut Report,
+    pub(super) mistakes: &'a mut Mistakes,
     /// How far the constant farthest from 1 is from it, and where it stands.
     pub(super) extreme: &'a mut Option<(f64, Extent)>,
 }
@@ -25,8 +25,8 @@ const LARGEST_POWER: u32 = 1024;
 impl Lowering<'_, '_> {
     /// The difference of the two sides.
     pub(super) fn residual(&mut self, equation: &EquationStatement) -> Option<Value> {
-        let left = self.expression(&equation.left);
-        let right = self.expression(&equation.right);
+        let left = self.formula(&equation.left);
+        let right = self.formula(&equation.right);
         let (left, right) = (left?, right?);
         let (left_measure, right_measure) = (left.measure(), right.measure());
         if left_measure.shape != right_measure.shape || left_measure.shape == Shape::Rotation {
@@ -42,7 +42,7 @@ impl Lowering<'_, '_> {
                     Shape::Space => "a space vector",
                     Shape::Rotation => "a rotation",
                 };
-                self.report.error(
+                self.mistakes.error(
                     equation.operator,
                     format!(
                         "the left side is {}, the right side {}: {remedy}",
@@ -54,7 +54,7 @@ impl Lowering<'_, '_> {
             }
         }
         if common(left_measure, right_measure).is_none() {
-            self.report.error(
+            self.mistakes.error(
                 equation.operator,
                 format!(
                     "the left side is {left_measure}, the right side {right_measure}: both sides of an equation must have the same dimension"
@@ -68,20 +68,20 @@ impl Lowering<'_, '_> {
         self.fitting(equation.operator, residual)
     }
 
-    pub(super) fn expression(&mut self, expression: &Expression) -> Option<Typed> {
-        let typed = match &expression.kind {
-            ExpressionKind::Number { value, .. } => Typed {
+    pub(super) fn formula(&mut self, formula: &Formula) -> Option<Typed> {
+        let typed = match &formula.kind {
+            FormulaKind::Number { value, .. } => Typed {
                 value: Value::scalar(self.graph.number(*value)),
                 exponent: (*value != 0.0).then_some(Exponent::NUMBER),
             },
-            ExpressionKind::Pi => Typed::scalar(self.graph.pi(), Exponent::NUMBER),
-            ExpressionKind::Name(name) => self.scope.resolve(name, self.report)?,
-            ExpressionKind::Parenthesis(inner) => self.expression(inner)?,
-            ExpressionKind::Negate(of) => {
-                let of = self.expression(of)?;
+            FormulaKind::Pi => Typed::scalar(self.graph.pi(), Exponent::NUMBER),
+            FormulaKind::Name(name) => self.scope.resolve(name, self.mistakes)?,
+            FormulaKind::Parenthesis(inner) => self.formula(inner)?,
+            FormulaKind::Negate(of) => {
+                let of = self.formula(of)?;
                 if of.value.shape() == Shape::Rotation {
-                    self.report.error_at(
-                        expression.extent.first,
+                    self.mistakes.error_at(
+                        formula.extent.first,
                         "a rotation has no negative: write `-(rotation * vector)`, or turn back by the opposite angle",
                     );
                     return None;
@@ -91,25 +91,25 @@ impl Lowering<'_, '_> {
                     exponent: of.exponent,
                 }
             }
-            ExpressionKind::Sum { first, rest } => self.sum(first, rest)?,
-            ExpressionKind::Product { first, rest } => {
-                let mut product = self.expression(first);
+            FormulaKind::Sum { first, rest } => self.sum(first, rest)?,
+            FormulaKind::Product { first, rest } => {
+                let mut product = self.formula(first);
                 for operation in rest {
-                    let factor = self.expression(&operation.operand);
+                    let factor = self.formula(&operation.operand);
                     product = self.times(first.extent, product, operation, factor);
                 }
                 product?
             }
-            ExpressionKind::Call { callee, arguments, .. } => {
-                let typed: Vec<Option<Typed>> = arguments.iter().map(|argument| self.expression(argument)).collect();
+            FormulaKind::Call { callee, arguments, .. } => {
+                let typed: Vec<Option<Typed>> = arguments.iter().map(|argument| self.formula(argument)).collect();
                 let typed: Vec<Typed> = typed.into_iter().collect::<Option<_>>()?;
                 self.call(*callee, arguments, &typed)?
             }
-            ExpressionKind::Power { base, exponent, .. } => {
-                let typed = self.expression(base)?;
+            FormulaKind::Power { base, exponent, .. } => {
+                let typed = self.formula(base)?;
                 let node = self.scalar_argument("powi", base, &typed)?;
                 if *exponent < 0 && self.graph.constant_value(node) == Some(0.0) {
-                    self.report.error(
+                    self.mistakes.error(
                         base.extent,
                         "this is zero, and zero has no power with a negative exponent",
                     );
@@ -123,8 +123,8 @@ impl Lowering<'_, '_> {
                     },
                 }
             }
-            ExpressionKind::Part { of, axis } => {
-                let typed = self.expression(of)?;
+            FormulaKind::Part { of, axis } => {
+                let typed = self.formula(of)?;
                 let axes = typed.value.shape().axes();
                 let Some(part) = axes.iter().position(|own| own == axis) else {
                     let measure = typed.measure();
@@ -139,7 +139,7 @@ impl Lowering<'_, '_> {
                             "only a vector has a part `{axis}`, but `{of}` is {measure}: write a vector that it turns, as in `({of} * v).{axis}`"
                         ),
                     };
-                    self.report.error(expression.extent, complaint);
+                    self.mistakes.error(formula.extent, complaint);
                     return None;
                 };
                 Typed {
@@ -148,14 +148,14 @@ impl Lowering<'_, '_> {
                 }
             }
         };
-        let value = self.fitting(expression.extent, typed.value)?;
+        let value = self.fitting(formula.extent, typed.value)?;
         Some(Typed { value, ..typed })
     }
 
     /// A value just made, if its constants and powers fit. What it was made of has been looked at before.
     fn fitting(&mut self, extent: Extent, value: Value) -> Option<Value> {
         if let Some(misfit) = self.graph.take_misfit() {
-            self.report.error(
+            self.mistakes.error(
                 extent,
                 format!("a constant of this is {misfit}: choose a unit in which the numbers are nearer to 1"),
             );
@@ -167,7 +167,7 @@ impl Lowering<'_, '_> {
                 .largest_exponent(node)
                 .filter(|exponent| *exponent > LARGEST_POWER)
             {
-                self.report.error(
+                self.mistakes.error(
                     extent,
                     format!(
                         "this is a power with the exponent {exponent}, and powers end at {LARGEST_POWER}: declare a lower one as an \
@@ -185,12 +185,12 @@ impl Lowering<'_, '_> {
     }
 
     /// Terms of a sum, of which a scalar beside a vector lies along x.
-    fn sum(&mut self, first: &Expression, rest: &[Operation]) -> Option<Typed> {
-        let first = self.expression(first);
+    fn sum(&mut self, first: &Formula, rest: &[Operand]) -> Option<Typed> {
+        let first = self.formula(first);
         let mut measure = first.as_ref().map(Typed::measure);
         let mut terms: Vec<(Value, f64)> = first.into_iter().map(|first| (first.value, 1.0)).collect();
         for operation in rest {
-            let term = self.expression(&operation.operand);
+            let term = self.formula(&operation.operand);
             measure = self.measure_of_sum(measure, operation, term.as_ref().map(Typed::measure));
             let sign = if operation.operator == Operator::Subtract {
                 -1.0
@@ -217,7 +217,7 @@ impl Lowering<'_, '_> {
     fn measure_of_sum(
         &mut self,
         left: Option<Measure>,
-        operation: &Operation,
+        operation: &Operand,
         right: Option<Measure>,
     ) -> Option<Measure> {
         let (left, right) = (left?, right?);
@@ -235,7 +235,7 @@ impl Lowering<'_, '_> {
                 }
                 _ => "bring both to the same dimension",
             });
-            self.report.error_at(operation.span, format!("{complaint}: {remedy}"));
+            self.mistakes.error_at(operation.span, format!("{complaint}: {remedy}"));
         }
         measure
     }
@@ -245,7 +245,7 @@ impl Lowering<'_, '_> {
         &mut self,
         start: Extent,
         product: Option<Typed>,
-        operation: &Operation,
+        operation: &Operand,
         factor: Option<Typed>,
     ) -> Option<Typed> {
         let (left, right) = (product?, factor?);
@@ -302,7 +302,7 @@ impl Lowering<'_, '_> {
                     }
                     _ => "a rotation only turns, write `s * (rotation * vector)` for a scalar s",
                 };
-                self.report.error_at(
+                self.mistakes.error_at(
                     span,
                     format!("cannot multiply {} and {}: {remedy}", left.measure(), right.measure()),
                 );
@@ -317,7 +317,7 @@ impl Lowering<'_, '_> {
 
     fn quotient(&mut self, span: Span, left: &Typed, right: &Typed, divisor: Extent) -> Option<Typed> {
         let Some(by) = right.value.as_scalar() else {
-            self.report.error(
+            self.mistakes.error(
                 divisor,
                 match right.value.shape() {
                     Shape::Space => "nothing can be divided by a space vector: divide by its length, `norm(v)`",
@@ -332,14 +332,14 @@ impl Lowering<'_, '_> {
             return None;
         };
         if left.value.shape() == Shape::Rotation {
-            self.report.error_at(
+            self.mistakes.error_at(
                 span,
                 "a rotation cannot be divided, it only turns: write `rotation * vector / s`",
             );
             return None;
         }
         if self.graph.constant_value(by) == Some(0.0) {
-            self.report
+            self.mistakes
                 .error(divisor, "this divisor is zero: divide by something else");
             return None;
         }
@@ -349,14 +349,14 @@ impl Lowering<'_, '_> {
         })
     }
 
-    fn call(&mut self, callee: Callee, arguments: &[Expression], typed: &[Typed]) -> Option<Typed> {
+    fn call(&mut self, callee: Callee, arguments: &[Formula], typed: &[Typed]) -> Option<Typed> {
         match callee {
             Callee::Rot | Callee::Dot | Callee::Cross | Callee::Norm => self.call_of_vectors(callee, arguments, typed),
             _ => self.call_of_scalars(callee, arguments, typed),
         }
     }
 
-    fn call_of_scalars(&mut self, callee: Callee, arguments: &[Expression], typed: &[Typed]) -> Option<Typed> {
+    fn call_of_scalars(&mut self, callee: Callee, arguments: &[Formula], typed: &[Typed]) -> Option<Typed> {
         let name = callee.name();
         let nodes: Vec<Option<Node>> = arguments
             .iter()
@@ -392,7 +392,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn call_of_vectors(&mut self, callee: Callee, arguments: &[Expression], typed: &[Typed]) -> Option<Typed> {
+    fn call_of_vectors(&mut self, callee: Callee, arguments: &[Formula], typed: &[Typed]) -> Option<Typed> {
         let name = callee.name();
         match (callee, typed) {
             (Callee::Rot, [axis, angle]) => {
@@ -413,7 +413,7 @@ impl Lowering<'_, '_> {
                 self.vector_argument(name, &arguments[1], right)?;
                 first?;
                 if let Some(remedy) = clash(left.measure(), right.measure()) {
-                    self.report.error(
+                    self.mistakes.error(
                         arguments[0].extent.to(arguments[1].extent),
                         format!(
                             "`{name}` takes two plane vectors or two space vectors, but these are {} and {}: {remedy}",
@@ -453,7 +453,7 @@ impl Lowering<'_, '_> {
         &mut self,
         axis: Axis,
         name: &str,
-        argument: &Expression,
+        argument: &Formula,
         typed: &Typed,
         angle: Node,
     ) -> Option<Typed> {
@@ -464,9 +464,9 @@ impl Lowering<'_, '_> {
     }
 
     /// About an axis of any length but zero.
-    fn rotation(&mut self, argument: &Expression, axis: &Typed, angle: Node) -> Option<Typed> {
+    fn rotation(&mut self, argument: &Formula, axis: &Typed, angle: Node) -> Option<Typed> {
         if axis.value.shape() == Shape::Plane {
-            self.report.error(
+            self.mistakes.error(
                 argument.extent,
                 "the axis of a rotation is a space vector, but this is a plane vector: write `vec3(v.x, v.y, 0)` for an axis in                  the plane, `rot_z(angle)` to turn the plane itself",
             );
@@ -474,7 +474,7 @@ impl Lowering<'_, '_> {
         }
         let length = self.norm(&axis.value);
         if self.graph.constant_value(length) == Some(0.0) {
-            self.report.error(
+            self.mistakes.error(
                 argument.extent,
                 "this axis is zero and has no direction: write a vector of any other length",
             );
@@ -528,7 +528,7 @@ impl Lowering<'_, '_> {
     fn elementary(
         &mut self,
         function: Function,
-        arguments: &[Expression],
+        arguments: &[Formula],
         typed: &[Typed],
         nodes: &[Node],
     ) -> Option<Typed> {
@@ -554,7 +554,7 @@ impl Lowering<'_, '_> {
         };
         if let Some(domain) = function.left_domain(self.graph, nodes) {
             let extent = arguments[0].extent.to(arguments[arguments.len() - 1].extent);
-            self.report.error(
+            self.mistakes.error(
                 extent,
                 format!("this is outside of the domain of `{name}`, which {domain}"),
             );
@@ -567,7 +567,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Most functions work on scalars.
-    fn scalar_argument(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<Node> {
+    fn scalar_argument(&mut self, name: &str, argument: &Formula, typed: &Typed) -> Option<Node> {
         let measure = typed.measure();
         let remedy = match measure.shape {
             Shape::Scalar => return typed.value.as_scalar(),
@@ -575,41 +575,35 @@ impl Lowering<'_, '_> {
             Shape::Space => "write its part `.x`, `.y` or `.z`",
             Shape::Rotation => "write the angle itself",
         };
-        self.report.error(
+        self.mistakes.error(
             argument.extent,
             format!("`{name}` takes scalars, but this is {measure}: {remedy}"),
         );
         None
     }
 
-    fn vector_argument(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<()> {
+    fn vector_argument(&mut self, name: &str, argument: &Formula, typed: &Typed) -> Option<()> {
         let measure = typed.measure();
         let remedy = match measure.shape {
             Shape::Plane | Shape::Space => return Some(()),
             Shape::Scalar => "write `vec3(x, y, z)`, or `vec2(x, y)` in the plane",
             Shape::Rotation => "write a vector that it turns, `rotation * v`",
         };
-        self.report.error(
+        self.mistakes.error(
             argument.extent,
             format!("`{name}` takes a vector here, but this is {measure}: {remedy}"),
         );
         None
     }
 
-    fn expect_angle(&mut self, name: &str, argument: &Expression, typed: &Typed) -> Option<()> {
+    fn expect_angle(&mut self, name: &str, argument: &Formula, typed: &Typed) -> Option<()> {
         let remedy = Remedy::Divide {
             instead_of_length: "divide it by a length",
         };
         self.expect_number(name, "an angle", remedy, argument, typed)
     }
 
-    fn expect_second_angle(
-        &mut self,
-        name: &str,
-        form: &'static str,
-        argument: &Expression,
-        typed: &Typed,
-    ) -> Option<()> {
+    fn expect_second_angle(&mut self, name: &str, form: &'static str, argument: &Formula, typed: &Typed) -> Option<()> {
         self.expect_number(
             name,
             "an angle as its second argument",
@@ -624,7 +618,7 @@ impl Lowering<'_, '_> {
         name: &str,
         wanted: &str,
         remedy: Remedy,
-        argument: &Expression,
+        argument: &Formula,
         typed: &Typed,
     ) -> Option<()> {
         let measure = typed.measure();
@@ -638,14 +632,14 @@ impl Lowering<'_, '_> {
             }
             Remedy::Divide { .. } => "divide it by something of the same dimension".to_owned(),
         };
-        self.report.error(
+        self.mistakes.error(
             argument.extent,
             format!("`{name}` takes {wanted}, but this is {measure}: {remedy}"),
         );
         None
     }
 
-    fn same_dimension(&mut self, name: &str, arguments: &[Expression], typed: &[Typed]) -> Option<Measure> {
+    fn same_dimension(&mut self, name: &str, arguments: &[Formula], typed: &[Typed]) -> Option<Measure> {
         let measures: Vec<Measure> = typed.iter().map(Typed::measure).collect();
         let shared = measures[1..]
             .iter()
@@ -654,7 +648,7 @@ impl Lowering<'_, '_> {
             let quantity = if measures.len() == 2 { "both" } else { "all" };
             let (last, first) = measures.split_last()?;
             let first: Vec<String> = first.iter().map(Measure::to_string).collect();
-            self.report.error(
+            self.mistakes.error(
                 arguments[0].extent.to(arguments[arguments.len() - 1].extent),
                 format!(
                     "{quantity} arguments of `{name}` must have the same dimension, but they are {} and {last}",

@@ -17,8 +17,8 @@ use proc_macro2::{Ident, TokenStream};
 use syn::{Attribute, Visibility};
 
 use crate::algebra::{Graph, Node, Symbol};
-use crate::report::{Extent, Report};
-use crate::syntax::{self, Declaration, Expression, Statement};
+use crate::mistakes::{Extent, Mistakes};
+use crate::syntax::{self, Declaration, Formula, Statement};
 
 use dimension::{Exponent, Measure, common};
 use length::Lengths;
@@ -98,25 +98,25 @@ pub(crate) struct Output {
     pub(crate) text: String,
 }
 
-/// Builds the model. All mistakes go to the report, and after one the model is `None`.
-pub(crate) fn build(declaration: &Declaration, report: &mut Report) -> Option<Model> {
+/// Builds the model. Mistakes are added to `mistakes`. After one the model is `None`.
+pub(crate) fn build(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<Model> {
     let mut graph = Graph::new();
     let mut scope = Scope::new(declaration);
-    let parameters = parameters(declaration, &mut graph, &mut scope, report);
-    let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, report);
+    let parameters = parameters(declaration, &mut graph, &mut scope, mistakes);
+    let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, mistakes);
     let mut extreme = None;
-    let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, report, &mut extreme);
-    let order = order::order(declaration, report);
-    let requests = request::requests(declaration, report);
+    let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, mistakes, &mut extreme);
+    let order = order::order(declaration, mistakes);
+    let requests = request::requests(declaration, mistakes);
 
     if declaration.complete {
-        missing_statements(declaration, report);
+        missing_statements(declaration, mistakes);
     }
     if !equations.is_empty() && !declaration.breaks_off {
-        unused_names(declaration, &scope, report);
+        unused_names(declaration, &scope, mistakes);
     }
-    let sound = unknowns_in_equations(declaration, &unknowns, &equations, &graph, &scope, report);
-    if !declaration.complete || !sound || !report.is_empty() {
+    let sound = unknowns_in_equations(declaration, &unknowns, &equations, &graph, &scope, mistakes);
+    if !declaration.complete || !sound || !mistakes.is_empty() {
         return None;
     }
     Some(Model {
@@ -155,7 +155,7 @@ fn parameters(
     declaration: &Declaration,
     graph: &mut Graph,
     scope: &mut Scope<'_>,
-    report: &mut Report,
+    mistakes: &mut Mistakes,
 ) -> Vec<Parameter> {
     let mut parameters = Vec::new();
     let mut count = 0;
@@ -177,7 +177,7 @@ fn parameters(
             value,
             exponent: Some(exponent),
         };
-        scope.declare(&field.name, Role::Parameter, Meaning::Value(typed), report);
+        scope.declare(&field.name, Role::Parameter, Meaning::Value(typed), mistakes);
         parameters.push(Parameter {
             name: field.name.clone(),
             visibility: field.visibility.clone(),
@@ -193,7 +193,7 @@ fn quantities(
     declaration: &Declaration,
     graph: &mut Graph,
     scope: &mut Scope<'_>,
-    report: &mut Report,
+    mistakes: &mut Mistakes,
 ) -> (Vec<Quantity>, Vec<Unknown>) {
     let mut inputs: Vec<Quantity> = Vec::new();
     let mut unknowns: Vec<Unknown> = Vec::new();
@@ -203,7 +203,7 @@ fn quantities(
                 for item in items {
                     let node = graph.symbol(Symbol::Input(inputs.len()));
                     let typed = Typed::scalar(node, item.dimension.exponent());
-                    scope.declare(&item.name, Role::Input, Meaning::Value(typed), report);
+                    scope.declare(&item.name, Role::Input, Meaning::Value(typed), mistakes);
                     inputs.push(Quantity {
                         name: item.name.clone(),
                         documentation: item.documentation.clone(),
@@ -215,22 +215,22 @@ fn quantities(
                 for syntax::UnknownItem { quantity, range } in items {
                     let node = graph.symbol(Symbol::Unknown(unknowns.len()));
                     let typed = Typed::scalar(node, quantity.dimension.exponent());
-                    scope.declare(&quantity.name, Role::Unknown, Meaning::Value(typed), report);
+                    scope.declare(&quantity.name, Role::Unknown, Meaning::Value(typed), mistakes);
                     unknowns.push(Unknown {
                         name: quantity.name.clone(),
                         documentation: quantity.documentation.clone(),
                         dimension: quantity.dimension,
                         range: range
                             .as_ref()
-                            .and_then(|clause| range::range(clause, &quantity.name, declaration, report)),
+                            .and_then(|clause| range::range(clause, &quantity.name, declaration, mistakes)),
                     });
                 }
             }
             Statement::Let(statement) => {
-                scope.declare(&statement.name, Role::Let, Meaning::Later, report);
+                scope.declare(&statement.name, Role::Let, Meaning::Later, mistakes);
             }
             Statement::Output(statement) => {
-                scope.declare(&statement.name, Role::Output, Meaning::Result, report);
+                scope.declare(&statement.name, Role::Output, Meaning::Result, mistakes);
             }
             Statement::Equation(_) | Statement::Order(_) | Statement::Requests(_) => {}
         }
@@ -243,7 +243,7 @@ fn formulas(
     declaration: &Declaration,
     graph: &mut Graph,
     scope: &mut Scope<'_>,
-    report: &mut Report,
+    mistakes: &mut Mistakes,
     extreme: &mut Option<(f64, Extent)>,
 ) -> (Vec<Option<Equation>>, Vec<Output>) {
     let mut equations = Vec::new();
@@ -253,20 +253,20 @@ fn formulas(
         let mut lowering = Lowering {
             graph,
             scope,
-            report,
+            mistakes,
             extreme,
         };
         match statement {
             Statement::Let(statement) => {
                 let typed = lowering
-                    .expression(&statement.value)
-                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, report));
+                    .formula(&statement.value)
+                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, mistakes));
                 scope.define(&statement.name, typed.map_or(Meaning::Broken, Meaning::Value));
             }
             Statement::Equation(statement) => {
                 let residual = lowering
                     .residual(statement)
-                    .filter(|residual| lengths.allow(graph, &residual.nodes(), statement.operator, report));
+                    .filter(|residual| lengths.allow(graph, &residual.nodes(), statement.operator, mistakes));
                 equations.push(residual.map(|residual| Equation {
                     residual,
                     tokens: statement.tokens.clone(),
@@ -275,10 +275,10 @@ fn formulas(
             }
             Statement::Output(statement) => {
                 let typed = lowering
-                    .expression(&statement.value)
-                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, report));
+                    .formula(&statement.value)
+                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, mistakes));
                 if let Some(typed) = typed {
-                    outputs.extend(output(statement, &typed, graph, report));
+                    outputs.extend(output(statement, &typed, graph, mistakes));
                 }
             }
             Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Order(_) | Statement::Requests(_) => {}
@@ -291,7 +291,7 @@ fn output(
     statement: &syntax::OutputStatement,
     typed: &Typed,
     graph: &mut Graph,
-    report: &mut Report,
+    mistakes: &mut Mistakes,
 ) -> Option<Output> {
     let declared = statement.dimension.measure();
     let actual = typed.measure();
@@ -306,7 +306,7 @@ fn output(
             (Shape::Plane | Shape::Space, Some(Exponent::NUMBER)) => "multiply it by a length",
             _ => "divide or multiply it by lengths until it is one",
         };
-        report.error(
+        mistakes.error(
             statement.value.extent,
             format!(
                 "output `{}` is declared `{}`, but this is {actual}: {remedy}",
@@ -326,10 +326,10 @@ fn output(
 }
 
 /// A mechanism has inputs, unknowns and equations.
-fn missing_statements(declaration: &Declaration, report: &mut Report) {
+fn missing_statements(declaration: &Declaration, mistakes: &mut Mistakes) {
     let name = &declaration.name;
     if declaration.statements.is_empty() {
-        report.error(
+        mistakes.error(
             name,
             format!(
                 "nothing is said of `{name}` but its parameters: declare an `input`, the `unknown`s and the equations after the struct"
@@ -339,19 +339,19 @@ fn missing_statements(declaration: &Declaration, report: &mut Report) {
     }
     let some = |kind: fn(&Statement) -> bool| declaration.statements.iter().any(kind);
     if !some(|statement| matches!(statement, Statement::Inputs(_))) {
-        report.error(
+        mistakes.error(
             name,
             format!("`{name}` has no input, so nothing moves it: declare one, as in `input theta2: Angle;`"),
         );
     }
     if !some(|statement| matches!(statement, Statement::Unknowns(_))) {
-        report.error(
+        mistakes.error(
             name,
             format!("`{name}` has no unknown to solve for: declare one, as in `unknown theta3: Angle;`"),
         );
     }
     if !some(|statement| matches!(statement, Statement::Equation(_))) {
-        report.error(
+        mistakes.error(
             name,
             format!("`{name}` has no equation: write its loop closure, as in `a * cis(theta) == b;`"),
         );
@@ -359,7 +359,7 @@ fn missing_statements(declaration: &Declaration, report: &mut Report) {
 }
 
 /// What is declared is used, or is a mistake of its own.
-fn unused_names(declaration: &Declaration, scope: &Scope<'_>, report: &mut Report) {
+fn unused_names(declaration: &Declaration, scope: &Scope<'_>, mistakes: &mut Mistakes) {
     for entry in &scope.entries {
         let word = entry.name.to_string();
         if entry.used || declaration.mentioned.contains(&word) || scope.is_meant(&word) {
@@ -373,7 +373,7 @@ fn unused_names(declaration: &Declaration, scope: &Scope<'_>, report: &mut Repor
             Role::Let => format!("`let {word}` is never used: use it, or remove it"),
             Role::Unknown | Role::Output => continue,
         };
-        report.error(&entry.name, complaint);
+        mistakes.error(&entry.name, complaint);
     }
 }
 
@@ -384,9 +384,9 @@ fn unknowns_in_equations(
     equations: &[Option<Equation>],
     graph: &Graph,
     scope: &Scope<'_>,
-    report: &mut Report,
+    mistakes: &mut Mistakes,
 ) -> bool {
-    let before = report.is_empty();
+    let before = mistakes.is_empty();
     let mut found: BTreeSet<usize> = BTreeSet::new();
     for equation in equations.iter().flatten() {
         let residual = &equation.residual;
@@ -429,7 +429,7 @@ fn unknowns_in_equations(
                 }
                 None => format!("{subject} contains no unknown, so it can only restrict what is given: {remedy}"),
             };
-            report.error(&equation.tokens, complaint);
+            mistakes.error(&equation.tokens, complaint);
         }
     }
     let mut written = None;
@@ -442,13 +442,13 @@ fn unknowns_in_equations(
         let cancelled = declaration_mentions(written, equations, &word);
         match cancelled {
             Mention::InBroken => {}
-            Mention::InSound => report.error(
+            Mention::InSound => mistakes.error(
                 &unknown.name,
                 format!("unknown `{word}` cancels out of every equation: nothing determines it"),
             ),
             Mention::Nowhere => {
                 if !equations.is_empty() && !declaration.breaks_off {
-                    report.error(
+                    mistakes.error(
                         &unknown.name,
                         format!("no equation contains the unknown `{word}`: write one, or remove it"),
                     );
@@ -456,7 +456,7 @@ fn unknowns_in_equations(
             }
         }
     }
-    before == report.is_empty()
+    before == mistakes.is_empty()
 }
 
 enum Mention {
@@ -482,7 +482,7 @@ fn declaration_mentions(written: &[BTreeSet<String>], equations: &[Option<Equati
 
 /// The names written in each equation, those within its abbreviations included.
 fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
-    let names_of = |expressions: &[&Expression]| {
+    let names_of = |expressions: &[&Formula]| {
         let mut names = BTreeSet::new();
         for expression in expressions {
             expression.visit_names(&mut |name| {
@@ -527,15 +527,15 @@ mod tests {
     use super::*;
 
     fn mistakes(body: TokenStream) -> Vec<String> {
-        let mut report = Report::new();
+        let mut mistakes = Mistakes::new();
         let tokens = quote! {
             struct M { a: Length, b: Length, k: Scalar, p: Point, v: Vector }
             #body
         };
-        let declaration = syntax::parse(tokens, &mut report);
-        let model = declaration.and_then(|declaration| build(&declaration, &mut report));
-        assert_eq!(model.is_some(), report.is_empty());
-        report.into_messages()
+        let declaration = syntax::parse(tokens, &mut mistakes);
+        let model = declaration.and_then(|declaration| build(&declaration, &mut mistakes));
+        assert_eq!(model.is_some(), mistakes.is_empty());
+        mistakes.into_messages()
     }
 
     /// The mistakes of one formula.
@@ -880,17 +880,17 @@ mod tests {
 
     #[test]
     fn points_take_two_symbols() {
-        let mut report = Report::new();
+        let mut mistakes = Mistakes::new();
         let tokens = quote! {
             struct M { a: Length, p: Point, b: Length }
             input t: Angle;
             unknown e: Length;
             e * cis(t) == p + a + b;
         };
-        let declaration = syntax::parse(tokens, &mut report);
-        let model = declaration.and_then(|declaration| build(&declaration, &mut report));
+        let declaration = syntax::parse(tokens, &mut mistakes);
+        let model = declaration.and_then(|declaration| build(&declaration, &mut mistakes));
         let Some(model) = model else {
-            panic!("{:?}", report.into_messages());
+            panic!("{:?}", mistakes.into_messages());
         };
         let [_, y] = model.equations[0].residual.nodes()[..] else {
             panic!("an equation of vectors has two parts");

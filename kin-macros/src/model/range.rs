@@ -3,18 +3,18 @@
 use proc_macro2::Ident;
 
 use crate::algebra::Graph;
+use crate::mistakes::Mistakes;
 use crate::model::Range;
 use crate::model::lower::Lowering;
 use crate::model::scope::Scope;
-use crate::report::Report;
-use crate::syntax::{Comparison, Declaration, Expression, RangeClause, RangeKind};
+use crate::syntax::{Comparison, Declaration, Formula, RangeClause, RangeKind};
 
 /// The numbers of a range, `None` after a mistake.
 pub(super) fn range(
     clause: &RangeClause,
     unknown: &Ident,
     declaration: &Declaration,
-    report: &mut Report,
+    mistakes: &mut Mistakes,
 ) -> Option<Range> {
     let (low, high) = match &clause.kind {
         RangeKind::Comparison {
@@ -23,26 +23,26 @@ pub(super) fn range(
             bound,
         } => {
             if name != unknown {
-                report.error(
+                mistakes.error(
                     name,
                     format!("the range of `{unknown}` speaks of `{unknown}` alone: write `where {unknown} > …`"),
                 );
                 return None;
             }
-            let bound = constant(bound, declaration, report)?;
+            let bound = constant(bound, declaration, mistakes)?;
             match comparison {
                 Comparison::Less | Comparison::LessOrEqual => (f64::NEG_INFINITY, bound),
                 Comparison::Greater | Comparison::GreaterOrEqual => (bound, f64::INFINITY),
             }
         }
         RangeKind::Between { low, high, .. } => {
-            let low = constant(low, declaration, report);
-            let high = constant(high, declaration, report);
+            let low = constant(low, declaration, mistakes);
+            let high = constant(high, declaration, mistakes);
             (low?, high?)
         }
     };
     if low >= high {
-        report.error(clause.extent, "this range is empty: write its smaller end first");
+        mistakes.error(clause.extent, "this range is empty: write its smaller end first");
         return None;
     }
     Some(Range {
@@ -53,9 +53,9 @@ pub(super) fn range(
 }
 
 /// The end of a range, made of literals and PI.
-fn constant(bound: &Expression, declaration: &Declaration, report: &mut Report) -> Option<f64> {
+fn constant(bound: &Formula, declaration: &Declaration, mistakes: &mut Mistakes) -> Option<f64> {
     if let Some(name) = first_name(bound) {
-        report.error(
+        mistakes.error(
             name,
             format!("the end of a range is made of numbers and `PI`, and `{name}` is neither: write its value"),
         );
@@ -65,12 +65,12 @@ fn constant(bound: &Expression, declaration: &Declaration, report: &mut Report) 
     let mut lowering = Lowering {
         graph: &mut graph,
         scope: &mut Scope::new(declaration),
-        report,
+        mistakes,
         extreme: &mut None,
     };
-    let typed = lowering.expression(bound)?;
+    let typed = lowering.formula(bound)?;
     let Some(node) = typed.value.as_scalar() else {
-        report.error(
+        mistakes.error(
             bound.extent,
             format!("the end of a range is a number, but this is {}", typed.measure()),
         );
@@ -79,8 +79,8 @@ fn constant(bound: &Expression, declaration: &Declaration, report: &mut Report) 
     graph.constant_value(node)
 }
 
-fn first_name(expression: &Expression) -> Option<&Ident> {
+fn first_name(formula: &Formula) -> Option<&Ident> {
     let mut first = None;
-    expression.visit_names(&mut |name| first = first.or(Some(name)));
+    formula.visit_names(&mut |name| first = first.or(Some(name)));
     first
 }

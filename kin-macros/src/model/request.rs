@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::report::{Report, suggestion};
+use crate::mistakes::{Mistakes, suggestion};
 use crate::syntax::{Declaration, Request, Statement};
 
 /// A request, with its place.
@@ -12,7 +12,7 @@ pub(crate) struct Requested {
 }
 
 /// All requests in the order in which they are made, each of them once.
-pub(super) fn requests(declaration: &Declaration, report: &mut Report) -> Vec<Requested> {
+pub(super) fn requests(declaration: &Declaration, mistakes: &mut Mistakes) -> Vec<Requested> {
     let mut requests: Vec<Requested> = Vec::new();
     let names = declaration.statements.iter().flat_map(|statement| match statement {
         Statement::Requests(names) => names.as_slice(),
@@ -21,7 +21,7 @@ pub(super) fn requests(declaration: &Declaration, report: &mut Report) -> Vec<Re
     for name in names {
         let word = name.to_string();
         let Some(request) = Request::ALL.into_iter().find(|request| request.name() == word) else {
-            report.error(
+            mistakes.error(
                 name,
                 format!(
                     "`{word}` is nothing that can be generated: write `transmission_angles`, `sensitivities` or `test`{}",
@@ -36,7 +36,7 @@ pub(super) fn requests(declaration: &Declaration, report: &mut Report) -> Vec<Re
                 first.name.span(),
                 format!("the first `{word}` is requested here"),
             ));
-            report.push(error);
+            mistakes.push(error);
             continue;
         }
         requests.push(Requested {

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Ident;
 
+use crate::mistakes::{Mistakes, nearest, suggestion};
 use crate::model::value::Typed;
-use crate::report::{Report, nearest, suggestion};
 use crate::syntax::{Declaration, form, is_keyword};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,7 +67,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Adds a name; a second one of the same spelling is a mistake, and the first stays.
-    pub(super) fn declare(&mut self, name: &Ident, role: Role, meaning: Meaning, report: &mut Report) {
+    pub(super) fn declare(&mut self, name: &Ident, role: Role, meaning: Meaning, mistakes: &mut Mistakes) {
         let word = name.to_string();
         if let Some(&place) = self.places.get(&word) {
             let first = &self.entries[place];
@@ -82,7 +82,7 @@ impl<'a> Scope<'a> {
                 first.name.span(),
                 format!("the first `{word}` is declared here, as {}", with_article(first.role)),
             ));
-            report.push(error);
+            mistakes.push(error);
             return;
         }
         self.places.insert(word, self.entries.len());
@@ -105,11 +105,11 @@ impl<'a> Scope<'a> {
     }
 
     /// What a name stands for in a formula; `None` if that is a mistake.
-    pub(super) fn resolve(&mut self, name: &Ident, report: &mut Report) -> Option<Typed> {
+    pub(super) fn resolve(&mut self, name: &Ident, mistakes: &mut Mistakes) -> Option<Typed> {
         let word = name.to_string();
         let Some(&place) = self.places.get(&word) else {
             if self.declaration.has_fields && !self.declaration.broken.contains(&word) {
-                report.error(name, self.unknown_name(&word));
+                mistakes.error(name, self.unknown_name(&word));
             }
             return None;
         };
@@ -118,11 +118,11 @@ impl<'a> Scope<'a> {
         match &entry.meaning {
             Meaning::Value(value) => return Some(value.clone()),
             Meaning::Broken => {}
-            Meaning::Later => report.error(
+            Meaning::Later => mistakes.error(
                 name,
                 format!("`{word}` is used before it is known: move `let {word} = …;` above this"),
             ),
-            Meaning::Result => report.error(
+            Meaning::Result => mistakes.error(
                 name,
                 format!(
                     "`{word}` is an output and cannot be used in a formula: name its expression by a `let` and use that"

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::program::Stage;
 
 /// The divisors of later stages that nothing before them has found to be regular.
@@ -12,8 +12,8 @@ pub(super) fn unguarded_divisors(graph: &Graph, stages: &[Stage<Node>], guarante
         graph
             .reachable(&needs)
             .into_iter()
-            .filter_map(|node| match graph.term(node) {
-                Term::Product(factors) => Some(factors),
+            .filter_map(|node| match graph.kind(node) {
+                NodeKind::Product(factors) => Some(factors),
                 _ => None,
             })
             .flatten()
@@ -27,12 +27,12 @@ pub(super) fn unguarded_divisors(graph: &Graph, stages: &[Stage<Node>], guarante
     let mut known = divisors(std::slice::from_ref(first));
     for &node in guaranteed {
         known.insert(node);
-        match graph.term(node) {
+        match graph.kind(node) {
             // a product that does not vanish has no factor that does
-            Term::Product(factors) => known.extend(factors.iter().map(|&(base, _)| base)),
-            Term::Sum(constant, terms) if constant.get() == 0.0 && terms.len() == 1 => {
+            NodeKind::Product(factors) => known.extend(factors.iter().map(|&(base, _)| base)),
+            NodeKind::Sum(constant, terms) if constant.get() == 0.0 && terms.len() == 1 => {
                 known.insert(terms[0].0);
-                if let Term::Product(factors) = graph.term(terms[0].0) {
+                if let NodeKind::Product(factors) = graph.kind(terms[0].0) {
                     known.extend(factors.iter().map(|&(base, _)| base));
                 }
             }

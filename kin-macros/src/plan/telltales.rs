@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algebra::{Graph, Node, Symbol, Term};
+use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::program::{Stage, Step};
 
 /// The rates of unknowns that show in no other rate, by unknown and order.
@@ -45,16 +45,16 @@ fn show(graph: &Graph, definitions: &BTreeMap<Node, Node>, value: Node, shown: &
         if !shown.insert(node) {
             continue;
         }
-        match graph.term(node) {
-            Term::Symbol(_) => open.extend(definitions.get(&node)),
-            Term::Sum(_, terms) => open.extend(terms.iter().map(|&(term, _)| term)),
-            Term::Product(factors) => open.extend(
+        match graph.kind(node) {
+            NodeKind::Symbol(_) => open.extend(definitions.get(&node)),
+            NodeKind::Sum(_, terms) => open.extend(terms.iter().map(|&(term, _)| term)),
+            NodeKind::Product(factors) => open.extend(
                 factors
                     .iter()
                     .filter(|&&(_, exponent)| exponent > 0)
                     .map(|&(factor, _)| factor),
             ),
-            Term::Number(_) | Term::Pi | Term::Call(..) => {}
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Call(..) => {}
         }
     }
 }

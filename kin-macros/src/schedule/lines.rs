@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::style::Style;
-use crate::algebra::{Function, Graph, HashMap, Node, Number, Symbol, Term};
+use crate::algebra::{Constant, Function, Graph, HashMap, Node, NodeKind, Symbol};
 use crate::passes::Pass;
 use crate::work;
 
@@ -18,7 +18,7 @@ pub(super) struct LineId(pub(super) usize);
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Line {
-    Number(Number),
+    Number(Constant),
     Pi,
     Leaf(Symbol),
     /// Σ ± term; true is minus.
@@ -46,7 +46,7 @@ impl Lines {
         let reachable = graph.reachable(roots);
         let mut divisions: BTreeMap<Node, usize> = BTreeMap::new();
         for &node in &reachable {
-            if let Term::Product(factors) = graph.term(node) {
+            if let NodeKind::Product(factors) = graph.kind(node) {
                 for &(base, _) in factors.iter().filter(|&&(_, exponent)| exponent < 0) {
                     *divisions.entry(base).or_insert(0) += 1;
                 }
@@ -97,7 +97,7 @@ impl Lines {
     }
 
     fn number(&mut self, value: f64) -> LineId {
-        self.intern(Line::Number(Number::new(value)))
+        self.intern(Line::Number(Constant::new(value)))
     }
 
     fn product(&mut self, mut factors: Vec<LineId>) -> LineId {
@@ -137,15 +137,15 @@ impl Lines {
     }
 
     fn lower(&mut self, graph: &Graph, node: Node) -> LineId {
-        match graph.term(node) {
-            Term::Number(value) => self.intern(Line::Number(*value)),
-            Term::Pi => self.intern(Line::Pi),
-            Term::Symbol(symbol) => self.intern(Line::Leaf(*symbol)),
-            Term::Call(function, arguments) => {
+        match graph.kind(node) {
+            NodeKind::Number(value) => self.intern(Line::Number(*value)),
+            NodeKind::Pi => self.intern(Line::Pi),
+            NodeKind::Symbol(symbol) => self.intern(Line::Leaf(*symbol)),
+            NodeKind::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|argument| self.by_node[argument]).collect();
                 self.intern(Line::Call(*function, arguments))
             }
-            Term::Product(factors) => {
+            NodeKind::Product(factors) => {
                 let (mut above, mut still, mut below) = (Vec::new(), Vec::new(), Vec::new());
                 for &(base, exponent) in factors {
                     let line = self.by_node[&base];
@@ -175,7 +175,7 @@ impl Lines {
                 let below = self.product(below);
                 self.intern(Line::Quotient(above, below))
             }
-            Term::Sum(constant, terms) => {
+            NodeKind::Sum(constant, terms) => {
                 // terms with the same number in front share its multiplication
                 let mut groups: Vec<(f64, Vec<(bool, LineId)>)> = Vec::new();
                 for &(part, coefficient) in terms {
@@ -207,7 +207,7 @@ impl Lines {
                     // a number times a reciprocal is one division
                     let multiple = match *self.line(inner) {
                         Line::Quotient(above, below)
-                            if *self.line(above) == Line::Number(Number::new(1.0))
+                            if *self.line(above) == Line::Number(Constant::new(1.0))
                                 && !self.shared_reciprocals.contains(&inner) =>
                         {
                             self.intern(Line::Quotient(number, below))

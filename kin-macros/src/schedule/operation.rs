@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::lines::{Line, LineId, Lines};
-use crate::algebra::{Function, HashMap, Number, Symbol};
+use crate::algebra::{Constant, Function, HashMap, Symbol};
 use crate::program::Cost;
 
 /// An operation's number; operands have lower ones.
@@ -12,7 +12,7 @@ pub(super) struct OperationId(pub(super) usize);
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Operation {
-    Number(Number),
+    Number(Constant),
     Pi,
     Leaf(Symbol),
     Add(OperationId, OperationId),

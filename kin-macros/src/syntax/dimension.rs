@@ -5,7 +5,7 @@ use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 
-use crate::report::suggestion;
+use crate::mistakes::suggestion;
 use crate::syntax::Axis;
 
 /// What a quantity was declared to be.

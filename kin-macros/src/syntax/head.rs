@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Attribute, Token, Visibility, braced};
 
-use crate::report::{Extent, Report};
+use crate::mistakes::{Extent, Mistakes};
 use crate::syntax::{Declaration, Dimension, ParameterField, name, split};
 
 const EXAMPLE: &str = "write `struct Name { … }` with the parameters as fields first";
@@ -24,9 +24,9 @@ struct Head {
 }
 
 /// Reads the struct; what follows it is handed back unread.
-pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declaration, TokenStream)> {
+pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Declaration, TokenStream)> {
     if tokens.is_empty() {
-        report.error_at(
+        mistakes.error_at(
             Span::call_site(),
             format!("an empty declaration describes no mechanism: {EXAMPLE}"),
         );
@@ -35,7 +35,7 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declara
     let head = match head.parse2(tokens) {
         Ok(head) => head,
         Err(error) => {
-            report.push(error);
+            mistakes.push(error);
             return None;
         }
     };
@@ -53,10 +53,10 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declara
     };
     let readable = head.mistake.is_none();
     if let Some(mistake) = head.mistake {
-        report.push(mistake);
+        mistakes.push(mistake);
     }
     if readable && head.fields.is_empty() {
-        report.error(
+        mistakes.error(
             &declaration.name,
             format!(
                 "`{}` has no parameters: declare the lengths of its links as fields, as in `pub r1: Length`",
@@ -65,7 +65,7 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declara
         );
     }
     for attribute in take_conditions(&mut declaration.attributes) {
-        report.error(
+        mistakes.error(
             attribute,
             "a condition here would remove the struct and leave its solvers: write it before `mechanism!`",
         );
@@ -74,7 +74,7 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declara
         match parameter.parse2(field.clone()) {
             Ok((mut parameter, None)) => {
                 for attribute in take_conditions(&mut parameter.attributes) {
-                    report.error(
+                    mistakes.error(
                         attribute,
                         "no condition removes a parameter from the equations: write a `mechanism!` for each case, and the \
                          conditions before them",
@@ -83,12 +83,12 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<(Declara
                 declaration.parameters.push(parameter);
             }
             Ok((parameter, Some(mistake))) => {
-                report.push(mistake);
+                mistakes.push(mistake);
                 declaration.poison(&field);
                 declaration.parameters.push(parameter);
             }
             Err(error) => {
-                report.push(error);
+                mistakes.push(error);
                 declaration.poison(&field);
             }
         }

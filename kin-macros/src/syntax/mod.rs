@@ -5,7 +5,7 @@
 
 mod callee;
 mod dimension;
-mod expression;
+mod formula;
 mod head;
 mod name;
 mod nesting;
@@ -21,7 +21,7 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::{Attribute, Visibility};
 
 use crate::algebra::Function;
-use crate::report::{Extent, Report};
+use crate::mistakes::{Extent, Mistakes};
 
 pub(crate) use callee::{form, function_names, is_function};
 pub(crate) use dimension::{Dimension, Shape};
@@ -92,14 +92,10 @@ pub(crate) enum RangeKind {
     Comparison {
         name: Ident,
         comparison: Comparison,
-        bound: Expression,
+        bound: Formula,
     },
     /// `in 0..=PI`
-    Between {
-        low: Expression,
-        high: Expression,
-        closed: bool,
-    },
+    Between { low: Formula, high: Formula, closed: bool },
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,13 +109,13 @@ pub(crate) enum Comparison {
 /// `let half = r3 / 2`
 pub(crate) struct LetStatement {
     pub(crate) name: Ident,
-    pub(crate) value: Expression,
+    pub(crate) value: Formula,
 }
 
 /// `left == right`
 pub(crate) struct EquationStatement {
-    pub(crate) left: Expression,
-    pub(crate) right: Expression,
+    pub(crate) left: Formula,
+    pub(crate) right: Formula,
     /// Of the `==`.
     pub(crate) operator: Extent,
     pub(crate) tokens: TokenStream,
@@ -130,7 +126,7 @@ pub(crate) struct OutputStatement {
     pub(crate) documentation: Vec<Attribute>,
     pub(crate) name: Ident,
     pub(crate) dimension: Dimension,
-    pub(crate) value: Expression,
+    pub(crate) value: Formula,
 }
 
 /// `order = 6`
@@ -141,15 +137,15 @@ pub(crate) struct OrderStatement {
 
 /// A formula with its place.
 #[derive(Clone)]
-pub(crate) struct Expression {
-    pub(crate) kind: ExpressionKind,
+pub(crate) struct Formula {
+    pub(crate) kind: FormulaKind,
     pub(crate) extent: Extent,
     /// How many formulas lie within each other, itself not counted.
     depth: usize,
 }
 
 #[derive(Clone)]
-pub(crate) enum ExpressionKind {
+pub(crate) enum FormulaKind {
     /// A literal, with the spelling it was written in.
     Number {
         value: f64,
@@ -157,44 +153,44 @@ pub(crate) enum ExpressionKind {
     },
     Pi,
     Name(Ident),
-    Negate(Box<Expression>),
+    Negate(Box<Formula>),
     /// Operands between `+` and `-`, however many: a long sum is not a deep one.
     Sum {
-        first: Box<Expression>,
-        rest: Vec<Operation>,
+        first: Box<Formula>,
+        rest: Vec<Operand>,
     },
     /// The same between `*` and `/`.
     Product {
-        first: Box<Expression>,
-        rest: Vec<Operation>,
+        first: Box<Formula>,
+        rest: Vec<Operand>,
     },
     Call {
         callee: Callee,
-        arguments: Vec<Expression>,
+        arguments: Vec<Formula>,
         /// Whether it was written `x.f()` rather than `f(x)`.
         method: bool,
     },
     /// `powi(x, 2)`; the exponent is part of the formula's form, not one of its values.
     Power {
-        base: Box<Expression>,
+        base: Box<Formula>,
         exponent: i32,
         method: bool,
     },
     /// `p.x`, `p.y` or `p.z`
     Part {
-        of: Box<Expression>,
+        of: Box<Formula>,
         axis: Axis,
     },
-    Parenthesis(Box<Expression>),
+    Parenthesis(Box<Formula>),
 }
 
 /// An operator with the operand behind it.
 #[derive(Clone)]
-pub(crate) struct Operation {
+pub(crate) struct Operand {
     pub(crate) operator: Operator,
     /// Of the operator.
     pub(crate) span: Span,
-    pub(crate) operand: Expression,
+    pub(crate) operand: Formula,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -229,12 +225,12 @@ pub(crate) enum Callee {
     Norm,
 }
 
-/// Reads a declaration. Mistakes go to the report; what could be read is returned all the same, `None` only if there is not
+/// Reads a declaration. Mistakes are added to `mistakes`; what could be read is returned all the same, `None` only if there is not
 /// even a struct.
-pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
-    let tokens = nesting::cut(tokens, report);
-    let (mut declaration, body) = head::parse(tokens, report)?;
-    for chunk in split::statements(body, report) {
+pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
+    let tokens = nesting::cut(tokens, mistakes);
+    let (mut declaration, body) = head::parse(tokens, mistakes)?;
+    for chunk in split::statements(body, mistakes) {
         if nesting::is_cut(&chunk.tokens) {
             declaration.poison(&chunk.tokens);
             declaration.breaks_off = true;
@@ -245,12 +241,12 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declarat
             Ok(Some(statement)) => {
                 declaration.statements.push(statement);
                 if !chunk.terminated {
-                    report.error_at(last, "a `;` is missing after this: every statement ends with `;`");
+                    mistakes.error_at(last, "a `;` is missing after this: every statement ends with `;`");
                 }
             }
             Ok(None) => {}
             Err(error) => {
-                report.push(error);
+                mistakes.push(error);
                 declaration.poison(&chunk.tokens);
             }
         }
@@ -285,10 +281,10 @@ mod tests {
 
     /// The statements as they print, or the mistakes.
     fn read(body: TokenStream) -> Result<Vec<String>, Vec<String>> {
-        let mut report = Report::new();
-        let declaration = parse(quote!(struct M { a: Length } #body), &mut report);
-        if !report.is_empty() {
-            return Err(report.into_messages());
+        let mut mistakes = Mistakes::new();
+        let declaration = parse(quote!(struct M { a: Length } #body), &mut mistakes);
+        if !mistakes.is_empty() {
+            return Err(mistakes.into_messages());
         }
         let statements = declaration.map(|declaration| declaration.statements);
         Ok(statements.iter().flatten().map(print).collect())
@@ -319,10 +315,10 @@ mod tests {
     }
 
     /// Every operation in parentheses of its own.
-    fn grouping(expression: &Expression) -> String {
-        match &expression.kind {
-            ExpressionKind::Negate(of) => format!("(-{})", grouping(of)),
-            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+    fn grouping(formula: &Formula) -> String {
+        match &formula.kind {
+            FormulaKind::Negate(of) => format!("(-{})", grouping(of)),
+            FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
                 rest.iter().fold(grouping(first), |left, operation| {
                     format!(
                         "({left} {} {})",
@@ -331,15 +327,15 @@ mod tests {
                     )
                 })
             }
-            ExpressionKind::Parenthesis(inner) => grouping(inner),
-            _ => expression.to_string(),
+            FormulaKind::Parenthesis(inner) => grouping(inner),
+            _ => formula.to_string(),
         }
     }
 
     fn grouped(formula: TokenStream) -> String {
-        let mut report = Report::new();
-        let declaration = parse(quote!(struct M { a: Length } let v = #formula;), &mut report);
-        assert!(report.is_empty(), "{:?}", report.into_messages());
+        let mut mistakes = Mistakes::new();
+        let declaration = parse(quote!(struct M { a: Length } let v = #formula;), &mut mistakes);
+        assert!(mistakes.is_empty(), "{:?}", mistakes.into_messages());
         match declaration
             .as_ref()
             .map(|declaration| declaration.statements.as_slice())
@@ -566,9 +562,9 @@ mod tests {
     #[test]
     fn the_struct_is_checked_too() {
         let read = |tokens: TokenStream| {
-            let mut report = Report::new();
-            let declaration = parse(tokens, &mut report);
-            (declaration.is_some(), report.into_messages().len())
+            let mut mistakes = Mistakes::new();
+            let declaration = parse(tokens, &mut mistakes);
+            (declaration.is_some(), mistakes.into_messages().len())
         };
         assert_eq!(read(quote!()), (false, 1));
         assert_eq!(read(quote!(input a: Angle;)), (false, 1));

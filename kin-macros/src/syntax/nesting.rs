@@ -5,7 +5,7 @@
 
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 
-use crate::report::Report;
+use crate::mistakes::Mistakes;
 
 /// How many parentheses, functions and signs may lie within each other.
 pub(super) const DEEPEST: usize = 256;
@@ -16,13 +16,13 @@ pub(super) fn message() -> String {
 }
 
 /// The tokens with every group emptied that lies too deep. The first one in each statement is reported.
-pub(super) fn cut(tokens: TokenStream, report: &mut Report) -> TokenStream {
+pub(super) fn cut(tokens: TokenStream, mistakes: &mut Mistakes) -> TokenStream {
     let too_deep = too_deep(&tokens);
     if too_deep.is_empty() {
         return tokens;
     }
     for span in too_deep {
-        report.error_at(span, message());
+        mistakes.error_at(span, message());
     }
     emptied(tokens, 0)
 }
@@ -84,16 +84,16 @@ mod tests {
 
     /// The mistakes of a formula in a declaration, by message.
     fn mistakes(formula: &TokenStream) -> Vec<String> {
-        let mut report = Report::new();
+        let mut mistakes = Mistakes::new();
         syntax::parse(
             quote! {
                 struct M { a: Length }
                 let v = #formula;
                 a = 1;
             },
-            &mut report,
+            &mut mistakes,
         );
-        let mut messages = report.into_messages();
+        let mut messages = mistakes.into_messages();
         assert!(messages.pop().is_some_and(|last| last.contains("nothing is assigned")));
         messages
     }

@@ -4,7 +4,7 @@ use proc_macro2::{Span, TokenStream};
 use syn::parse::{ParseStream, Result};
 use syn::{Lit, LitInt, Token};
 
-use crate::report::Extent;
+use crate::mistakes::Extent;
 use crate::syntax::{OrderStatement, head};
 
 /// The highest order: as far as a motion has names for its derivatives.

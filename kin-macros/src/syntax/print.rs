@@ -2,9 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::syntax::{
-    Axis, Comparison, EquationStatement, Expression, ExpressionKind, Operator, RangeClause, RangeKind,
-};
+use crate::syntax::{Axis, Comparison, EquationStatement, Formula, FormulaKind, Operator, RangeClause, RangeKind};
 
 impl Operator {
     pub(crate) fn symbol(self) -> &'static str {
@@ -49,40 +47,34 @@ impl Display for Axis {
     }
 }
 
-impl Display for Expression {
+impl Display for Formula {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match &self.kind {
-            ExpressionKind::Number { text, .. } => f.write_str(text),
-            ExpressionKind::Pi => f.write_str("PI"),
-            ExpressionKind::Name(name) => write!(f, "{name}"),
-            ExpressionKind::Negate(of) => write!(f, "-{of}"),
-            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+            FormulaKind::Number { text, .. } => f.write_str(text),
+            FormulaKind::Pi => f.write_str("PI"),
+            FormulaKind::Name(name) => write!(f, "{name}"),
+            FormulaKind::Negate(of) => write!(f, "-{of}"),
+            FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
                 write!(f, "{first}")?;
                 rest.iter()
                     .try_for_each(|operation| write!(f, " {} {}", operation.operator.symbol(), operation.operand))
             }
-            ExpressionKind::Call {
+            FormulaKind::Call {
                 callee,
                 arguments,
                 method,
             } => call(f, callee.name(), arguments, *method, None),
-            ExpressionKind::Power { base, exponent, method } => {
+            FormulaKind::Power { base, exponent, method } => {
                 call(f, "powi", std::slice::from_ref(&**base), *method, Some(*exponent))
             }
-            ExpressionKind::Part { of, axis } => write!(f, "{of}.{axis}"),
-            ExpressionKind::Parenthesis(inner) => write!(f, "({inner})"),
+            FormulaKind::Part { of, axis } => write!(f, "{of}.{axis}"),
+            FormulaKind::Parenthesis(inner) => write!(f, "({inner})"),
         }
     }
 }
 
-fn call(
-    f: &mut Formatter<'_>,
-    name: &str,
-    arguments: &[Expression],
-    method: bool,
-    exponent: Option<i32>,
-) -> fmt::Result {
-    let mut inside: Vec<String> = arguments.iter().map(Expression::to_string).collect();
+fn call(f: &mut Formatter<'_>, name: &str, arguments: &[Formula], method: bool, exponent: Option<i32>) -> fmt::Result {
+    let mut inside: Vec<String> = arguments.iter().map(Formula::to_string).collect();
     inside.extend(exponent.map(|n| n.to_string()));
     if method && !inside.is_empty() {
         let receiver = inside.remove(0);

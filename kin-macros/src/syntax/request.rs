@@ -5,7 +5,7 @@ use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 
-use crate::report::nearest;
+use crate::mistakes::nearest;
 
 /// The word that begins such a statement. It is no reserved word: a quantity may be called so as well.
 pub(super) const WORD: &str = "with";

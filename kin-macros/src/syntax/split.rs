@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use proc_macro2::{Delimiter, Group, Spacing, TokenStream, TokenTree};
 
-use crate::report::Report;
+use crate::mistakes::Mistakes;
 use crate::syntax::name::STATEMENT_WORDS;
 use crate::syntax::request;
 
@@ -16,7 +16,7 @@ pub(crate) struct Chunk {
 }
 
 /// Cuts at every `;`, and where one is missing before a word that can only begin a statement.
-pub(crate) fn statements(body: TokenStream, report: &mut Report) -> Vec<Chunk> {
+pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chunk> {
     let tokens = visible_groups(body);
     let mut chunks = Vec::new();
     let mut current: Vec<TokenTree> = Vec::new();
@@ -36,7 +36,7 @@ pub(crate) fn statements(body: TokenStream, report: &mut Report) -> Vec<Chunk> {
         let begins = begins_statement(&tokens[index..])
             || gives_order(&tokens[index..]) && ends_formula(&current) && !is_let(&current[..own]);
         if own > 0 && begins {
-            report.error_at(
+            mistakes.error_at(
                 token.span(),
                 format!("a `;` is missing: write `;` before this `{token}`"),
             );

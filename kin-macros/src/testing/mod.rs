@@ -4,11 +4,11 @@ pub(crate) mod declarations;
 
 use proc_macro2::TokenStream;
 
+use crate::mistakes::Mistakes;
 use crate::model::{self, Model};
 use crate::passes::Passes;
 use crate::plan::{Task, plan};
 use crate::program::Solvers;
-use crate::report::Report;
 use crate::structure::Structure;
 use crate::{expand, syntax};
 
@@ -20,13 +20,13 @@ pub(crate) struct Sound {
 
 /// Reads a declaration that is known to have no mistakes.
 pub(crate) fn sound(declaration: TokenStream) -> Sound {
-    let mut report = Report::new();
-    let sound = syntax::parse(declaration, &mut report).and_then(|declaration| {
-        let model = model::build(&declaration, &mut report)?;
-        let structure = expand::structure(&declaration, &model, &mut report)?;
+    let mut mistakes = Mistakes::new();
+    let sound = syntax::parse(declaration, &mut mistakes).and_then(|declaration| {
+        let model = model::build(&declaration, &mut mistakes)?;
+        let structure = expand::structure(&declaration, &model, &mut mistakes)?;
         Some(Sound { model, structure })
     });
-    assert!(report.is_empty(), "the declaration has mistakes");
+    assert!(mistakes.is_empty(), "the declaration has mistakes");
     sound.expect("there are no mistakes")
 }
 

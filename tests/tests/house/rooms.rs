@@ -70,7 +70,7 @@ pub(crate) const MACROS: House = House {
     root_items: &[],
     rooms: &[
         room("work", &["work.rs", "room.rs"], "counted work, stack"),
-        room("report", &["report.rs"], "mistakes"),
+        room("mistakes", &["mistakes.rs"], "messages at places"),
         room("precedence", &["precedence.rs"], "parentheses"),
         room("algebra", &["algebra/"], "graph, functions"),
         room("syntax", &["syntax/"], "tokens to tree"),

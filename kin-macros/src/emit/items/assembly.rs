@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::values;
 use crate::algebra::Symbol;
-use crate::emit::mechanism::{Mechanism, attributes};
+use crate::emit::compiled::{Compiled, attributes};
 use crate::emit::text::Text;
 use crate::program::Step;
 
@@ -15,13 +15,13 @@ use crate::program::Step;
 const LISTED: usize = 6;
 
 /// `solve_all` and `assembly_at`.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (finder, all) = (finder(mechanism), all(mechanism));
     quote!(#all #finder)
 }
 
 /// `solve_all`: the motion in every assembly.
-fn all(mechanism: &Mechanism<'_>) -> TokenStream {
+fn all(mechanism: &Compiled<'_>) -> TokenStream {
     let count = mechanism.choices().len();
     if count == 0 || count > LISTED || mechanism.is_coupled() {
         return TokenStream::new();
@@ -46,7 +46,7 @@ fn all(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The structure of several choices.
-pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     if mechanism.choices().len() < 2 {
         return TokenStream::new();
     }
@@ -80,7 +80,7 @@ pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// An assembly from each block's choice.
-fn assembly(mechanism: &Mechanism<'_>, choice: impl Fn(usize) -> TokenStream) -> TokenStream {
+fn assembly(mechanism: &Compiled<'_>, choice: impl Fn(usize) -> TokenStream) -> TokenStream {
     let count = mechanism.choices().len();
     match count {
         0 => quote!(()),
@@ -94,7 +94,7 @@ fn assembly(mechanism: &Mechanism<'_>, choice: impl Fn(usize) -> TokenStream) ->
 }
 
 /// The assembly of a number, bit by bit; the first block's choice changes slowest.
-pub(in crate::emit) fn by_number(mechanism: &Mechanism<'_>, index: &TokenStream) -> TokenStream {
+pub(in crate::emit) fn by_number(mechanism: &Compiled<'_>, index: &TokenStream) -> TokenStream {
     let runtime = mechanism.runtime;
     let count = mechanism.choices().len();
     assembly(mechanism, |position| {
@@ -108,7 +108,7 @@ pub(in crate::emit) fn by_number(mechanism: &Mechanism<'_>, index: &TokenStream)
 }
 
 /// `ASSEMBLIES`.
-pub(in crate::emit) fn list(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn list(mechanism: &Compiled<'_>) -> TokenStream {
     let count = mechanism.choices().len();
     if count > LISTED || mechanism.is_coupled() {
         return TokenStream::new();
@@ -142,7 +142,7 @@ pub(in crate::emit) fn list(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// `assembly_at`: the orientation of each block where the unknowns have given values.
-fn finder(mechanism: &Mechanism<'_>) -> TokenStream {
+fn finder(mechanism: &Compiled<'_>) -> TokenStream {
     let choices = mechanism.choices();
     if choices.is_empty() {
         return TokenStream::new();

@@ -3,16 +3,16 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::compiled::{Compiled, attributes, local};
 use crate::program::order_name;
 
 /// The structure of columns: `FourBarBatch`.
-fn type_name(mechanism: &Mechanism<'_>) -> Ident {
+fn type_name(mechanism: &Compiled<'_>) -> Ident {
     format_ident!("{}Batch", mechanism.model.name, span = mechanism.model.name.span())
 }
 
 /// The motions of many poses, with a column in the place of each number.
-pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let (structure, attributes, visibility) = (type_name(mechanism), attributes(), &model.visibility);
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
@@ -52,13 +52,13 @@ pub(in crate::emit) fn structure(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// `solve_batch`, for parameters that are the same for all poses and for columns of them, and how the structure is filled.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let methods = methods(mechanism);
     let columns = columns(mechanism);
     quote!(#methods #columns)
 }
 
-fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
+fn methods(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let (name, structure) = (&model.name, type_name(mechanism));
     let inputs = mechanism.input_names();
@@ -131,7 +131,7 @@ fn methods(mechanism: &Mechanism<'_>) -> TokenStream {
     }
 }
 
-fn columns(mechanism: &Mechanism<'_>) -> TokenStream {
+fn columns(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let structure = type_name(mechanism);
     let [fill, visitor] = ["fill", "visitor"].map(|name| mechanism.own(name));

@@ -3,11 +3,11 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::mechanism::{Mechanism, local};
+use crate::emit::compiled::{Compiled, local};
 use crate::program::Cost;
 
 /// `OPERATIONS`: position, velocity, ….
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let list = operations(mechanism);
     let size = Literal::usize_unsuffixed(mechanism.order() + 1);
@@ -19,7 +19,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The costs as an array.
-fn operations(mechanism: &Mechanism<'_>) -> TokenStream {
+fn operations(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let costs = mechanism
         .solvers

@@ -1,12 +1,12 @@
 //! The documentation of generated items: what the compiler decided, in the words of the field.
 
 use crate::algebra::Symbol;
-use crate::emit::mechanism::Mechanism;
+use crate::emit::compiled::Compiled;
 use crate::model::{Dimension, Quantity, Unknown};
 use crate::program::Cost;
 use crate::structure::{Block, Method, Part};
 
-impl Mechanism<'_> {
+impl Compiled<'_> {
     /// The equations as a list of code lines.
     pub(in crate::emit) fn equation_lines(&self) -> Vec<String> {
         self.model

@@ -4,11 +4,11 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::algebra::Symbol;
-use crate::emit::mechanism::Mechanism;
+use crate::emit::compiled::Compiled;
 use crate::emit::text::Text;
 
 /// The method `assemblies_at`; nothing if there is no such way to find them, or far too many.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     /// A mechanism with more assemblies than this is assembled from a guess.
     const LARGEST: usize = 4096;
 

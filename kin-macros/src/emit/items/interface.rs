@@ -5,12 +5,12 @@ use quote::quote;
 use syn::{Attribute, Expr, Lit, Meta};
 
 use super::assembly;
+use crate::emit::compiled::{Compiled, local};
 use crate::emit::declaration::vector_type;
-use crate::emit::mechanism::{Mechanism, local};
 use crate::model::Dimension;
 
 /// `impl Mechanism` and `impl Pose`.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let order = mechanism.order();
@@ -237,7 +237,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// What a pose tells of unknowns that it holds as unit vectors.
-fn directions(mechanism: &Mechanism<'_>) -> TokenStream {
+fn directions(mechanism: &Compiled<'_>) -> TokenStream {
     if !mechanism.has_directions() {
         return TokenStream::new();
     }
@@ -275,7 +275,7 @@ fn directions(mechanism: &Mechanism<'_>) -> TokenStream {
     }
 }
 
-fn description(mechanism: &Mechanism<'_>) -> TokenStream {
+fn description(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let name = model.name.to_string();

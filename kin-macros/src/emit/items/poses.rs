@@ -6,18 +6,18 @@ use syn::Attribute;
 
 use super::documentation::unit;
 use super::rates;
-use crate::emit::mechanism::{Mechanism, attributes, local};
+use crate::emit::compiled::{Compiled, attributes, local};
 use crate::program::order_name;
 
 /// The structures.
-pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     (0..=mechanism.order())
         .map(|order| structure(mechanism, order))
         .collect()
 }
 
 /// The methods of each, among them the solver of the next order.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     (0..=mechanism.order())
         .map(|order| {
@@ -46,7 +46,7 @@ fn documented(own: &[Attribute], line: &str) -> TokenStream {
     quote!(#(#own)* #separator #[doc = #line])
 }
 
-fn structure(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
+fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let visibility = &model.visibility;
@@ -110,7 +110,7 @@ fn structure(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
 }
 
 /// `unknowns_near`: the angles of directions on the turns that are wanted.
-fn values_near(mechanism: &Mechanism<'_>) -> TokenStream {
+fn values_near(mechanism: &Compiled<'_>) -> TokenStream {
     if !mechanism.has_directions() {
         return TokenStream::new();
     }

@@ -4,14 +4,14 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::algebra::Symbol;
+use crate::emit::compiled::{Compiled, local};
 use crate::emit::declaration::vector_type;
-use crate::emit::mechanism::{Mechanism, local};
 use crate::emit::text::Text;
 use crate::model::{Dimension, Value};
 use crate::program::UnitPart;
 
 /// `position`, `position_near`, and the solver that both call.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let pose = mechanism.pose(0);
@@ -132,7 +132,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The test that angles near by are on turns on which they tell directions.
-fn turns(mechanism: &Mechanism<'_>) -> TokenStream {
+fn turns(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let near = mechanism.own("near");
     let unknowns = mechanism.model.unknowns.iter().enumerate();
@@ -151,7 +151,7 @@ fn turns(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The pose made of what has been computed.
-fn result(mechanism: &Mechanism<'_>) -> TokenStream {
+fn result(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let pose = mechanism.pose(0);
@@ -188,7 +188,7 @@ fn result(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The outputs' derivatives of an order, each put together from its parts.
-pub(super) fn output_values<'a>(mechanism: &Mechanism<'a>, order: usize) -> Vec<(&'a Ident, TokenStream)> {
+pub(super) fn output_values<'a>(mechanism: &Compiled<'a>, order: usize) -> Vec<(&'a Ident, TokenStream)> {
     let outputs = mechanism.model.outputs.iter().zip(mechanism.output_parts());
     outputs
         .map(|(output, parts)| (&output.name, output_value(mechanism, &output.value, &parts, order)))
@@ -196,7 +196,7 @@ pub(super) fn output_values<'a>(mechanism: &Mechanism<'a>, order: usize) -> Vec<
 }
 
 /// An output's derivative of an order from its parts.
-fn output_value(mechanism: &Mechanism<'_>, value: &Value, parts: &[usize], order: usize) -> TokenStream {
+fn output_value(mechanism: &Compiled<'_>, value: &Value, parts: &[usize], order: usize) -> TokenStream {
     let runtime = mechanism.runtime;
     let names: Vec<_> = parts
         .iter()

@@ -7,13 +7,13 @@ use quote::quote;
 
 use super::position::output_values;
 use crate::algebra::Symbol;
-use crate::emit::mechanism::{Mechanism, local};
+use crate::emit::compiled::{Compiled, local};
 use crate::emit::text::Text;
 use crate::program::Step;
 use crate::program::order_name;
 
 /// The method that adds an order: `velocity`, `acceleration`, ….
-pub(in crate::emit) fn method(mechanism: &Mechanism<'_>, order: usize) -> TokenStream {
+pub(in crate::emit) fn method(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
     let model = mechanism.model;
     let pose = mechanism.pose(order);
     let stage = &mechanism.solvers.orders()[order];

@@ -6,14 +6,14 @@ use quote::{format_ident, quote};
 use super::description;
 use super::documentation::{cost_line, unit};
 use crate::algebra::Symbol;
+use crate::emit::compiled::{Compiled, attributes, local};
 use crate::emit::declaration::vector_type;
-use crate::emit::mechanism::{Mechanism, attributes, local};
 use crate::emit::text::Text;
 use crate::model::Shape;
 use crate::program::order_name;
 
 /// `FourBarSensitivities` and `FourBarPartials`.
-pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     if mechanism.solvers.sensitivities().is_none() {
         return TokenStream::new();
     }
@@ -80,7 +80,7 @@ pub(in crate::emit) fn structures(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// `SENSITIVITY_OPERATIONS`.
-pub(in crate::emit) fn cost(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn cost(mechanism: &Compiled<'_>) -> TokenStream {
     let Some(stage) = mechanism.solvers.sensitivities() else {
         return TokenStream::new();
     };
@@ -92,7 +92,7 @@ pub(in crate::emit) fn cost(mechanism: &Mechanism<'_>) -> TokenStream {
     }
 }
 
-fn whole(mechanism: &Mechanism<'_>) -> Ident {
+fn whole(mechanism: &Compiled<'_>) -> Ident {
     format_ident!(
         "{}Sensitivities",
         mechanism.model.name,
@@ -100,12 +100,12 @@ fn whole(mechanism: &Mechanism<'_>) -> Ident {
     )
 }
 
-fn partials(mechanism: &Mechanism<'_>) -> Ident {
+fn partials(mechanism: &Compiled<'_>) -> Ident {
     format_ident!("{}Partials", mechanism.model.name, span = mechanism.model.name.span())
 }
 
 /// `sensitivities`.
-pub(in crate::emit) fn method(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn method(mechanism: &Compiled<'_>) -> TokenStream {
     let Some(stage) = mechanism.solvers.sensitivities() else {
         return TokenStream::new();
     };
@@ -156,7 +156,7 @@ pub(in crate::emit) fn method(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The derivatives by one scalar parameter, put together.
-fn by_parameter(mechanism: &Mechanism<'_>, parameter: usize) -> TokenStream {
+fn by_parameter(mechanism: &Compiled<'_>, parameter: usize) -> TokenStream {
     let (runtime, model, partials) = (mechanism.runtime, mechanism.model, partials(mechanism));
     let orders = 0..=mechanism.order();
     let unknowns = model.unknowns.iter().enumerate().map(|(index, unknown)| {
@@ -193,7 +193,7 @@ fn parts(shape: Shape) -> Vec<Ident> {
 }
 
 /// `impl Sensitive` and `impl Partials`.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     if mechanism.solvers.sensitivities().is_none() {
         return TokenStream::new();
     }

@@ -3,12 +3,12 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::mechanism::{Mechanism, local};
+use crate::emit::compiled::{Compiled, local};
 use crate::emit::source::closure;
 use crate::program::order_name;
 
 /// `solve`, `solve_near`, and `closure`.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let order = mechanism.order();
@@ -65,7 +65,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// What `solve` and the position solvers share: the derivatives on top of a position, and the maker of errors.
-pub(in crate::emit) fn shared(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let order = mechanism.order();
     let (pose, first_pose) = (mechanism.pose(order), mechanism.pose(0));

@@ -3,10 +3,10 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::emit::mechanism::Mechanism;
+use crate::emit::compiled::Compiled;
 
 /// The test, an item beside the mechanism's own: test functions inside of other items do not run.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     function(&mechanism.model.name, mechanism.runtime)
 }
 

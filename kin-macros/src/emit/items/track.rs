@@ -4,10 +4,10 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::values;
-use crate::emit::mechanism::Mechanism;
+use crate::emit::compiled::Compiled;
 
 /// The method `track`.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let position = mechanism.pose(0);
     let inputs = mechanism.input_names();

@@ -7,13 +7,13 @@ use quote::quote;
 
 use super::values;
 use crate::algebra::Symbol;
-use crate::emit::mechanism::Mechanism;
+use crate::emit::compiled::Compiled;
 use crate::emit::text::Text;
 use crate::program::{Step, TransmissionAngles};
 use crate::structure::Dyad;
 
 /// The method `transmission_angles`.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let Some(TransmissionAngles { dyads, program }) = &mechanism.solvers.transmission else {
         return TokenStream::new();
     };
@@ -57,7 +57,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The unknowns of a dyad, separated by commas.
-fn label(mechanism: &Mechanism<'_>, dyad: &Dyad) -> String {
+fn label(mechanism: &Compiled<'_>, dyad: &Dyad) -> String {
     let names: Vec<String> = dyad
         .unknowns
         .iter()

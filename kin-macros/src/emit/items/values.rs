@@ -6,11 +6,11 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use crate::algebra::Symbol;
-use crate::emit::mechanism::Mechanism;
+use crate::emit::compiled::Compiled;
 use crate::emit::text::Text;
 
 /// `impl PoseOf`, for the pose of each order.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let name = &model.name;
     let unknowns: Vec<TokenStream> = (0..model.unknowns.len())
@@ -33,7 +33,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
 }
 
 /// The argument that takes a pose of any order, and its name.
-pub(in crate::emit) fn argument(mechanism: &Mechanism<'_>) -> (Ident, TokenStream) {
+pub(in crate::emit) fn argument(mechanism: &Compiled<'_>) -> (Ident, TokenStream) {
     let runtime = mechanism.runtime;
     let pose = mechanism.own("pose");
     let argument = quote!(#pose: &impl #runtime::PoseOf<Self>);

@@ -12,11 +12,9 @@ use crate::algebra::{Calculation, Function};
 use crate::emit::declaration::vector_type;
 use crate::model::{Model, Shape};
 use crate::precedence::Precedence;
-use crate::syntax::{
-    Callee, Declaration, EquationStatement, Expression, ExpressionKind, Operation, Operator, Statement,
-};
+use crate::syntax::{Callee, Declaration, EquationStatement, Formula, FormulaKind, Operand, Operator, Statement};
 
-/// So many operands stand in a row, each of which nests the expression deeper, before what they come to gets a name.
+/// So many operands stand in a row, each of which nests the formula deeper, before what they come to gets a name.
 const LONGEST: usize = 256;
 
 /// A formula in Rust.
@@ -86,8 +84,8 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     let mut residuals: Vec<TokenStream> = Vec::new();
     let mut lines: Vec<String> = Vec::new();
     for (number, equation) in equations.iter().enumerate() {
-        let left = translation.expression(&equation.left);
-        let right = translation.expression(&equation.right);
+        let left = translation.formula(&equation.left);
+        let right = translation.formula(&equation.right);
         let residual = translation.sum(Operator::Subtract, left, right);
         let index = residuals.len();
         let tokens = residual.tokens;
@@ -149,7 +147,7 @@ pub(super) fn bindings(
         if let Statement::Let(statement) = statement
             && used.contains(&statement.name.to_string())
         {
-            let value = Translation { names, runtime }.expression(&statement.value);
+            let value = Translation { names, runtime }.formula(&statement.value);
             let (name, tokens) = (&statement.name, &value.tokens);
             body.extend(quote_spanned!(site=> let #name = #tokens;));
             names.insert(statement.name.to_string(), Translated::new(value.shape, quote!(#name)));
@@ -193,7 +191,7 @@ pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
 /// The names that formulas use, directly or by way of abbreviations.
 pub(super) fn used_names<'a>(
     declaration: &'a Declaration,
-    formulas: impl Iterator<Item = &'a Expression>,
+    formulas: impl Iterator<Item = &'a Formula>,
 ) -> BTreeSet<String> {
     let mut used = BTreeSet::new();
     for formula in formulas {
@@ -220,20 +218,20 @@ pub(super) struct Translation<'a> {
 }
 
 impl Translation<'_> {
-    pub(super) fn expression(&self, expression: &Expression) -> Translated {
+    pub(super) fn formula(&self, formula: &Formula) -> Translated {
         let site = Span::mixed_site();
-        match &expression.kind {
-            ExpressionKind::Number { value, .. } => Translated::scalar(constant(*value)),
-            ExpressionKind::Pi => Translated::scalar(quote_spanned!(site=> T::constant(::core::f64::consts::PI))),
+        match &formula.kind {
+            FormulaKind::Number { value, .. } => Translated::scalar(constant(*value)),
+            FormulaKind::Pi => Translated::scalar(quote_spanned!(site=> T::constant(::core::f64::consts::PI))),
             // a name that is not there is a mistake that the model has reported
-            ExpressionKind::Name(name) => self
+            FormulaKind::Name(name) => self
                 .names
                 .get(&name.to_string())
                 .cloned()
                 .unwrap_or_else(|| Translated::scalar(quote!(#name))),
-            ExpressionKind::Parenthesis(inner) => self.expression(inner),
-            ExpressionKind::Negate(of) => {
-                let of = self.expression(of);
+            FormulaKind::Parenthesis(inner) => self.formula(inner),
+            FormulaKind::Negate(of) => {
+                let of = self.formula(of);
                 let shape = of.shape;
                 let operand = of.within(Precedence::Atom);
                 Translated {
@@ -243,16 +241,16 @@ impl Translation<'_> {
                     angle: None,
                 }
             }
-            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
-                let mut result = self.expression(first);
+            FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
+                let mut result = self.formula(first);
                 let mut before = TokenStream::new();
-                for (place, Operation { operator, operand, .. }) in rest.iter().enumerate() {
+                for (place, Operand { operator, operand, .. }) in rest.iter().enumerate() {
                     if place > 0 && place % LONGEST == 0 {
                         let (value, tokens) = (Ident::new("value", site), result.tokens);
                         before.extend(quote_spanned!(site=> let #value = #tokens;));
                         result = Translated::new(result.shape, quote!(#value));
                     }
-                    let right = self.expression(operand);
+                    let right = self.formula(operand);
                     result = match operator {
                         Operator::Add | Operator::Subtract => self.sum(*operator, result, right),
                         Operator::Multiply => self.product(result, right),
@@ -265,14 +263,14 @@ impl Translation<'_> {
                 let tokens = result.tokens;
                 Translated::new(result.shape, quote_spanned!(site=> { #before #tokens }))
             }
-            ExpressionKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
-            ExpressionKind::Power { base, exponent, .. } => {
-                let base = self.expression(base).within(Precedence::Atom);
+            FormulaKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
+            FormulaKind::Power { base, exponent, .. } => {
+                let base = self.formula(base).within(Precedence::Atom);
                 let exponent = Literal::i32_unsuffixed(*exponent);
                 Translated::scalar(quote_spanned!(site=> #base.powi(#exponent)))
             }
-            ExpressionKind::Part { of, axis } => {
-                let of = self.expression(of).within(Precedence::Atom);
+            FormulaKind::Part { of, axis } => {
+                let of = self.formula(of).within(Precedence::Atom);
                 let part = Ident::new(&axis.to_string(), site);
                 Translated::scalar(quote_spanned!(site=> #of.#part))
             }
@@ -376,10 +374,10 @@ impl Translation<'_> {
         }
     }
 
-    fn call(&self, callee: Callee, arguments: &[Expression]) -> Translated {
+    fn call(&self, callee: Callee, arguments: &[Formula]) -> Translated {
         let runtime = self.runtime;
         let site = Span::mixed_site();
-        let translated: Vec<Translated> = arguments.iter().map(|argument| self.expression(argument)).collect();
+        let translated: Vec<Translated> = arguments.iter().map(|argument| self.formula(argument)).collect();
         let shape = translated.first().map_or(Shape::Scalar, |first| first.shape);
         let arguments: Vec<TokenStream> = translated.into_iter().map(|argument| argument.tokens).collect();
         let rotation = |function: &str| {
@@ -449,8 +447,8 @@ pub(super) fn constant(value: f64) -> TokenStream {
 #[allow(clippy::needless_pass_by_value, reason = "formulas are quoted where they are passed")]
 mod tests {
     use super::*;
+    use crate::mistakes::Mistakes;
     use crate::model;
-    use crate::report::Report;
     use crate::syntax;
 
     /// The method behind its arguments.
@@ -460,18 +458,18 @@ mod tests {
     }
 
     fn method(statements: TokenStream) -> String {
-        let mut report = Report::new();
+        let mut mistakes = Mistakes::new();
         let tokens = quote! {
             struct M { a: Length, b: Length, k: Scalar, p: Point }
             #statements
             output all: Vector = k * (p + a + b);
         };
-        let declaration = syntax::parse(tokens, &mut report);
+        let declaration = syntax::parse(tokens, &mut mistakes);
         let model = declaration
             .as_ref()
-            .and_then(|declaration| model::build(declaration, &mut report));
+            .and_then(|declaration| model::build(declaration, &mut mistakes));
         let (Some(declaration), Some(model)) = (declaration, model) else {
-            panic!("{:?}", report.into_messages());
+            panic!("{:?}", mistakes.into_messages());
         };
         super::tokens(&declaration, &model, &quote!(rt)).to_string()
     }

@@ -9,11 +9,11 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
 use super::closure::{self, Translated, Translation};
+use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::values;
-use crate::emit::mechanism::{Mechanism, local};
 use crate::model::{Dimension, Shape};
 use crate::precedence::Precedence;
-use crate::syntax::{Declaration, Expression, ExpressionKind, Operation, Operator, OutputStatement, Statement};
+use crate::syntax::{Declaration, Formula, FormulaKind, Operand, Operator, OutputStatement, Statement};
 
 /// So many abbreviations are written out on one side of an equation.
 const WRITTEN_OUT: usize = 256;
@@ -22,18 +22,18 @@ const WRITTEN_OUT: usize = 256;
 struct Chain<'a> {
     equation: usize,
     shape: Shape,
-    side: &'a Expression,
+    side: &'a Formula,
     links: Vec<Link<'a>>,
 }
 
 /// A term of the sum.
 struct Link<'a> {
     negative: bool,
-    term: &'a Expression,
+    term: &'a Formula,
 }
 
 /// The method `skeleton`; nothing if there is nothing to see.
-pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (declaration, model, runtime) = (mechanism.declaration, mechanism.model, mechanism.runtime);
     let chains = chains(mechanism);
     let points: Vec<&OutputStatement> = declaration
@@ -82,7 +82,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
         };
         add(&mut joints, &mut last, &quote!(#runtime::#kind::zero()));
         for (place, link) in chain.links.iter().enumerate() {
-            let term = on(&translation, translation.expression(link.term), shape);
+            let term = on(&translation, translation.formula(link.term), shape);
             let value = match (&last, place, link.negative) {
                 (Some(last), 1.., negative) => {
                     let operator = if negative { quote!(-) } else { quote!(+) };
@@ -100,7 +100,7 @@ pub(in crate::emit) fn tokens(mechanism: &Mechanism<'_>) -> TokenStream {
     }
     let places = points
         .iter()
-        .map(|output| on(&translation, translation.expression(&output.value), shape).tokens);
+        .map(|output| on(&translation, translation.formula(&output.value), shape).tokens);
     let labels = points.iter().map(|output| output.name.to_string());
     let [joint_count, point_count] = [joints.len(), points.len()].map(Literal::usize_unsuffixed);
     let tables = chains.iter().map(|chain| {
@@ -139,7 +139,7 @@ fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translat
 }
 
 /// `let` for the inputs and unknowns that are used.
-fn values_of_pose(mechanism: &Mechanism<'_>, pose: &Ident, used: &BTreeSet<String>) -> TokenStream {
+fn values_of_pose(mechanism: &Compiled<'_>, pose: &Ident, used: &BTreeSet<String>) -> TokenStream {
     let model = mechanism.model;
     let inputs: Vec<&Ident> = model.inputs.iter().map(|input| &input.name).collect();
     let unknowns: Vec<&Ident> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
@@ -161,7 +161,7 @@ fn documentation(chains: &[Chain<'_>], points: &[&OutputStatement]) -> Vec<Strin
 }
 
 /// The sides of all vector equations, without those that are zero.
-fn chains<'a>(mechanism: &Mechanism<'a>) -> Vec<Chain<'a>> {
+fn chains<'a>(mechanism: &Compiled<'a>) -> Vec<Chain<'a>> {
     let sums = sums(mechanism);
     let equations = mechanism
         .declaration
@@ -198,7 +198,7 @@ fn chains<'a>(mechanism: &Mechanism<'a>) -> Vec<Chain<'a>> {
 }
 
 /// The abbreviations of vectors that are sums, by name.
-fn sums<'a>(mechanism: &Mechanism<'a>) -> BTreeMap<String, &'a Expression> {
+fn sums<'a>(mechanism: &Compiled<'a>) -> BTreeMap<String, &'a Formula> {
     let declaration: &'a Declaration = mechanism.declaration;
     let all = declaration
         .statements
@@ -222,11 +222,11 @@ fn sums<'a>(mechanism: &Mechanism<'a>) -> BTreeMap<String, &'a Expression> {
     sums
 }
 
-fn is_sum(expression: &Expression, sums: &BTreeMap<String, &Expression>) -> bool {
-    match &expression.kind {
-        ExpressionKind::Parenthesis(inner) | ExpressionKind::Negate(inner) => is_sum(inner, sums),
-        ExpressionKind::Sum { .. } => true,
-        ExpressionKind::Name(name) => sums.contains_key(&name.to_string()),
+fn is_sum(formula: &Formula, sums: &BTreeMap<String, &Formula>) -> bool {
+    match &formula.kind {
+        FormulaKind::Parenthesis(inner) | FormulaKind::Negate(inner) => is_sum(inner, sums),
+        FormulaKind::Sum { .. } => true,
+        FormulaKind::Name(name) => sums.contains_key(&name.to_string()),
         _ => false,
     }
 }
@@ -234,36 +234,36 @@ fn is_sum(expression: &Expression, sums: &BTreeMap<String, &Expression>) -> bool
 /// The terms of a sum, however it is put in parentheses, negated and abbreviated.
 struct Terms<'a, 'b> {
     /// The abbreviations that are sums themselves.
-    sums: &'b BTreeMap<String, &'a Expression>,
+    sums: &'b BTreeMap<String, &'a Formula>,
     /// How many of them may still be written out: there are as many terms in them as two to the power of their number.
     left: usize,
     links: Vec<Link<'a>>,
 }
 
 impl<'a> Terms<'a, '_> {
-    fn add(&mut self, expression: &'a Expression, negative: bool) {
-        match &expression.kind {
-            ExpressionKind::Parenthesis(inner) => self.add(inner, negative),
-            ExpressionKind::Negate(inner) => self.add(inner, !negative),
-            ExpressionKind::Sum { first, rest } => {
+    fn add(&mut self, formula: &'a Formula, negative: bool) {
+        match &formula.kind {
+            FormulaKind::Parenthesis(inner) => self.add(inner, negative),
+            FormulaKind::Negate(inner) => self.add(inner, !negative),
+            FormulaKind::Sum { first, rest } => {
                 self.add(first, negative);
-                for Operation { operator, operand, .. } in rest {
+                for Operand { operator, operand, .. } in rest {
                     self.add(operand, negative != (*operator == Operator::Subtract));
                 }
             }
-            ExpressionKind::Number { value: 0.0, .. } => {}
-            ExpressionKind::Name(name) => match self.sums.get(&name.to_string()) {
+            FormulaKind::Number { value: 0.0, .. } => {}
+            FormulaKind::Name(name) => match self.sums.get(&name.to_string()) {
                 Some(sum) if self.left > 0 => {
                     self.left -= 1;
                     self.add(sum, negative);
                 }
-                _ => self.link(expression, negative),
+                _ => self.link(formula, negative),
             },
-            _ => self.link(expression, negative),
+            _ => self.link(formula, negative),
         }
     }
 
-    fn link(&mut self, term: &'a Expression, negative: bool) {
+    fn link(&mut self, term: &'a Formula, negative: bool) {
         self.links.push(Link { negative, term });
     }
 }

@@ -16,26 +16,26 @@ const MOST_TERMS: usize = 12;
 /// A number that decides by its sign or by not being zero, of which the terms are those of its expression, or of the statement that
 /// defines it if that is one of some statements.
 pub(super) fn decisive(text: &Text<'_>, value: &Expression, among: &[&Step<Expression>]) -> TokenStream {
-    let (runtime, own) = (text.mechanism.runtime, text.formula(value));
+    let (runtime, own) = (text.mechanism.runtime, text.expression(value));
     let terms = terms(value, among);
     if terms.len() < 2 {
         return own;
     }
-    let terms = text.formulas(&terms);
+    let terms = text.expressions(&terms);
     quote!(#runtime::solve::decisive(#own, || [#(#terms),*]))
 }
 
 /// The same for a vector that decides by not being zero.
 pub(super) fn decisive_vector(text: &Text<'_>, [x, y]: &[Expression; 2], among: &[&Step<Expression>]) -> TokenStream {
     let runtime = text.mechanism.runtime;
-    let (own_x, own_y) = (text.formula(x), text.formula(y));
+    let (own_x, own_y) = (text.expression(x), text.expression(y));
     let own = quote!(#runtime::Plane::new(#own_x, #own_y));
     let mut terms = terms(x, among);
     terms.extend(self::terms(y, among));
     if terms.len() < 3 {
         return own;
     }
-    let terms = text.formulas(&terms);
+    let terms = text.expressions(&terms);
     quote!(#runtime::solve::decisive_vector(#own, || [#(#terms),*]))
 }
 

@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::super::mechanism::Mechanism;
+use super::super::compiled::Compiled;
 
-impl Mechanism<'_> {
+impl Compiled<'_> {
     /// `.map_err(…)?` with the unknowns of a part and the inputs.
     pub(in crate::emit) fn failed(&self, part: usize) -> TokenStream {
         self.failed_at(&self.part_name(part))

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::Text;
 use crate::algebra::Symbol;
-use crate::emit::mechanism::local;
+use crate::emit::compiled::local;
 use crate::model::Dimension;
 use crate::program::{Expression, Step};
 use crate::structure::PolynomialSystem;
@@ -46,9 +46,9 @@ impl Text<'_> {
         let count = Literal::usize_unsuffixed(unknowns.len());
         let body: Vec<&Step<Expression>> = body.iter().collect();
         let body = body.iter().map(|step| self.step(step, Some(part), &body));
-        let residuals = self.formulas(residuals);
+        let residuals = self.expressions(residuals);
         let jacobian = jacobian.iter().map(|row| {
-            let row = self.formulas(row);
+            let row = self.expressions(row);
             quote!([#(#row),*])
         });
         let failed = self.mechanism.failed(part);
@@ -106,7 +106,7 @@ impl Text<'_> {
         );
         let terms = terms(runtime, all);
         let results = results.iter().map(|&symbol| self.name(symbol));
-        let coefficients = self.formulas(coefficients);
+        let coefficients = self.expressions(coefficients);
         let failed = self.mechanism.failed(part);
         quote! {
             const #system: #runtime::continuation::PolynomialSystem<#size> =

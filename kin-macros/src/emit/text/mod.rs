@@ -1,22 +1,22 @@
 //! A program as text: the only place where symbols become names.
 
 mod doubt;
+mod expression;
 mod failures;
-mod formula;
 mod iterations;
 mod steps;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::mechanism::{Mechanism, local};
+use super::compiled::{Compiled, local};
 use crate::algebra::Symbol;
 use crate::program::{Expression, Names, Program, Stage, UnitPart, order_name};
 
 /// Writes a program of a mechanism.
 #[derive(Clone, Copy)]
 pub(super) struct Text<'a> {
-    pub(super) mechanism: &'a Mechanism<'a>,
+    pub(super) mechanism: &'a Compiled<'a>,
     names: &'a Names,
     /// Whether the steps go through all positions, and not to one of them.
     goes_through_all: bool,
@@ -24,7 +24,7 @@ pub(super) struct Text<'a> {
 
 impl<'a> Text<'a> {
     /// Writes a program that goes to one position, or on from it.
-    pub(super) fn of(mechanism: &'a Mechanism<'a>, program: &'a Program<Expression>) -> Self {
+    pub(super) fn of(mechanism: &'a Compiled<'a>, program: &'a Program<Expression>) -> Self {
         Self {
             mechanism,
             names: &program.names,
@@ -33,7 +33,7 @@ impl<'a> Text<'a> {
     }
 
     /// Writes the program that goes through all positions.
-    pub(super) fn of_every(mechanism: &'a Mechanism<'a>, program: &'a Program<Expression>) -> Self {
+    pub(super) fn of_every(mechanism: &'a Compiled<'a>, program: &'a Program<Expression>) -> Self {
         Self {
             goes_through_all: true,
             ..Self::of(mechanism, program)

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::{Text, doubt};
 use crate::algebra::{Checked, Symbol};
-use crate::emit::mechanism::local;
+use crate::emit::compiled::local;
 use crate::program::{Argument, Expression, Mode, Returns, Solver, Stage, Step};
 
 type Written = Step<Expression>;
@@ -64,8 +64,8 @@ impl Text<'_> {
         let runtime = self.mechanism.runtime;
         let direction = |step: &Written| match step {
             Step::Angle { symbol, y, x, length } => {
-                let length = length.as_ref().map(|length| self.formula(length));
-                Some((self.name(*symbol), self.formula(y), self.formula(x), length))
+                let length = length.as_ref().map(|length| self.expression(length));
+                Some((self.name(*symbol), self.expression(y), self.expression(x), length))
             }
             _ => None,
         };
@@ -153,7 +153,7 @@ impl Text<'_> {
             } => self.check(*symbol, guard, argument, part, among),
             Step::SineCosine { sine, cosine, angle } => {
                 let [sine, cosine] = [sine, cosine].map(|symbol| self.pattern(*symbol));
-                let angle = self.formula(angle);
+                let angle = self.expression(angle);
                 quote!(let (#sine, #cosine) = T::sin_cos(#angle);)
             }
             Step::Solve {
@@ -166,11 +166,11 @@ impl Text<'_> {
             }
             Step::Angle { symbol, y, x, length } => {
                 let name = self.name(*symbol);
-                let (y, x) = (self.formula(y), self.formula(x));
+                let (y, x) = (self.expression(y), self.expression(x));
                 match length {
                     None => quote!(let #name = T::atan2(#y, #x);),
                     Some(length) => {
-                        let length = self.formula(length);
+                        let length = self.expression(length);
                         quote!(let #name = #runtime::solve::direction(#y, #x, #length);)
                     }
                 }
@@ -204,7 +204,7 @@ impl Text<'_> {
             Step::Factor { symbol, matrix } => {
                 let name = self.name(*symbol);
                 let rows = matrix.iter().map(|row| {
-                    let entries = self.formulas(row);
+                    let entries = self.expressions(row);
                     quote!([#(#entries),*])
                 });
                 let failed = self.singular(part);
@@ -215,9 +215,9 @@ impl Text<'_> {
                 right,
                 results,
             } => {
-                let factors = self.formula(factors);
+                let factors = self.expression(factors);
                 let results = results.iter().map(|&symbol| self.name(symbol));
-                let right = self.formulas(right);
+                let right = self.expressions(right);
                 quote!(let [#(#results),*] = #runtime::solve::Factors::solve(&#factors, [#(#right),*]);)
             }
             Step::Open { .. } | Step::Close { .. } => TokenStream::new(),
@@ -234,7 +234,7 @@ impl Text<'_> {
 
     fn define(&self, symbol: Symbol, value: &Expression) -> TokenStream {
         let runtime = self.mechanism.runtime;
-        let (name, value) = (self.name(symbol), self.formula(value));
+        let (name, value) = (self.name(symbol), self.expression(value));
         match self.label(symbol) {
             None => quote!(let #name = #value;),
             Some(label) => {
@@ -258,7 +258,7 @@ impl Text<'_> {
         let argument = if guard.decides_by_sign {
             doubt::decisive(self, argument, among)
         } else {
-            self.formula(argument)
+            self.expression(argument)
         };
         let guard = local(guard.name);
         let failed = match part {
@@ -318,7 +318,7 @@ impl Text<'_> {
 
     fn argument(&self, argument: &Argument<Expression>) -> TokenStream {
         let runtime = self.mechanism.runtime;
-        match argument.map(|value| self.formula(value)) {
+        match argument.map(|value| self.expression(value)) {
             Argument::Scalar(scalar) => scalar,
             Argument::Plane([x, y]) => quote!(#runtime::Plane::new(#x, #y)),
             Argument::Pair([first, second]) => quote!([#first, #second]),

@@ -1,6 +1,6 @@
 //! a cos x + b sin x = c.
 
-use crate::algebra::{Angle, Graph, Harmonic, Node, Polynomial, Symbol, Term};
+use crate::algebra::{Angle, Graph, Harmonic, Node, NodeKind, Polynomial, Symbol};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
@@ -44,8 +44,8 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
 fn quotient(graph: &mut Graph, above: Node, below: Node) -> (Node, Node) {
     let quotient = graph.divide(above, below);
     let (_, bare) = graph.split_coefficient(quotient);
-    let divisors: Vec<(Node, i32)> = match graph.term(bare) {
-        Term::Product(factors) => factors.iter().filter(|&&(_, exponent)| exponent < 0).copied().collect(),
+    let divisors: Vec<(Node, i32)> = match graph.kind(bare) {
+        NodeKind::Product(factors) => factors.iter().filter(|&&(_, exponent)| exponent < 0).copied().collect(),
         _ => Vec::new(),
     };
     let divisors: Vec<(Node, i32)> = divisors

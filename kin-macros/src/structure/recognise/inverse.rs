@@ -1,7 +1,7 @@
 //! An unknown inside of one invertible function: f(g(x)) = v, solved as g(x) = f⁻¹(v).
 
 use super::single;
-use crate::algebra::{Expansion, Graph, Harmonic, Inverse, Polynomial, Term, Variables};
+use crate::algebra::{Expansion, Graph, Harmonic, Inverse, NodeKind, Polynomial, Variables};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
@@ -19,7 +19,7 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
         }
     }
     let (atom, coefficient) = function_call?;
-    let Term::Call(function, arguments) = graph.term(atom).clone() else {
+    let NodeKind::Call(function, arguments) = graph.kind(atom).clone() else {
         return None;
     };
     let inverse = function.inverse();

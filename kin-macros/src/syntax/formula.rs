@@ -10,9 +10,9 @@ use syn::parse::{ParseStream, Result};
 use syn::{Lifetime, Lit, Token, parenthesized, token};
 
 use crate::algebra::Misfit;
-use crate::report::{Extent, suggestion};
+use crate::mistakes::{Extent, suggestion};
 use crate::syntax::{
-    Axis, Callee, Expression, ExpressionKind, Operation, Operator, callee, form, function_names, is_function, nesting,
+    Axis, Callee, Formula, FormulaKind, Operand, Operator, callee, form, function_names, is_function, nesting,
 };
 
 /// The largest exponent of `powi`: far beyond any mechanism, and small enough to multiply out.
@@ -37,27 +37,27 @@ pub(crate) enum Place {
     RangeEnd,
 }
 
-impl Expression {
+impl Formula {
     /// A formula that is not nested too deep.
-    fn new(kind: ExpressionKind, extent: Extent) -> Result<Self> {
+    fn new(kind: FormulaKind, extent: Extent) -> Result<Self> {
         let depth = match &kind {
-            ExpressionKind::Number { .. } | ExpressionKind::Pi | ExpressionKind::Name(_) => 0,
-            ExpressionKind::Negate(of)
-            | ExpressionKind::Parenthesis(of)
-            | ExpressionKind::Part { of, .. }
-            | ExpressionKind::Power { base: of, .. } => 1 + of.depth,
-            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+            FormulaKind::Number { .. } | FormulaKind::Pi | FormulaKind::Name(_) => 0,
+            FormulaKind::Negate(of)
+            | FormulaKind::Parenthesis(of)
+            | FormulaKind::Part { of, .. }
+            | FormulaKind::Power { base: of, .. } => 1 + of.depth,
+            FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
                 1 + deepest(rest.iter().map(|operation| &operation.operand)).max(first.depth)
             }
-            ExpressionKind::Call { arguments, .. } => 1 + deepest(arguments),
+            FormulaKind::Call { arguments, .. } => 1 + deepest(arguments),
         };
         if depth > nesting::DEEPEST {
             // at the sign or the method that is one too many
             let at = match kind {
-                ExpressionKind::Negate(_) => Extent::at(extent.first),
-                ExpressionKind::Part { .. }
-                | ExpressionKind::Call { method: true, .. }
-                | ExpressionKind::Power { method: true, .. } => Extent::at(extent.last),
+                FormulaKind::Negate(_) => Extent::at(extent.first),
+                FormulaKind::Part { .. }
+                | FormulaKind::Call { method: true, .. }
+                | FormulaKind::Power { method: true, .. } => Extent::at(extent.last),
                 _ => extent,
             };
             return Err(syn::Error::new_spanned(at, nesting::message()));
@@ -68,19 +68,19 @@ impl Expression {
     /// Calls `visit` on every name in the formula, in the order of the source.
     pub(crate) fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(&'a Ident)) {
         match &self.kind {
-            ExpressionKind::Name(name) => visit(name),
-            ExpressionKind::Number { .. } | ExpressionKind::Pi => {}
-            ExpressionKind::Negate(of)
-            | ExpressionKind::Parenthesis(of)
-            | ExpressionKind::Part { of, .. }
-            | ExpressionKind::Power { base: of, .. } => of.visit_names(visit),
-            ExpressionKind::Sum { first, rest } | ExpressionKind::Product { first, rest } => {
+            FormulaKind::Name(name) => visit(name),
+            FormulaKind::Number { .. } | FormulaKind::Pi => {}
+            FormulaKind::Negate(of)
+            | FormulaKind::Parenthesis(of)
+            | FormulaKind::Part { of, .. }
+            | FormulaKind::Power { base: of, .. } => of.visit_names(visit),
+            FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
                 first.visit_names(visit);
                 for operation in rest {
                     operation.operand.visit_names(visit);
                 }
             }
-            ExpressionKind::Call { arguments, .. } => {
+            FormulaKind::Call { arguments, .. } => {
                 for argument in arguments {
                     argument.visit_names(visit);
                 }
@@ -90,7 +90,7 @@ impl Expression {
 }
 
 /// Reads a formula up to where its place ends.
-pub(crate) fn parse(input: ParseStream<'_>, place: Place) -> Result<Expression> {
+pub(crate) fn parse(input: ParseStream<'_>, place: Place) -> Result<Formula> {
     let formula = sum(input)?;
     let ended = input.is_empty()
         || match place {
@@ -102,11 +102,11 @@ pub(crate) fn parse(input: ParseStream<'_>, place: Place) -> Result<Expression> 
     if ended { Ok(formula) } else { Err(stray(input, place)) }
 }
 
-fn deepest<'a>(formulas: impl IntoIterator<Item = &'a Expression>) -> usize {
+fn deepest<'a>(formulas: impl IntoIterator<Item = &'a Formula>) -> usize {
     formulas.into_iter().map(|formula| formula.depth).max().unwrap_or(0)
 }
 
-fn sum(input: ParseStream<'_>) -> Result<Expression> {
+fn sum(input: ParseStream<'_>) -> Result<Formula> {
     let first = product(input)?;
     let mut rest = Vec::new();
     loop {
@@ -115,13 +115,13 @@ fn sum(input: ParseStream<'_>) -> Result<Expression> {
         } else if input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
             Operator::Subtract
         } else {
-            return chain(first, rest, |first, rest| ExpressionKind::Sum { first, rest });
+            return chain(first, rest, |first, rest| FormulaKind::Sum { first, rest });
         };
         rest.push(operation(input, operator, product)?);
     }
 }
 
-fn product(input: ParseStream<'_>) -> Result<Expression> {
+fn product(input: ParseStream<'_>) -> Result<Formula> {
     let first = unary(input)?;
     let mut rest = Vec::new();
     loop {
@@ -130,7 +130,7 @@ fn product(input: ParseStream<'_>) -> Result<Expression> {
         } else if input.peek(Token![/]) && !input.peek(Token![/=]) {
             Operator::Divide
         } else {
-            return chain(first, rest, |first, rest| ExpressionKind::Product { first, rest });
+            return chain(first, rest, |first, rest| FormulaKind::Product { first, rest });
         };
         if operator == Operator::Multiply && input.peek2(Token![*]) {
             return Err(input.error("there is no operator `**`: write `powi(x, 2)` for a power"));
@@ -143,12 +143,12 @@ fn product(input: ParseStream<'_>) -> Result<Expression> {
 fn operation(
     input: ParseStream<'_>,
     operator: Operator,
-    operand: fn(ParseStream<'_>) -> Result<Expression>,
-) -> Result<Operation> {
+    operand: fn(ParseStream<'_>) -> Result<Formula>,
+) -> Result<Operand> {
     let span = input.parse::<TokenTree>()?.span();
     expect_operand(input, span, operator.symbol())?;
     let operand = operand(input)?;
-    Ok(Operation {
+    Ok(Operand {
         operator,
         span,
         operand,
@@ -156,20 +156,16 @@ fn operation(
 }
 
 /// A sum or a product; one operand alone is neither.
-fn chain(
-    first: Expression,
-    rest: Vec<Operation>,
-    kind: fn(Box<Expression>, Vec<Operation>) -> ExpressionKind,
-) -> Result<Expression> {
+fn chain(first: Formula, rest: Vec<Operand>, kind: fn(Box<Formula>, Vec<Operand>) -> FormulaKind) -> Result<Formula> {
     let Some(last) = rest.last() else {
         return Ok(first);
     };
     let extent = first.extent.to(last.operand.extent);
-    Expression::new(kind(Box::new(first), rest), extent)
+    Formula::new(kind(Box::new(first), rest), extent)
 }
 
 /// Any number of signs and what they stand before.
-fn unary(input: ParseStream<'_>) -> Result<Expression> {
+fn unary(input: ParseStream<'_>) -> Result<Formula> {
     let mut signs = Vec::new();
     while input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
         let span = input.parse::<Token![-]>()?.span;
@@ -179,7 +175,7 @@ fn unary(input: ParseStream<'_>) -> Result<Expression> {
     let operand = postfix(input)?;
     signs.into_iter().rev().try_fold(operand, |of, span| {
         let extent = Extent::at(span).to(of.extent);
-        Expression::new(ExpressionKind::Negate(Box::new(of)), extent)
+        Formula::new(FormulaKind::Negate(Box::new(of)), extent)
     })
 }
 
@@ -196,7 +192,7 @@ fn expect_operand(input: ParseStream<'_>, span: Span, symbol: &str) -> Result<()
 }
 
 /// Methods and parts, after what they belong to.
-fn postfix(input: ParseStream<'_>) -> Result<Expression> {
+fn postfix(input: ParseStream<'_>) -> Result<Formula> {
     let mut of = operand(input)?;
     loop {
         if input.peek(Token![.]) && !input.peek(Token![..]) {
@@ -215,7 +211,7 @@ fn postfix(input: ParseStream<'_>) -> Result<Expression> {
 }
 
 /// What follows a `.`.
-fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expression> {
+fn member(input: ParseStream<'_>, dot: Span, of: Formula) -> Result<Formula> {
     if !input.peek(Ident::peek_any) {
         let at = if input.is_empty() { dot } else { input.span() };
         return Err(syn::Error::new(
@@ -262,10 +258,10 @@ fn member(input: ParseStream<'_>, dot: Span, of: Expression) -> Result<Expressio
         }
     };
     let extent = of.extent.to(Extent::at(member.span()));
-    Expression::new(ExpressionKind::Part { of: Box::new(of), axis }, extent)
+    Formula::new(FormulaKind::Part { of: Box::new(of), axis }, extent)
 }
 
-fn operand(input: ParseStream<'_>) -> Result<Expression> {
+fn operand(input: ParseStream<'_>) -> Result<Formula> {
     if input.peek(token::Paren) {
         return parenthesis(input);
     }
@@ -307,7 +303,7 @@ fn no_operand(input: ParseStream<'_>) -> &'static str {
     }
 }
 
-fn parenthesis(input: ParseStream<'_>) -> Result<Expression> {
+fn parenthesis(input: ParseStream<'_>) -> Result<Formula> {
     let content;
     let parentheses = parenthesized!(content in input);
     let extent = Extent {
@@ -321,10 +317,10 @@ fn parenthesis(input: ParseStream<'_>) -> Result<Expression> {
         ));
     }
     let inner = parse(&content, Place::Parenthesis)?;
-    Expression::new(ExpressionKind::Parenthesis(Box::new(inner)), extent)
+    Formula::new(FormulaKind::Parenthesis(Box::new(inner)), extent)
 }
 
-fn literal(input: ParseStream<'_>) -> Result<Expression> {
+fn literal(input: ParseStream<'_>) -> Result<Formula> {
     let literal: Lit = input.parse()?;
     let span = literal.span();
     let (digits, suffix) = match &literal {
@@ -360,8 +356,8 @@ fn literal(input: ParseStream<'_>) -> Result<Expression> {
         .next()
         .is_some_and(|mantissa| mantissa.chars().all(|digit| matches!(digit, '0' | '.')));
     match Misfit::of(value, is_zero) {
-        None => Expression::new(
-            ExpressionKind::Number {
+        None => Formula::new(
+            FormulaKind::Number {
                 value,
                 text: literal.to_token_stream().to_string(),
             },
@@ -375,7 +371,7 @@ fn literal(input: ParseStream<'_>) -> Result<Expression> {
 }
 
 /// A name, a call, or a word that means something in Rust but nothing here.
-fn word(input: ParseStream<'_>) -> Result<Expression> {
+fn word(input: ParseStream<'_>) -> Result<Formula> {
     let word = Ident::parse_any(input)?;
     let text = word.to_string();
     let at = |message: String| Err(syn::Error::new(word.span(), message));
@@ -405,11 +401,11 @@ fn word(input: ParseStream<'_>) -> Result<Expression> {
         return at(format!("`{text}` is a raw identifier; choose a plain name"));
     }
     let kind = if text == "PI" {
-        ExpressionKind::Pi
+        FormulaKind::Pi
     } else {
-        ExpressionKind::Name(word.clone())
+        FormulaKind::Name(word.clone())
     };
-    Expression::new(kind, Extent::at(word.span()))
+    Formula::new(kind, Extent::at(word.span()))
 }
 
 /// What to write instead of a construct of Rust. Keywords that could pass for names are left to be looked up as
@@ -500,7 +496,7 @@ fn without_arc(word: &str) -> Option<String> {
 }
 
 /// Reads `( … )` and tells where it closes.
-fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Expression>) -> Result<Span> {
+fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Formula>) -> Result<Span> {
     let content;
     let parentheses = parenthesized!(content in input);
     while !content.is_empty() {
@@ -515,7 +511,7 @@ fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Expression>) -> Result<
     Ok(parentheses.span.close())
 }
 
-fn call(name: &Ident, arguments: Vec<Expression>, method: bool, close: Span) -> Result<Expression> {
+fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Result<Formula> {
     let word = name.to_string();
     let callee = match word.as_str() {
         callee::POWER => None,
@@ -552,34 +548,34 @@ fn call(name: &Ident, arguments: Vec<Expression>, method: bool, close: Span) -> 
         ));
     }
     let kind = match (callee, arguments.as_slice()) {
-        (None, [base, exponent]) => ExpressionKind::Power {
+        (None, [base, exponent]) => FormulaKind::Power {
             base: Box::new(base.clone()),
             exponent: self::exponent(exponent)?,
             method,
         },
         (None, _) => return Err(unknown_function(name, method)),
-        (Some(callee), _) => ExpressionKind::Call {
+        (Some(callee), _) => FormulaKind::Call {
             callee,
             arguments,
             method,
         },
     };
-    Expression::new(kind, extent)
+    Formula::new(kind, extent)
 }
 
 /// The exponent of `powi`: an integer literal, as the formula's form depends on it.
-fn exponent(argument: &Expression) -> Result<i32> {
-    fn literal(expression: &Expression, text: &mut String) -> bool {
-        match &expression.kind {
-            ExpressionKind::Number { text: digits, .. } => {
+fn exponent(argument: &Formula) -> Result<i32> {
+    fn literal(formula: &Formula, text: &mut String) -> bool {
+        match &formula.kind {
+            FormulaKind::Number { text: digits, .. } => {
                 text.push_str(digits);
                 true
             }
-            ExpressionKind::Negate(of) => {
+            FormulaKind::Negate(of) => {
                 text.push('-');
                 literal(of, text)
             }
-            ExpressionKind::Parenthesis(inner) => literal(inner, text),
+            FormulaKind::Parenthesis(inner) => literal(inner, text),
             _ => false,
         }
     }

@@ -9,13 +9,13 @@ use quote::{ToTokens, TokenStreamExt};
 
 /// Collected mistakes, each with the place it is shown at.
 ///
-/// A report that still holds mistakes must not be dropped: they would go unseen, and a wrong declaration would compile.
+/// Mistakes that have not been shown must not be dropped: they would go unseen, and a wrong declaration would compile.
 #[derive(Default)]
-pub(crate) struct Report {
+pub(crate) struct Mistakes {
     errors: Vec<syn::Error>,
 }
 
-impl Report {
+impl Mistakes {
     pub(crate) fn new() -> Self {
         Self::default()
     }
@@ -63,7 +63,7 @@ impl Report {
     }
 }
 
-impl Drop for Report {
+impl Drop for Mistakes {
     fn drop(&mut self) {
         debug_assert!(
             self.errors.is_empty() || std::thread::panicking(),
@@ -175,18 +175,18 @@ mod tests {
 
     #[test]
     fn every_mistake_becomes_an_error() {
-        let mut report = Report::new();
-        assert!(report.is_empty());
-        report.error_at(Span::call_site(), "one");
-        report.error(Extent::at(Span::call_site()), "two");
-        let errors = report.into_compile_errors().to_string();
+        let mut mistakes = Mistakes::new();
+        assert!(mistakes.is_empty());
+        mistakes.error_at(Span::call_site(), "one");
+        mistakes.error(Extent::at(Span::call_site()), "two");
+        let errors = mistakes.into_compile_errors().to_string();
         assert_eq!(errors.matches("compile_error").count(), 2);
     }
 
     #[test]
     #[cfg(debug_assertions)]
     #[should_panic(expected = "never shown")]
-    fn a_report_is_not_dropped_unread() {
-        Report::new().error_at(Span::call_site(), "unseen");
+    fn mistakes_are_not_dropped_unread() {
+        Mistakes::new().error_at(Span::call_site(), "unseen");
     }
 }

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Text;
-use crate::emit::mechanism::local;
+use crate::emit::compiled::local;
 use crate::precedence::Precedence;
 use crate::program::Expression;
 
@@ -38,15 +38,18 @@ fn sum_with_product<'a>(
 
 impl Text<'_> {
     /// Expressions in the number type `T`.
-    pub(super) fn formulas(&self, expressions: &[Expression]) -> Vec<TokenStream> {
-        expressions.iter().map(|expression| self.formula(expression)).collect()
+    pub(super) fn expressions(&self, expressions: &[Expression]) -> Vec<TokenStream> {
+        expressions
+            .iter()
+            .map(|expression| self.expression(expression))
+            .collect()
     }
 
     /// An expression in the number type `T`.
-    pub(super) fn formula(&self, expression: &Expression) -> TokenStream {
+    pub(super) fn expression(&self, expression: &Expression) -> TokenStream {
         if let Some((rest, method, a, b)) = sum_with_product(expression) {
             let (rest, method) = (self.within(rest, Precedence::Atom), local(method));
-            let (a, b) = (self.formula(a), self.formula(b));
+            let (a, b) = (self.expression(a), self.expression(b));
             return quote!(#rest.#method(#a, #b));
         }
         match expression {
@@ -75,7 +78,7 @@ impl Text<'_> {
                 let method = local(function.name());
                 let (first, others) = arguments.split_first().expect("functions have arguments");
                 let first = self.within(first, Precedence::Atom);
-                let others = self.formulas(others);
+                let others = self.expressions(others);
                 quote!(#first.#method(#(#others),*))
             }
         }
@@ -95,7 +98,7 @@ impl Text<'_> {
 
     /// In parentheses if it holds together less tightly than its place requires.
     fn within(&self, expression: &Expression, place: Precedence) -> TokenStream {
-        let inner = self.formula(expression);
+        let inner = self.expression(expression);
         if precedence(expression).needs_parentheses(place) {
             quote!((#inner))
         } else {

@@ -12,7 +12,7 @@ use crate::syntax::Declaration;
 
 /// All that is known of a mechanism when it is written down.
 #[derive(Clone, Copy)]
-pub(super) struct Mechanism<'a> {
+pub(super) struct Compiled<'a> {
     pub(super) declaration: &'a Declaration,
     pub(super) model: &'a Model,
     pub(super) blocks: &'a [Block],
@@ -31,7 +31,7 @@ pub(super) fn attributes() -> TokenStream {
     quote!(#[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
-impl Mechanism<'_> {
+impl Compiled<'_> {
     pub(super) fn is_requested(&self, request: Request) -> bool {
         self.model.is_requested(request)
     }
