@@ -24,7 +24,7 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
         return fallback::tokens(Some(&declaration), mistakes, &runtime);
     };
     #[cfg(test)]
-    crate::definition_tests::assert_defined(&solvers);
+    crate::testing::definitions::assert_defined(&solvers);
     emit::tokens(&declaration, &model, &structure.blocks, &solvers, &runtime)
 }
 

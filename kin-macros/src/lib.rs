@@ -68,26 +68,12 @@
 mod algebra;
 mod assemble;
 mod bug;
-#[cfg(test)]
-mod definition_tests;
 mod derive;
 mod emit;
 mod expand;
-#[cfg(test)]
-mod expansion_tests;
 mod fallback;
-#[cfg(test)]
-mod families;
-#[cfg(test)]
-mod fuzz_tests;
-#[cfg(test)]
-mod growth_tests;
-#[cfg(test)]
-mod limit_tests;
 mod mistakes;
 mod model;
-#[cfg(test)]
-mod optimiser_tests;
 mod passes;
 mod plan;
 mod precedence;

@@ -1,7 +1,7 @@
 //! What is done for no other reason than to make the generated program cheaper.
 //!
 //! All of it is always done. That each part saves what it is there for is measured by leaving out one at a time, over the whole
-//! library: see `optimiser_tests.rs` and the chapter "The optimiser" of the book.
+//! library: see `testing/optimiser.rs` and the chapter "The optimiser" of the book.
 
 /// A pass, or a part of one, without which the same would be computed at greater expense.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -124,7 +124,7 @@ fn bare(code: &str) -> String {
 /// What a chapter shows of the generated code stands in the snapshot of the expansion.
 fn assert_excerpts(chapter: &str, expansion: &str) {
     let snapshot = bare(&read(&format!(
-        "kin-macros/src/snapshots/kin_macros__expansion_tests__{expansion}_expansion.snap"
+        "kin-macros/src/testing/snapshots/kin_macros__testing__expansion__{expansion}_expansion.snap"
     )));
     let mut count = 0;
     for (language, lines) in blocks(&read(chapter)) {

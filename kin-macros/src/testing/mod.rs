@@ -1,6 +1,14 @@
-//! What tests of several rooms share.
+//! The tests of the macro as a whole, and what tests of several rooms share.
 
 pub(crate) mod declarations;
+pub(crate) mod definitions;
+mod expansion;
+mod families;
+mod fuzz;
+mod growth;
+mod library;
+mod limits;
+mod optimiser;
 
 use proc_macro2::TokenStream;
 

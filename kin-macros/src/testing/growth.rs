@@ -7,9 +7,9 @@ use quote::{format_ident, quote};
 
 use crate::derive::TooLarge;
 use crate::expand::expand;
-use crate::families::{self, Member};
 use crate::passes::Passes;
 use crate::plan::plan;
+use crate::testing::families::{self, Member};
 use crate::testing::sound;
 use crate::work::{self, Work};
 

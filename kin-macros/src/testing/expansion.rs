@@ -153,7 +153,7 @@ fn expansion_is_deterministic() {
 #[ignore = "writes files: KIN_EXPANSIONS=folder"]
 fn expansions_of_the_library() {
     let folder = std::path::PathBuf::from(std::env::var("KIN_EXPANSIONS").expect("KIN_EXPANSIONS is a folder"));
-    for declared in crate::optimiser_tests::library() {
+    for declared in crate::testing::library::library() {
         let text = pretty(&declared.declaration);
         std::fs::write(folder.join(declared.name), text).expect("the folder can be written to");
     }

@@ -1,13 +1,10 @@
 //! What each pass saves, over the whole library.
 
 use std::fmt::Write;
-use std::fs;
-
-use proc_macro2::{TokenStream, TokenTree};
 
 use crate::passes::{Pass, Passes};
-use crate::program::{Cost, Expression, Solvers, Step};
-use crate::testing::{Sound, sound};
+use crate::program::{Cost, Expression, Step};
+use crate::testing::library::library;
 
 /// What is left out in turn, and what the book calls it.
 const PASSES: [(Pass, &str); 20] = [
@@ -52,65 +49,6 @@ const EXCEPTIONS: [(Pass, &str); 4] = [
         "the four-bar linkage takes 139 operations with it, and 142 without",
     ),
 ];
-
-/// A mechanism of the library.
-pub(crate) struct Declared {
-    pub(crate) name: String,
-    pub(crate) declaration: TokenStream,
-    sound: Sound,
-}
-
-impl Declared {
-    fn new(declaration: TokenStream) -> Self {
-        let mut tokens = declaration.clone().into_iter();
-        let is_struct = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "struct");
-        assert!(
-            tokens.any(|token| is_struct(&token)),
-            "a declaration declares a structure"
-        );
-        Self {
-            name: tokens.next().expect("it has a name").to_string(),
-            sound: sound(declaration.clone()),
-            declaration,
-        }
-    }
-
-    fn solvers(&self, passes: Passes) -> Solvers {
-        self.sound.solvers(passes)
-    }
-
-    /// From the position to the snap; of Newton's method, a single iteration.
-    fn cost(&self, passes: Passes) -> Cost {
-        self.solvers(passes).motion.cost()
-    }
-}
-
-/// The mechanisms of the library, in the order of its files.
-pub(crate) fn library() -> Vec<Declared> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/library");
-    let mut paths: Vec<_> = fs::read_dir(folder)
-        .expect("there is a library")
-        .map(|entry| entry.expect("it can be read").path())
-        .collect();
-    paths.sort_unstable();
-    let mut library = Vec::new();
-    for path in paths {
-        let text = fs::read_to_string(path).expect("it is text");
-        for item in syn::parse_file(&text).expect("it is Rust").items {
-            if let syn::Item::Macro(item) = item
-                && item
-                    .mac
-                    .path
-                    .segments
-                    .last()
-                    .is_some_and(|last| last.ident == "mechanism")
-            {
-                library.push(Declared::new(item.mac.tokens));
-            }
-        }
-    }
-    library
-}
 
 /// A line of the book's table.
 fn row(name: &str, cost: Cost, further: &str) -> String {
@@ -172,7 +110,7 @@ fn sum(costs: &[Cost]) -> Cost {
 
 /// Lines of the book, or the ends of some.
 fn assert_in_book(lines: &[String]) {
-    let book = include_str!("../../docs/optimiser.md");
+    let book = include_str!("../../../docs/optimiser.md");
     let missing: Vec<&str> = lines
         .iter()
         .map(String::as_str)
