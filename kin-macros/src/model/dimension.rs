@@ -4,7 +4,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::syntax::Shape;
+use crate::syntax::{Dimension, Shape};
 
 /// A power of a length, as a fraction in lowest terms with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,6 +144,22 @@ fn scalar(exponent: Option<Exponent>, f: &mut Formatter<'_>) -> fmt::Result {
         Some(exponent) if exponent == Exponent::whole(2) => f.write_str("an area (length^2)"),
         Some(exponent) if exponent == Exponent::whole(3) => f.write_str("a volume (length^3)"),
         Some(exponent) => write!(f, "a {exponent}"),
+    }
+}
+
+impl Dimension {
+    pub(super) fn exponent(self) -> Exponent {
+        match self {
+            Self::Length | Self::Point | Self::Vector | Self::Point3 | Self::Vector3 => Exponent::LENGTH,
+            Self::Angle | Self::Direction | Self::Scalar => Exponent::NUMBER,
+        }
+    }
+
+    pub(super) fn measure(self) -> Measure {
+        Measure {
+            shape: self.shape(),
+            exponent: Some(self.exponent()),
+        }
     }
 }
 

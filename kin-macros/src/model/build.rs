@@ -1,0 +1,223 @@
+//! The model of a declaration, statement by statement.
+
+use super::dimension::{Exponent, common};
+use super::length::Lengths;
+use super::lower::Lowering;
+use super::scope::{Meaning, Role, Scope};
+use super::usage::{missing_statements, unknowns_in_equations, unused_names};
+use super::value::{Typed, Value};
+use super::{Equation, Model, Output, Parameter, Quantity, Shape, Unknown, order, range, request};
+use crate::algebra::{Graph, Symbol};
+use crate::mistakes::{Extent, Mistakes};
+use crate::syntax::{self, Declaration, Statement};
+
+/// Builds the model. Mistakes are added to `mistakes`. After one the model is `None`.
+pub(crate) fn build(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<Model> {
+    let mut graph = Graph::new();
+    let mut scope = Scope::new(declaration);
+    let parameters = parameters(declaration, &mut graph, &mut scope, mistakes);
+    let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, mistakes);
+    let mut extreme = None;
+    let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, mistakes, &mut extreme);
+    let order = order::order(declaration, mistakes);
+    let requests = request::requests(declaration, mistakes);
+
+    if declaration.complete {
+        missing_statements(declaration, mistakes);
+    }
+    if !equations.is_empty() && !declaration.breaks_off {
+        unused_names(declaration, &scope, mistakes);
+    }
+    let sound = unknowns_in_equations(declaration, &unknowns, &equations, &graph, &scope, mistakes);
+    if !declaration.complete || !sound || !mistakes.is_empty() {
+        return None;
+    }
+    Some(Model {
+        attributes: declaration.attributes.clone(),
+        visibility: declaration.visibility.clone(),
+        name: declaration.name.clone(),
+        parameters,
+        inputs,
+        unknowns,
+        equations: equations.into_iter().collect::<Option<_>>()?,
+        outputs,
+        order,
+        requests,
+        extreme_constant: extreme.map(|(_, extent)| extent),
+        graph,
+    })
+}
+
+fn parameters(
+    declaration: &Declaration,
+    graph: &mut Graph,
+    scope: &mut Scope<'_>,
+    mistakes: &mut Mistakes,
+) -> Vec<Parameter> {
+    let mut parameters = Vec::new();
+    let mut count = 0;
+    for field in &declaration.parameters {
+        let Some(dimension) = field.dimension else {
+            continue;
+        };
+        let mut next = || {
+            count += 1;
+            graph.symbol(Symbol::Parameter(count - 1))
+        };
+        let exponent = dimension.exponent();
+        let value = match dimension.shape() {
+            Shape::Plane => Value::plane(next(), next()),
+            Shape::Space => Value::space([next(), next(), next()]),
+            Shape::Scalar | Shape::Rotation => Value::scalar(next()),
+        };
+        let typed = Typed {
+            value,
+            exponent: Some(exponent),
+        };
+        scope.declare(&field.name, Role::Parameter, Meaning::Value(typed), mistakes);
+        parameters.push(Parameter {
+            name: field.name.clone(),
+            visibility: field.visibility.clone(),
+            attributes: field.attributes.clone(),
+            dimension,
+        });
+    }
+    parameters
+}
+
+/// Declares every name of the statements. Where they stand does not matter, except for the use of a `let`.
+fn quantities(
+    declaration: &Declaration,
+    graph: &mut Graph,
+    scope: &mut Scope<'_>,
+    mistakes: &mut Mistakes,
+) -> (Vec<Quantity>, Vec<Unknown>) {
+    let mut inputs: Vec<Quantity> = Vec::new();
+    let mut unknowns: Vec<Unknown> = Vec::new();
+    for statement in &declaration.statements {
+        match statement {
+            Statement::Inputs(items) => {
+                for item in items {
+                    let node = graph.symbol(Symbol::Input(inputs.len()));
+                    let typed = Typed::scalar(node, item.dimension.exponent());
+                    scope.declare(&item.name, Role::Input, Meaning::Value(typed), mistakes);
+                    inputs.push(Quantity {
+                        name: item.name.clone(),
+                        documentation: item.documentation.clone(),
+                        dimension: item.dimension,
+                    });
+                }
+            }
+            Statement::Unknowns(items) => {
+                for syntax::UnknownItem { quantity, range } in items {
+                    let node = graph.symbol(Symbol::Unknown(unknowns.len()));
+                    let typed = Typed::scalar(node, quantity.dimension.exponent());
+                    scope.declare(&quantity.name, Role::Unknown, Meaning::Value(typed), mistakes);
+                    unknowns.push(Unknown {
+                        name: quantity.name.clone(),
+                        documentation: quantity.documentation.clone(),
+                        dimension: quantity.dimension,
+                        range: range
+                            .as_ref()
+                            .and_then(|clause| range::range(clause, &quantity.name, declaration, mistakes)),
+                    });
+                }
+            }
+            Statement::Let(statement) => {
+                scope.declare(&statement.name, Role::Let, Meaning::Later, mistakes);
+            }
+            Statement::Output(statement) => {
+                scope.declare(&statement.name, Role::Output, Meaning::Result, mistakes);
+            }
+            Statement::Equation(_) | Statement::Order(_) | Statement::Requests(_) => {}
+        }
+    }
+    (inputs, unknowns)
+}
+
+/// Lowers every formula. An equation with a mistake leaves `None` in its place.
+fn formulas(
+    declaration: &Declaration,
+    graph: &mut Graph,
+    scope: &mut Scope<'_>,
+    mistakes: &mut Mistakes,
+    extreme: &mut Option<(f64, Extent)>,
+) -> (Vec<Option<Equation>>, Vec<Output>) {
+    let mut equations = Vec::new();
+    let mut outputs = Vec::new();
+    let mut lengths = Lengths::default();
+    for statement in &declaration.statements {
+        let mut lowering = Lowering {
+            graph,
+            scope,
+            mistakes,
+            extreme,
+        };
+        match statement {
+            Statement::Let(statement) => {
+                let typed = lowering
+                    .formula(&statement.value)
+                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, mistakes));
+                scope.define(&statement.name, typed.map_or(Meaning::Broken, Meaning::Value));
+            }
+            Statement::Equation(statement) => {
+                let residual = lowering
+                    .residual(statement)
+                    .filter(|residual| lengths.allow(graph, &residual.nodes(), statement.operator, mistakes));
+                equations.push(residual.map(|residual| Equation {
+                    residual,
+                    tokens: statement.tokens.clone(),
+                    text: statement.to_string(),
+                }));
+            }
+            Statement::Output(statement) => {
+                let typed = lowering
+                    .formula(&statement.value)
+                    .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, mistakes));
+                if let Some(typed) = typed {
+                    outputs.extend(output(statement, &typed, graph, mistakes));
+                }
+            }
+            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Order(_) | Statement::Requests(_) => {}
+        }
+    }
+    (equations, outputs)
+}
+
+fn output(
+    statement: &syntax::OutputStatement,
+    typed: &Typed,
+    graph: &mut Graph,
+    mistakes: &mut Mistakes,
+) -> Option<Output> {
+    let declared = statement.dimension.measure();
+    let actual = typed.measure();
+    let fits = (declared.shape == actual.shape || actual.is_zero()) && common(declared, actual).is_some();
+    if !fits {
+        let remedy = match (actual.shape, actual.exponent) {
+            (Shape::Rotation, _) => "write the vector that it turns, `rotation * vec3(x, y, z)`",
+            (Shape::Scalar, Some(Exponent::LENGTH)) => "declare it `Length`",
+            (Shape::Scalar, Some(Exponent::NUMBER)) => "declare it `Angle` or `Scalar`",
+            (Shape::Plane, Some(Exponent::LENGTH)) => "declare it `Point` or `Vector`",
+            (Shape::Space, Some(Exponent::LENGTH)) => "declare it `Point3` or `Vector3`",
+            (Shape::Plane | Shape::Space, Some(Exponent::NUMBER)) => "multiply it by a length",
+            _ => "divide or multiply it by lengths until it is one",
+        };
+        mistakes.error(
+            statement.value.extent,
+            format!(
+                "output `{}` is declared `{}`, but this is {actual}: {remedy}",
+                statement.name,
+                statement.dimension.word()
+            ),
+        );
+        return None;
+    }
+    Some(Output {
+        name: statement.name.clone(),
+        documentation: statement.documentation.clone(),
+        dimension: statement.dimension,
+        value: typed.value.lifted(graph, declared.shape),
+        text: statement.value.to_string(),
+    })
+}
