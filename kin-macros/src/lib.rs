@@ -85,6 +85,7 @@ mod structure;
 mod syntax;
 #[cfg(test)]
 mod testing;
+mod translate;
 mod work;
 
 /// `mechanism!`, called with the path of the crate that it belongs to in parentheses before the declaration.

@@ -3,12 +3,12 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::declaration::vector_type;
 use crate::algebra::Symbol;
 use crate::model::{Dimension, Model, Request, Shape};
 use crate::program::{Mode, Names, Solvers, order_name};
 use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
+use crate::translate::vector_type;
 
 /// All that is known of a mechanism when it is written down.
 #[derive(Clone, Copy)]

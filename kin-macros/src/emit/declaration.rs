@@ -5,20 +5,11 @@ use quote::{quote, quote_spanned};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Path, Token, Visibility};
 
-use crate::model::{Dimension, Model, Shape};
+use crate::model::{Dimension, Model};
+use crate::translate::vector_type;
 
 /// A field: attributes, visibility, name and what it holds.
 pub(crate) type Field<'a> = (&'a [Attribute], &'a Visibility, &'a Ident, Option<Dimension>);
-
-/// The type that holds a vector, `None` for what is none.
-pub(crate) fn vector_type(shape: Shape) -> Option<Ident> {
-    let name = match shape {
-        Shape::Plane => "Plane",
-        Shape::Space => "Space",
-        Shape::Scalar | Shape::Rotation => return None,
-    };
-    Some(Ident::new(name, Span::mixed_site()))
-}
 
 /// The struct of a model.
 pub(crate) fn tokens(model: &Model, runtime: &TokenStream) -> TokenStream {

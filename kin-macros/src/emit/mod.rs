@@ -4,7 +4,6 @@ mod bindings;
 mod compiled;
 pub(crate) mod declaration;
 mod items;
-mod source;
 mod text;
 
 use proc_macro2::{Ident, TokenStream};
@@ -14,12 +13,12 @@ use crate::model::{Model, Request};
 use crate::program::Solvers;
 use crate::structure::Block;
 use crate::syntax::Declaration;
+use crate::translate::skeleton;
 use compiled::{Compiled, local};
 use items::{
     assembly, batch, description, every, interface, poses, position, sensitivities, solve, test, track, transmission,
     values,
 };
-use source::skeleton;
 
 /// Everything that a declaration expands to.
 pub(crate) fn tokens(
@@ -61,7 +60,7 @@ pub(crate) fn tokens(
         track::tokens(inside),
         sensitivities::method(inside),
         transmission::tokens(inside),
-        skeleton::tokens(inside),
+        skeleton::tokens(declaration, model, inside.runtime, &values::argument(inside)),
         solve::shared(inside),
     ];
     let further = [

@@ -83,11 +83,12 @@ pub(crate) const MACROS: House = House {
         room("assemble", &["assemble/"], "steps of positions"),
         room("schedule", &["schedule/"], "straight-line code"),
         room("plan", &["plan/"], "the cheapest way"),
+        room("translate", &["translate/"], "closure, skeleton"),
         room("emit", &["emit/"], "Rust, item by item"),
         room("fallback", &["fallback.rs"], "stand-ins"),
         room("expand", &["expand.rs"], "the pipeline"),
         room("bug", &["bug.rs"], "the net for panics"),
     ],
     known: &[],
-    large: &["emit"],
+    large: &[],
 };

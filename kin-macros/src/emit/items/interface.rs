@@ -6,8 +6,8 @@ use syn::{Attribute, Expr, Lit, Meta};
 
 use super::assembly;
 use crate::emit::compiled::{Compiled, local};
-use crate::emit::declaration::vector_type;
 use crate::model::Dimension;
+use crate::translate::vector_type;
 
 /// `impl Mechanism` and `impl Pose`.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {

@@ -5,10 +5,10 @@ use quote::quote;
 
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
-use crate::emit::declaration::vector_type;
 use crate::emit::text::Text;
 use crate::model::{Dimension, Value};
 use crate::program::UnitPart;
+use crate::translate::vector_type;
 
 /// `position`, `position_near`, and the solver that both call.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {

@@ -7,10 +7,10 @@ use super::description;
 use super::documentation::{cost_line, unit};
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, attributes, local};
-use crate::emit::declaration::vector_type;
 use crate::emit::text::Text;
 use crate::model::Shape;
 use crate::program::order_name;
+use crate::translate::vector_type;
 
 /// `FourBarSensitivities` and `FourBarPartials`.
 pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {

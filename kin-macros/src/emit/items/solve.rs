@@ -4,8 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::emit::compiled::{Compiled, local};
-use crate::emit::source::closure;
 use crate::program::order_name;
+use crate::translate::closure;
 
 /// `solve`, `solve_near`, and `closure`.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {

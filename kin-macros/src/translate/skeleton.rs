@@ -8,10 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
-use super::closure::{self, Translated, Translation};
-use crate::emit::compiled::{Compiled, local};
-use crate::emit::items::values;
-use crate::model::{Dimension, Shape};
+use super::formula::{Translated, Translation, constant};
+use super::names::{bindings, names, pattern, used_names};
+use super::vector_type;
+use crate::model::{Dimension, Model, Shape};
 use crate::precedence::Precedence;
 use crate::syntax::{Declaration, Formula, FormulaKind, Operand, Operator, OutputStatement, Statement};
 
@@ -33,9 +33,15 @@ struct Link<'a> {
 }
 
 /// The method `skeleton`; nothing if there is nothing to see.
-pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
-    let (declaration, model, runtime) = (mechanism.declaration, mechanism.model, mechanism.runtime);
-    let chains = chains(mechanism);
+///
+/// `pose` is the name of the pose of any order that the method takes, `argument` the whole argument.
+pub(crate) fn tokens(
+    declaration: &Declaration,
+    model: &Model,
+    runtime: &TokenStream,
+    (pose, argument): &(Ident, TokenStream),
+) -> TokenStream {
+    let chains = chains(declaration, model, runtime);
     let points: Vec<&OutputStatement> = declaration
         .statements
         .iter()
@@ -58,17 +64,12 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     } else {
         Shape::Plane
     };
-    let kind = if shape == Shape::Space {
-        local("Space")
-    } else {
-        local("Plane")
-    };
+    let kind = vector_type(shape);
     let terms = chains.iter().flat_map(|chain| &chain.links).map(|link| link.term);
-    let used = closure::used_names(declaration, terms.chain(points.iter().map(|output| &output.value)));
-    let mut names = closure::names(model);
-    let (pose, argument) = values::argument(mechanism);
-    let mut body = values_of_pose(mechanism, &pose, &used);
-    body.extend(closure::bindings(declaration, runtime, &used, &mut names));
+    let used = used_names(declaration, terms.chain(points.iter().map(|output| &output.value)));
+    let mut names = names(model);
+    let mut body = values_of_pose(model, pose, &used);
+    body.extend(bindings(declaration, runtime, &used, &mut names));
     let translation = Translation { names: &names, runtime };
 
     let mut joints: Vec<Ident> = Vec::new();
@@ -132,21 +133,20 @@ fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translat
     if (term.shape, shape) != (Shape::Plane, Shape::Space) {
         return translation.lifted(term, shape);
     }
-    let (runtime, tokens, zero) = (translation.runtime, term.tokens, closure::constant(0.0));
-    let plane = local("plane");
+    let (runtime, tokens, zero) = (translation.runtime, term.tokens, constant(0.0));
+    let plane = Ident::new("plane", Span::mixed_site());
     let lifted = quote!({ let #plane = #tokens; #runtime::Space::new(#plane.x, #plane.y, #zero) });
     Translated::new(shape, lifted)
 }
 
 /// `let` for the inputs and unknowns that are used.
-fn values_of_pose(mechanism: &Compiled<'_>, pose: &Ident, used: &BTreeSet<String>) -> TokenStream {
-    let model = mechanism.model;
+fn values_of_pose(model: &Model, pose: &Ident, used: &BTreeSet<String>) -> TokenStream {
     let inputs: Vec<&Ident> = model.inputs.iter().map(|input| &input.name).collect();
     let unknowns: Vec<&Ident> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
     let mut body = TokenStream::new();
     for (names, method) in [(inputs, "input_values"), (unknowns, "unknowns")] {
         if names.iter().any(|name| used.contains(&name.to_string())) {
-            let (pattern, method) = (closure::pattern(names.into_iter(), used), local(method));
+            let (pattern, method) = (pattern(names.into_iter(), used), Ident::new(method, Span::mixed_site()));
             body.extend(quote!(let #pattern = #pose.#method();));
         }
     }
@@ -161,18 +161,14 @@ fn documentation(chains: &[Chain<'_>], points: &[&OutputStatement]) -> Vec<Strin
 }
 
 /// The sides of all vector equations, without those that are zero.
-fn chains<'a>(mechanism: &Compiled<'a>) -> Vec<Chain<'a>> {
-    let sums = sums(mechanism);
-    let equations = mechanism
-        .declaration
-        .statements
-        .iter()
-        .filter_map(|statement| match statement {
-            Statement::Equation(equation) => Some(equation),
-            _ => None,
-        });
+fn chains<'a>(declaration: &'a Declaration, model: &Model, runtime: &TokenStream) -> Vec<Chain<'a>> {
+    let sums = sums(declaration, model, runtime);
+    let equations = declaration.statements.iter().filter_map(|statement| match statement {
+        Statement::Equation(equation) => Some(equation),
+        _ => None,
+    });
     let mut chains = Vec::new();
-    for (number, (equation, declared)) in equations.zip(&mechanism.model.equations).enumerate() {
+    for (number, (equation, declared)) in equations.zip(&model.equations).enumerate() {
         let shape = declared.residual.shape();
         if !matches!(shape, Shape::Plane | Shape::Space) {
             continue;
@@ -198,8 +194,7 @@ fn chains<'a>(mechanism: &Compiled<'a>) -> Vec<Chain<'a>> {
 }
 
 /// The abbreviations of vectors that are sums, by name.
-fn sums<'a>(mechanism: &Compiled<'a>) -> BTreeMap<String, &'a Formula> {
-    let declaration: &'a Declaration = mechanism.declaration;
+fn sums<'a>(declaration: &'a Declaration, model: &Model, runtime: &TokenStream) -> BTreeMap<String, &'a Formula> {
     let all = declaration
         .statements
         .iter()
@@ -208,8 +203,8 @@ fn sums<'a>(mechanism: &Compiled<'a>) -> BTreeMap<String, &'a Formula> {
             _ => None,
         })
         .collect();
-    let mut names = closure::names(mechanism.model);
-    closure::bindings(declaration, mechanism.runtime, &all, &mut names);
+    let mut names = names(model);
+    bindings(declaration, runtime, &all, &mut names);
     let mut sums = BTreeMap::new();
     for statement in &declaration.statements {
         if let Statement::Let(statement) = statement {
