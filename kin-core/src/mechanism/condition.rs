@@ -54,7 +54,7 @@ pub(crate) fn conditions<M: Mechanism>(
             *terms += entry.abs() * size;
         }
     }
-    let inverse = Inverse::<M>::of(jacobian);
+    let inverse = InverseMatrix::<M>::of(jacobian);
 
     let mut conditions = M::Unknowns::from_fn(|index| values(unknowns.as_ref(), index).abs());
     let mut add = |right: M::Unknowns<f64>| {
@@ -116,14 +116,14 @@ pub(crate) fn condition<M: Mechanism>(
 }
 
 /// A Jacobian in triangular factors.
-struct Inverse<M: Mechanism> {
+struct InverseMatrix<M: Mechanism> {
     rows: M::Unknowns<M::Unknowns<f64>>,
     origins: M::Unknowns<usize>,
     row_exponents: M::Unknowns<i32>,
     column_exponents: M::Unknowns<i32>,
 }
 
-impl<M: Mechanism> Inverse<M> {
+impl<M: Mechanism> InverseMatrix<M> {
     fn of(jacobian: M::Unknowns<M::Unknowns<f64>>) -> Self {
         let mut own = Self {
             rows: jacobian,

@@ -95,7 +95,7 @@ impl Lowering<'_, '_> {
             FormulaKind::Product { first, rest } => {
                 let mut product = self.formula(first);
                 for operation in rest {
-                    let factor = self.formula(&operation.operand);
+                    let factor = self.formula(&operation.formula);
                     product = self.times(first.extent, product, operation, factor);
                 }
                 product?
@@ -190,7 +190,7 @@ impl Lowering<'_, '_> {
         let mut measure = first.as_ref().map(Typed::measure);
         let mut terms: Vec<(Value, f64)> = first.into_iter().map(|first| (first.value, 1.0)).collect();
         for operation in rest {
-            let term = self.formula(&operation.operand);
+            let term = self.formula(&operation.formula);
             measure = self.measure_of_sum(measure, operation, term.as_ref().map(Typed::measure));
             let sign = if operation.operator == Operator::Subtract {
                 -1.0
@@ -249,7 +249,7 @@ impl Lowering<'_, '_> {
         factor: Option<Typed>,
     ) -> Option<Typed> {
         let (left, right) = (product?, factor?);
-        let (span, extent) = (operation.span, operation.operand.extent);
+        let (span, extent) = (operation.span, operation.formula.extent);
         let typed = if operation.operator == Operator::Divide {
             self.quotient(span, &left, &right, extent)?
         } else {

@@ -11,7 +11,7 @@ use crate::assemble::{self, Assembled, KnownRoot, Reciprocals, Units};
 use crate::derive::{Definition, Hint, Influences, Mover, Rate};
 use crate::passes::{Pass, Passes};
 use crate::program::{
-    Approach, Choice, Comparison, Directions, Expression, Names, Program, Solvers, Stage, Step, Trial, order_name,
+    Approach, Choice, Directions, Expression, Names, Program, Solvers, Stage, Step, Trial, Trials, order_name,
 };
 use crate::schedule::{Style, schedule};
 
@@ -83,7 +83,10 @@ impl Candidate {
             every: extras.every,
             transmission: extras.transmission,
             is_form_given_up,
-            comparison: Comparison { trials, kept: self.way },
+            trials: Trials {
+                all: trials,
+                kept: self.way,
+            },
         }
     }
 }

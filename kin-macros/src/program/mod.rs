@@ -4,7 +4,6 @@
 //! Values are known by symbols. Their names are looked up where a program becomes text, and nowhere before.
 
 mod choice;
-mod comparison;
 mod cost;
 mod directions;
 mod expression;
@@ -15,9 +14,9 @@ mod solver;
 mod solvers;
 mod stage;
 mod step;
+mod trials;
 
 pub(crate) use choice::{Choice, Limits, Mode};
-pub(crate) use comparison::{Approach, Comparison, Trial};
 pub(crate) use cost::Cost;
 pub(crate) use directions::{DirectionSymbols, Directions, UnitPart};
 pub(crate) use expression::Expression;
@@ -27,3 +26,4 @@ pub(crate) use solver::{Argument, Returns, Solver};
 pub(crate) use solvers::{Solvers, TransmissionAngles};
 pub(crate) use stage::{Carried, Program, Stage};
 pub(crate) use step::Step;
+pub(crate) use trials::{Approach, Trial, Trials};

@@ -11,7 +11,7 @@ const WIDTH: usize = 120;
 impl Display for Solvers {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
         writeln!(formatter, "ways (`>` is kept):")?;
-        write!(formatter, "{}", self.comparison)?;
+        write!(formatter, "{}", self.trials)?;
         for (order, stage) in self.orders().iter().enumerate() {
             stage_of(formatter, &order_name(order), &self.motion, order, stage.cost)?;
         }

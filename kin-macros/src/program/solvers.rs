@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Choice, Comparison, Directions, Expression, Names, Program, Stage};
+use super::{Choice, Directions, Expression, Names, Program, Stage, Trials};
 use crate::algebra::{Graph, Symbol};
 use crate::structure::Dyad;
 
@@ -26,7 +26,7 @@ pub(crate) struct Solvers {
     pub(crate) transmission: Option<TransmissionAngles>,
     /// Whether equations or outputs were too large to be multiplied out.
     pub(crate) is_form_given_up: bool,
-    pub(crate) comparison: Comparison,
+    pub(crate) trials: Trials,
 }
 
 /// The dyads, each with the symbols of its angle's sine and cosine, and the program that computes them.

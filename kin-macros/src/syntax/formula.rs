@@ -20,7 +20,7 @@ const LARGEST_EXPONENT: u32 = 64;
 
 /// Where a formula stands, which is what may follow it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum Context {
     /// Before the `==` of an equation, or all of a statement that lacks one.
     LeftSide,
     /// After the `==`.
@@ -47,7 +47,7 @@ impl Formula {
             | FormulaKind::Part { of, .. }
             | FormulaKind::Power { base: of, .. } => 1 + of.depth,
             FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
-                1 + deepest(rest.iter().map(|operation| &operation.operand)).max(first.depth)
+                1 + deepest(rest.iter().map(|operation| &operation.formula)).max(first.depth)
             }
             FormulaKind::Call { arguments, .. } => 1 + deepest(arguments),
         };
@@ -77,7 +77,7 @@ impl Formula {
             FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
                 first.visit_names(visit);
                 for operation in rest {
-                    operation.operand.visit_names(visit);
+                    operation.formula.visit_names(visit);
                 }
             }
             FormulaKind::Call { arguments, .. } => {
@@ -90,14 +90,14 @@ impl Formula {
 }
 
 /// Reads a formula up to where its place ends.
-pub(crate) fn parse(input: ParseStream<'_>, place: Place) -> Result<Formula> {
+pub(crate) fn parse(input: ParseStream<'_>, place: Context) -> Result<Formula> {
     let formula = sum(input)?;
     let ended = input.is_empty()
         || match place {
-            Place::LeftSide => input.peek(Token![==]),
-            Place::Argument | Place::RangeEnd => input.peek(Token![,]),
-            Place::RangeStart => input.peek(Token![..]),
-            Place::RightSide | Place::Value | Place::Parenthesis => false,
+            Context::LeftSide => input.peek(Token![==]),
+            Context::Argument | Context::RangeEnd => input.peek(Token![,]),
+            Context::RangeStart => input.peek(Token![..]),
+            Context::RightSide | Context::Value | Context::Parenthesis => false,
         };
     if ended { Ok(formula) } else { Err(stray(input, place)) }
 }
@@ -151,7 +151,7 @@ fn operation(
     Ok(Operand {
         operator,
         span,
-        operand,
+        formula: operand,
     })
 }
 
@@ -160,7 +160,7 @@ fn chain(first: Formula, rest: Vec<Operand>, kind: fn(Box<Formula>, Vec<Operand>
     let Some(last) = rest.last() else {
         return Ok(first);
     };
-    let extent = first.extent.to(last.operand.extent);
+    let extent = first.extent.to(last.formula.extent);
     Formula::new(kind(Box::new(first), rest), extent)
 }
 
@@ -316,7 +316,7 @@ fn parenthesis(input: ParseStream<'_>) -> Result<Formula> {
             "there is nothing between these parentheses: write an expression",
         ));
     }
-    let inner = parse(&content, Place::Parenthesis)?;
+    let inner = parse(&content, Context::Parenthesis)?;
     Formula::new(FormulaKind::Parenthesis(Box::new(inner)), extent)
 }
 
@@ -503,7 +503,7 @@ fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Formula>) -> Result<Spa
         if content.peek(Token![,]) {
             return Err(content.error("an argument is missing before this `,`"));
         }
-        arguments.push(parse(&content, Place::Argument)?);
+        arguments.push(parse(&content, Context::Argument)?);
         if content.peek(Token![,]) {
             content.parse::<Token![,]>()?;
         }
@@ -602,16 +602,16 @@ fn exponent(argument: &Formula) -> Result<i32> {
 }
 
 /// What is wrong with a token that follows a complete formula.
-fn stray(input: ParseStream<'_>, place: Place) -> syn::Error {
+fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
     if input.peek(Token![==]) {
         return input.error(match place {
-            Place::RightSide => "an equation has one `==`: write the second as an equation of its own",
-            Place::Value => "a definition is not an equation: write the equation as a statement of its own",
+            Context::RightSide => "an equation has one `==`: write the second as an equation of its own",
+            Context::Value => "a definition is not an equation: write the equation as a statement of its own",
             _ => "an equation stands on its own: write it as a statement, not within a formula",
         });
     }
     if input.peek(Token![=]) && !input.peek(Token![=>]) {
-        return input.error(if place == Place::LeftSide {
+        return input.error(if place == Context::LeftSide {
             "nothing is assigned here: write `==` for an equation, or `let x = …;` for an abbreviation"
         } else {
             "unexpected `=` within a formula: write an equation or a `let` as a statement of its own"
@@ -630,13 +630,13 @@ fn stray(input: ParseStream<'_>, place: Place) -> syn::Error {
     } else if input.peek(Token![<<]) || input.peek(Token![>>]) {
         "there are no bit operations here: write `* powi(2, n)`"
     } else if input.peek(Token![!=]) || input.peek(Token![<]) || input.peek(Token![>]) {
-        if place == Place::RangeEnd {
+        if place == Context::RangeEnd {
             "a range has one comparison: write `in 0..=PI` for one with two ends"
         } else {
             "there are no comparisons here: write `==` for an equation, and `where` after an unknown to choose its branch"
         }
     } else if input.peek(Token![&&]) || input.peek(Token![||]) {
-        if place == Place::RangeEnd {
+        if place == Context::RangeEnd {
             "a range has one comparison: write `in 0..=PI` for one with two ends"
         } else {
             "there are no conditions here: write each equation as a statement of its own"
@@ -650,7 +650,7 @@ fn stray(input: ParseStream<'_>, place: Place) -> syn::Error {
     } else if input.peek(Token![->]) || input.peek(Token![=>]) {
         "an arrow has no meaning in a formula: write only `+`, `-`, `*` and `/`"
     } else if input.peek(Token![,]) {
-        if place == Place::Parenthesis {
+        if place == Context::Parenthesis {
             "there are no tuples here: write `vec2(x, y)` for a plane vector, `vec3(x, y, z)` for a space vector"
         } else {
             "an expression ends before this `,`: write `;` before a further statement"
@@ -662,7 +662,7 @@ fn stray(input: ParseStream<'_>, place: Place) -> syn::Error {
     } else if input.peek(Token![!]) {
         "there are no macros or conditions here: write only formulas"
     } else if input.peek(Ident::peek_any) || input.peek(Lit) {
-        if matches!(place, Place::Parenthesis | Place::Argument) {
+        if matches!(place, Context::Parenthesis | Context::Argument) {
             "an operator is missing before this: write `*` for a product"
         } else {
             "an operator or a `;` is missing: write `;` before this if it begins a statement, `*` if a product is meant"

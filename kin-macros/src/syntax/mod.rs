@@ -190,7 +190,7 @@ pub(crate) struct Operand {
     pub(crate) operator: Operator,
     /// Of the operator.
     pub(crate) span: Span,
-    pub(crate) operand: Formula,
+    pub(crate) formula: Formula,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -323,7 +323,7 @@ mod tests {
                     format!(
                         "({left} {} {})",
                         operation.operator.symbol(),
-                        grouping(&operation.operand)
+                        grouping(&operation.formula)
                     )
                 })
             }

@@ -57,7 +57,7 @@ impl Display for Formula {
             FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
                 write!(f, "{first}")?;
                 rest.iter()
-                    .try_for_each(|operation| write!(f, " {} {}", operation.operator.symbol(), operation.operand))
+                    .try_for_each(|operation| write!(f, " {} {}", operation.operator.symbol(), operation.formula))
             }
             FormulaKind::Call {
                 callee,

@@ -6,7 +6,7 @@ use syn::parse::{ParseStream, Parser, Result};
 use syn::{Attribute, Token};
 
 use crate::mistakes::{Extent, nearest};
-use crate::syntax::formula::{self, Place};
+use crate::syntax::formula::{self, Context};
 use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{
     Comparison, Dimension, EquationStatement, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
@@ -274,7 +274,7 @@ fn comparison(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Ra
             format!("the end of the range of `{unknown}` is missing: write `where {unknown} > 0`"),
         ));
     }
-    let bound = formula::parse(input, Place::RangeEnd)?;
+    let bound = formula::parse(input, Context::RangeEnd)?;
     Ok(RangeKind::Comparison {
         name,
         comparison,
@@ -296,7 +296,7 @@ fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Range
     if input.peek(Token![..]) {
         return Err(open(Extent::at(input.span())));
     }
-    let low = formula::parse(input, Place::RangeStart)?;
+    let low = formula::parse(input, Context::RangeStart)?;
     let dots = Extent::at(input.span());
     let closed = input.peek(Token![..=]);
     if closed {
@@ -309,7 +309,7 @@ fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Range
     if input.is_empty() || input.peek(Token![,]) {
         return Err(open(low.extent.to(dots)));
     }
-    let high = formula::parse(input, Place::RangeEnd)?;
+    let high = formula::parse(input, Context::RangeEnd)?;
     Ok(RangeKind::Between { low, high, closed })
 }
 
@@ -361,7 +361,7 @@ fn definition(input: ParseStream<'_>, name: &Ident, form: &str) -> Result<crate:
             format!("the value of `{name}` is missing: write `{form}`"),
         ));
     }
-    formula::parse(input, Place::Value)
+    formula::parse(input, Context::Value)
 }
 
 /// `left == right`
@@ -370,7 +370,7 @@ fn equation(input: ParseStream<'_>) -> Result<EquationStatement> {
     if input.peek(Token![==]) {
         return Err(input.error("the left side of this equation is missing"));
     }
-    let left = formula::parse(input, Place::LeftSide)?;
+    let left = formula::parse(input, Context::LeftSide)?;
     if input.is_empty() {
         return Err(syn::Error::new_spanned(
             left.extent,
@@ -388,7 +388,7 @@ fn equation(input: ParseStream<'_>) -> Result<EquationStatement> {
             "the right side of this equation is missing",
         ));
     }
-    let right = formula::parse(input, Place::RightSide)?;
+    let right = formula::parse(input, Context::RightSide)?;
     Ok(EquationStatement {
         left,
         right,

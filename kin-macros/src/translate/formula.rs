@@ -85,7 +85,15 @@ impl Translation<'_> {
             FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
                 let mut result = self.formula(first);
                 let mut before = TokenStream::new();
-                for (place, Operand { operator, operand, .. }) in rest.iter().enumerate() {
+                for (
+                    place,
+                    Operand {
+                        operator,
+                        formula: operand,
+                        ..
+                    },
+                ) in rest.iter().enumerate()
+                {
                     if place > 0 && place % LONGEST == 0 {
                         let (value, tokens) = (Ident::new("value", site), result.tokens);
                         before.extend(quote_spanned!(site=> let #value = #tokens;));

@@ -242,7 +242,12 @@ impl<'a> Terms<'a, '_> {
             FormulaKind::Negate(inner) => self.add(inner, !negative),
             FormulaKind::Sum { first, rest } => {
                 self.add(first, negative);
-                for Operand { operator, operand, .. } in rest {
+                for Operand {
+                    operator,
+                    formula: operand,
+                    ..
+                } in rest
+                {
                     self.add(operand, negative != (*operator == Operator::Subtract));
                 }
             }

@@ -52,7 +52,7 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>, order: usize) -> TokenSt
         }
     });
 
-    let approach = format!(" Derived from {}.", mechanism.solvers.comparison.kept);
+    let approach = format!(" Derived from {}.", mechanism.solvers.trials.kept);
     let summary = format!(
         " Adds the {} to what is known, from the {} of the input{}.{}{}",
         order_name(order),

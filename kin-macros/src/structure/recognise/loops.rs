@@ -10,7 +10,7 @@ use crate::algebra::{Angle, Graph, Harmonic, Monomial, Node, Polynomial, Symbol}
 use crate::structure::{Arm, ClosedForm, ComplexNode};
 
 /// A pair of rows, `rows[0] = 0` the real part and `rows[1] = 0` the imaginary part of a loop.
-struct Pair<'a> {
+struct RowPair<'a> {
     rows: [&'a Polynomial; 2],
     /// What the second row is multiplied by.
     scale: Node,
@@ -21,7 +21,7 @@ struct Reading<'a> {
     /// How far it is from the plain way to write a loop.
     cost: usize,
     factors: Vec<(ComplexNode, bool)>,
-    rows: Pair<'a>,
+    rows: RowPair<'a>,
 }
 
 /// cos φ and sin φ times a power product: one place where a rotating vector stands.
@@ -73,7 +73,7 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
             let Some(scale) = row_scale(graph, rows, first, mirrored) else {
                 continue;
             };
-            let rows = Pair { rows, scale };
+            let rows = RowPair { rows, scale };
             let Some(factors) = places
                 .iter()
                 .map(|place| rows.factor(graph, place))
@@ -143,7 +143,7 @@ pub(in crate::structure) fn arm(
             let Some(scale) = row_scale(graph, rows, &place, mirrored) else {
                 continue;
             };
-            let rows = Pair { rows, scale };
+            let rows = RowPair { rows, scale };
             let Some((factor, mirrored)) = rows.factor(graph, &place) else {
                 continue;
             };
@@ -196,7 +196,7 @@ fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &TurningTerm, mir
     Some(graph.divide(above, below))
 }
 
-impl Pair<'_> {
+impl RowPair<'_> {
     fn entry(&self, graph: &mut Graph, row: usize, monomial: &Monomial) -> Node {
         let coefficient = self.rows[row].coefficient(graph, monomial);
         if row == 1 {
@@ -245,7 +245,7 @@ impl Pair<'_> {
 /// A cis(φ) + B cis(ψ) = C.
 fn two_angles(
     graph: &mut Graph,
-    rows: &Pair<'_>,
+    rows: &RowPair<'_>,
     arms: &[(TurningTerm, Arm)],
     unknowns: [usize; 2],
 ) -> Option<ClosedForm> {
@@ -288,7 +288,7 @@ fn split_unknowns(arm: &Arm, unknowns: [usize; 2]) -> Option<(usize, usize)> {
 /// A cis(φ) + s D = C.
 fn angle_length(
     graph: &mut Graph,
-    rows: &Pair<'_>,
+    rows: &RowPair<'_>,
     arms: &[(TurningTerm, Arm)],
     unknowns: [usize; 2],
 ) -> Option<ClosedForm> {
@@ -316,7 +316,12 @@ fn angle_length(
 }
 
 /// (s D + E) cis(φ) = C.
-fn polar(graph: &mut Graph, rows: &Pair<'_>, arms: &[(TurningTerm, Arm)], unknowns: [usize; 2]) -> Option<ClosedForm> {
+fn polar(
+    graph: &mut Graph,
+    rows: &RowPair<'_>,
+    arms: &[(TurningTerm, Arm)],
+    unknowns: [usize; 2],
+) -> Option<ClosedForm> {
     if !rows.straight().is_empty() {
         return None;
     }

@@ -41,14 +41,14 @@ pub(crate) struct Trial {
 
 /// All trials, and the way that was kept.
 #[derive(Clone, Debug)]
-pub(crate) struct Comparison {
-    pub(crate) trials: Vec<Trial>,
+pub(crate) struct Trials {
+    pub(crate) all: Vec<Trial>,
     pub(crate) kept: Approach,
 }
 
-impl Display for Comparison {
+impl Display for Trials {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        for Trial { way, cost } in &self.trials {
+        for Trial { way, cost } in &self.all {
             let mark = if *way == self.kept { '>' } else { ' ' };
             writeln!(
                 formatter,
