@@ -183,6 +183,36 @@ impl Number for Counted {
         Self(self.0.atan2(x.0))
     }
 
+    fn sinh(self) -> Self {
+        note(Operation::Other);
+        Self(Number::sinh(self.0))
+    }
+
+    fn cosh(self) -> Self {
+        note(Operation::Other);
+        Self(Number::cosh(self.0))
+    }
+
+    fn tanh(self) -> Self {
+        note(Operation::Other);
+        Self(Number::tanh(self.0))
+    }
+
+    fn asinh(self) -> Self {
+        note(Operation::Other);
+        Self(Number::asinh(self.0))
+    }
+
+    fn acosh(self) -> Self {
+        note(Operation::Other);
+        Self(Number::acosh(self.0))
+    }
+
+    fn atanh(self) -> Self {
+        note(Operation::Other);
+        Self(Number::atanh(self.0))
+    }
+
     fn exp(self) -> Self {
         note(Tallied::Other);
         Self(self.0.exp())
@@ -207,6 +237,7 @@ mod tests {
             let _ = -(sine + cosine - x * x / x);
             let _ = (x.sqrt(), x.atan(), x.atan2(x));
             let _ = (x.asin(), x.acos(), x.exp(), x.ln());
+            let _ = (x.sinh(), x.cosh(), x.tanh(), x.asinh(), x.acosh(), x.atanh());
         });
         let expected = Operations {
             additions: 2,
@@ -216,7 +247,7 @@ mod tests {
             square_roots: 1,
             sine_cosines: 1,
             arc_tangents: 2,
-            others: 4,
+            others: 10,
         };
         assert_eq!(tally, expected);
         assert_eq!(tally.arithmetic(), 5);

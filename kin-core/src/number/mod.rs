@@ -3,6 +3,7 @@
 #[cfg(feature = "std")]
 pub mod count;
 pub(crate) mod elementary;
+mod hyperbolic;
 mod operations;
 mod primitive;
 mod row;
@@ -110,6 +111,30 @@ pub trait Number:
     fn atan2_of_two(y: [Self; 2], x: [Self; 2]) -> [Self; 2] {
         [y[0].atan2(x[0]), y[1].atan2(x[1])]
     }
+
+    /// The hyperbolic sine.
+    #[must_use]
+    fn sinh(self) -> Self;
+
+    /// The hyperbolic cosine.
+    #[must_use]
+    fn cosh(self) -> Self;
+
+    /// The hyperbolic tangent.
+    #[must_use]
+    fn tanh(self) -> Self;
+
+    /// The number of which this is the hyperbolic sine.
+    #[must_use]
+    fn asinh(self) -> Self;
+
+    /// The number from 0 on of which this is the hyperbolic cosine.
+    #[must_use]
+    fn acosh(self) -> Self;
+
+    /// The number of which this is the hyperbolic tangent.
+    #[must_use]
+    fn atanh(self) -> Self;
 
     /// The exponential function.
     #[must_use]

@@ -7,6 +7,7 @@ use crate::number::{
     elementary::{
         FUSED, arc_tangent, arc_tangent_single, arc_tangents, arc_tangents_single, sine_cosine, sine_cosine_single,
     },
+    hyperbolic::{area_hyperbolic_cosine, area_hyperbolic_tangent},
     single,
 };
 
@@ -90,6 +91,36 @@ macro_rules! primitive {
             #[inline]
             fn atan2_of_two(y: [Self; 2], x: [Self; 2]) -> [Self; 2] {
                 $arc_tangents(y, x)
+            }
+
+            #[inline]
+            fn sinh(self) -> Self {
+                Float::sinh(self)
+            }
+
+            #[inline]
+            fn cosh(self) -> Self {
+                Float::cosh(self)
+            }
+
+            #[inline]
+            fn tanh(self) -> Self {
+                Float::tanh(self)
+            }
+
+            #[inline]
+            fn asinh(self) -> Self {
+                Float::asinh(self)
+            }
+
+            #[inline]
+            fn acosh(self) -> Self {
+                area_hyperbolic_cosine(self)
+            }
+
+            #[inline]
+            fn atanh(self) -> Self {
+                area_hyperbolic_tangent(self)
             }
 
             #[inline]

@@ -81,6 +81,21 @@ impl<const N: usize> Series<N> {
         Self::from_coefficients(f)
     }
 
+    /// Hyperbolic sine and cosine: the derivative of each is the other one.
+    fn sinh_cosh(self) -> (Self, Self) {
+        let a = self.coefficients;
+        let (mut sine, mut cosine) = ([0.0; N], [0.0; N]);
+        (sine[0], cosine[0]) = (Number::sinh(a[0]), Number::cosh(a[0]));
+        for k in 1..N {
+            for j in 1..=k {
+                let rate = number(j) * a[j] / number(k);
+                sine[k] += rate * cosine[k - j];
+                cosine[k] += rate * sine[k - j];
+            }
+        }
+        (Self::from_coefficients(sine), Self::from_coefficients(cosine))
+    }
+
     /// The derivative with respect to time; its last coefficient is not known and is given as zero.
     fn differentiate(self) -> Self {
         let mut slope = [0.0; N];
@@ -237,6 +252,48 @@ impl<const N: usize> Number for Series<N> {
         )
     }
 
+    fn sinh(self) -> Self {
+        self.sinh_cosh().0
+    }
+
+    fn cosh(self) -> Self {
+        self.sinh_cosh().1
+    }
+
+    fn tanh(self) -> Self {
+        let a = self.coefficients;
+        // the slope, 1 - tanh², grows by one coefficient with the value
+        let (mut value, mut slope) = ([0.0; N], [0.0; N]);
+        value[0] = Number::tanh(a[0]);
+        slope[0] = (1.0 - value[0]) * (1.0 + value[0]);
+        for k in 1..N {
+            for j in 1..=k {
+                value[k] += number(j) * a[j] * slope[k - j] / number(k);
+            }
+            for j in 0..=k {
+                slope[k] -= value[j] * value[k - j];
+            }
+        }
+        Self::from_coefficients(value)
+    }
+
+    fn asinh(self) -> Self {
+        let slope = (Self::constant(1.0) + self * self).sqrt();
+        Self::integrate(Number::asinh(self.real()), self.differentiate(), slope)
+    }
+
+    fn acosh(self) -> Self {
+        let one = Self::constant(1.0);
+        let slope = ((self - one) * (self + one)).sqrt();
+        Self::integrate(Number::acosh(self.real()), self.differentiate(), slope)
+    }
+
+    fn atanh(self) -> Self {
+        let one = Self::constant(1.0);
+        let slope = (one - self) * (one + self);
+        Self::integrate(Number::atanh(self.real()), self.differentiate(), slope)
+    }
+
     fn exp(self) -> Self {
         let a = self.coefficients;
         let mut power = [0.0; N];
@@ -289,6 +346,9 @@ mod tests {
         let (s, c) = 0.5_f64.sin_cos();
         close(t.sin_cos().0, Series::from_derivatives([s, c, -s, -c, s]));
         close(t.sin_cos().1, Series::from_derivatives([c, -s, -c, s, c]));
+        let (s, c) = (0.5_f64.sinh(), 0.5_f64.cosh());
+        close(t.sinh(), Series::from_derivatives([s, c, s, c, s]));
+        close(t.cosh(), Series::from_derivatives([c, s, c, s, c]));
     }
 
     #[test]
@@ -303,6 +363,13 @@ mod tests {
             close(sine.asin(), x);
             close(cosine.acos(), x);
             close((sine / cosine).atan(), x);
+            let (sinh, cosh) = (x.sinh(), x.cosh());
+            close(cosh * cosh - sinh * sinh, one);
+            close(sinh + cosh, x.exp());
+            close(sinh / cosh, x.tanh());
+            close(sinh.asinh(), x);
+            close(cosh.acosh(), x);
+            close(x.tanh().atanh(), x);
             for quarters in 0..4 {
                 let (shift, y, x_axis) = match quarters {
                     0 => (0.0, sine, cosine),

@@ -73,8 +73,9 @@ mod tests {
     use crate::number::Number;
     use crate::solve::Scalar;
     use crate::solve::{
-        arc_sine, check_angle, check_value, circle_circle, circle_circle_squared, circle_line, circle_line_x,
-        cosine_sine, factor, inverse_sine, linear_pair, polar_offset, quadratic, sine_of_arc,
+        arc_sine, area_hyperbolic_cosine, area_hyperbolic_tangent, check_angle, check_value, circle_circle,
+        circle_circle_squared, circle_line, circle_line_x, cosine_sine, factor, inverse_hyperbolic_cosine,
+        inverse_sine, linear_pair, polar_offset, quadratic, sine_of_arc,
     };
     use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -125,6 +126,10 @@ mod tests {
         };
         leaves_the_second(1.0, 4.0, system, |[x, _]| x);
         leaves_the_second(0.5, 1.0, |x| arc_sine(x).unwrap(), |x| x);
+        leaves_the_second(3.0, 1.0, |x| area_hyperbolic_cosine(x).unwrap(), |x| x);
+        leaves_the_second(0.5, -1.0, |x| area_hyperbolic_tangent(x).unwrap(), |x| x);
+        let by_cosine = |v| inverse_hyperbolic_cosine(v, is(1.0), Assembly::Open).unwrap();
+        leaves_the_second(3.0, 1.0, by_cosine, |x| x);
         leaves_the_second(0.5, -FRAC_PI_2, |x| sine_of_arc(x).unwrap(), |x| x);
         leaves_the_second(
             -4.0,

@@ -10,6 +10,7 @@
 //! | the same with an offset | [`polar_offset`] | 5, 9, 1, 1 and a change of sign if crossed |
 //! | one angle by its cosine and sine | [`cosine_sine`] | 4, 9, 1, 1 |
 //! | one angle by one of them | [`inverse_cosine`], [`inverse_sine`] | 2, 1, 0, 1 and a change of sign if crossed |
+//! | one number by its hyperbolic cosine | [`inverse_hyperbolic_cosine`] | a function of the number library, and a change of sign if crossed |
 //! | one unknown | [`linear`] | 0, 0, 1, 0 |
 //! | two unknowns in two linear equations | [`linear_pair`] | 3, 8, 1, 0 |
 //! | one unknown and its square | [`quadratic`] | 2, 3, 1, 1 |

@@ -145,6 +145,34 @@ impl Number for Rounded {
         }
     }
 
+    fn sinh(self) -> Self {
+        self.function(Number::sinh(self.value), Number::cosh(self.value))
+    }
+
+    fn cosh(self) -> Self {
+        self.function(Number::cosh(self.value), Number::sinh(self.value))
+    }
+
+    fn tanh(self) -> Self {
+        let value = Number::tanh(self.value);
+        self.function(value, (1.0 - value) * (1.0 + value))
+    }
+
+    fn asinh(self) -> Self {
+        let slope = 1.0 / (1.0 + self.value * self.value).sqrt();
+        self.function(Number::asinh(self.value), slope)
+    }
+
+    fn acosh(self) -> Self {
+        let slope = 1.0 / ((self.value - 1.0) * (self.value + 1.0)).sqrt();
+        self.function(Number::acosh(self.value), slope)
+    }
+
+    fn atanh(self) -> Self {
+        let slope = 1.0 / ((1.0 - self.value) * (1.0 + self.value));
+        self.function(Number::atanh(self.value), slope)
+    }
+
     fn exp(self) -> Self {
         let power = self.value.exp();
         self.function(power, power)
@@ -199,6 +227,12 @@ mod tests {
         check("arc tangent", Number::atan);
         check("angle of y", |x| x.atan2(two));
         check("angle of x", |x| two.atan2(x));
+        check("hyperbolic sine", Number::sinh);
+        check("hyperbolic cosine", Number::cosh);
+        check("hyperbolic tangent", Number::tanh);
+        check("area hyperbolic sine", Number::asinh);
+        check("area hyperbolic cosine", |x| (x + two).acosh());
+        check("area hyperbolic tangent", Number::atanh);
         check("exponential", Number::exp);
         check("logarithm", Number::ln);
         check("quotient", |x| two / x);

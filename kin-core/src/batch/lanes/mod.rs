@@ -173,6 +173,36 @@ impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
     }
 
     #[inline(always)]
+    fn sinh(self) -> Self {
+        self.map(Number::sinh)
+    }
+
+    #[inline(always)]
+    fn cosh(self) -> Self {
+        self.map(Number::cosh)
+    }
+
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        self.map(Number::tanh)
+    }
+
+    #[inline(always)]
+    fn asinh(self) -> Self {
+        self.map(Number::asinh)
+    }
+
+    #[inline(always)]
+    fn acosh(self) -> Self {
+        self.map(Number::acosh)
+    }
+
+    #[inline(always)]
+    fn atanh(self) -> Self {
+        self.map(Number::atanh)
+    }
+
+    #[inline(always)]
     fn exp(self) -> Self {
         self.map(Float::exp)
     }

@@ -15,6 +15,10 @@ pub(in crate::solve) enum Ends {
     Positive,
     /// From -1 to 1.
     Unit,
+    /// Between -1 and 1.
+    WithinUnit,
+    /// From 1 on.
+    FromOne,
     /// From -π/2 to π/2, up to rounding.
     RightAngles,
     /// From 0 to π, up to rounding.
@@ -40,6 +44,8 @@ impl<T: Scalar> Domain<T> {
             Ends::NotNegative => x >= 0.0,
             Ends::Positive => x > 0.0,
             Ends::Unit => x.abs() <= 1.0,
+            Ends::WithinUnit => x.abs() < 1.0,
+            Ends::FromOne => x >= 1.0,
             Ends::RightAngles => x.abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON),
             Ends::HalfTurn => {
                 let rounding = 4.0 * PI * T::EPSILON;
@@ -55,7 +61,8 @@ impl<T: Scalar> Domain<T> {
         let told = |low, high| is_told_from::<T>(low, x, 1.0) && is_told_from::<T>(high, x, 1.0);
         match self.ends {
             Ends::NotNegative | Ends::Positive => true,
-            Ends::Unit => told(-1.0, 1.0),
+            Ends::Unit | Ends::WithinUnit => told(-1.0, 1.0),
+            Ends::FromOne => is_told_from::<T>(1.0, x, 1.0),
             Ends::RightAngles | Ends::WithinRightAngles => told(-FRAC_PI_2, FRAC_PI_2),
             Ends::HalfTurn => told(0.0, PI),
         }
@@ -81,7 +88,8 @@ impl<T: Scalar> Check<T, 2, 3> for Domain<T> {
     fn margin(&self) -> T {
         match self.ends {
             Ends::NotNegative | Ends::Positive => self.argument,
-            Ends::Unit => T::constant(1.0) - size(self.argument),
+            Ends::Unit | Ends::WithinUnit => T::constant(1.0) - size(self.argument),
+            Ends::FromOne => self.argument - T::constant(1.0),
             Ends::RightAngles | Ends::WithinRightAngles => T::constant(FRAC_PI_2) - size(self.argument),
             Ends::HalfTurn => T::constant(FRAC_PI_2) - size(self.argument - T::constant(FRAC_PI_2)),
         }

@@ -81,7 +81,7 @@ impl Number for Recorded {
         self.0.is_finite()
     }
 
-    functions! { sqrt asin acos atan exp ln }
+    functions! { sqrt asin acos atan sinh cosh tanh asinh acosh atanh exp ln }
 
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = Number::sin_cos(self.0);

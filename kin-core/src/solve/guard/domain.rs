@@ -42,6 +42,24 @@ pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::Unit, x, x.acos(), "acos")
 }
 
+/// The number from 0 on with the hyperbolic cosine `x`, for x ≥ 1.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn area_hyperbolic_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
+    within(Ends::FromOne, x, x.acosh(), "acosh")
+}
+
+/// The number with the hyperbolic tangent `x`, for |x| < 1.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn area_hyperbolic_tangent<T: Scalar>(x: T) -> Result<T, Failure> {
+    within(Ends::WithinUnit, x, x.atanh(), "atanh")
+}
+
 /// ln x for x > 0.
 ///
 /// # Errors
@@ -77,6 +95,15 @@ pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let (sine, cosine) = v.sin_cos();
     within(Ends::WithinRightAngles, v, sine / cosine, "the inverse of atan")
+}
+
+/// The solution of acosh(x) = v, cosh v, for v ≥ 0.
+///
+/// # Errors
+/// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
+#[inline(always)]
+pub fn hyperbolic_cosine_of_area<T: Scalar>(v: T) -> Result<T, Failure> {
+    within(Ends::NotNegative, v, v.cosh(), "the inverse of acosh")
 }
 
 /// The solution of sqrt(x) = v, v², for v ≥ 0.
@@ -137,6 +164,9 @@ mod tests {
         assert_eq!(sine_of_arc(core::f32::consts::FRAC_PI_2), Ok(1.0));
         assert_eq!(cosine_of_arc(core::f32::consts::PI), Ok(-1.0));
         assert_eq!(square_of_root(3.0), Ok(9.0));
+        assert_eq!(area_hyperbolic_cosine(1.0), Ok(0.0));
+        assert_eq!(area_hyperbolic_tangent(0.0), Ok(0.0));
+        assert_eq!(hyperbolic_cosine_of_area(0.0), Ok(1.0));
         assert!((tangent_of_arc(1.0).unwrap() - 1.0_f64.tan()).abs() < 1e-15);
     }
 
@@ -151,6 +181,10 @@ mod tests {
             (cosine_of_arc(-0.1), "the inverse of acos", -0.1),
             (tangent_of_arc(2.0), "the inverse of atan", 2.0),
             (square_of_root(-0.1), "the inverse of sqrt", -0.1),
+            (area_hyperbolic_cosine(0.5), "acosh", 0.5),
+            (area_hyperbolic_tangent(1.0), "atanh", 1.0),
+            (area_hyperbolic_tangent(-1.0), "atanh", -1.0),
+            (hyperbolic_cosine_of_area(-0.1), "the inverse of acosh", -0.1),
         ] {
             assert_eq!(result, Err(Failure::OutsideDomain { function, argument }));
         }
@@ -167,6 +201,9 @@ mod tests {
             cosine_of_arc,
             tangent_of_arc,
             square_of_root,
+            area_hyperbolic_cosine,
+            area_hyperbolic_tangent,
+            hyperbolic_cosine_of_area,
         ] {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                 assert!(matches!(function(value), Err(Failure::NotFinite { .. })));
@@ -176,7 +213,13 @@ mod tests {
 
     #[test]
     fn nor_for_one_of_several_poses() {
-        for function in [square_root_of::<Lanes<2, false>>, logarithm, square_of_root] {
+        for function in [
+            square_root_of::<Lanes<2, false>>,
+            logarithm,
+            square_of_root,
+            area_hyperbolic_cosine,
+            hyperbolic_cosine_of_area,
+        ] {
             for value in [f64::NAN, f64::INFINITY, f64::MAX] {
                 let Ok(Lanes([first, second])) = function(Lanes([value, 2.0])) else {
                     panic!("lanes decide each for itself");

@@ -6,7 +6,8 @@ mod regular;
 mod turn;
 
 pub use domain::{
-    arc_cosine, arc_sine, cosine_of_arc, logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
+    arc_cosine, arc_sine, area_hyperbolic_cosine, area_hyperbolic_tangent, cosine_of_arc, hyperbolic_cosine_of_area,
+    logarithm, sine_of_arc, square_of_root, square_root_of, tangent_of_arc,
 };
 pub use range::{check_angle, check_value, choose_angle, choose_value};
 pub use regular::{finite, regular};

@@ -5,16 +5,22 @@
 //! from the partial derivatives (`derive/`); sine and cosine are differentiated as a pair there, because they share their angle.
 
 mod acos;
+mod acosh;
 mod asin;
+mod asinh;
 mod atan;
 mod atan2;
+mod atanh;
 mod cos;
+mod cosh;
 mod elementary;
 mod exp;
 mod ln;
 mod sin;
+mod sinh;
 mod sqrt;
 mod tan;
+mod tanh;
 
 pub(crate) use elementary::{Calculation, Checked, Gives, Inverse, InverseFunction, Takes, Work};
 
@@ -51,6 +57,12 @@ functions! {
     Acos: acos::ACOS;
     Atan: atan::ATAN;
     Atan2: atan2::ATAN2;
+    Sinh: sinh::SINH;
+    Cosh: cosh::COSH;
+    Tanh: tanh::TANH;
+    Asinh: asinh::ASINH;
+    Acosh: acosh::ACOSH;
+    Atanh: atanh::ATANH;
     Sqrt: sqrt::SQRT;
     Exp: exp::EXP;
     Ln: ln::LN;

@@ -1,0 +1,101 @@
+//! One number by its hyperbolic cosine.
+
+use crate::assembly::Assembly;
+use crate::failure::Failure;
+use crate::solve::Scalar;
+use crate::solve::check::Check;
+use crate::solve::diagnosis::refusal;
+use crate::solve::doubt::is_told_from;
+
+/// The argument a of cosh a = `value`, where a is a multiple of an unknown and something constant: a = `coefficient` x + b.
+///
+/// Of the two solutions, [`Assembly::Open`] is the one with the larger unknown x, and so has the sign of the coefficient.
+///
+/// A function of the number library; a change of sign more in the crossed assembly.
+///
+/// # Errors
+/// [`Failure::OutOfReach`] with the margin `value` - 1, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
+///
+/// ```
+/// use kin_core::{Assembly, solve};
+///
+/// let value = 2.0_f64.cosh();
+/// let argument = solve::inverse_hyperbolic_cosine(value, 1.0, Assembly::Crossed)?;
+/// assert!((argument + 2.0).abs() < 1e-15);
+/// # Ok::<(), kin_core::Failure>(())
+/// ```
+#[inline(always)]
+pub fn inverse_hyperbolic_cosine<T: Scalar>(value: T, coefficient: T, assembly: Assembly) -> Result<T, Failure> {
+    match value.provided(AboveOne { value }) {
+        Some(value) => Ok(value.acosh().times_sign_of(coefficient).signed(assembly)),
+        None => Err(too_small(value.real(), T::EPSILON)),
+    }
+}
+
+/// Whether a number is a hyperbolic cosine of two numbers.
+#[derive(Clone, Copy)]
+struct AboveOne<T> {
+    value: T,
+}
+
+impl<T: Scalar> Check<T, 1, 3> for AboveOne<T> {
+    fn name(&self) -> &'static str {
+        "reach of a hyperbolic cosine"
+    }
+
+    #[inline(always)]
+    fn operands(&self) -> [T; 1] {
+        [self.value]
+    }
+
+    #[inline(always)]
+    fn holds(&self, [value]: [f64; 1]) -> [bool; 3] {
+        [value > 1.0, value < f64::INFINITY, is_told_from::<T>(1.0, value, 1.0)]
+    }
+
+    fn margin(&self) -> T {
+        self.value - T::constant(1.0)
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn too_small(value: f64, epsilon: f64) -> Failure {
+    refusal(value - 1.0, 1.0, epsilon, 0.0, "hyperbolic cosine of an unknown")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::inverse_hyperbolic_cosine;
+    use crate::assembly::Assembly;
+    use crate::failure::Failure;
+    use crate::number::Number;
+
+    #[test]
+    fn the_assembly_and_the_coefficient_give_the_sign() {
+        for assembly in Assembly::BOTH {
+            for coefficient in [2.0_f64, -3.0, 1e-300] {
+                for argument in [1e-7, 0.3, 2.0, 700.0] {
+                    let value = Number::cosh(argument);
+                    let found = inverse_hyperbolic_cosine(value, coefficient, assembly).unwrap();
+                    assert_eq!(found.abs(), Number::acosh(value));
+                    assert_eq!(Assembly::from_sign(found * coefficient), assembly);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn limits_and_what_lies_beyond() {
+        let solve = |value| inverse_hyperbolic_cosine::<f64>(value, 1.0, Assembly::Open);
+        for value in [1.0, 1.0 - f64::EPSILON] {
+            assert_eq!(solve(value), Err(Failure::Singular { determinant: 0.0 }));
+        }
+        for value in [0.5, -2.0] {
+            assert_eq!(solve(value), Err(Failure::OutOfReach { margin: value - 1.0 }));
+        }
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(matches!(solve(value), Err(Failure::NotFinite { .. })));
+        }
+    }
+}

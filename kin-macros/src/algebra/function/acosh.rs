@@ -1,0 +1,37 @@
+//! acosh x: the derivative is 1 / √(x² - 1).
+
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use crate::algebra::Function;
+
+pub(super) const ACOSH: Elementary = Elementary {
+    name: "acosh",
+    form: "acosh(x)",
+    arity: 1,
+    takes: Takes::number("a ratio"),
+    gives: Gives::Number,
+    domain: Domain::Part {
+        contains: |x| x[0] >= 1.0,
+        text: "begins at 1",
+    },
+    guard: Some(&Checked {
+        name: "area_hyperbolic_cosine",
+        decides_by_sign: false,
+        cost: &[Work::Other],
+    }),
+    inverse: Inverse::One(InverseFunction::Checked(&Checked {
+        name: "hyperbolic_cosine_of_area",
+        decides_by_sign: true,
+        cost: &[Work::Other],
+    })),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
+    value: |x| x[0].acosh(),
+    partials: |graph, x, _| {
+        let square = graph.power(x[0], 2);
+        let one = graph.one();
+        let difference = graph.subtract(square, one);
+        let root = graph.call(Function::Sqrt, &[difference]);
+        vec![graph.power(root, -1)]
+    },
+};

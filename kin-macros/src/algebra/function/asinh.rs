@@ -1,0 +1,26 @@
+//! asinh x: the derivative is 1 / √(1 + x²).
+
+use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use crate::algebra::Function;
+
+pub(super) const ASINH: Elementary = Elementary {
+    name: "asinh",
+    form: "asinh(x)",
+    arity: 1,
+    takes: Takes::number("a ratio"),
+    gives: Gives::Number,
+    domain: Domain::Everywhere,
+    guard: None,
+    inverse: Inverse::One(InverseFunction::Elementary(Function::Sinh)),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
+    value: |x| x[0].asinh(),
+    partials: |graph, x, _| {
+        let square = graph.power(x[0], 2);
+        let one = graph.one();
+        let sum = graph.add(one, square);
+        let root = graph.call(Function::Sqrt, &[sum]);
+        vec![graph.power(root, -1)]
+    },
+};

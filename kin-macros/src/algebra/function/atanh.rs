@@ -1,0 +1,35 @@
+//! atanh x: the derivative is 1 / (1 - x²).
+
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use crate::algebra::Function;
+
+/// atanh x with a check.
+pub(super) const AREA: Checked = Checked {
+    name: "area_hyperbolic_tangent",
+    decides_by_sign: false,
+    cost: &[Work::Other],
+};
+
+pub(super) const ATANH: Elementary = Elementary {
+    name: "atanh",
+    form: "atanh(x)",
+    arity: 1,
+    takes: Takes::number("a ratio"),
+    gives: Gives::Number,
+    domain: Domain::Part {
+        contains: |x| x[0].abs() < 1.0,
+        text: "lies between -1 and 1, both left out",
+    },
+    guard: Some(&AREA),
+    inverse: Inverse::One(InverseFunction::Elementary(Function::Tanh)),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
+    value: |x| x[0].atanh(),
+    partials: |graph, x, _| {
+        let square = graph.power(x[0], 2);
+        let one = graph.one();
+        let difference = graph.subtract(one, square);
+        vec![graph.power(difference, -1)]
+    },
+};

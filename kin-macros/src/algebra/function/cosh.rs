@@ -1,0 +1,24 @@
+//! cosh x: the derivative is sinh x.
+
+use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, Takes, Work};
+use crate::algebra::Function;
+
+pub(super) const COSH: Elementary = Elementary {
+    name: "cosh",
+    form: "cosh(x)",
+    arity: 1,
+    takes: Takes::number("a plain number"),
+    gives: Gives::Number,
+    domain: Domain::Everywhere,
+    guard: None,
+    inverse: Inverse::Even(&Checked {
+        name: "inverse_hyperbolic_cosine",
+        decides_by_sign: false,
+        cost: &[Work::Other],
+    }),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: false,
+    value: |x| x[0].cosh(),
+    partials: |graph, x, _| vec![graph.call(Function::Sinh, x)],
+};

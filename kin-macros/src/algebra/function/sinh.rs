@@ -1,0 +1,20 @@
+//! sinh x: the derivative is cosh x.
+
+use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use crate::algebra::Function;
+
+pub(super) const SINH: Elementary = Elementary {
+    name: "sinh",
+    form: "sinh(x)",
+    arity: 1,
+    takes: Takes::number("a plain number"),
+    gives: Gives::Number,
+    domain: Domain::Everywhere,
+    guard: None,
+    inverse: Inverse::One(InverseFunction::Elementary(Function::Asinh)),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
+    value: |x| x[0].sinh(),
+    partials: |graph, x, _| vec![graph.call(Function::Cosh, x)],
+};

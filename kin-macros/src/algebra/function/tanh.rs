@@ -1,0 +1,25 @@
+//! tanh x: the derivative is 1 - tanh² x.
+
+use super::atanh::AREA;
+use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+
+pub(super) const TANH: Elementary = Elementary {
+    name: "tanh",
+    form: "tanh(x)",
+    arity: 1,
+    takes: Takes::number("a plain number"),
+    gives: Gives::Number,
+    domain: Domain::Everywhere,
+    guard: None,
+    inverse: Inverse::One(InverseFunction::Checked(&AREA)),
+    calculation: Calculation::Method,
+    cost: &[Work::Other],
+    has_zeros: true,
+    value: |x| x[0].tanh(),
+    partials: |graph, _, value| {
+        // 1 - tanh² x needs no function but the value itself, and no power that might be infinite
+        let square = graph.power(value, 2);
+        let one = graph.one();
+        vec![graph.subtract(one, square)]
+    },
+};
