@@ -150,7 +150,8 @@ pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, trac
 ///   the unknowns.
 ///
 /// Expressions are Rust expressions of the declared names, numbers and `PI`, of `+`, `-`, `*`, `/`, of `sin`, `cos`,
-/// `tan`, `asin`, `acos`, `atan`, `atan2`, `sqrt`, `exp`, `ln` and `powi`, and of three functions that make vectors of the plane:
+/// `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `sqrt`, `exp`, `ln` and `powi`, and of
+/// three functions that make vectors of the plane:
 /// `cis(angle)`, the unit vector at an angle, `polar(length, angle)`, and `vec2(x, y)`. Functions may be written as methods,
 /// and the coordinates of a vector `v` are `v.x` and `v.y`. They multiply as the complex numbers do, so that
 /// `v * cis(angle)` is `v`, turned. A scalar that is added to a vector lies along the x axis.

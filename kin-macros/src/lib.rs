@@ -28,7 +28,8 @@
 //! unary       = "-" unary | postfix
 //! postfix     = operand ("." "x" | "." "y" | "." "z" | "." function "(" arguments ")")*
 //! operand     = NUMBER | "PI" | NAME | function "(" arguments ")" | "(" expression ")"
-//! function    = "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "atan2" | "sqrt" | "exp" | "ln"
+//! function    = "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "atan2"
+//!             | "sinh" | "cosh" | "tanh" | "asinh" | "acosh" | "atanh" | "sqrt" | "exp" | "ln"
 //!             | "powi" | "cis" | "polar" | "vec2" | "vec3" | "rot_x" | "rot_y" | "rot_z" | "rot"
 //!             | "dot" | "cross" | "norm"
 //! ```
@@ -52,6 +53,7 @@
 //! |---|---|---|
 //! | `sin`, `cos`, `tan` | angle | number |
 //! | `asin`, `acos`, `atan`, `exp`, `ln` | number | angle or number |
+//! | `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh` | number | number |
 //! | `atan2(y, x)` | two scalars of one dimension | angle |
 //! | `sqrt(x)`, `powi(x, n)` | scalar; n an integer literal from -64 to 64 | scalar, the power of length halved or multiplied |
 //! | `cis(angle)` | angle | unit vector of the plane |

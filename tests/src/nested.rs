@@ -123,6 +123,34 @@ impl<T: Number> Number for Nested<T> {
         Self::new(self.value.atan2(x.value), rate)
     }
 
+    fn sinh(self) -> Self {
+        self.chain(self.value.sinh(), self.value.cosh())
+    }
+
+    fn cosh(self) -> Self {
+        self.chain(self.value.cosh(), self.value.sinh())
+    }
+
+    fn tanh(self) -> Self {
+        let value = self.value.tanh();
+        self.chain(value, Self::one() - value * value)
+    }
+
+    fn asinh(self) -> Self {
+        let slope = Self::one() / (Self::one() + self.value * self.value).sqrt();
+        self.chain(self.value.asinh(), slope)
+    }
+
+    fn acosh(self) -> Self {
+        let slope = Self::one() / (self.value * self.value - Self::one()).sqrt();
+        self.chain(self.value.acosh(), slope)
+    }
+
+    fn atanh(self) -> Self {
+        let slope = Self::one() / (Self::one() - self.value * self.value);
+        self.chain(self.value.atanh(), slope)
+    }
+
     fn exp(self) -> Self {
         let value = self.value.exp();
         self.chain(value, value)
@@ -194,6 +222,12 @@ mod tests {
             "arc cosine" |x, _| x.acos();
             "arctangent" |x, _| x.atan();
             "arctangent of two" Number::atan2;
+            "hyperbolic sine" |x, _| x.sinh();
+            "hyperbolic cosine" |x, _| x.cosh();
+            "hyperbolic tangent" |x, _| x.tanh();
+            "area hyperbolic sine" |x, _| x.asinh();
+            "area hyperbolic cosine" |x, y| (x + y + y).acosh();
+            "area hyperbolic tangent" |x, _| x.atanh();
             "exponential" |x, _| x.exp();
             "logarithm" |_, y| y.ln();
         }

@@ -129,6 +129,43 @@ impl Number {
         Self(angle.expect("a point beside the origin").value())
     }
 
+    /// Hyperbolic sine and cosine, in this order.
+    #[must_use]
+    pub fn sinh_cosh(&self) -> (Self, Self) {
+        let (sine, cosine) = self.0.sinh_cosh();
+        (Self(sine), Self(cosine))
+    }
+
+    /// The hyperbolic tangent.
+    #[must_use]
+    pub fn tanh(&self) -> Self {
+        Self(self.0.tanh())
+    }
+
+    /// The number with this hyperbolic sine.
+    #[must_use]
+    pub fn asinh(&self) -> Self {
+        Self(self.0.asinh())
+    }
+
+    /// The number from 0 on with this hyperbolic cosine.
+    ///
+    /// # Panics
+    /// Below 1.
+    #[must_use]
+    pub fn acosh(&self) -> Self {
+        Self(self.0.acosh())
+    }
+
+    /// The number with this hyperbolic tangent.
+    ///
+    /// # Panics
+    /// If it does not lie between -1 and 1.
+    #[must_use]
+    pub fn atanh(&self) -> Self {
+        Self(self.0.atanh())
+    }
+
     /// The exponential function.
     #[must_use]
     pub fn exp(&self) -> Self {
@@ -188,7 +225,7 @@ mod tests {
     }
 
     /// Fifty digits of constants, from the On-Line Encyclopedia of Integer Sequences: A000796, A049469, A049470, A002193,
-    /// A001113, A002162.
+    /// A001113, A002162, A073742, A073743, A073744, A091648.
     #[test]
     fn constants() {
         let one = Number::exactly(1.0);
@@ -198,6 +235,16 @@ mod tests {
         digits(&one.sin_cos().1, "0.54030230586813971740093660744297660373231042061792");
         digits(&two.sqrt(), "1.41421356237309504880168872420969807856967187537694");
         digits(&one.exp(), "2.71828182845904523536028747135266249775724709369995");
+        digits(
+            &one.sinh_cosh().0,
+            "1.17520119364380145688238185059560081515571798133409",
+        );
+        digits(
+            &one.sinh_cosh().1,
+            "1.54308063481524377847790562075706168260152911236586",
+        );
+        digits(&one.tanh(), "0.76159415595576488811945828260479359041276859725793");
+        digits(&one.asinh(), "0.88137358701954302523260932497979230902816032826163");
         digits(&two.ln(), "0.69314718055994530941723212145817656807550013436025");
     }
 
@@ -218,6 +265,32 @@ mod tests {
         assert_eq!(Number::exactly(0.1).nearest(), 0.1);
         assert_eq!(Number::exactly(-3.0).abs().doubled(-1).nearest(), 1.5);
         assert!((&Number::exactly(0.1) - &Number::exactly(0.1)).is_zero());
+    }
+
+    /// The hyperbolic functions are those of the exponential function, which lose digits near zero only.
+    #[test]
+    fn hyperbolic_identities() {
+        for value in [1e-9, 0.1, 1.0, 2.5, -3.0, 20.0] {
+            let argument = Number::exactly(value);
+            let (sine, cosine) = argument.sinh_cosh();
+            let (growth, decay) = (argument.exp(), (-&argument).exp());
+            let size = growth.nearest().max(decay.nearest()).powi(2);
+            let same = |one: &Number, other: &Number| {
+                let difference = (one - other).nearest();
+                assert!(difference.abs() < 1e-74 * size, "{value}: {one:?} {other:?}");
+            };
+            same(&sine, &(&growth - &decay).doubled(-1));
+            same(&cosine, &(&growth + &decay).doubled(-1));
+            same(&(&argument.tanh() * &cosine), &sine);
+            same(&sine.asinh(), &argument);
+            same(&cosine.acosh(), &argument.abs());
+            same(&argument.tanh().atanh(), &argument);
+        }
+        // the cube of a small number, all digits of it
+        let small = Number::exactly(1e-20);
+        let cube = &(&small * &small) * &small;
+        let rest = &(&small.sinh_cosh().0 - &small) * &Number::exactly(6.0);
+        assert!(((&rest / &cube).nearest() - 1.0).abs() < 1e-15);
     }
 
     /// A tenth, a power that underflows an `f64`, and nothing lost.

@@ -4,8 +4,8 @@ use kin_core::library;
 use kin_core::prelude::*;
 
 use super::{
-    directions, dyads, four_bar_typings, inverted_slider_crank_typings, multi_loop, outputs, ranged, scalar_forms,
-    slider_crank_typings, space,
+    directions, dyads, four_bar_typings, hyperbolic, inverted_slider_crank_typings, multi_loop, outputs, ranged,
+    scalar_forms, slider_crank_typings, space,
 };
 use crate::random::Random;
 
@@ -85,6 +85,7 @@ pub fn all(visitor: &mut impl Visitor) {
     loops(visitor);
     chains(visitor);
     scalars(visitor);
+    hyperbolic::all(visitor);
     ranges(visitor);
     in_space(visitor);
     with_outputs(visitor);

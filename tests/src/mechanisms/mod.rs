@@ -6,6 +6,7 @@ pub mod coupled;
 pub mod directions;
 pub mod dyads;
 pub mod four_bar_typings;
+pub mod hyperbolic;
 pub mod inverted_slider_crank_typings;
 pub mod multi_loop;
 pub mod outputs;

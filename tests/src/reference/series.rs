@@ -167,6 +167,53 @@ impl Series {
         Self::integral(count, first, &areal, &square)
     }
 
+    pub(super) fn sinh_cosh(&self, count: usize) -> (Self, Self) {
+        let (sine, cosine) = self.0[0].sinh_cosh();
+        let (mut sines, mut cosines) = (vec![sine], vec![cosine]);
+        if !self.is_constant() {
+            let rate = self.rate();
+            for power in 1..count {
+                // each is the derivative of the other one
+                let (mut sine, mut cosine) = (Number::zero(), Number::zero());
+                for j in 0..power {
+                    let growth = rate.coefficient(j);
+                    sine = &sine + &(&growth * &cosines[power - 1 - j]);
+                    cosine = &cosine + &(&growth * &sines[power - 1 - j]);
+                }
+                sines.push(&sine / &number(power));
+                cosines.push(&cosine / &number(power));
+            }
+        }
+        (Self(sines), Self(cosines))
+    }
+
+    pub(super) fn asinh(&self, count: usize) -> Self {
+        self.area(count, Number::asinh, |square, one| square.plus(one).sqrt(count))
+    }
+
+    pub(super) fn acosh(&self, count: usize) -> Self {
+        self.area(count, Number::acosh, |square, one| square.minus(one).sqrt(count))
+    }
+
+    pub(super) fn atanh(&self, count: usize) -> Self {
+        self.area(count, Number::atanh, |square, one| one.minus(square))
+    }
+
+    /// An inverse of a hyperbolic function: its value, and what its rate is divided by.
+    fn area(
+        &self,
+        count: usize,
+        value: impl FnOnce(&Number) -> Number,
+        divisor: impl FnOnce(&Self, &Self) -> Self,
+    ) -> Self {
+        let first = value(&self.0[0]);
+        if self.is_constant() {
+            return Self::constant(first);
+        }
+        let divisor = divisor(&self.times(self, count), &Self::constant(number(1)));
+        Self::integral(count, first, &self.rate(), &divisor)
+    }
+
     pub(super) fn exp(&self, count: usize) -> Self {
         let first = self.0[0].exp();
         if self.is_constant() {
@@ -240,5 +287,11 @@ mod tests {
         let (sine, cosine) = x.sin_cos(COUNT);
         same(&sine.times(&sine, COUNT).plus(&cosine.times(&cosine, COUNT)), &one);
         same(&sine.atan2(&cosine, COUNT), &x);
+        let (sine, cosine) = x.sinh_cosh(COUNT);
+        same(&cosine.times(&cosine, COUNT).minus(&sine.times(&sine, COUNT)), &one);
+        same(&sine.plus(&cosine), &x.exp(COUNT));
+        same(&sine.asinh(COUNT), &x);
+        same(&cosine.acosh(COUNT), &x);
+        same(&sine.over(&cosine, COUNT).atanh(COUNT), &x);
     }
 }

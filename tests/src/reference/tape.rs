@@ -54,6 +54,12 @@ impl Place {
         Self::of(value)
     }
 
+    /// Hyperbolic sine and cosine.
+    fn sinh_cosh(self) -> (Self, Self) {
+        let (sine, cosine) = TAPE.with_borrow(|tape| tape.values[self.0].sinh_cosh(tape.count));
+        (Self::of(sine), Self::of(cosine))
+    }
+
     fn join(self, other: Self, function: impl FnOnce(&Series, &Series, usize) -> Series) -> Self {
         let value = TAPE.with_borrow(|tape| function(&tape.values[self.0], &tape.values[other.0], tape.count));
         Self::of(value)
@@ -145,6 +151,31 @@ impl kin_core::Number for Place {
 
     fn atan2(self, x: Self) -> Self {
         self.join(x, Series::atan2)
+    }
+
+    fn sinh(self) -> Self {
+        self.sinh_cosh().0
+    }
+
+    fn cosh(self) -> Self {
+        self.sinh_cosh().1
+    }
+
+    fn tanh(self) -> Self {
+        let (sine, cosine) = self.sinh_cosh();
+        sine / cosine
+    }
+
+    fn asinh(self) -> Self {
+        self.map(Series::asinh)
+    }
+
+    fn acosh(self) -> Self {
+        self.map(Series::acosh)
+    }
+
+    fn atanh(self) -> Self {
+        self.map(Series::atanh)
     }
 
     fn exp(self) -> Self {

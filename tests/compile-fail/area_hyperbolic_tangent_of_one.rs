@@ -1,0 +1,13 @@
+use kin_core::mechanism;
+
+mechanism! {
+    pub struct Catenary {
+        pub a: Length,
+    }
+    input t: Scalar;
+    unknown x: Length;
+    x == a * cosh(t);
+    output reach: Length = a * atanh(1);
+}
+
+fn main() {}
