@@ -467,17 +467,16 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
             "; a formula must have all its derivatives, and that one has not".to_owned()
         }
         "sin_cos" => "; write `sin(x)` and `cos(x)`, they are computed together all the same".to_owned(),
-        _ => match without_arc(&word) {
-            Some(name) => format!("; did you mean `{name}`?"),
-            None => {
-                let near = suggestion(&word, function_names());
-                if near.is_empty() && !method {
-                    "; write `*` for a product".to_owned()
-                } else {
-                    near
-                }
+        _ => {
+            let near = suggestion(&word, function_names());
+            if let Some(name) = without_arc(&word) {
+                format!("; did you mean `{name}`?")
+            } else if near.is_empty() && !method {
+                "; write `*` for a product".to_owned()
+            } else {
+                near
             }
-        },
+        }
     };
     syn::Error::new(
         name.span(),
