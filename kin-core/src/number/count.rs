@@ -184,32 +184,32 @@ impl Number for Counted {
     }
 
     fn sinh(self) -> Self {
-        note(Operation::Other);
+        note(Tallied::Other);
         Self(Number::sinh(self.0))
     }
 
     fn cosh(self) -> Self {
-        note(Operation::Other);
+        note(Tallied::Other);
         Self(Number::cosh(self.0))
     }
 
     fn tanh(self) -> Self {
-        note(Operation::Other);
+        note(Tallied::Other);
         Self(Number::tanh(self.0))
     }
 
     fn asinh(self) -> Self {
-        note(Operation::Other);
+        note(Tallied::Other);
         Self(Number::asinh(self.0))
     }
 
     fn acosh(self) -> Self {
-        note(Operation::Other);
+        note(Tallied::Other);
         Self(Number::acosh(self.0))
     }
 
     fn atanh(self) -> Self {
-        note(Operation::Other);
+        note(Tallied::Other);
         Self(Number::atanh(self.0))
     }
 
