@@ -1,8 +1,8 @@
 //! How sharply a position is determined by the numbers that it was found from.
 
+use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::number::{Number, Row, series::Series};
-use crate::solve::{eliminate, level, substitute};
 
 /// A value and its change.
 type Change = Series<2>;
@@ -54,11 +54,11 @@ pub(crate) fn conditions<M: Mechanism>(
             *terms += entry.abs() * size;
         }
     }
-    let inverse = InverseMatrix::<M>::of(jacobian);
+    let factored = FactoredMatrix::<M>::new(M::DESCRIPTION.unknowns.len(), |row, column| jacobian[row][column]);
 
     let mut conditions = M::Unknowns::from_fn(|index| values(unknowns.as_ref(), index).abs());
     let mut add = |right: M::Unknowns<f64>| {
-        let change = inverse.times(&right);
+        let change = factored.solve(&right);
         for (condition, change) in conditions.as_mut().iter_mut().zip(change.as_ref()) {
             *condition += change.abs();
         }
@@ -113,44 +113,4 @@ pub(crate) fn condition<M: Mechanism>(
             };
             largest.max(condition / size)
         })
-}
-
-/// A Jacobian in triangular factors.
-struct InverseMatrix<M: Mechanism> {
-    rows: M::Unknowns<M::Unknowns<f64>>,
-    origins: M::Unknowns<usize>,
-    row_exponents: M::Unknowns<i32>,
-    column_exponents: M::Unknowns<i32>,
-}
-
-impl<M: Mechanism> InverseMatrix<M> {
-    fn of(jacobian: M::Unknowns<M::Unknowns<f64>>) -> Self {
-        let mut own = Self {
-            rows: jacobian,
-            origins: Row::from_fn(|row| row),
-            row_exponents: Row::from_fn(|_| 0),
-            column_exponents: Row::from_fn(|_| 0),
-        };
-        level::<f64, _>(
-            own.rows.as_mut(),
-            own.row_exponents.as_mut(),
-            own.column_exponents.as_mut(),
-        );
-        eliminate::<f64, _>(own.rows.as_mut(), own.origins.as_mut(), f64::EPSILON);
-        own
-    }
-
-    /// Not finite if the Jacobian is singular.
-    fn times(&self, right: &M::Unknowns<f64>) -> M::Unknowns<f64> {
-        let mut solution = *right;
-        substitute::<f64, _>(
-            self.rows.as_ref(),
-            self.origins.as_ref(),
-            self.row_exponents.as_ref(),
-            self.column_exponents.as_ref(),
-            right.as_ref(),
-            solution.as_mut(),
-        );
-        solution
-    }
 }

@@ -2,6 +2,7 @@
 
 mod condition;
 mod description;
+pub(crate) mod factored_matrix;
 mod failed;
 mod pose_of;
 mod sensitive;

@@ -1,8 +1,9 @@
 //! By how much rounding errors move a position.
 
-use super::sides::{FactoredMatrix, Sides, bordered};
+use super::sides::{Sides, bordered, whole};
 use super::way::{Linear, Point, Way, largest};
 use crate::mechanism::Mechanism;
+use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::number::Row;
 
 /// How many units of rounding the terms of an equation may be off by, in the solvers and here.
@@ -31,12 +32,7 @@ pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
 /// How far rounding errors may move the unknowns at a point, in sizes. Not finite where the equations are singular.
 pub(super) fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> f64 {
     way.linearise(point).map_or(f64::INFINITY, |linear| {
-        largest(
-            rounding(way, point, &FactoredMatrix::whole(&linear))
-                .as_ref()
-                .iter()
-                .copied(),
-        )
+        largest(rounding(way, point, &whole(&linear)).as_ref().iter().copied())
     })
 }
 
@@ -50,7 +46,7 @@ pub(super) fn is_indistinct<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Po
     if here.has_zero() {
         return true;
     }
-    let shift = rounding(way, point, &FactoredMatrix::whole(&linear));
+    let shift = rounding(way, point, &whole(&linear));
     any_beside(way, point, &shift, None, |linear| Sides::of(linear).shrink_from(&here))
 }
 

@@ -5,13 +5,14 @@ use std::string::ToString;
 use std::{format, vec};
 
 use super::rounding::{blur, is_crossed, is_indistinct};
-use super::sides::{FactoredMatrix, Sides};
+use super::sides::Sides;
 use super::turning::fastest;
 use super::way::{Point, Way, largest};
 use super::{CORRECTION, TrackError, TrackErrorOf, attempted, predicted, rates, station, track};
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::library::{FourBar, InvertedSliderCrank, OffsetSliderCrank};
+use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::mechanism::{Mechanism, PoseOf};
 
 crate::mechanism! {

@@ -6,11 +6,12 @@
 //! Transactions on Mathematical Software 9, 1983, 215-235.)
 
 use super::rounding::{is_crossed, rounding};
-use super::sides::{FactoredMatrix, Orientation, Sides, bordered};
+use super::sides::{Sides, bordered};
 use super::steps::Steps;
 use super::way::{Linear, Point, Way, largest};
 use super::{BLUR, CREEPING, FAR, MOST_CREEPING};
 use crate::mechanism::Mechanism;
+use crate::mechanism::factored_matrix::{FactoredMatrix, Orientation};
 use crate::number::Row;
 
 /// The longest step, in sizes of the parameter.
