@@ -250,16 +250,17 @@ impl Builder<'_> {
             ClosedForm::EvenInverse {
                 inverse,
                 unknown,
-                coefficient,
-                offset,
                 value,
+                result,
+                growth,
+                coefficient,
+                right,
                 ..
             } => {
-                let (result, argument) = self.fresh("inverse");
-                let arguments = [*value, *coefficient].map(|node| Argument::Scalar(self.known(node)));
-                self.solve(Solver::EvenInverse(inverse), arguments.to_vec(), vec![result]);
-                let right = self.graph.add(argument, *offset);
-                self.linear(*unknown, *coefficient, right);
+                self.names.name(*result, "inverse");
+                let arguments = [*value, *growth].map(|node| Argument::Scalar(self.known(node)));
+                self.solve(Solver::EvenInverse(inverse), arguments.to_vec(), vec![*result]);
+                self.linear(*unknown, *coefficient, *right);
             }
             ClosedForm::LinearPair {
                 unknowns,
@@ -404,7 +405,7 @@ mod tests {
     use super::*;
     use crate::testing::sound;
 
-    /// A function of an unknown is inverted by the closed form of its inverse; only that of the logarithm needs none.
+    /// A function of an unknown is inverted by the closed form of its inverse; an inverse that is defined everywhere needs none.
     #[test]
     fn functions_are_inverted_by_their_inverses() {
         let names = |function: TokenStream| -> Vec<&str> {
@@ -429,6 +430,12 @@ mod tests {
             (quote!(asin), vec!["sine_of_arc"]),
             (quote!(acos), vec!["cosine_of_arc"]),
             (quote!(atan), vec!["tangent_of_arc"]),
+            (quote!(sinh), vec![]),
+            (quote!(cosh), vec!["inverse_hyperbolic_cosine"]),
+            (quote!(tanh), vec!["area_hyperbolic_tangent"]),
+            (quote!(asinh), vec![]),
+            (quote!(acosh), vec!["hyperbolic_cosine_of_area"]),
+            (quote!(atanh), vec![]),
             (quote!(exp), vec!["logarithm"]),
             (quote!(ln), vec![]),
         ] {

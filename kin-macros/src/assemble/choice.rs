@@ -43,17 +43,14 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
         ClosedForm::EvenInverse {
             unknown,
             coefficient,
-            offset,
+            middle,
             ..
         } => {
-            // how far the unknown is beyond the middle of the solutions, times a square
+            // how far the unknown is beyond the middle, times the square of the coefficient
             let x = graph.symbol(Symbol::Unknown(*unknown));
             let product = graph.multiply(*coefficient, x);
-            let argument = graph.subtract(product, *offset);
-            match graph.constant_value(*coefficient) {
-                Some(value) => graph.scale(value.signum(), argument),
-                None => graph.multiply(*coefficient, argument),
-            }
+            let distance = graph.subtract(product, *middle);
+            graph.multiply(*coefficient, distance)
         }
         ClosedForm::Quadratic { unknown, a, b, .. } => {
             let x = graph.symbol(Symbol::Unknown(*unknown));
@@ -108,7 +105,7 @@ fn fixed_by_range(graph: &Graph, form: &ClosedForm, unknown: usize, limits: Limi
     let within = |low: f64, high: f64| limits.low >= low - SLACK && limits.high <= high + SLACK;
     match form {
         ClosedForm::SquareRoot { .. } => by_sign(limits),
-        ClosedForm::EvenInverse { offset, .. } if graph.is_zero(*offset) => by_sign(limits),
+        ClosedForm::EvenInverse { middle, .. } if graph.is_zero(*middle) => by_sign(limits),
         ClosedForm::Polar { length, offset, .. } if *length == unknown && graph.is_zero(offset.re) => by_sign(limits),
         ClosedForm::InverseCosine { .. } if within(0.0, PI) => Some(true),
         ClosedForm::InverseCosine { .. } if within(-PI, 0.0) || within(PI, 2.0 * PI) => Some(false),
@@ -134,6 +131,7 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
     use super::*;
+    use crate::algebra::{Function, Inverse};
 
     /// A range decides where it holds one of the two solutions only, whatever the dimensions are.
     #[test]
@@ -154,6 +152,22 @@ mod tests {
             unknown: 0,
             square: one,
         };
+        let Inverse::Even(inverse) = Function::Cosh.inverse() else {
+            panic!("cosh is even");
+        };
+        let (zero, result) = (graph.zero(), graph.new_step());
+        let around = |middle: Node| ClosedForm::EvenInverse {
+            function: Function::Cosh,
+            inverse,
+            unknown: 0,
+            value: one,
+            result: result.0,
+            growth: one,
+            coefficient: one,
+            right: result.1,
+            middle,
+        };
+        let (even, beside) = (around(zero), around(one));
         for (form, low, high, expected) in [
             (&cosine, 0.0, PI, Some(true)),
             (&cosine, 0.5, 1.0, Some(true)),
@@ -168,6 +182,10 @@ mod tests {
             (&sine, 2.0, 4.7, Some(false)),
             (&sine, -2.0, 1.0, None),
             (&sine, 1.0, 2.0, None),
+            (&even, 0.0, f64::INFINITY, Some(true)),
+            (&even, -3.0, 0.0, Some(false)),
+            (&even, -1.0, 2.0, None),
+            (&beside, 0.0, 5.0, None),
             (&root, 0.0, 1.0, Some(true)),
             (&root, -1.0, 0.0, Some(false)),
             (&root, -1.0, 1.0, None),

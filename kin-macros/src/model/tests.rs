@@ -81,6 +81,11 @@ fn what_does_not_fit_is_told_once() {
         (quote!(sin(a)), "`sin` takes an angle"),
         (quote!(cos(p)), "`cos` takes scalars"),
         (quote!(asin(a)), "`asin` takes a ratio"),
+        (quote!(sinh(a)), "`sinh` takes a plain number"),
+        (
+            quote!(acosh(a)),
+            "`acosh` takes a ratio, but this is a length: divide it by a length",
+        ),
         (quote!(atan(a)), "`atan2(y, x)`"),
         (quote!(exp(a)), "`exp` takes a plain number"),
         (quote!(cis(a)), "`cis` takes an angle"),
@@ -94,6 +99,14 @@ fn what_does_not_fit_is_told_once() {
         (quote!(a.x), "only a vector has a part `x`"),
         (quote!(sqrt(-2)), "outside of the domain of `sqrt`"),
         (quote!(asin(2)), "outside of the domain of `asin`"),
+        (
+            quote!(acosh(0.5)),
+            "outside of the domain of `acosh`, which begins at 1",
+        ),
+        (
+            quote!(atanh(-1)),
+            "outside of the domain of `atanh`, which lies between -1 and 1, both left out",
+        ),
         (quote!(ln(0)), "outside of the domain of `ln`"),
         (quote!(atan2(0, 0)), "outside of the domain of `atan2`"),
         (quote!(powi(0, -1)), "negative exponent"),

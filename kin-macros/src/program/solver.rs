@@ -65,7 +65,7 @@ pub(crate) enum Solver {
     SquareRoot,
     /// The inverse of a function.
     Inverse(&'static Checked),
-    /// The inverse of an even function, of its value and of the coefficient of the unknown in its argument.
+    /// The inverse of an even function, of its value and of a number whose sign belongs to the open assembly.
     EvenInverse(&'static Checked),
 }
 
@@ -111,11 +111,12 @@ impl Solver {
         }
     }
 
-    /// Whether it decides on its first argument, of which it does not know the terms.
-    pub(crate) const fn decides_on_its_first(self) -> bool {
+    /// Whether it decides on the sign of an argument, of which it does not know the terms.
+    pub(crate) const fn decides_on(self, place: usize) -> bool {
         match self {
-            Self::Linear | Self::SquareRoot | Self::Quadratic | Self::Polar => true,
-            Self::Inverse(function) | Self::EvenInverse(function) => function.decides_by_sign,
+            Self::Linear | Self::SquareRoot | Self::Quadratic | Self::Polar => place == 0,
+            Self::Inverse(function) => place == 0 && function.decides_by_sign,
+            Self::EvenInverse(function) => place > 0 || function.decides_by_sign,
             Self::CircleCircle
             | Self::CircleCircleSquared
             | Self::CircleLine

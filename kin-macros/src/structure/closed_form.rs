@@ -31,14 +31,19 @@ pub(crate) enum ClosedForm {
         result: Symbol,
         then: Box<Self>,
     },
-    /// f(coefficient · x - offset) = value with an even f, which has two solutions.
+    /// f(argument) = value with an even f, where coefficient · x = right solves argument = `result`, and coefficient · x = middle solves
+    /// argument = 0.
     EvenInverse {
         function: Function,
         inverse: &'static Checked,
         unknown: usize,
-        coefficient: Node,
-        offset: Node,
         value: Node,
+        result: Symbol,
+        /// A number with the sign by which the argument grows with x.
+        growth: Node,
+        coefficient: Node,
+        right: Node,
+        middle: Node,
     },
     /// A 2x2 linear system.
     LinearPair {

@@ -7,9 +7,10 @@ use crate::solve::check::Check;
 use crate::solve::diagnosis::refusal;
 use crate::solve::doubt::is_told_from;
 
-/// The argument a of cosh a = `value`, where a is a multiple of an unknown and something constant: a = `coefficient` x + b.
+/// The number a of cosh a = `value`. In [`Assembly::Open`] it has the sign of `growth`, in the crossed one the opposite sign.
 ///
-/// Of the two solutions, [`Assembly::Open`] is the one with the larger unknown x, and so has the sign of the coefficient.
+/// If a is the multiple of an unknown and something constant, and the growth has the sign of the factor, then the open assembly has the
+/// larger unknown of the two.
 ///
 /// A function of the number library; a change of sign more in the crossed assembly.
 ///
@@ -25,9 +26,9 @@ use crate::solve::doubt::is_told_from;
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
 #[inline(always)]
-pub fn inverse_hyperbolic_cosine<T: Scalar>(value: T, coefficient: T, assembly: Assembly) -> Result<T, Failure> {
+pub fn inverse_hyperbolic_cosine<T: Scalar>(value: T, growth: T, assembly: Assembly) -> Result<T, Failure> {
     match value.provided(AboveOne { value }) {
-        Some(value) => Ok(value.acosh().times_sign_of(coefficient).signed(assembly)),
+        Some(value) => Ok(value.acosh().times_sign_of(growth).signed(assembly)),
         None => Err(too_small(value.real(), T::EPSILON)),
     }
 }
@@ -72,14 +73,14 @@ mod tests {
     use crate::number::Number;
 
     #[test]
-    fn the_assembly_and_the_coefficient_give_the_sign() {
+    fn the_assembly_and_the_growth_give_the_sign() {
         for assembly in Assembly::BOTH {
-            for coefficient in [2.0_f64, -3.0, 1e-300] {
+            for growth in [2.0_f64, -3.0, 1e-300] {
                 for argument in [1e-7, 0.3, 2.0, 700.0] {
                     let value = Number::cosh(argument);
-                    let found = inverse_hyperbolic_cosine(value, coefficient, assembly).unwrap();
+                    let found = inverse_hyperbolic_cosine(value, growth, assembly).unwrap();
                     assert_eq!(found.abs(), Number::acosh(value));
-                    assert_eq!(Assembly::from_sign(found * coefficient), assembly);
+                    assert_eq!(Assembly::from_sign(found * growth), assembly);
                 }
             }
         }

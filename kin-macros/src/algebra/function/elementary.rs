@@ -106,7 +106,7 @@ pub(crate) enum Inverse {
     /// There is one solution.
     One(InverseFunction),
     /// f is even: there are two solutions, of which an assembly chooses one. The function takes the value, and a number with the sign
-    /// that x has in the open assembly.
+    /// of the solution in the open assembly.
     Even(&'static Checked),
 }
 

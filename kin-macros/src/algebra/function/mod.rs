@@ -171,39 +171,4 @@ impl Function {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::algebra::Symbol;
-
-    /// Each partial derivative agrees with a central difference of the value.
-    #[test]
-    fn partials_agree_with_differences() {
-        for &function in Function::ALL {
-            let mut graph = Graph::new();
-            let arguments: Vec<Node> = (0..function.arity())
-                .map(|index| graph.symbol(Symbol::Parameter(index)))
-                .collect();
-            let value = graph.call(function, &arguments);
-            let partials = function.partials(&mut graph, &arguments, value);
-            let at = [0.37, 0.61];
-            for (index, partial) in partials.into_iter().enumerate() {
-                let exact = graph.evaluate(partial, &|symbol| match symbol {
-                    Symbol::Parameter(index) => at[index],
-                    _ => f64::NAN,
-                });
-                let step = 1e-5;
-                let shifted = |by: f64| {
-                    let mut point = at;
-                    point[index] += by;
-                    function.value(&point[..function.arity()])
-                };
-                let difference = (shifted(step) - shifted(-step)) / (2.0 * step);
-                assert!(
-                    (exact - difference).abs() < 1e-8,
-                    "{} by argument {index}: {exact} against {difference}",
-                    function.name()
-                );
-            }
-        }
-    }
-}
+mod tests;

@@ -8,7 +8,7 @@ use quote::quote;
 
 use super::Text;
 use crate::algebra::Symbol;
-use crate::program::{Expression, Solver, Step};
+use crate::program::{Expression, Step};
 
 /// A product of sums is multiplied out into so many terms at most.
 const MOST_TERMS: usize = 12;
@@ -37,11 +37,6 @@ pub(super) fn decisive_vector(text: &Text<'_>, [x, y]: &[Expression; 2], among: 
     }
     let terms = text.expressions(&terms);
     quote!(#runtime::solve::decisive_vector(#own, || [#(#terms),*]))
-}
-
-/// Whether a closed form decides on an argument of which it does not know the terms.
-pub(super) fn decides_on(solver: Solver, place: usize) -> bool {
-    place == 0 && solver.decides_on_its_first()
 }
 
 fn terms(value: &Expression, among: &[&Step<Expression>]) -> Vec<Expression> {

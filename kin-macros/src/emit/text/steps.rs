@@ -283,10 +283,8 @@ impl Text<'_> {
             .iter()
             .enumerate()
             .map(|(place, argument)| match argument {
-                Argument::Scalar(value) if doubt::decides_on(solver, place) => doubt::decisive(self, value, among),
-                Argument::Plane(vector) if doubt::decides_on(solver, place) => {
-                    doubt::decisive_vector(self, vector, among)
-                }
+                Argument::Scalar(value) if solver.decides_on(place) => doubt::decisive(self, value, among),
+                Argument::Plane(vector) if solver.decides_on(place) => doubt::decisive_vector(self, vector, among),
                 _ => self.argument(argument),
             })
             .collect();

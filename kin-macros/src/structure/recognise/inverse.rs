@@ -1,7 +1,9 @@
 //! An unknown inside of one invertible function: f(g(x)) = v, solved as g(x) = f⁻¹(v).
 
+use std::collections::BTreeMap;
+
 use super::single;
-use crate::algebra::{Expansion, Graph, Harmonic, Inverse, NodeKind, Polynomial, Variables};
+use crate::algebra::{Expansion, Graph, Harmonic, Inverse, Node, NodeKind, Polynomial, Symbol, Variables};
 use crate::structure::ClosedForm;
 
 pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
@@ -29,43 +31,61 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
     let free = equation.free_term(graph);
     let quotient = graph.divide(free, coefficient);
     let value = graph.negate(quotient);
-    match inverse {
-        Inverse::None => None,
-        Inverse::One(inverse) => {
-            let (result, result_node) = graph.new_step();
-            let remaining = graph.subtract(arguments[0], result_node);
-            let polynomial = Expansion::new(graph, Variables::Unknowns(&[unknown])).equation(remaining);
-            let then = Box::new(single(graph, &polynomial, unknown)?);
-            Some(ClosedForm::Inverse {
+    let (result, result_node) = graph.new_step();
+    let remaining = graph.subtract(arguments[0], result_node);
+    let polynomial = Expansion::new(graph, Variables::Unknowns(&[unknown])).equation(remaining);
+    let then = single(graph, &polynomial, unknown)?;
+    match (inverse, then) {
+        (Inverse::One(inverse), then) => Some(ClosedForm::Inverse {
+            function,
+            inverse,
+            value,
+            result,
+            then: Box::new(then),
+        }),
+        (Inverse::Even(inverse), ClosedForm::Linear { coefficient, right, .. }) => {
+            let zero = graph.zero();
+            let middle = graph.substitute(right, &mut BTreeMap::from([(result_node, zero)]));
+            let slope = graph.partial(arguments[0], Symbol::Unknown(unknown));
+            Some(ClosedForm::EvenInverse {
                 function,
                 inverse,
+                unknown,
                 value,
                 result,
-                then,
+                growth: of_the_same_sign(graph, slope),
+                coefficient,
+                right,
+                middle,
             })
         }
-        Inverse::Even(inverse) => {
-            let argument = Expansion::new(graph, Variables::Unknowns(&[unknown])).equation(arguments[0]);
-            match single(graph, &argument, unknown)? {
-                ClosedForm::Linear { coefficient, right, .. } => Some(ClosedForm::EvenInverse {
-                    function,
-                    inverse,
-                    unknown,
-                    coefficient,
-                    offset: right,
-                    value,
-                }),
-                // one assembly cannot tell the solutions apart if each of the two arguments has several
-                _ => None,
-            }
-        }
+        // one assembly does not tell four solutions apart
+        (Inverse::Even(_) | Inverse::None, _) => None,
+    }
+}
+
+/// A simple expression with the sign of another one: numbers and powers with an even exponent are left out.
+fn of_the_same_sign(graph: &mut Graph, node: Node) -> Node {
+    let (coefficient, bare) = graph.split_coefficient(node);
+    let factors = match graph.kind(bare) {
+        NodeKind::Product(factors) => factors
+            .iter()
+            .filter(|(_, exponent)| exponent % 2 != 0)
+            .map(|&(factor, _)| (factor, 1))
+            .collect(),
+        _ => vec![(bare, 1)],
+    };
+    let product = graph.product(&factors);
+    match graph.constant_value(product) {
+        Some(value) => graph.number((coefficient * value).signum()),
+        None => graph.scale(coefficient.signum(), product),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::{Function, Node, Symbol};
+    use crate::algebra::Function;
 
     fn form(graph: &mut Graph, node: Node) -> Option<ClosedForm> {
         let equation = Expansion::new(graph, Variables::Unknowns(&[0])).equation(node);
@@ -93,6 +113,48 @@ mod tests {
         };
         assert_eq!(value, graph.divide(q, p));
         assert!(matches!(*then, ClosedForm::Linear { unknown: 0, .. }));
+    }
+
+    /// A hyperbolic cosine has two solutions, on both sides of the middle; the growth has the sign of the coefficient of the unknown.
+    #[test]
+    fn an_even_function_is_inverted_twice() {
+        let mut graph = Graph::new();
+        let [p, q] = [0, 1].map(|index| graph.symbol(Symbol::Parameter(index)));
+        let x = graph.symbol(Symbol::Unknown(0));
+        let (negative, reciprocal) = (graph.negate(p), graph.power(p, -1));
+        let (one, minus_one) = (graph.one(), graph.number(-1.0));
+        for (factor, expected) in [
+            (one, one),
+            (minus_one, minus_one),
+            (p, p),
+            (negative, negative),
+            (reciprocal, p),
+        ] {
+            let turned = graph.multiply(factor, x);
+            let argument = graph.linear(0.0, &[(turned, 2.0), (q, -1.0)]);
+            let cosine = graph.call(Function::Cosh, &[argument]);
+            let equation = graph.linear(-3.0, &[(cosine, 1.0)]);
+            let Some(ClosedForm::EvenInverse {
+                growth,
+                coefficient,
+                right,
+                middle,
+                ..
+            }) = form(&mut graph, equation)
+            else {
+                panic!("cosh(2 factor x - q) = 3");
+            };
+            assert_eq!(growth, expected);
+            // x is in the middle where the argument is zero
+            let (center, expected) = (graph.divide(middle, coefficient), graph.divide(q, factor));
+            assert_eq!(center, graph.scale(0.5, expected));
+            assert_ne!(right, middle);
+        }
+        // each of the two would have two again
+        let square = graph.power(x, 2);
+        let cosine = graph.call(Function::Cosh, &[square]);
+        let equation = graph.linear(-3.0, &[(cosine, 1.0)]);
+        assert!(form(&mut graph, equation).is_none());
     }
 
     #[test]
