@@ -207,10 +207,8 @@ impl Rates {
         let NodeKind::Call(function, arguments) = graph.kind(turning).clone() else {
             unreachable!("only sines and cosines turn");
         };
-        let other = match function {
-            Function::Sin => graph.cosine(arguments[0]),
-            _ => graph.sine(arguments[0]),
-        };
+        let partner = function.partner().expect("only sines and cosines turn");
+        let other = graph.call(partner, &arguments);
         (arguments[0], other, function == Function::Cos)
     }
 
