@@ -1,6 +1,6 @@
 //! No solver allocates, and the sizes of what they return.
 //!
-//! The sizes are printed: `cargo test -p kin-tests --test allocation -- --nocapture`.
+//! The sizes are printed: `cargo test -p kin-tests --test speed allocation -- --nocapture`.
 #![allow(clippy::cast_precision_loss, reason = "there are a hundred poses")]
 
 use core::any::type_name;

@@ -1,6 +1,6 @@
 //! The library's mechanisms against a reference of 50 digits and more: `docs/accuracy.md` is what is measured here.
 //!
-//! The worst errors and their places are printed: `cargo test -p kin-tests --test reference -- --nocapture`.
+//! The worst errors and their places are printed: `cargo test -p kin-tests --test proof high_precision -- --nocapture`.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,6 +1,6 @@
 //! What a person is told who makes a mistake: one mistake in each file, named after it, and its message beside it.
 //!
-//! `TRYBUILD=overwrite cargo test -p kin-tests --test compile_fail` writes the messages anew. Read them before you keep them.
+//! `TRYBUILD=overwrite cargo test -p kin-tests --test book mistakes` writes the messages anew. Read them before you keep them.
 
 #[test]
 fn mistakes_are_told_where_they_are_made() {

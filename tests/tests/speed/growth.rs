@@ -1,6 +1,6 @@
 //! What grows, and how: operations with the square of the order, and with the number of loops; and that high orders are right.
 //!
-//! The counts are printed: `cargo test -p kin-tests --test growth -- --nocapture`.
+//! The counts are printed: `cargo test -p kin-tests --test speed growth -- --nocapture`.
 #![allow(missing_docs, unreachable_pub, reason = "declarations as a person writes them")]
 
 use kin_core::prelude::*;
@@ -273,7 +273,7 @@ fn chains_cost_what_their_loops_cost() {
 /// The book has what is counted here.
 #[test]
 fn the_book_has_the_counts() {
-    let book = include_str!("../../docs/performance.md");
+    let book = include_str!("../../../docs/performance.md");
     for counts in [growth::by_order(), growth::by_loops()] {
         let generated: Vec<usize> = counts.iter().map(|counts| counts.generated).collect();
         let nested: Vec<usize> = counts.iter().map(|counts| counts.nested).collect();

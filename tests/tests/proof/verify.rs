@@ -1,6 +1,6 @@
 //! What a person does to verify a mechanism of their own, done to all of ours: random dimensions, and given ones.
 //!
-//! The tables are printed: `cargo test -p kin-tests --test verify -- --nocapture`.
+//! The tables are printed: `cargo test -p kin-tests --test proof verify -- --nocapture`.
 
 use kin_core::library::{
     FourBar, FreudensteinFourBar, GeometricFourBar, InvertedSliderCrank, OffsetSliderCrank, SliderCrank,

@@ -1,6 +1,6 @@
 //! What is published of the library's mechanisms, and what their geometry says exactly.
 //!
-//! Both oracles are run over the whole library in `oracles_of_every_form` and in `verify`.
+//! Both oracles are run over the whole library in the tests of `proof`.
 
 use core::f64::consts::{PI, TAU};
 

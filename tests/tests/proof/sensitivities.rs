@@ -1,6 +1,6 @@
 //! The partial derivatives by the parameters, of every closed form and in every assembly, held against both oracles.
 //!
-//! The worst errors per order and the costs are printed: `cargo test -p kin-tests --test sensitivities -- --nocapture`.
+//! The worst errors per order and the costs are printed: `cargo test -p kin-tests --test proof sensitivities -- --nocapture`.
 
 use kin_core::count::{self, Counted};
 use kin_core::prelude::*;

@@ -1,0 +1,4 @@
+//! What a person reads: the chapters of the book, and the messages about mistakes.
+
+mod chapters;
+mod mistakes;

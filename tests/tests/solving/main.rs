@@ -1,0 +1,13 @@
+//! Positions and their derivatives where they are known beforehand or hard to find, and inputs that are refused.
+
+mod block_after_block;
+mod condition_numbers;
+mod coupled_blocks;
+mod folded_links;
+mod kinds_of_drive;
+mod known_motions;
+mod not_finite;
+mod scalar_equations;
+mod singular_and_extreme;
+mod space;
+mod units;

@@ -1,0 +1,7 @@
+//! What solving costs: operations, memory, growth with the order; and batches, which are faster and find the same poses.
+
+mod allocation;
+mod batches;
+mod batches_at_dead_points;
+mod growth;
+mod operation_counts;
