@@ -113,10 +113,9 @@ fn slider_crank_by_series() {
 
 /// The notes divide by the cosine of theta4, which adds to the condition of their result.
 fn inverted_slider_crank() {
-    use notes::inverted_slider_crank::{Branch, Dimensions, solve};
+    use notes::inverted_slider_crank::{Dimensions, solve};
     let (r1, r2) = (2.0, 0.8);
-    let dimensions = Dimensions { r1, r2 };
-    let notes = solve(dimensions, CRANK, Branch::closing(dimensions, CRANK[0], false));
+    let notes = solve(Dimensions { r1, r2 }, CRANK, false);
     let mut system = System::explicit("inverted slider-crank", InvertedSliderCrank { r1, r2 });
     system.condition_of_notes = 1.0 / notes.theta4[0].cos().abs();
     system.compare(CRANK, &[notes.r4, notes.theta4]);
