@@ -1,8 +1,9 @@
-//! What a person is told who makes a mistake: one mistake in each file, named after it, and its message beside it.
+//! What a person is told who makes a mistake: one mistake in each file, named after it, and its message beside it. The folders are the
+//! kinds of mistakes: `syntax`, `names`, `dimensions`, `space`, `structure`, `ranges` (of unknowns, functions and numbers) and `requests`.
 //!
 //! `TRYBUILD=overwrite cargo test -p kin-tests --test book mistakes` writes the messages anew. Read them before you keep them.
 
 #[test]
 fn mistakes_are_told_where_they_are_made() {
-    trybuild::TestCases::new().compile_fail("compile-fail/*.rs");
+    trybuild::TestCases::new().compile_fail("compile-fail/*/*.rs");
 }
