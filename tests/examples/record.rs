@@ -5,8 +5,8 @@
 //! compare after it:
 //!
 //! ```text
-//! cargo run -p kin-tests --example record > before
-//! cargo run -p kin-tests --example record | diff before -
+//! cargo run -p kin-tests --features record --example record > before
+//! cargo run -p kin-tests --features record --example record | diff before -
 //! ```
 
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -112,9 +112,8 @@ fn main() {
     anywhere! {
         coupled { Kepler RelativeDrive Triad StephensonThree SixCoupled }
         sensitive {
-            SensitiveFourBar SensitiveFourBarDivided SensitiveFreudenstein SensitiveGeometric SensitiveRanged SensitiveSeries
-            SensitiveOutputs SensitiveTernary SensitiveSlider SensitivePump SensitiveLever SensitiveSlides SensitiveFiveBar
-            SensitiveWatt SensitiveYoke SensitiveQuickReturn SensitiveQuadratic SensitiveLogarithm SensitiveFunctions SensitiveRssr
+            SensitiveFourBarDivided SensitiveFreudenstein SensitiveGeometric SensitiveSeries
+            SensitiveOutputs SensitiveTernary SensitiveRssr
             SensitiveRssp
         }
     }

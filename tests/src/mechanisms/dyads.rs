@@ -13,6 +13,7 @@ mechanism! {
     unknown a: Length, b: Length;
 
     a * cis(alpha) + b * cis(beta) == r * cis(theta);
+    with sensitivities;
 }
 
 mechanism! {
@@ -111,4 +112,23 @@ mechanism! {
     left * cis(alpha) + left_rod * cis(phi) == ground + right * cis(beta) + right_rod * cis(psi);
 
     output hand: Point = left * cis(alpha) + left_rod * cis(phi);
+    with sensitivities;
+}
+
+mechanism! {
+    /// A four-bar linkage of any proportions, its ground link a vector.
+    pub struct FourBarOnGround {
+        /// Crank.
+        pub a: Length,
+        /// Coupler.
+        pub b: Length,
+        /// Rocker.
+        pub c: Length,
+        /// From the crank's pivot to the rocker's.
+        pub ground: Point,
+    }
+    input q: Angle;
+    unknown u: Angle, v: Angle;
+
+    a * cis(q) + b * cis(u) == ground + c * cis(v);
 }

@@ -62,6 +62,7 @@ inverted_slider_crank! {
     /// With an offset, as a complex number in the lever's frame.
     InvertedOffset(r1 r2 h):
     r1 + r2 * cis(theta2) == vec2(r4, h) * cis(theta4);
+    with sensitivities;
 }
 
 inverted_slider_crank! {

@@ -59,6 +59,7 @@ mechanism! {
     tip + r5 * cis(theta5) == pivot + r6 * cis(theta6);
 
     output middle: Point = tip + r5 / 2 * cis(theta5);
+    with sensitivities;
 }
 
 mechanism! {
@@ -98,6 +99,7 @@ mechanism! {
 
     vec2(0, ground) + crank * cis(theta) == slide * cis(phi);
     arm * cis(phi) + rod * cis(psi) == vec2(ram, height);
+    with sensitivities;
 }
 
 mechanism! {
@@ -134,4 +136,25 @@ mechanism! {
     shaft == ratio * (theta4 - theta2);
     yoke == throw * sin(shaft);
     area * r1 == yoke;
+    with sensitivities;
+}
+
+mechanism! {
+    /// Two dyads, the second on the rod of the first, to the velocity alone.
+    pub struct TwoDyads {
+        a: Length,
+        b: Length,
+        g: Point,
+        c: Length,
+        w: Vector,
+        d: Length,
+        h: Point,
+        e: Length,
+    }
+    input q: Angle;
+    unknown u: Angle, v: Angle, x: Angle, y: Angle;
+    order = 1;
+
+    a * cis(q) + b * cis(u) == g + c * cis(v);
+    a * cis(q) + w * cis(u) + d * cis(x) == h + e * cis(y);
 }

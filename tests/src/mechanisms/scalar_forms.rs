@@ -25,6 +25,7 @@ mechanism! {
     unknown x: Length;
 
     (a * x + t) * (x - b) == -c * t;
+    with sensitivities;
 }
 
 mechanism! {
@@ -205,6 +206,7 @@ mechanism! {
     unknown x: Scalar;
 
     ln(x * (x + a)) == t;
+    with sensitivities;
 }
 
 mechanism! {
@@ -220,4 +222,5 @@ mechanism! {
     v == atan2(b * sin(t), a - b * cos(t));
     w == exp(sin(t)) / ln(2 + u / a) + tan(t / 3);
     z == asin(b * sin(t) / (2 * u)) - acos(cos(t) / 2) + atan(w);
+    with sensitivities;
 }

@@ -103,6 +103,7 @@ mechanism! {
     unknown phi: Angle, s: Length;
 
     r * cis(theta) + l * cis(phi) == vec2(s, h) * cis(beta);
+    with sensitivities;
 }
 
 mechanism! {
@@ -130,6 +131,7 @@ mechanism! {
     unknown theta: Angle, phi: Angle;
 
     r * cis(theta) + l * cis(phi) == vec2(s, h);
+    with sensitivities;
 }
 
 mechanism! {

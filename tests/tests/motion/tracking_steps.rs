@@ -7,15 +7,9 @@ use kin_core::prelude::*;
 use kin_core::{MOST_TRACK_STEPS, TrackError, TrackErrorOf, track};
 use kin_tests::counting::{Calls, Counting, calls_of};
 use kin_tests::mechanisms::coupled::Triad;
+use kin_tests::mechanisms::dyads::FourBarOnGround;
+use kin_tests::mechanisms::slider_crank_typings::SliderCrankDrivenAtSlider;
 use kin_tests::random::Random;
-
-mechanism! {
-    /// A four-bar of any proportions, its ground link a vector.
-    struct Loop { a: Length, b: Length, c: Length, ground: Point }
-    input q: Angle;
-    unknown u: Angle, v: Angle;
-    a * cis(q) + b * cis(u) == ground + c * cis(v);
-}
 
 mechanism! {
     /// A dyad on the second angle of that loop.
@@ -24,14 +18,6 @@ mechanism! {
     unknown u: Angle, v: Angle, x: Angle, y: Angle;
     a * cis(q) + b * cis(u) == ground + c * cis(v);
     c * cis(v) + d * cis(x) == pivot + e * cis(y);
-}
-
-mechanism! {
-    /// A slider-crank driven at its slider.
-    struct Pump { a: Length, b: Length, offset: Length }
-    input s: Length;
-    unknown q: Angle, u: Angle;
-    a * cis(q) + b * cis(u) == vec2(s, offset);
 }
 
 mechanism! {
@@ -136,20 +122,20 @@ impl Tally {
 }
 
 /// How long the diagonal of a loop is that coupler and rocker must span.
-fn diagonal(linkage: &Loop, q: f64) -> f64 {
+fn diagonal(linkage: &FourBarOnGround, q: f64) -> f64 {
     let diagonal = minus(linkage.ground, at(linkage.a, q));
     diagonal.x.hypot(diagonal.y)
 }
 
 /// The lengths that the diagonal may have, and by how much rounding of the loop blurs them.
-fn span(linkage: &Loop) -> ([f64; 2], f64) {
-    let Loop { a, b, c, ground } = *linkage;
+fn span(linkage: &FourBarOnGround) -> ([f64; 2], f64) {
+    let FourBarOnGround { a, b, c, ground } = *linkage;
     let ends = [(b - c).abs(), b + c];
     (ends, 16.0 * f64::EPSILON * (a + b + c + ground.x.hypot(ground.y)))
 }
 
 /// A limit must be where the diagonal is as long as it may be, or as short, and not before.
-fn is_the_first_limit(linkage: &Loop, from: f64, limit: f64) {
+fn is_the_first_limit(linkage: &FourBarOnGround, from: f64, limit: f64) {
     let (ends, blur) = span(linkage);
     let there = diagonal(linkage, limit);
     assert!(
@@ -172,7 +158,7 @@ fn a_way_shorter_than_rounding_lets_see_ends_at_its_limits() {
     for b in [1e-5, 1e-6, 1e-7, 3e-8, 1e-8] {
         let (a, c) = (6e6, 2e-3);
         let ground = minus(plus(at(a, q), at(b, u)), at(c, v));
-        let linkage = Loop { a, b, c, ground };
+        let linkage = FourBarOnGround { a, b, c, ground };
         let mut tally = Tally::default();
         tally.around(&linkage, q, Some([u, v]), TAU, |to, result| {
             let Err(TrackError::Limit(limit)) = result else {
@@ -195,7 +181,7 @@ fn four_bars_of_extreme_proportions() {
         let [a, b, c] = [(); 3].map(|()| length(&mut random));
         let [q, u, v] = [(); 3].map(|()| angle(&mut random));
         let ground = minus(plus(at(a, q), at(b, u)), at(c, v));
-        let linkage = Loop { a, b, c, ground };
+        let linkage = FourBarOnGround { a, b, c, ground };
         let (ends, blur) = span(&linkage);
         tally.around(&linkage, q, Some([u, v]), TAU, |_, result| match result {
             Ok(_) => {
@@ -248,7 +234,7 @@ fn other_mechanisms_of_extreme_proportions() {
         let slider = OffsetSliderCrank { r: a, l: b, h: joint.y };
         sliders.around(&slider, q, None, TAU, |_, _| {});
 
-        let pump = Pump { a, b, offset: joint.y };
+        let pump = SliderCrankDrivenAtSlider::from_parameters([a, b, joint.y]);
         pumps.around(&pump, joint.x, Some([q, u]), f, |_, _| {});
 
         let lever = Lever {

@@ -57,7 +57,14 @@ fn four_bar_by_the_geometric_method() {
     let linkage = GeometricFourBar { r1, r2, r3, r4 };
     for (assembly, by_hand) in BOTH {
         let notes = notes::four_bar_geometric::solve(sample::DIMENSIONS, CRANK, by_hand);
-        let by_hand = [notes.e, notes.alpha, notes.gamma, notes.beta, notes.theta4, notes.theta3];
+        let by_hand = [
+            notes.e,
+            notes.alpha,
+            notes.gamma,
+            notes.beta,
+            notes.theta4,
+            notes.theta3,
+        ];
         let assembly = linkage.assembly(CRANK[0], assembly);
         System::new("four-bar, geometric method", linkage, assembly).compare(CRANK, &by_hand);
     }
@@ -73,8 +80,12 @@ fn four_bar_by_freudenstein() {
         let through_snap = |[q, q_1, q_2]: [f64; 3], [.., q_3, q_4]: Orders| [q, q_1, q_2, q_3, q_4];
         let theta3 = through_snap(notes.theta3, geometric.theta3);
         let theta4 = through_snap(notes.theta4, geometric.theta4);
-        System::new("four-bar, Freudenstein", FreudensteinFourBar { r1, r2, r3, r4 }, assembly)
-            .compare(CRANK, &[theta3, theta4]);
+        System::new(
+            "four-bar, Freudenstein",
+            FreudensteinFourBar { r1, r2, r3, r4 },
+            assembly,
+        )
+        .compare(CRANK, &[theta3, theta4]);
     }
 }
 

@@ -9,21 +9,12 @@ use kin_core::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar};
 use kin_core::prelude::*;
 use kin_core::series::Series;
 use kin_precise::Number;
+use kin_tests::mechanisms::multi_loop::TwoDyads;
 use kin_tests::random::Random;
 use kin_tests::reference::{Given, solution};
 
 mod chains {
     use kin_core::prelude::*;
-
-    mechanism! {
-        /// Two dyads, the second on the rod of the first.
-        pub struct TwoDyads { a: Length, b: Length, g: Point, c: Length, w: Vector, d: Length, h: Point, e: Length }
-        input q: Angle;
-        unknown u: Angle, v: Angle, x: Angle, y: Angle;
-        order = 1;
-        a * cis(q) + b * cis(u) == g + c * cis(v);
-        a * cis(q) + w * cis(u) + d * cis(x) == h + e * cis(y);
-    }
 
     mechanism! {
         /// A slide, and a lever through its pin.
@@ -46,7 +37,7 @@ mod chains {
     }
 }
 
-use chains::{Platform, Slides, TwoDyads};
+use chains::{Platform, Slides};
 
 /// A mechanism that closes where its unknowns have given values, up to rounding of its parameters.
 struct Closing {

@@ -8,6 +8,7 @@ use core::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI, TAU};
 use kin_core::Dimension;
 use kin_core::batch::{self, Column, Columns, Outcome, Place, Vectors, Visitor};
 use kin_core::prelude::*;
+use kin_tests::mechanisms::multi_loop::TwoDyads;
 use kin_tests::random::Random;
 
 /// Poses of each form.
@@ -18,16 +19,6 @@ const CLOSE: f64 = 1e-6;
 
 mod forms {
     use kin_core::prelude::*;
-
-    mechanism! {
-        /// Two dyads one after the other: both are stretched or folded.
-        pub struct TwoDyads { a: Length, b: Length, g: Point, c: Length, w: Vector, d: Length, h: Point, e: Length }
-        input q: Angle;
-        unknown u: Angle, v: Angle, x: Angle, y: Angle;
-        order = 1;
-        a * cis(q) + b * cis(u) == g + c * cis(v);
-        a * cis(q) + w * cis(u) + d * cis(x) == h + e * cis(y);
-    }
 
     mechanism! {
         pub struct Links { a: Length, b: Length, g: Point, c: Length }

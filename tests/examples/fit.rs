@@ -5,7 +5,7 @@
 //! dimensions must come out.
 //!
 //! ```sh
-//! cargo run --release --example fit
+//! cargo run --release -p kin-tests --example fit
 //! ```
 
 use std::f64::consts::TAU;
