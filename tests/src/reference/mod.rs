@@ -14,7 +14,7 @@ mod errors;
 mod linear;
 mod poses;
 mod response;
-mod series;
+pub mod series;
 mod solution;
 mod tape;
 

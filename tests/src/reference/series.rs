@@ -4,21 +4,24 @@ use kin_precise::Number;
 
 /// The coefficients of the powers of time, ascending. Those that are missing are zero: a constant has but one.
 #[derive(Clone, Debug)]
-pub(super) struct Series(Vec<Number>);
+pub struct Series(Vec<Number>);
 
 /// A small count as a number.
-pub(super) fn number(count: usize) -> Number {
+#[must_use]
+pub fn number(count: usize) -> Number {
     Number::exactly(f64::from(u32::try_from(count).expect("series are short")))
 }
 
 impl Series {
     /// A constant.
-    pub(super) fn constant(value: Number) -> Self {
+    #[must_use]
+    pub fn constant(value: Number) -> Self {
         Self(vec![value])
     }
 
     /// The series of a motion, from value and time derivatives.
-    pub(super) fn from_derivatives(derivatives: &[f64]) -> Self {
+    #[must_use]
+    pub fn from_derivatives(derivatives: &[f64]) -> Self {
         let mut factorial = number(1);
         let coefficients = derivatives.iter().enumerate().map(|(order, derivative)| {
             factorial = &factorial * &number(order.max(1));
@@ -28,18 +31,21 @@ impl Series {
     }
 
     /// The coefficient of a power of time.
-    pub(super) fn coefficient(&self, power: usize) -> Number {
+    #[must_use]
+    pub fn coefficient(&self, power: usize) -> Number {
         self.0.get(power).cloned().unwrap_or_else(Number::zero)
     }
 
     /// With `count` coefficients at most.
-    pub(super) fn cut(mut self, count: usize) -> Self {
+    #[must_use]
+    pub fn cut(mut self, count: usize) -> Self {
         self.0.truncate(count);
         self
     }
 
     /// With a number added to one of its coefficients.
-    pub(super) fn shifted(mut self, power: usize, shift: &Number) -> Self {
+    #[must_use]
+    pub fn shifted(mut self, power: usize, shift: &Number) -> Self {
         while self.0.len() <= power {
             self.0.push(Number::zero());
         }
@@ -88,19 +94,27 @@ impl Series {
         Self(pairs.collect())
     }
 
-    pub(super) fn plus(&self, other: &Self) -> Self {
+    /// The sum.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
         self.paired(other, |own, other| own + other)
     }
 
-    pub(super) fn minus(&self, other: &Self) -> Self {
+    /// The difference.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
         self.paired(other, |own, other| own - other)
     }
 
-    pub(super) fn negated(&self) -> Self {
+    /// The negative.
+    #[must_use]
+    pub fn negated(&self) -> Self {
         Self(self.0.iter().map(|own| -own).collect())
     }
 
-    pub(super) fn times(&self, other: &Self, count: usize) -> Self {
+    /// The product, to so many coefficients.
+    #[must_use]
+    pub fn times(&self, other: &Self, count: usize) -> Self {
         let last = (self.0.len() + other.0.len() - 1).min(count);
         let coefficients = (0..last).map(|power| {
             let low = (power + 1).saturating_sub(other.0.len());
@@ -110,7 +124,9 @@ impl Series {
         Self(coefficients.collect())
     }
 
-    pub(super) fn over(&self, other: &Self, count: usize) -> Self {
+    /// The quotient, to so many coefficients.
+    #[must_use]
+    pub fn over(&self, other: &Self, count: usize) -> Self {
         if other.is_constant() {
             return Self(self.0.iter().map(|own| own / &other.0[0]).collect());
         }
@@ -123,7 +139,9 @@ impl Series {
         })
     }
 
-    pub(super) fn sqrt(&self, count: usize) -> Self {
+    /// The square root.
+    #[must_use]
+    pub fn sqrt(&self, count: usize) -> Self {
         let first = self.0[0].sqrt();
         if self.is_constant() {
             return Self::constant(first);
@@ -137,7 +155,9 @@ impl Series {
         })
     }
 
-    pub(super) fn sin_cos(&self, count: usize) -> (Self, Self) {
+    /// Sine and cosine.
+    #[must_use]
+    pub fn sin_cos(&self, count: usize) -> (Self, Self) {
         let (sine, cosine) = self.0[0].sin_cos();
         let (mut sines, mut cosines) = (vec![sine], vec![cosine]);
         if !self.is_constant() {
@@ -157,7 +177,9 @@ impl Series {
         (Self(sines), Self(cosines))
     }
 
-    pub(super) fn atan2(&self, x: &Self, count: usize) -> Self {
+    /// The angle of a point with this ordinate and the abscissa `x`.
+    #[must_use]
+    pub fn atan2(&self, x: &Self, count: usize) -> Self {
         let first = self.0[0].atan2(&x.0[0]);
         if self.is_constant() && x.is_constant() {
             return Self::constant(first);
@@ -167,7 +189,9 @@ impl Series {
         Self::integral(count, first, &areal, &square)
     }
 
-    pub(super) fn sinh_cosh(&self, count: usize) -> (Self, Self) {
+    /// The hyperbolic sine and cosine.
+    #[must_use]
+    pub fn sinh_cosh(&self, count: usize) -> (Self, Self) {
         let (sine, cosine) = self.0[0].sinh_cosh();
         let (mut sines, mut cosines) = (vec![sine], vec![cosine]);
         if !self.is_constant() {
@@ -187,15 +211,21 @@ impl Series {
         (Self(sines), Self(cosines))
     }
 
-    pub(super) fn asinh(&self, count: usize) -> Self {
+    /// The area hyperbolic sine.
+    #[must_use]
+    pub fn asinh(&self, count: usize) -> Self {
         self.area(count, Number::asinh, |square, one| square.plus(one).sqrt(count))
     }
 
-    pub(super) fn acosh(&self, count: usize) -> Self {
+    /// The area hyperbolic cosine.
+    #[must_use]
+    pub fn acosh(&self, count: usize) -> Self {
         self.area(count, Number::acosh, |square, one| square.minus(one).sqrt(count))
     }
 
-    pub(super) fn atanh(&self, count: usize) -> Self {
+    /// The area hyperbolic tangent.
+    #[must_use]
+    pub fn atanh(&self, count: usize) -> Self {
         self.area(count, Number::atanh, |square, one| one.minus(square))
     }
 
@@ -214,7 +244,9 @@ impl Series {
         Self::integral(count, first, &self.rate(), &divisor)
     }
 
-    pub(super) fn exp(&self, count: usize) -> Self {
+    /// The exponential function.
+    #[must_use]
+    pub fn exp(&self, count: usize) -> Self {
         let first = self.0[0].exp();
         if self.is_constant() {
             return Self::constant(first);
@@ -228,70 +260,13 @@ impl Series {
         })
     }
 
-    pub(super) fn ln(&self, count: usize) -> Self {
+    /// The natural logarithm.
+    #[must_use]
+    pub fn ln(&self, count: usize) -> Self {
         let first = self.0[0].ln();
         if self.is_constant() {
             return Self::constant(first);
         }
         Self::integral(count, first, &self.rate(), self)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Series;
-
-    const COUNT: usize = 6;
-
-    fn same(one: &Series, other: &Series) {
-        for power in 0..COUNT {
-            let difference = (&one.coefficient(power) - &other.coefficient(power)).nearest();
-            assert!(difference.abs() < 1e-70, "power {power}: {one:?} {other:?}");
-        }
-    }
-
-    fn argument() -> Series {
-        Series::from_derivatives(&[0.4, -0.7, 1.3, 0.2, -2.1, 5.0])
-    }
-
-    /// The derivatives of functions of time itself, from tables.
-    #[test]
-    fn functions_of_time() {
-        let time = Series::from_derivatives(&[0.5, 1.0]);
-        let one = Series::from_derivatives(&[1.0]);
-        same(
-            &one.over(&time, COUNT),
-            &Series::from_derivatives(&[2.0, -4.0, 16.0, -96.0, 768.0, -7680.0]),
-        );
-        let logarithm = time.ln(COUNT);
-        let tail = Series::from_derivatives(&[0.0, 2.0, -4.0, 16.0, -96.0, 768.0]);
-        same(&logarithm.minus(&Series::constant(logarithm.coefficient(0))), &tail);
-        let zero = Series::from_derivatives(&[0.0, 1.0]);
-        same(&zero.exp(COUNT), &Series::from_derivatives(&[1.0; COUNT]));
-        let (sine, cosine) = zero.sin_cos(COUNT);
-        same(&sine, &Series::from_derivatives(&[0.0, 1.0, 0.0, -1.0, 0.0, 1.0]));
-        same(&cosine, &Series::from_derivatives(&[1.0, 0.0, -1.0, 0.0, 1.0, 0.0]));
-        same(
-            &zero.atan2(&one, COUNT),
-            &Series::from_derivatives(&[0.0, 1.0, 0.0, -2.0, 0.0, 24.0]),
-        );
-    }
-
-    #[test]
-    fn functions_and_their_inverses_cancel() {
-        let x = argument();
-        let one = Series::from_derivatives(&[1.0]);
-        same(&x.over(&x, COUNT), &one);
-        same(&x.times(&x, COUNT).sqrt(COUNT), &x);
-        same(&x.exp(COUNT).ln(COUNT), &x);
-        let (sine, cosine) = x.sin_cos(COUNT);
-        same(&sine.times(&sine, COUNT).plus(&cosine.times(&cosine, COUNT)), &one);
-        same(&sine.atan2(&cosine, COUNT), &x);
-        let (sine, cosine) = x.sinh_cosh(COUNT);
-        same(&cosine.times(&cosine, COUNT).minus(&sine.times(&sine, COUNT)), &one);
-        same(&sine.plus(&cosine), &x.exp(COUNT));
-        same(&sine.asinh(COUNT), &x);
-        same(&cosine.acosh(COUNT), &x);
-        same(&sine.over(&cosine, COUNT).atanh(COUNT), &x);
     }
 }

@@ -6,9 +6,11 @@
 mod three_ways;
 
 mod high_precision;
+mod notes_are_consistent;
 mod notes_formulas;
 mod oracles;
 mod outputs;
 mod printed_values;
 mod sensitivities;
+mod series_of_many_digits;
 mod verify;

@@ -10,7 +10,7 @@ use kin_tests::mechanisms::coupled::{Built, Kepler, SixCoupled, SixInChain, Step
 use kin_tests::mechanisms::directions::{DirectedKepler, DirectedTriad};
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
-use kin_tests::reference::{Given, solution};
+use kin_tests::reference::{Given, Solution, solution};
 
 /// Poses in a batch: more than lanes, and no multiple of them.
 const POSES: usize = 101;
@@ -20,6 +20,31 @@ const UNITS: f64 = 4.0;
 
 /// Of every so many poses that condition is asked for; the others are held to what both oracles allow a single pose.
 const SAMPLE: usize = 8;
+
+/// A pose that was solved by itself, and the units in which its errors are told.
+struct Single<M: Mechanism> {
+    pose: M::Pose,
+    gauge: Gauge,
+    reference: Option<Solution>,
+}
+
+impl<M: ThroughSnap> Single<M> {
+    fn new(poses: &Poses<M>, index: usize, assembly: Option<M::Assembly>) -> Result<Self, SolveError> {
+        let pose = poses.solve_one(index, assembly)?;
+        let unknowns = pose.unknown_motions();
+        let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
+        let reference = index.is_multiple_of(SAMPLE).then(|| {
+            let position: Vec<f64> = unknowns.as_ref().iter().map(|motion| motion[0]).collect();
+            let inputs = poses.inputs[index].as_ref().iter();
+            let given = Given {
+                parameters: poses.mechanisms[index].parameters().as_ref().to_vec(),
+                inputs: inputs.map(|motion| motion.as_ref().to_vec()).collect(),
+            };
+            solution::<M>(&given, &position).expect("there is a reference")
+        });
+        Ok(Self { pose, gauge, reference })
+    }
+}
 
 /// Compares batches with one pose after the other, and prints how far they are apart.
 #[derive(Default)]
@@ -43,6 +68,9 @@ impl Compare {
 
     fn check<M: ThroughSnap>(&mut self, poses: &Poses<M>, assembly: Option<M::Assembly>) {
         let name = M::DESCRIPTION.name;
+        let singles: Vec<_> = (0..poses.mechanisms.len())
+            .map(|index| Single::new(poses, index, assembly))
+            .collect();
         for vectors in vectors() {
             let (table, outcomes, summary) = poses.solve(assembly, vectors);
             self.alone += summary.alone;
@@ -50,15 +78,15 @@ impl Compare {
             let mut first_failure = None;
             for (index, outcome) in outcomes.iter().enumerate() {
                 self.poses += 1;
-                match poses.solve_one(index, assembly) {
-                    Ok(pose) => {
+                match &singles[index] {
+                    Ok(single) => {
                         assert_eq!(*outcome, Outcome::Solved, "{name}, pose {index}");
-                        self.compare(poses, index, &pose, &table);
+                        self.compare(poses, index, single, &table);
                     }
                     Err(error) => {
                         self.failures += 1;
-                        first_failure = first_failure.or(Some((index, error)));
-                        assert_eq!(*outcome, Outcome::from(&error), "{name}, pose {index}: {error}");
+                        first_failure = first_failure.or(Some((index, *error)));
+                        assert_eq!(*outcome, Outcome::from(error), "{name}, pose {index}: {error}");
                         for column in &table.sines {
                             assert!(column[index].is_nan(), "{name}, pose {index}");
                         }
@@ -75,19 +103,9 @@ impl Compare {
         }
     }
 
-    fn compare<M: ThroughSnap>(&mut self, poses: &Poses<M>, index: usize, pose: &M::Pose, table: &Table) {
-        let unknowns = pose.unknown_motions();
+    fn compare<M: ThroughSnap>(&mut self, poses: &Poses<M>, index: usize, single: &Single<M>, table: &Table) {
+        let Single { pose, gauge, reference } = single;
         let (columns, sines) = (pose.unknown_columns(), pose.unknown_sines());
-        let gauge = Gauge::new(&poses.mechanisms[index], &poses.inputs[index], &unknowns);
-        let reference = index.is_multiple_of(SAMPLE).then(|| {
-            let position: Vec<f64> = unknowns.as_ref().iter().map(|motion| motion[0]).collect();
-            let inputs = poses.inputs[index].as_ref().iter();
-            let given = Given {
-                parameters: poses.mechanisms[index].parameters().as_ref().to_vec(),
-                inputs: inputs.map(|motion| motion.as_ref().to_vec()).collect(),
-            };
-            solution::<M>(&given, &position).expect("there is a reference")
-        });
         for (order, allowed) in ALLOWED.into_iter().enumerate() {
             for (input, motion) in poses.inputs[index].as_ref().iter().enumerate() {
                 assert_eq!(table.inputs[input][order][index].to_bits(), motion[order].to_bits());
@@ -116,7 +134,7 @@ impl Compare {
                 let least = if sine.is_some() { f64::EPSILON } else { 0.0 };
                 for (found, expected) in pairs.into_iter().flatten() {
                     note(found, expected, gauge.unknown(place, order).max(least), allowed);
-                    if let Some(reference) = &reference {
+                    if let Some(reference) = reference {
                         let unit = (f64::EPSILON * reference.conditions[place][order]).max(least);
                         let error = note(found, expected, unit, UNITS);
                         self.worst[order] = self.worst[order].max(error);

@@ -4,4 +4,5 @@ mod allocation;
 mod batches;
 mod batches_at_dead_points;
 mod growth;
+mod nested_dual_numbers;
 mod operation_counts;
