@@ -4,6 +4,7 @@ mod block_after_block;
 mod condition_numbers;
 mod coupled_blocks;
 mod folded_links;
+mod hyperbolic;
 mod kinds_of_drive;
 mod known_motions;
 mod not_finite;

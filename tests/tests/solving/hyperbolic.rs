@@ -12,7 +12,7 @@ use kin_tests::mechanisms::hyperbolic::{self, *};
 use kin_tests::mechanisms::sensitive::{self, SensitiveThroughSnap};
 use kin_tests::oracles::{Reported, Worst};
 use kin_tests::random::Random;
-use kin_tests::reference::{Errors, Given, solution};
+use kin_tests::reference::{Errors, Given};
 use kin_tests::sensitivities;
 
 /// As many units of error are allowed against the reference, at every order: those of `docs/accuracy.md`.
