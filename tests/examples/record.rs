@@ -112,7 +112,8 @@ fn main() {
     anywhere! {
         coupled { Kepler RelativeDrive Triad StephensonThree SixCoupled }
         sensitive {
-            SensitiveFourBarDivided SensitiveFreudenstein SensitiveGeometric SensitiveSeries
+            SensitiveFourBar SensitiveRanged SensitiveSlider SensitivePump SensitiveSlides SensitiveWatt SensitiveLogarithm
+            SensitiveFunctions SensitiveFourBarDivided SensitiveFreudenstein SensitiveGeometric SensitiveSeries
             SensitiveOutputs SensitiveTernary SensitiveRssr
             SensitiveRssp
         }

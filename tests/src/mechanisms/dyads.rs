@@ -13,7 +13,6 @@ mechanism! {
     unknown a: Length, b: Length;
 
     a * cis(alpha) + b * cis(beta) == r * cis(theta);
-    with sensitivities;
 }
 
 mechanism! {

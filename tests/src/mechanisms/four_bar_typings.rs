@@ -27,7 +27,6 @@ four_bar! {
     /// As the library has it.
     FourBarPlain:
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
-    with sensitivities;
 }
 
 four_bar! {

@@ -59,7 +59,6 @@ mechanism! {
     tip + r5 * cis(theta5) == pivot + r6 * cis(theta6);
 
     output middle: Point = tip + r5 / 2 * cis(theta5);
-    with sensitivities;
 }
 
 mechanism! {

@@ -14,7 +14,6 @@ mechanism! {
     unknown theta3: Angle in 0.0..=PI, theta4: Angle;
 
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
-    with sensitivities;
 }
 
 mechanism! {

@@ -206,7 +206,6 @@ mechanism! {
     unknown x: Scalar;
 
     ln(x * (x + a)) == t;
-    with sensitivities;
 }
 
 mechanism! {
@@ -222,5 +221,4 @@ mechanism! {
     v == atan2(b * sin(t), a - b * cos(t));
     w == exp(sin(t)) / ln(2 + u / a) + tan(t / 3);
     z == asin(b * sin(t) / (2 * u)) - acos(cos(t) / 2) + atan(w);
-    with sensitivities;
 }

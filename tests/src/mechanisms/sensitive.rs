@@ -1,6 +1,7 @@
 //! Mechanisms of every closed form that know the partial derivatives of their motion by their parameters.
 //!
-//! Most of them are declared with the others of their form. Declared here are those that differ from all of these.
+//! Declared here are those that have no twin elsewhere, and those whose twin is solved in fewer operations: what the partial derivatives
+//! need as well is kept where a solver alone would not keep it.
 
 use kin_core::mechanism;
 use kin_core::prelude::*;
@@ -8,13 +9,10 @@ use kin_core::prelude::*;
 use super::cases::{Case, ThroughSnap};
 use super::coupled::RelativeDrive;
 use super::directions::{DirectedDrive, DirectedSensitive};
-use super::dyads::{FiveBar, TwoSlides};
-use super::four_bar_typings::FourBarPlain;
+use super::dyads::FiveBar;
 use super::inverted_slider_crank_typings::InvertedOffset;
-use super::multi_loop::{GearedYoke, WattSixBar, Whitworth};
-use super::ranged::RangedCoupler;
-use super::scalar_forms::{ExplicitFunctions, LogarithmForm, QuadraticForm};
-use super::slider_crank_typings::{SliderCrankDrivenAtSlider, SliderCrankInclined};
+use super::multi_loop::{GearedYoke, Whitworth};
+use super::scalar_forms::QuadraticForm;
 
 /// A mechanism in double precision, through snap, that knows its sensitivities.
 pub trait SensitiveThroughSnap: ThroughSnap + Sensitive {}
@@ -40,25 +38,25 @@ macro_rules! all {
 }
 
 all! {
-    FourBarPlain [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+    SensitiveFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
     SensitiveFourBarDivided [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
     SensitiveFreudenstein [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
     SensitiveGeometric [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-    RangedCoupler [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+    SensitiveRanged [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
     SensitiveSeries [0.8, 2.5] at [-3.1, 3.1];
     SensitiveOutputs [90.0, 30.0, 60.0, 45.0, 25.0, 15.0] at [-1.9, 1.9];
     SensitiveTernary [80.0, 20.0, 30.0, 55.0, 25.0, 40.0, 30.0] at [-3.1, 3.1];
-    SliderCrankInclined [1.0, 3.0, 0.4, 0.7] at [-3.1, 3.1];
-    SliderCrankDrivenAtSlider [1.0, 3.0, 0.4] at [1.9, 4.1];
+    SensitiveSlider [1.0, 3.0, 0.4, 0.7] at [-3.1, 3.1];
+    SensitivePump [1.0, 3.0, 0.4] at [1.9, 4.1];
     InvertedOffset [2.0, 0.8, 0.5] at [-3.1, 3.1];
-    TwoSlides [1.3, 0.4, 2.2] at [-3.1, 3.1];
+    SensitiveSlides [1.3, 0.4, 2.2] at [-3.1, 3.1];
     FiveBar [2.0, 1.0, 2.0, 1.8, 1.1] at [0.2, 2.9] [0.3, 3.0];
-    WattSixBar [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
+    SensitiveWatt [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
     GearedYoke [4.0, 1.0, 3.0, 2.5, 2.5, 0.7] at [-3.1, 3.1];
     Whitworth [0.5, 1.2, 1.5, 5.0, 0.3] at [-3.1, 3.1];
     QuadraticForm [1.5, 2.0, 0.5] at [-3.0, 3.0];
-    LogarithmForm [0.8] at [-2.0, 2.0];
-    ExplicitFunctions [3.0, 1.0] at [-3.1, 3.1];
+    SensitiveLogarithm [0.8] at [-2.0, 2.0];
+    SensitiveFunctions [3.0, 1.0] at [-3.1, 3.1];
     // axis and rail, the lengths of which do not matter, are of the mechanism's size, by which parameters are measured
     SensitiveRssr [1.0, 3.0, 0.5, 0.8, 0.6, 2.7, 0.9, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
     SensitiveRssp [1.0, 1.5, 0.4, 0.3, 0.6, -0.8, 2.4, 3.0] at [-3.1, 3.1];
@@ -207,5 +205,120 @@ mechanism! {
     vec3(x, y, z) == start + s * (rail / norm(rail));
     output rod_vector: Vector3 = vec3(x, y, z) - pin;
     output slope: Scalar = (z - pin.z) / rod;
+    with sensitivities;
+}
+
+mechanism! {
+    /// A four-bar linkage as a vector loop.
+    pub struct SensitiveFourBar {
+        r1: Length,
+        r2: Length,
+        r3: Length,
+        r4: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    with sensitivities;
+}
+
+mechanism! {
+    /// The same with its coupler in the upper half of the plane, which is told at run time.
+    pub struct SensitiveRanged {
+        r1: Length,
+        r2: Length,
+        r3: Length,
+        r4: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle in 0.0..=PI, theta4: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    with sensitivities;
+}
+
+mechanism! {
+    /// A slider-crank on an inclined slide with an offset.
+    pub struct SensitiveSlider {
+        crank: Length,
+        rod: Length,
+        offset: Length,
+        beta: Angle,
+    }
+    input theta: Angle;
+    unknown phi: Angle, s: Length;
+    crank * cis(theta) + rod * cis(phi) == vec2(s, offset) * cis(beta);
+    with sensitivities;
+}
+
+mechanism! {
+    /// A slider-crank that its slider drives.
+    pub struct SensitivePump {
+        crank: Length,
+        rod: Length,
+        offset: Length,
+    }
+    input s: Length;
+    unknown theta: Angle, phi: Angle;
+    crank * cis(theta) + rod * cis(phi) == vec2(s, offset);
+    with sensitivities;
+}
+
+mechanism! {
+    /// Two slides: a linear block.
+    pub struct SensitiveSlides {
+        crank: Length,
+        alpha: Angle,
+        beta: Angle,
+    }
+    input theta: Angle;
+    unknown s: Length, t: Length;
+    s * cis(alpha) + t * cis(beta) == crank * cis(theta);
+    with sensitivities;
+}
+
+mechanism! {
+    /// Watt's six-bar linkage, two blocks.
+    pub struct SensitiveWatt {
+        r1: Length,
+        r2: Length,
+        r3: Length,
+        r4: Length,
+        arm: Vector,
+        pivot: Point,
+        r5: Length,
+        r6: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle, theta5: Angle, theta6: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    let tip = r1 + arm * cis(theta4);
+    tip + r5 * cis(theta5) == pivot + r6 * cis(theta6);
+    output middle: Point = tip + r5 / 2 * cis(theta5);
+    with sensitivities;
+}
+
+mechanism! {
+    /// The inverse of a logarithm, then a quadratic equation.
+    pub struct SensitiveLogarithm {
+        a: Scalar,
+    }
+    input t: Scalar;
+    unknown x: Scalar;
+    ln(x * (x + a)) == t;
+    with sensitivities;
+}
+
+mechanism! {
+    /// Explicit formulas with every function.
+    pub struct SensitiveFunctions {
+        a: Length,
+        b: Length,
+    }
+    input t: Angle;
+    unknown u: Length, v: Angle, w: Scalar, z: Angle;
+    u == sqrt(a.powi(2) + b.powi(2) - 2 * a * b * cos(t));
+    v == atan2(b * sin(t), a - b * cos(t));
+    w == exp(sin(t)) / ln(2 + u / a) + tan(t / 3);
+    z == asin(b * sin(t) / (2 * u)) - acos(cos(t) / 2) + atan(w);
     with sensitivities;
 }

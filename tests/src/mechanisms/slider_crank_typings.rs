@@ -103,7 +103,6 @@ mechanism! {
     unknown phi: Angle, s: Length;
 
     r * cis(theta) + l * cis(phi) == vec2(s, h) * cis(beta);
-    with sensitivities;
 }
 
 mechanism! {
@@ -131,7 +130,6 @@ mechanism! {
     unknown theta: Angle, phi: Angle;
 
     r * cis(theta) + l * cis(phi) == vec2(s, h);
-    with sensitivities;
 }
 
 mechanism! {

@@ -10,10 +10,11 @@ use kin_tests::mechanisms::cases::Case;
 use kin_tests::mechanisms::coupled::{
     Built, GearedPair, Kepler, SixCoupled, SixInChain, SixInChainPartials, StephensonThree, Triad,
 };
-use kin_tests::mechanisms::four_bar_typings::FourBarPlain;
-use kin_tests::mechanisms::multi_loop::{GearedYoke, WattSixBar, Whitworth};
-use kin_tests::mechanisms::sensitive::{self, SensitiveGeometric, SensitiveOutputs, SensitiveThroughSnap, Visitor};
-use kin_tests::mechanisms::slider_crank_typings::SliderCrankInclined;
+use kin_tests::mechanisms::multi_loop::{GearedYoke, Whitworth};
+use kin_tests::mechanisms::sensitive::{
+    self, SensitiveFourBar, SensitiveGeometric, SensitiveOutputs, SensitiveSlider, SensitiveThroughSnap, SensitiveWatt,
+    Visitor,
+};
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
 use kin_tests::sensitivities::{Worst, generated};
@@ -175,8 +176,8 @@ fn what_does_not_depend_has_none() {
         assert!((by.trace.y.coupler_point.value().x + sine).abs() < rounding);
     }
     // the second loop does not act back on the first
-    let six_bar = WattSixBar::<f64>::from_parameters([4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5]);
-    let assembly = WattSixBar::<f64>::ASSEMBLIES[0];
+    let six_bar = SensitiveWatt::<f64>::from_parameters([4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5]);
+    let assembly = SensitiveWatt::<f64>::ASSEMBLIES[0];
     let pose = six_bar.solve(crank, assembly).expect("it closes");
     let by = six_bar.sensitivities(&pose);
     assert_eq!(by.r6.theta4, Motion::new([0.0; 5]));
@@ -212,7 +213,7 @@ fn second_derivatives_are_symmetric() {
         let second: Vec<Vec<[f64; 5]>> = (0..4)
             .map(|seeded| {
                 let number = |index: usize| Dual64::new(parameters[index], if index == seeded { 1.0 } else { 0.0 });
-                let linkage = FourBarPlain::from_parameters(core::array::from_fn(number));
+                let linkage = SensitiveFourBar::from_parameters(core::array::from_fn(number));
                 let pose = linkage.solve(Motion::new(crank), assembly).expect("it closes");
                 linkage
                     .sensitivities_of(&pose)
@@ -325,13 +326,13 @@ fn cost_at<M: Sensitive<Scalar = Counted>>(mechanism: &M, poses: &[M::Pose]) {
 
 #[test]
 fn costs() {
-    cost::<FourBarPlain<Counted>>(&[5.0, 2.0, 4.0, 3.5], 1.1);
+    cost::<SensitiveFourBar<Counted>>(&[5.0, 2.0, 4.0, 3.5], 1.1);
     cost::<SensitiveOutputs<Counted>>(&[5.0, 2.0, 4.0, 3.5, 1.0, 0.5], 1.1);
     cost::<SensitiveGeometric<Counted>>(&[5.0, 2.0, 4.0, 3.5], 1.1);
-    cost::<SliderCrankInclined<Counted>>(&[1.0, 3.0, 0.4, 0.7], 1.1);
+    cost::<SensitiveSlider<Counted>>(&[1.0, 3.0, 0.4, 0.7], 1.1);
     cost::<Whitworth<Counted>>(&[0.5, 1.2, 1.5, 5.0, 0.3], 1.1);
     cost::<GearedYoke<Counted>>(&[4.0, 1.0, 3.0, 2.5, 2.5, 0.7], 1.1);
-    cost::<WattSixBar<Counted>>(&[4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5], 1.1);
+    cost::<SensitiveWatt<Counted>>(&[4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5], 1.1);
     let Built {
         mechanism,
         input,
