@@ -7,6 +7,9 @@ use kin_precise::Number;
 pub struct Series(Vec<Number>);
 
 /// A small count as a number.
+///
+/// # Panics
+/// If the count does not fit into 32 bits.
 #[must_use]
 pub fn number(count: usize) -> Number {
     Number::exactly(f64::from(u32::try_from(count).expect("series are short")))

@@ -182,8 +182,11 @@ impl<M: ThroughSnap> System<M> {
                 ("hyper-dual", hyper_dual[index], 1.0),
             ];
             for (way, values, condition) in ways {
-                let row: String = values.iter().map(|value| format!(" {value:>+24.15e}")).collect();
-                println!("{:8} {way:11}{row}", unknown.name);
+                let [q, q_1, q_2, q_3, q_4] = values;
+                println!(
+                    "{:8} {way:11} {q:>+24.15e} {q_1:>+24.15e} {q_2:>+24.15e} {q_3:>+24.15e} {q_4:>+24.15e}",
+                    unknown.name
+                );
                 for order in 0..5 {
                     let mut difference = values[order] - generated[order];
                     if order == 0 && unknown.dimension == Dimension::Angle {
