@@ -122,7 +122,7 @@ mod angles {
     mechanisms!(Angle);
 }
 
-mod directions {
+mod as_directions {
     mechanisms!(Direction);
 }
 
@@ -200,18 +200,18 @@ fn unit_vectors_are_those_of_the_angles() {
     const ALL_ROUND: &[(f64, f64)] = &[(-3.1, 3.1)];
     const SLIDER: [f64; 3] = [1.0, 3.0, 0.4];
     let mut poses = 0;
-    poses += compare::<angles::FourBar, directions::FourBar>(&LINKAGE, CRANK);
-    poses += compare::<angles::Swinging, directions::Swinging>(&[90.0, 30.0, 60.0, 45.0, 0.7 - PI], CRANK);
-    poses += compare::<angles::SliderCrank, directions::SliderCrank>(&SLIDER, ALL_ROUND);
-    poses += compare::<angles::ByInverseSine, directions::ByInverseSine>(&SLIDER, ALL_ROUND);
-    poses += compare::<angles::AtSlider, directions::AtSlider>(&SLIDER, &[(1.9, 4.1)]);
-    poses += compare::<angles::Lever, directions::Lever>(&[2.0, 0.8], ALL_ROUND);
-    poses += compare::<angles::OffsetLever, directions::OffsetLever>(&[2.0, 0.8, 0.5], ALL_ROUND);
-    poses += compare::<angles::Arm, directions::Arm>(&[1.2, 0.9], &[(-1.4, 1.4), (-1.3, 1.4)]);
-    poses += compare::<angles::Freudenstein, directions::Freudenstein>(&LINKAGE, CRANK);
-    poses += compare::<angles::Rack, directions::Rack>(&[90.0, 30.0, 60.0, 45.0, 10.0], CRANK);
-    poses += compare::<angles::WithinRange, directions::WithinRange>(&LINKAGE, CRANK);
-    poses += compare::<angles::Drive, directions::Drive>(&LINKAGE, ALL_ROUND);
+    poses += compare::<angles::FourBar, as_directions::FourBar>(&LINKAGE, CRANK);
+    poses += compare::<angles::Swinging, as_directions::Swinging>(&[90.0, 30.0, 60.0, 45.0, 0.7 - PI], CRANK);
+    poses += compare::<angles::SliderCrank, as_directions::SliderCrank>(&SLIDER, ALL_ROUND);
+    poses += compare::<angles::ByInverseSine, as_directions::ByInverseSine>(&SLIDER, ALL_ROUND);
+    poses += compare::<angles::AtSlider, as_directions::AtSlider>(&SLIDER, &[(1.9, 4.1)]);
+    poses += compare::<angles::Lever, as_directions::Lever>(&[2.0, 0.8], ALL_ROUND);
+    poses += compare::<angles::OffsetLever, as_directions::OffsetLever>(&[2.0, 0.8, 0.5], ALL_ROUND);
+    poses += compare::<angles::Arm, as_directions::Arm>(&[1.2, 0.9], &[(-1.4, 1.4), (-1.3, 1.4)]);
+    poses += compare::<angles::Freudenstein, as_directions::Freudenstein>(&LINKAGE, CRANK);
+    poses += compare::<angles::Rack, as_directions::Rack>(&[90.0, 30.0, 60.0, 45.0, 10.0], CRANK);
+    poses += compare::<angles::WithinRange, as_directions::WithinRange>(&LINKAGE, CRANK);
+    poses += compare::<angles::Drive, as_directions::Drive>(&LINKAGE, ALL_ROUND);
     assert!(poses > 3500, "{poses}");
 }
 
@@ -221,7 +221,7 @@ fn rates_of_the_four_bar_are_the_same_to_the_bit() {
     let parameters = [90.0, 30.0, 60.0, 45.0];
     let (angles, directions) = (
         angles::FourBar::<f64>::from_parameters(parameters),
-        directions::FourBar::<f64>::from_parameters(parameters),
+        as_directions::FourBar::<f64>::from_parameters(parameters),
     );
     let mut random = Random::new(32);
     for _ in 0..200 {
@@ -251,34 +251,34 @@ fn arctangents_are_left_out() {
     assert_eq!(arc_tangents::<angles::FourBar>(), 2);
     assert_eq!(
         [
-            arc_tangents::<directions::FourBar>(),
-            arc_tangents::<directions::Swinging>(),
-            arc_tangents::<directions::SliderCrank>(),
-            arc_tangents::<directions::ByInverseSine>(),
-            arc_tangents::<directions::AtSlider>(),
-            arc_tangents::<directions::Lever>(),
-            arc_tangents::<directions::OffsetLever>(),
-            arc_tangents::<directions::Arm>(),
-            arc_tangents::<directions::Freudenstein>(),
+            arc_tangents::<as_directions::FourBar>(),
+            arc_tangents::<as_directions::Swinging>(),
+            arc_tangents::<as_directions::SliderCrank>(),
+            arc_tangents::<as_directions::ByInverseSine>(),
+            arc_tangents::<as_directions::AtSlider>(),
+            arc_tangents::<as_directions::Lever>(),
+            arc_tangents::<as_directions::OffsetLever>(),
+            arc_tangents::<as_directions::Arm>(),
+            arc_tangents::<as_directions::Freudenstein>(),
         ],
         [0; 9]
     );
     assert_eq!(
-        arc_tangents::<directions::Rack>(),
+        arc_tangents::<as_directions::Rack>(),
         arc_tangents::<angles::Rack>(),
         "of both angles, as equations and an output ask for them"
     );
     // the range is that of theta4, both solutions of which are looked at
-    assert_eq!(arc_tangents::<directions::WithinRange>(), 2);
+    assert_eq!(arc_tangents::<as_directions::WithinRange>(), 2);
     assert_eq!(arc_tangents::<angles::WithinRange>(), 4);
 
     // two quotients by a link's length, each by its inverse
     let more =
-        directions::FourBar::<f64>::OPERATIONS[0].arithmetic() - angles::FourBar::<f64>::OPERATIONS[0].arithmetic();
+        as_directions::FourBar::<f64>::OPERATIONS[0].arithmetic() - angles::FourBar::<f64>::OPERATIONS[0].arithmetic();
     assert_eq!(more, 6);
     let rates = |operations: [Operations; 5]| operations.map(|order| order.arithmetic());
     assert_eq!(
-        rates(directions::FourBar::<f64>::OPERATIONS)[1..],
+        rates(as_directions::FourBar::<f64>::OPERATIONS)[1..],
         rates(angles::FourBar::<f64>::OPERATIONS)[1..]
     );
 }
@@ -328,27 +328,27 @@ fn directions_are_followed_through_half_a_turn() {
     let there_and_back: Vec<f64> = places.iter().chain(places.iter().rev()).copied().collect();
     // a crank-rocker whose coupler swings about π
     let swing =
-        go_round::<angles::Swinging, directions::Swinging>(&[90.0, 30.0, 70.0, 60.0, 0.7 - PI], &there_and_back);
+        go_round::<angles::Swinging, as_directions::Swinging>(&[90.0, 30.0, 70.0, 60.0, 0.7 - PI], &there_and_back);
     assert!(swing[0] > PI && swing[0] < TAU, "{swing:?}");
     // a drag-link: coupler and rocker go round with the crank
     let drag_link = [30.0, 70.0, 60.0, 80.0];
-    let turns = go_round::<angles::FourBar, directions::FourBar>(&drag_link, &there_and_back);
+    let turns = go_round::<angles::FourBar, as_directions::FourBar>(&drag_link, &there_and_back);
     assert!(turns[0] > 2.5 * TAU && turns[1] > 2.5 * TAU, "{turns:?}");
     // three turns at once
-    let turns = go_round::<angles::FourBar, directions::FourBar>(&drag_link, &[0.3, 0.3 + 3.0 * TAU, 0.3 - TAU]);
+    let turns = go_round::<angles::FourBar, as_directions::FourBar>(&drag_link, &[0.3, 0.3 + 3.0 * TAU, 0.3 - TAU]);
     assert!(turns[0] > 2.5 * TAU && turns[1] > 2.5 * TAU, "{turns:?}");
     // a lever that goes round beside its slide
-    let turns = go_round::<angles::OffsetLever, directions::OffsetLever>(&[1.0, 2.0, 0.3], &there_and_back);
+    let turns = go_round::<angles::OffsetLever, as_directions::OffsetLever>(&[1.0, 2.0, 0.3], &there_and_back);
     assert!(turns[1] > 2.5 * TAU, "{turns:?}");
     // and what hangs on an angle counts its turns
-    let turns = go_round::<angles::Rack, directions::Rack>(&[30.0, 70.0, 60.0, 80.0, 10.0], &there_and_back);
+    let turns = go_round::<angles::Rack, as_directions::Rack>(&[30.0, 70.0, 60.0, 80.0, 10.0], &there_and_back);
     assert!(turns[2] > 10.0 * 2.5 * TAU, "{turns:?}");
 }
 
 /// The generated method hands out a position, in which a direction is on no turn.
 #[test]
 fn a_pose_is_followed_from_pose_to_pose() {
-    let linkage = directions::FourBar::<f64>::from_parameters([30.0, 70.0, 60.0, 80.0]);
+    let linkage = as_directions::FourBar::<f64>::from_parameters([30.0, 70.0, 60.0, 80.0]);
     let mut pose = linkage.position(0.3, Assembly::Crossed).expect("it closes");
     let start = pose;
     for step in 1..=16 {
@@ -376,7 +376,7 @@ fn limits_are_where_they_are() {
     let parameters = [90.0, 30.0, 60.0, 45.0, 0.7 - PI];
     let (angles, directions) = (
         angles::Swinging::<f64>::from_parameters(parameters),
-        directions::Swinging::<f64>::from_parameters(parameters),
+        as_directions::Swinging::<f64>::from_parameters(parameters),
     );
     for assembly in Assembly::BOTH {
         let start = angles.position(0.5, assembly).expect("it closes").unknowns();
@@ -398,7 +398,7 @@ fn limits_are_where_they_are() {
 /// What hangs on an angle goes by that angle, on the turn that is asked for; the equations hold.
 #[test]
 fn an_angle_that_is_asked_for_is_kept() {
-    let mechanism = directions::Rack::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0, 10.0]);
+    let mechanism = as_directions::Rack::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0, 10.0]);
     let first = mechanism.position(0.7, Assembly::Open).expect("it closes");
     assert!((first.rack.value() - 10.0 * first.theta4.angle()).abs() <= 1e-14);
     let turned = mechanism
@@ -415,7 +415,7 @@ fn an_angle_that_is_asked_for_is_kept() {
     let expected = 20.0 * velocity.unknowns()[1] * velocity.theta4.velocity();
     assert!((velocity.cam.velocity() - expected).abs() <= 1e-12);
 
-    let ranged = directions::WithinRange::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0]);
+    let ranged = as_directions::WithinRange::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0]);
     let pose = ranged.position(-0.7).expect("it closes");
     assert!((PI..=TAU).contains(&pose.unknowns()[1]) && pose.theta4.angle() < 0.0);
 }
@@ -503,7 +503,7 @@ fn whatever_takes_poses_takes_these() {
     let parameters = [90.0, 30.0, 60.0, 45.0];
     let (angles, directions) = (
         angles::FourBar::<f64>::from_parameters(parameters),
-        directions::FourBar::<f64>::from_parameters(parameters),
+        as_directions::FourBar::<f64>::from_parameters(parameters),
     );
     let one = angles.position(1.1, Assembly::Open).expect("it closes");
     let other = directions
@@ -519,13 +519,13 @@ fn whatever_takes_poses_takes_these() {
     for (one, other) in one_picture.joints().iter().zip(other_picture.joints()) {
         assert!((one.x - other.x).abs() <= 1e-13 && (one.y - other.y).abs() <= 1e-13);
     }
-    assert_eq!(PoseOf::<directions::FourBar>::unknowns(&other), other.unknowns());
+    assert_eq!(PoseOf::<as_directions::FourBar>::unknowns(&other), other.unknowns());
     assert_eq!(directions.assembly_at(1.1, other.unknowns()), Assembly::Open);
 }
 
 #[test]
 fn columns_of_unit_vectors() {
-    use directions::{FourBar, FourBarBatch};
+    use as_directions::{FourBar, FourBarBatch};
 
     let linkage = FourBar::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0]);
     let angles: Vec<f64> = (0..41).map(|index| 0.05 * f64::from(index) - 1.0).collect();
@@ -583,7 +583,7 @@ fn columns_of_unit_vectors() {
     reason = "the nearest numbers of single precision are meant"
 )]
 fn of_any_number_and_order() {
-    let linkage = directions::FourBar::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0]);
+    let linkage = as_directions::FourBar::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0]);
     let pose = linkage
         .solve(Motion::at_constant_speed(1.1, 2.0), Assembly::Open)
         .expect("it closes");
@@ -639,7 +639,7 @@ fn nothing_that_is_not_finite_comes_out() {
                 let mut values = [90.0, 30.0, 60.0, 45.0, 1.1];
                 values[place] = number;
                 let [r1, r2, r3, r4, theta2] = values;
-                if let Ok(pose) = directions::FourBar::from_parameters([r1, r2, r3, r4]).position(theta2, assembly) {
+                if let Ok(pose) = as_directions::FourBar::from_parameters([r1, r2, r3, r4]).position(theta2, assembly) {
                     assert!(pose.theta3.is_finite() && pose.theta4.is_finite(), "{values:?}");
                 }
                 let mut values = [1.0, 3.0, 0.4, 1.1];
@@ -647,7 +647,7 @@ fn nothing_that_is_not_finite_comes_out() {
                     *value = number;
                 }
                 let [r, l, h, theta] = values;
-                if let Ok(pose) = directions::SliderCrank::from_parameters([r, l, h]).position(theta, assembly) {
+                if let Ok(pose) = as_directions::SliderCrank::from_parameters([r, l, h]).position(theta, assembly) {
                     assert!(pose.phi.is_finite(), "{values:?}");
                 }
                 let mut values = [2.0, 0.8, 0.5, 1.1];
@@ -655,10 +655,10 @@ fn nothing_that_is_not_finite_comes_out() {
                     *value = number;
                 }
                 let [r1, r2, offset, theta2] = values;
-                if let Ok(pose) = directions::Lever::from_parameters([r1, r2]).position(theta2, assembly) {
+                if let Ok(pose) = as_directions::Lever::from_parameters([r1, r2]).position(theta2, assembly) {
                     assert!(pose.theta4.is_finite(), "{values:?}");
                 }
-                let offset = directions::OffsetLever::from_parameters([r1, r2, offset]);
+                let offset = as_directions::OffsetLever::from_parameters([r1, r2, offset]);
                 if let Ok(pose) = offset.position(theta2, assembly) {
                     assert!(pose.theta4.is_finite(), "{values:?}");
                 }

@@ -190,7 +190,7 @@ fn oracles_of_sensitivities() {
         fn visit<M: SensitiveThroughSnap>(&mut self, case: Case) {
             let mut worst = sensitivities::Worst::default();
             grid(case, |mechanism: &M, inputs, assembly| {
-                worst.check(mechanism, inputs, assembly)
+                worst.check(mechanism, inputs, assembly);
             });
             worst.report(M::DESCRIPTION.name);
         }
