@@ -1,6 +1,6 @@
 //! The hyperbolic functions and their inverses: in numbers, in mechanisms of every closed form, and by Newton's method.
 //!
-//! The worst errors are printed: `cargo test -p kin-tests --test hyperbolic -- --nocapture`.
+//! The worst errors are printed: `cargo test -p kin-tests --test solving hyperbolic -- --nocapture`.
 
 use kin_core::TrackError;
 use kin_core::batch::Outcome;
