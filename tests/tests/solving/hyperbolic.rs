@@ -153,9 +153,9 @@ fn functions_are_exact_to_the_last_digits() {
 }
 
 /// A grid of inputs with random rates; dimensions vary.
-fn grid<M: ThroughSnap>(case: Case, mut look: impl FnMut(&M, M::Inputs<Motion<f64, 5>>, M::Assembly)) {
+fn grid<M: ThroughSnap>(sizes: usize, case: Case, mut look: impl FnMut(&M, M::Inputs<Motion<f64, 5>>, M::Assembly)) {
     let mut random = Random::new(M::DESCRIPTION.name.bytes().map(u64::from).sum());
-    for _ in 0..8 {
+    for _ in 0..sizes {
         let mechanism: M = case.varied(&mut random);
         for step in 0..16 {
             let fraction = (f64::from(step) + random.between(0.0, 1.0)) / 16.0;
@@ -174,7 +174,7 @@ fn oracles_of_every_form() {
     impl Visitor for Prove {
         fn visit<M: ThroughSnap>(&mut self, case: Case) {
             let mut worst = Worst::default();
-            grid(case, |mechanism: &M, inputs, assembly| {
+            grid(8, case, |mechanism: &M, inputs, assembly| {
                 worst.check(mechanism, inputs, assembly);
             });
             worst.report(M::DESCRIPTION.name);
@@ -189,7 +189,7 @@ fn oracles_of_sensitivities() {
     impl sensitive::Visitor for Prove {
         fn visit<M: SensitiveThroughSnap>(&mut self, case: Case) {
             let mut worst = sensitivities::Worst::default();
-            grid(case, |mechanism: &M, inputs, assembly| {
+            grid(8, case, |mechanism: &M, inputs, assembly| {
                 worst.check(mechanism, inputs, assembly);
             });
             worst.report(M::DESCRIPTION.name);
@@ -211,7 +211,7 @@ fn the_reference_agrees() {
             )]
             let nearest = |value: f64| value as f32;
             let mut errors = [Errors::new::<M>(), Errors::new::<M>()];
-            grid(case, |mechanism: &M, inputs, assembly| {
+            grid(2, case, |mechanism: &M, inputs, assembly| {
                 let place = format!("{assembly:?}");
                 if let Ok(pose) = mechanism.solve_motion(inputs, assembly) {
                     let given = Given {
@@ -252,7 +252,7 @@ fn the_reference_agrees() {
             });
             for errors in errors {
                 println!("{} {} poses", errors.row(), errors.poses);
-                assert!(errors.poses > 50, "{errors}");
+                assert!(errors.poses > 20, "{errors}");
                 assert!(errors.worst.iter().all(|worst| *worst <= ALLOWED), "{errors}");
             }
         }
