@@ -228,7 +228,7 @@ fn only_the_square_root_has_a_dimension() {
             instead_of_length,
         } = function.takes()
         {
-            assert!(wanted.starts_with("a"), "{wanted}");
+            assert!(wanted.starts_with('a'), "{wanted}");
             assert!(
                 instead_of_length.starts_with("divide it by a length"),
                 "{instead_of_length}"
