@@ -164,7 +164,7 @@ pub fn all(visitor: &mut impl Visitor) {
         CatenaryForm [1.5, 0.4] at [1.7, 6.0];
         CatenaryWhere [1.5] at [1.7, 6.0];
         CatenaryRanged [0.9, 0.6] at [1.3, 3.0];
-        CoefficientInCosine [-0.7] at [1.1, 3.0];
+        CoefficientInCosine [0.7] at [1.1, 3.0];
         HyperbolicTangentForm [1.5] at [-1.3, 1.3];
         AreaSineForm [1.5] at [-3.0, 3.0];
         AreaCosineForm [1.5] at [0.2, 5.0];
