@@ -13,18 +13,23 @@ macro_rules! chapters {
 chapters! {
     readme: "../../README.md";
     introduction: "../../docs/introduction.md";
-    theory: "../../docs/theory.md";
+    first_mechanism: "../../docs/first-mechanism.md";
     grammar: "../../docs/grammar.md";
+    generated: "../../docs/generated.md";
+    assemblies: "../../docs/assemblies.md";
+    tracking: "../../docs/tracking.md";
+    errors: "../../docs/errors.md";
     outputs: "../../docs/outputs.md";
+    batches: "../../docs/batches.md";
+    library: "../../docs/library.md";
+    theory: "../../docs/theory.md";
     closed_forms: "../../docs/closed-forms.md";
     coupled: "../../docs/coupled.md";
-    batches: "../../docs/batches.md";
-    errors: "../../docs/errors.md";
     verification: "../../docs/verification.md";
     accuracy: "../../docs/accuracy.md";
-    library: "../../docs/library.md";
     performance: "../../docs/performance.md";
-    optimiser: "../../docs/optimiser.md";
     architecture: "../../docs/architecture.md";
+    inner_loop: "../../docs/inner-loop.md";
+    optimiser: "../../docs/optimiser.md";
     decisions: "../../docs/decisions.md";
 }
