@@ -275,15 +275,20 @@ mod tests {
             let (sine, cosine) = argument.sinh_cosh();
             let (growth, decay) = (argument.exp(), (-&argument).exp());
             let size = growth.nearest().max(decay.nearest()).powi(2);
-            let same = |one: &Number, other: &Number| {
+            let near = |one: &Number, other: &Number, condition: f64| {
                 let difference = (one - other).nearest();
-                assert!(difference.abs() < 1e-74 * size, "{value}: {one:?} {other:?}");
+                assert!(
+                    difference.abs() < 1e-74 * size * condition,
+                    "{value}: {one:?} {other:?}"
+                );
             };
+            let same = |one: &Number, other: &Number| near(one, other, 1.0);
             same(&sine, &(&growth - &decay).doubled(-1));
             same(&cosine, &(&growth + &decay).doubled(-1));
             same(&(&argument.tanh() * &cosine), &sine);
             same(&sine.asinh(), &argument);
-            same(&cosine.acosh(), &argument.abs());
+            // a change of the cosine is divided by the sine
+            near(&cosine.acosh(), &argument.abs(), 1.0 / sine.nearest().abs().min(1.0));
             same(&argument.tanh().atanh(), &argument);
         }
         // the cube of a small number, all digits of it
