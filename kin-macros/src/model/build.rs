@@ -6,7 +6,7 @@ use super::lower::Lowering;
 use super::scope::{Meaning, Role, Scope};
 use super::usage::{missing_statements, unknowns_in_equations, unused_names};
 use super::value::{Typed, Value};
-use super::{Equation, Model, Output, Parameter, Quantity, Shape, Unknown, order, range, request};
+use super::{Equation, Model, Output, Parameter, Quantity, Shape, Unknown, angles, order, range, request};
 use crate::algebra::{Graph, Symbol};
 use crate::mistakes::{Extent, Mistakes};
 use crate::syntax::{self, Declaration, Statement};
@@ -19,6 +19,7 @@ pub(crate) fn build(declaration: &Declaration, mistakes: &mut Mistakes) -> Optio
     let (inputs, unknowns) = quantities(declaration, &mut graph, &mut scope, mistakes);
     let mut extreme = None;
     let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, mistakes, &mut extreme);
+    angles::check(declaration, mistakes);
     let order = order::order(declaration, mistakes);
     let requests = request::requests(declaration, mistakes);
 
@@ -117,9 +118,9 @@ fn quantities(
                         name: quantity.name.clone(),
                         documentation: quantity.documentation.clone(),
                         dimension: quantity.dimension,
-                        range: range
-                            .as_ref()
-                            .and_then(|clause| range::range(clause, &quantity.name, declaration, mistakes)),
+                        range: range.as_ref().and_then(|clause| {
+                            range::range(clause, &quantity.name, quantity.dimension, declaration, mistakes)
+                        }),
                     });
                 }
             }

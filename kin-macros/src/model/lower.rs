@@ -74,6 +74,10 @@ impl Lowering<'_, '_> {
                 value: Value::scalar(self.graph.number(*value)),
                 exponent: (*value != 0.0).then_some(Exponent::NUMBER),
             },
+            FormulaKind::Degrees { value, .. } => {
+                let pi = self.graph.pi();
+                Typed::scalar(self.graph.scale(*value / 180.0, pi), Exponent::NUMBER)
+            }
             FormulaKind::Pi => Typed::scalar(self.graph.pi(), Exponent::NUMBER),
             FormulaKind::Name(name) => self.scope.resolve(name, self.mistakes)?,
             FormulaKind::Parenthesis(inner) => self.formula(inner)?,
@@ -538,6 +542,12 @@ impl Lowering<'_, '_> {
             Takes::Alike => {
                 self.same_dimension(name, arguments, typed)?;
             }
+            Takes::Angle => {
+                let remedy = Remedy::Divide {
+                    instead_of_length: "divide it by a length",
+                };
+                self.expect_number(name, "an angle or a ratio", remedy, &arguments[0], &typed[0])?;
+            }
             Takes::Number {
                 wanted,
                 instead_of_length,
@@ -549,7 +559,7 @@ impl Lowering<'_, '_> {
             }
         }
         let exponent = match function.gives() {
-            Gives::Number => Some(Exponent::NUMBER),
+            Gives::Number | Gives::Angle => Some(Exponent::NUMBER),
             Gives::Root => typed[0].exponent.map(Exponent::half),
         };
         if let Some(domain) = function.left_domain(self.graph, nodes) {

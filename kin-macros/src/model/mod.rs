@@ -1,6 +1,7 @@
 //! Syntax tree to model: names are what they stand for, dimensions fit, and vectors are scalars along their axes, each with
 //! its place in the source.
 
+mod angles;
 mod build;
 mod dimension;
 mod equations;

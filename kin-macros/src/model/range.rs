@@ -4,15 +4,17 @@ use proc_macro2::Ident;
 
 use crate::algebra::Graph;
 use crate::mistakes::Mistakes;
-use crate::model::Range;
+use crate::model::angles::is_range_in_radians;
 use crate::model::lower::Lowering;
 use crate::model::scope::Scope;
+use crate::model::{Dimension, Range};
 use crate::syntax::{Comparison, Declaration, Formula, RangeClause, RangeKind};
 
 /// The numbers of a range, `None` after a mistake.
 pub(super) fn range(
     clause: &RangeClause,
     unknown: &Ident,
+    dimension: Dimension,
     declaration: &Declaration,
     mistakes: &mut Mistakes,
 ) -> Option<Range> {
@@ -45,11 +47,12 @@ pub(super) fn range(
         mistakes.error(clause.extent, "this range is empty: write its smaller end first");
         return None;
     }
-    Some(Range {
+    let range = Range {
         low,
         high,
         text: clause.text(&unknown.to_string()),
-    })
+    };
+    (dimension != Dimension::Angle || is_range_in_radians(clause, &range, mistakes)).then_some(range)
 }
 
 /// The end of a range, made of literals and PI.

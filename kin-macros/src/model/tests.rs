@@ -396,3 +396,101 @@ fn points_take_two_symbols() {
     assert!(has(2) && !has(1) && !has(3));
     assert_eq!(model.equations[0].text, "e * cis(t) == p + a + b");
 }
+
+/// A number beyond a turn is no angle in radians, wherever an angle stands.
+#[test]
+fn degrees_are_not_taken_for_radians() {
+    let told = |equation: TokenStream| {
+        mistakes(quote! {
+            input t: Angle, n: Scalar;
+            unknown u: Angle, e: Length;
+            let all = k * (p + v + a + b);
+            let shift = 45;
+            let used = t + shift / 100 + n;
+            #equation
+            output o: Point = all * used * e * u / a;
+        })
+    };
+    let advice = |at: &str| format!("angles are in radians: write {at}");
+    for (equation, remedies) in [
+        (quote!(u == t + 30; e == a;), vec!["`30deg` or `PI / 6` for 30 degrees"]),
+        (quote!(u == 90; e == a * t;), vec!["`90deg` or `PI / 2` for 90 degrees"]),
+        (
+            quote!(u == t; e == a * sin(n + 45);),
+            vec!["`45deg` or `PI / 4` for 45 degrees"],
+        ),
+        (
+            quote!(u == 2 * t - shift; e == a;),
+            vec!["`45deg` or `PI / 4` for 45 degrees"],
+        ),
+        (
+            quote!(u == n * t - (100 - 10.5); e == a;),
+            vec!["`89.5deg` for 89.5 degrees"],
+        ),
+        (
+            quote!(u == t; e * cis(u) == a * cis(270);),
+            vec!["`270deg` or `3 * PI / 2` for 270 degrees"],
+        ),
+        (
+            quote!(u - 60 == t + 120; e == a;),
+            vec![
+                "`60deg` or `PI / 3` for 60 degrees",
+                "`120deg` or `2 * PI / 3` for 120 degrees",
+            ],
+        ),
+        (
+            quote!(u == t; e == polar(a, -360).x;),
+            vec!["`360deg` or `2 * PI` for 360 degrees"],
+        ),
+    ] {
+        let expected: Vec<String> = remedies.into_iter().map(advice).collect();
+        let messages: Vec<String> = told(equation.clone())
+            .into_iter()
+            .filter(|message| message.contains("radians"))
+            .collect();
+        assert_eq!(messages, expected, "{equation}");
+    }
+    for equation in [
+        quote!(u == t + 30deg; e == a;),
+        quote!(u == t - 6.2832; e == a;),
+        quote!(u == t + 100 * PI / 180; e == a * sin(n / 45);),
+        quote!(u == atan2(30 * a, 7 * b) + 2 * PI; e == a + 30 * b;),
+        quote!(u == 12.5 * t; e == 40 * a * cos(t);),
+    ] {
+        assert_eq!(told(equation.clone()), Vec::<String>::new(), "{equation}");
+    }
+}
+
+#[test]
+fn ranges_of_angles_are_in_radians() {
+    let told = |range: TokenStream| {
+        mistakes(quote! {
+            input t: Angle;
+            unknown u: Angle #range, e: Length;
+            k * cos(u) == cos(t);
+            e == a + b;
+            output o: Point = p + v;
+        })
+    };
+    for range in [
+        quote!(in 0..PI),
+        quote!(in -30deg..90deg),
+        quote!(where u > -1.5),
+        quote!(in -PI..180deg),
+    ] {
+        assert_eq!(told(range.clone()), Vec::<String>::new(), "{range}");
+    }
+    for (range, count, says) in [
+        (quote!(in 0..180), 1, "write `180deg` or `PI` for 180 degrees"),
+        (quote!(in -90..90), 2, "write `90deg` or `PI / 2` for 90 degrees"),
+        (quote!(where u < 45), 1, "write `45deg` or `PI / 4` for 45 degrees"),
+        (quote!(in 0deg..720deg), 1, "the range of an angle is at most a turn"),
+    ] {
+        let messages = told(range.clone());
+        assert_eq!(messages.len(), count, "{range}: {messages:?}");
+        assert!(
+            messages.iter().all(|message| message.contains(says)),
+            "{range}: {messages:?}"
+        );
+    }
+}

@@ -18,6 +18,9 @@ use crate::syntax::{
 /// The largest exponent of `powi`: far beyond any mechanism, and small enough to multiply out.
 const LARGEST_EXPONENT: u32 = 64;
 
+/// The letters behind an angle in degrees.
+const DEGREES: &str = "deg";
+
 /// Where a formula stands, which is what may follow it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Context {
@@ -41,7 +44,7 @@ impl Formula {
     /// A formula that is not nested too deep.
     fn new(kind: FormulaKind, extent: Extent) -> Result<Self> {
         let depth = match &kind {
-            FormulaKind::Number { .. } | FormulaKind::Pi | FormulaKind::Name(_) => 0,
+            FormulaKind::Number { .. } | FormulaKind::Degrees { .. } | FormulaKind::Pi | FormulaKind::Name(_) => 0,
             FormulaKind::Negate(of)
             | FormulaKind::Parenthesis(of)
             | FormulaKind::Part { of, .. }
@@ -69,7 +72,7 @@ impl Formula {
     pub(crate) fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(&'a Ident)) {
         match &self.kind {
             FormulaKind::Name(name) => visit(name),
-            FormulaKind::Number { .. } | FormulaKind::Pi => {}
+            FormulaKind::Number { .. } | FormulaKind::Degrees { .. } | FormulaKind::Pi => {}
             FormulaKind::Negate(of)
             | FormulaKind::Parenthesis(of)
             | FormulaKind::Part { of, .. }
@@ -339,11 +342,8 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
             ));
         }
     };
-    if !matches!(suffix, "" | "f64") {
-        return Err(syn::Error::new(
-            span,
-            format!("a number takes no type `{suffix}` here: write `{digits}`"),
-        ));
+    if !matches!(suffix, "" | "f64" | DEGREES) {
+        return Err(syn::Error::new(span, about_suffix(&digits, suffix)));
     }
     let Ok(value) = digits.parse::<f64>() else {
         return Err(syn::Error::new(
@@ -356,17 +356,39 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
         .next()
         .is_some_and(|mantissa| mantissa.chars().all(|digit| matches!(digit, '0' | '.')));
     match Misfit::of(value, is_zero) {
-        None => Formula::new(
-            FormulaKind::Number {
-                value,
-                text: literal.to_token_stream().to_string(),
-            },
-            Extent::at(span),
-        ),
+        None => {
+            let text = literal.to_token_stream().to_string();
+            let kind = if suffix == DEGREES {
+                FormulaKind::Degrees { value, text }
+            } else {
+                FormulaKind::Number { value, text }
+            };
+            Formula::new(kind, Extent::at(span))
+        }
         Some(misfit) => Err(syn::Error::new(
             span,
             format!("this number is {misfit}: choose a unit in which it is nearer to 1"),
         )),
+    }
+}
+
+/// What to write instead of a number with letters behind it.
+fn about_suffix(digits: &str, suffix: &str) -> String {
+    match suffix {
+        "rad" | "radians" => format!("angles are in radians anyway: write `{digits}`"),
+        "degrees" | "degree" | "grad" | "gon" => {
+            format!("angles are in radians, or in degrees with `{DEGREES}`: write `{digits}{DEGREES}`")
+        }
+        "nm" | "um" | "mm" | "cm" | "dm" | "m" | "km" | "in" | "inch" | "ft" | "mil" | "thou" => {
+            format!("lengths have one unit, of your choice: write `{digits}` in that unit")
+        }
+        "s" | "ms" | "us" | "min" | "h" | "Hz" | "rpm" => {
+            "a declaration holds no times and speeds, which are given to the solver: write a number without a unit"
+                .to_owned()
+        }
+        "f16" | "f32" | "f128" | "i8" | "i16" | "i32" | "i64" | "i128" | "isize" | "u8" | "u16" | "u32" | "u64"
+        | "u128" | "usize" => format!("a number takes no type `{suffix}` here: write `{digits}`"),
+        _ => format!("a product is written with `*`: write `{digits} * {suffix}`"),
     }
 }
 

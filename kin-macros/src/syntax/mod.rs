@@ -151,6 +151,11 @@ pub(crate) enum FormulaKind {
         value: f64,
         text: String,
     },
+    /// An angle in degrees, `30deg`.
+    Degrees {
+        value: f64,
+        text: String,
+    },
     Pi,
     Name(Ident),
     Negate(Box<Formula>),

@@ -50,7 +50,7 @@ impl Display for Axis {
 impl Display for Formula {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match &self.kind {
-            FormulaKind::Number { text, .. } => f.write_str(text),
+            FormulaKind::Number { text, .. } | FormulaKind::Degrees { text, .. } => f.write_str(text),
             FormulaKind::Pi => f.write_str("PI"),
             FormulaKind::Name(name) => write!(f, "{name}"),
             FormulaKind::Negate(of) => write!(f, "-{of}"),

@@ -63,6 +63,7 @@ impl Translation<'_> {
         let site = Span::mixed_site();
         match &formula.kind {
             FormulaKind::Number { value, .. } => Translated::scalar(constant(*value)),
+            FormulaKind::Degrees { value, .. } => Translated::scalar(constant(value / 180.0 * std::f64::consts::PI)),
             FormulaKind::Pi => Translated::scalar(quote_spanned!(site=> T::constant(::core::f64::consts::PI))),
             // a name that is not there is a mistake that the model has reported
             FormulaKind::Name(name) => self

@@ -16,7 +16,7 @@ pub(super) const ASIN: Elementary = Elementary {
     form: "asin(x)",
     arity: 1,
     takes: Takes::number("a ratio"),
-    gives: Gives::Number,
+    gives: Gives::Angle,
     domain: Domain::Part {
         contains: |x| x[0].abs() <= 1.0,
         text: "goes from -1 to 1",

@@ -10,7 +10,7 @@ pub(super) const ATAN: Elementary = Elementary {
         wanted: "a ratio",
         instead_of_length: "divide it by a length, or write `atan2(y, x)`",
     },
-    gives: Gives::Number,
+    gives: Gives::Angle,
     domain: Domain::Everywhere,
     guard: None,
     inverse: Inverse::One(InverseFunction::Checked(&Checked {

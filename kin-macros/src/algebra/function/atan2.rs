@@ -7,7 +7,7 @@ pub(super) const ATAN2: Elementary = Elementary {
     form: "atan2(y, x)",
     arity: 2,
     takes: Takes::Alike,
-    gives: Gives::Number,
+    gives: Gives::Angle,
     domain: Domain::Part {
         contains: |v| v[0] != 0.0 || v[1] != 0.0,
         text: "leaves out the point (0, 0)",

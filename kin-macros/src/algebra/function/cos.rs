@@ -7,7 +7,7 @@ pub(super) const COS: Elementary = Elementary {
     name: "cos",
     form: "cos(x)",
     arity: 1,
-    takes: Takes::number("an angle or a ratio"),
+    takes: Takes::Angle,
     gives: Gives::Number,
     domain: Domain::Everywhere,
     guard: None,

@@ -42,6 +42,8 @@ pub(crate) enum Takes {
         /// What to write where the argument is a length.
         instead_of_length: &'static str,
     },
+    /// An angle in radians, or a ratio.
+    Angle,
     /// Any dimension.
     Anything,
     /// Any dimension, the same for all arguments.
@@ -63,6 +65,8 @@ impl Takes {
 pub(crate) enum Gives {
     /// A number without dimension.
     Number,
+    /// An angle in radians.
+    Angle,
     /// The square root of the argument's dimension.
     Root,
 }

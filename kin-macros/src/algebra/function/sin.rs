@@ -7,7 +7,7 @@ pub(super) const SIN: Elementary = Elementary {
     name: "sin",
     form: "sin(x)",
     arity: 1,
-    takes: Takes::number("an angle or a ratio"),
+    takes: Takes::Angle,
     gives: Gives::Number,
     domain: Domain::Everywhere,
     guard: None,

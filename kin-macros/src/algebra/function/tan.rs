@@ -6,7 +6,7 @@ pub(super) const TAN: Elementary = Elementary {
     name: "tan",
     form: "tan(x)",
     arity: 1,
-    takes: Takes::number("an angle or a ratio"),
+    takes: Takes::Angle,
     gives: Gives::Number,
     domain: Domain::Between {
         divisor: |graph, x| graph.cosine(x[0]),
