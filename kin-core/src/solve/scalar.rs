@@ -134,4 +134,9 @@ impl Scalar for f64 {}
 impl Scalar for f32 {}
 impl<const N: usize> Scalar for Series<N> {}
 #[cfg(feature = "std")]
-impl Scalar for crate::number::count::Counted {}
+impl Scalar for crate::number::count::Counted {
+    /// A sign that is copied is no operation, whichever sign it is.
+    fn times_sign_of(self, other: Self) -> Self {
+        Self(self.0.times_sign_of(other.0))
+    }
+}
