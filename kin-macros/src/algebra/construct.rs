@@ -1,4 +1,4 @@
-//! The constructors: each brings its result into normal form.
+//! The constructors. Each brings its result into normal form.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -7,13 +7,14 @@ use super::graph::Constant;
 use super::{Graph, Misfit, Node, NodeKind, Symbol};
 use crate::algebra::{Calculation, Function};
 
-/// A sum of more terms than this is a term of other sums, and is not merged with them: a chain of long sums would take the square
-/// of its length. In the library 123 is the largest number.
+/// The largest number of terms of a sum that is merged into other sums. A longer sum is one term of them: merging a
+/// chain of long sums would take the square of its length. The largest number in the library is 123.
 const LONGEST_SUM: usize = 32;
-/// A product of more factors than this is a factor of other products. In the library 10 is the largest number.
+/// The largest number of factors of a product that is merged into other products. A longer product is one factor of
+/// them. The largest number in the library is 10.
 const LONGEST_PRODUCT: usize = 12;
 
-/// A product of constants, with a note if it does not fit.
+/// The product of two constants. Sets `misfit` if an `f64` does not hold it.
 fn times(a: f64, b: f64, misfit: &mut Option<Misfit>) -> f64 {
     let product = a * b;
     *misfit = misfit.or(Misfit::of(product, a == 0.0 || b == 0.0));
@@ -62,7 +63,7 @@ impl Graph {
         self.linear(0.0, &terms)
     }
 
-    /// constant + Σ coefficient · node, like terms collected.
+    /// constant + Σ coefficient · node, with like terms collected.
     pub(crate) fn linear(&mut self, constant: f64, terms: &[(Node, f64)]) -> Node {
         let mut constant = constant;
         let mut collected: BTreeMap<Node, f64> = BTreeMap::new();
@@ -113,7 +114,7 @@ impl Graph {
         self.product(&[(a, exponent)])
     }
 
-    /// Π node^exponent, like factors collected and numbers brought to the front.
+    /// Π node^exponent, with like factors collected and numbers moved to the front.
     pub(crate) fn product(&mut self, factors: &[(Node, i32)]) -> Node {
         let mut coefficient = 1.0;
         let mut collected: BTreeMap<Node, i32> = BTreeMap::new();
@@ -165,7 +166,7 @@ impl Graph {
         let mut misfit = Misfit::of(power, factor == 0.0);
         *coefficient = times(*coefficient, power, &mut misfit);
         self.note(misfit);
-        // a - b and b - a are one factor and a sign
+        // a - b and b - a become one factor and a sign
         if matches!(self.kind(bare), NodeKind::Sum(..)) && self.leads_negative(bare) {
             bare = self.negate(bare);
             *coefficient *= (-1.0_f64).powi(exponent);
@@ -217,7 +218,7 @@ impl Graph {
         }
     }
 
-    /// An angle as quarter turns, modulo four, and what remains.
+    /// Splits an angle into quarter turns, modulo four, and a remainder.
     fn split_quarter_turns(&mut self, angle: Node) -> (u8, Node) {
         let pi = self.pi();
         let turns = match self.kind(angle) {
@@ -238,7 +239,7 @@ impl Graph {
         (quarters, rest)
     }
 
-    /// f(-x) = f(x): the sign of the angle's leading term is dropped.
+    /// Calls an even function: f(-x) = f(x), so the sign of the angle's leading term is dropped.
     fn even_call(&mut self, function: Function, angle: Node) -> Node {
         let angle = if self.leads_negative(angle) {
             self.negate(angle)
@@ -248,7 +249,7 @@ impl Graph {
         self.plain_call(function, &[angle])
     }
 
-    /// f(-x) = -f(x): the sign of the angle's leading term is brought outside.
+    /// Calls an odd function: f(-x) = -f(x), so the sign of the angle's leading term is moved outside.
     fn odd_call(&mut self, function: Function, angle: Node) -> Node {
         if self.leads_negative(angle) {
             let opposite = self.negate(angle);
@@ -278,7 +279,7 @@ impl Graph {
             let value = function.value(&values);
             self.note(Misfit::of(value, function.has_zeros()));
             return if value == FRAC_PI_2 || value == -FRAC_PI_2 {
-                // asin(1) and its kind are quarter turns; keep them exact
+                // asin(1) and similar values are quarter turns: keep them exact
                 let pi = self.pi();
                 self.scale(value.signum() / 2.0, pi)
             } else {
@@ -342,7 +343,7 @@ mod tests {
         assert_eq!(graph.sine(opposite), expected);
     }
 
-    /// A root with its own radicand beside it, in any power, is the power of the radicand that it means.
+    /// A root multiplied by any power of its own radicand becomes a power of the radicand.
     #[test]
     fn powers_of_roots_are_powers_of_what_stands_below() {
         let mut graph = Graph::new();
@@ -355,7 +356,7 @@ mod tests {
         }
     }
 
-    /// A product of more factors than are merged is a factor of others.
+    /// A product of more factors than are merged is one factor of other products.
     #[test]
     fn long_products_stay_whole() {
         for (count, is_merged) in [(LONGEST_PRODUCT, true), (LONGEST_PRODUCT + 1, false)] {

@@ -1,14 +1,14 @@
-//! The symbols that each expression contains, kept beside it so that nobody has to look for them.
+//! The symbols that each expression contains, stored with the expression so that no pass has to search for them.
 //!
-//! Of parameters, inputs and unknowns each one is known; of all other symbols only that there are some.
+//! Parameters, inputs and unknowns are recorded one by one. Of all other symbols only their presence is recorded.
 
 use super::{HashMap, Node, NodeKind, Symbol};
 
-/// The kinds of symbols that an expression contains, and which parameters, inputs and unknowns.
+/// The kinds of symbols in an expression, and the set of its parameters, inputs and unknowns.
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Content {
     kinds: u8,
-    /// The number of the set; 0 is the empty one.
+    /// The index of the set; 0 is the empty set.
     set: u32,
 }
 
@@ -41,7 +41,7 @@ impl Content {
     }
 }
 
-/// The contents of all expressions of a graph. Equal sets are one: there are few of them.
+/// The contents of all expressions of a graph. Equal sets are stored once, so there are few of them.
 #[derive(Clone)]
 pub(super) struct Contents {
     list: Vec<Content>,
@@ -67,7 +67,7 @@ impl Contents {
         self.list[node.index()]
     }
 
-    /// Adds the content of a new expression, whose operands are known.
+    /// Adds the content of a new expression, whose operands have theirs already.
     pub(super) fn push(&mut self, term: &NodeKind) {
         let content = match term {
             NodeKind::Number(_) | NodeKind::Pi => Content::default(),
@@ -151,7 +151,7 @@ impl Contents {
             .is_some_and(|word| word >> (place % 64) & 1 == 1)
     }
 
-    /// The numbers of the unknowns in a content, ascending.
+    /// The indices of the unknowns in a content, ascending.
     pub(super) fn unknowns(&self, content: Content) -> impl Iterator<Item = usize> + '_ {
         let words = self.sets[content.set as usize].iter().enumerate();
         words
@@ -164,7 +164,7 @@ impl Contents {
     }
 }
 
-/// The place of a symbol in the sets.
+/// The position of a symbol in the sets.
 const fn place(symbol: Symbol) -> Option<usize> {
     match symbol {
         Symbol::Unknown(index) => Some(3 * index),

@@ -1,11 +1,11 @@
-//! Numeric evaluation, for constants and for probing identities.
+//! Numeric evaluation, to fold constants and to probe identities.
 
 use std::collections::BTreeMap;
 
 use super::{Graph, Node, NodeKind, Symbol};
 
 impl Graph {
-    /// The value of an expression where every symbol has the value given; NaN outside of a function's domain.
+    /// The value of an expression for given values of the symbols; NaN outside a function's domain.
     pub(crate) fn evaluate(&self, node: Node, symbols: &dyn Fn(Symbol) -> f64) -> f64 {
         let mut values = BTreeMap::new();
         for part in self.reachable(&[node]) {
@@ -15,7 +15,7 @@ impl Graph {
         values[&node]
     }
 
-    /// The value of an expression from those of its operands.
+    /// The value of an expression, given the values of its operands.
     pub(super) fn value(&self, node: Node, operand: impl Fn(Node) -> f64, symbols: impl Fn(Symbol) -> f64) -> f64 {
         match self.kind(node) {
             NodeKind::Number(number) => number.get(),

@@ -1,4 +1,4 @@
-//! The graph itself: nodes, what they hold, and how equal ones are found.
+//! The graph: its nodes, their contents, and the search for equal nodes.
 
 use std::collections::BTreeSet;
 use std::fmt::{self, Display, Formatter};
@@ -12,7 +12,7 @@ use super::probe::POINTS;
 use crate::algebra::Function;
 use crate::work;
 
-/// An expression: its number in the graph.
+/// An expression, as its index in the graph.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) struct Node(pub(super) u32);
 
@@ -25,37 +25,38 @@ impl Node {
 /// A quantity whose value comes from outside of the graph.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(crate) enum Symbol {
-    /// A scalar of the structure of parameters; a point takes two, one of space three.
+    /// A scalar of the structure of parameters. A point of the plane has two, a point of space three.
     Parameter(usize),
     /// An input's value.
     Input(usize),
     /// An unknown's value.
     Unknown(usize),
-    /// An input's time derivative of the order given second.
+    /// An input's time derivative: input, order.
     InputRate(usize, usize),
-    /// An unknown's time derivative of the order given second.
+    /// An unknown's time derivative: unknown, order.
     UnknownRate(usize, usize),
-    /// Q of the order given second, of an unknown angle: its rate of this order and what the lower ones add to it.
+    /// Q of an unknown angle: unknown, order. Q is the rate of this order plus the contribution of the lower rates.
     Turning(usize, usize),
-    /// A scalar part of an output's time derivative of the order given second.
+    /// The time derivative of a scalar part of an output: part, order.
     OutputRate(usize, usize),
-    /// An unknown's partial derivative by the parameter given second, its time derivative of the order given third.
+    /// An unknown's partial derivative by a parameter: unknown, parameter, order of the time derivative.
     Sensitivity(usize, usize, usize),
-    /// The same of a scalar part of an output.
+    /// The partial derivative of a scalar part of an output by a parameter: part, parameter, order of the time
+    /// derivative.
     OutputSensitivity(usize, usize, usize),
     /// A value that the program computes in a step of its own: the result of a closed form, or an abbreviation.
     Step(usize),
-    /// A value that got its name when the program was scheduled.
+    /// A value that the scheduler named.
     Value(usize),
 }
 
-/// A number that can be compared and hashed: never NaN, never the negative zero.
+/// A number that can be compared and hashed: never NaN, never negative zero.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(crate) struct Constant(u64);
 
 impl Constant {
     pub(crate) fn new(value: f64) -> Self {
-        // adding zero turns the negative zero into the positive one
+        // adding zero turns negative zero into positive zero
         Self((value + 0.0).to_bits())
     }
 
@@ -64,7 +65,7 @@ impl Constant {
     }
 }
 
-/// Why a constant is none: an `f64` holds it not at all, or not to its full precision.
+/// The reason why a number cannot be a constant: an `f64` cannot hold it, or not to full precision.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Misfit {
     TooLarge,
@@ -72,7 +73,7 @@ pub(crate) enum Misfit {
 }
 
 impl Misfit {
-    /// What is wrong with a constant, of which is known whether it is zero in truth.
+    /// The fault of a rounded constant; `is_zero` tells whether the exact value is zero.
     pub(crate) fn of(value: f64, is_zero: bool) -> Option<Self> {
         match value.classify() {
             FpCategory::Nan | FpCategory::Infinite => Some(Self::TooLarge),
@@ -92,21 +93,21 @@ impl Display for Misfit {
     }
 }
 
-/// What a node holds, in normal form.
+/// The content of a node, in normal form.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(crate) enum NodeKind {
     Number(Constant),
     /// π, kept apart from numbers so that quarter turns are found exactly.
     Pi,
     Symbol(Symbol),
-    /// constant + Σ coefficient · node, the nodes in ascending order, none of them a number or a short sum, no coefficient zero.
+    /// constant + Σ coefficient · node. The nodes ascend, none is a number or a short sum, and no coefficient is zero.
     Sum(Constant, Vec<(Node, Constant)>),
-    /// Π node^exponent, the nodes in ascending order, none of them a number or a short product, no exponent zero.
+    /// Π node^exponent. The nodes ascend, none is a number or a short product, and no exponent is zero.
     Product(Vec<(Node, i32)>),
     Call(Function, Vec<Node>),
 }
 
-/// The symbols that an expression is seen as a function of; all others are constants to it.
+/// The variables of an expression. All other symbols count as constants.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Variables<'a> {
     /// These unknowns.
@@ -118,7 +119,7 @@ pub(crate) enum Variables<'a> {
 }
 
 impl Variables<'_> {
-    /// Whether a symbol is among them.
+    /// Whether a symbol is one of the variables.
     pub(crate) fn include(self, symbol: Symbol) -> bool {
         match (self, symbol) {
             (Self::Unknowns(unknowns), Symbol::Unknown(unknown)) => unknowns.contains(&unknown),
@@ -134,14 +135,14 @@ pub(crate) struct Graph {
     terms: Vec<NodeKind>,
     known: HashMap<NodeKind, Node>,
     contents: Contents,
-    /// The values of all expressions so far looked at, at the points where identities are probed.
+    /// The values of the expressions probed so far, at the points where identities are probed.
     pub(super) probed: Vec<[f64; POINTS]>,
-    /// What has been expanded.
+    /// The expansions made so far.
     pub(super) expanded: HashMap<ExpandedKey, Arc<Expanded>>,
     steps: usize,
     /// The first constant that was too large or too small.
     misfit: Option<Misfit>,
-    /// Whether numbers stay as they are, as terms and factors like others.
+    /// Whether numbers stay unfolded, as ordinary terms and factors.
     pub(super) keeps_numbers: bool,
 }
 
@@ -150,40 +151,40 @@ impl Graph {
         Self::default()
     }
 
-    /// From now on numbers are not folded into the sums and products that they are part of. These still mean the same, but are not
-    /// in normal form: zeros and equal expressions are no longer found.
+    /// From now on, sums and products do not fold their numbers. Their values stay the same, but they are not in normal
+    /// form: zeros and equal expressions are no longer recognised.
     pub(crate) const fn keep_numbers(&mut self) {
         self.keeps_numbers = true;
     }
 
-    /// Takes note of what is wrong with a constant that has just been folded.
+    /// Records the fault of a constant that has just been folded.
     pub(super) fn note(&mut self, misfit: Option<Misfit>) {
         self.misfit = self.misfit.or(misfit);
     }
 
-    /// Whether a constant has been too large or too small since this was last taken. What was made of it is wrong.
+    /// Takes the fault of a constant recorded since the last call. Expressions made from that constant are wrong.
     pub(crate) const fn take_misfit(&mut self) -> Option<Misfit> {
         self.misfit.take()
     }
 
-    /// The same, left where it is.
+    /// The fault of a constant recorded so far, which stays recorded.
     pub(crate) const fn misfit(&self) -> Option<Misfit> {
         self.misfit
     }
 
-    /// A symbol for a value that the program computes in a step of its own.
+    /// A new symbol for a value that the program computes in a step of its own.
     pub(crate) fn new_step(&mut self) -> (Symbol, Node) {
         let symbol = Symbol::Step(self.steps);
         self.steps += 1;
         (symbol, self.symbol(symbol))
     }
 
-    /// How many expressions there are.
+    /// The number of expressions.
     pub(crate) const fn len(&self) -> usize {
         self.terms.len()
     }
 
-    /// What a node holds.
+    /// The content of a node.
     pub(crate) fn kind(&self, node: Node) -> &NodeKind {
         &self.terms[node.index()]
     }
@@ -201,12 +202,12 @@ impl Graph {
         node
     }
 
-    /// The kinds of symbols that an expression contains, and which parameters, inputs and unknowns.
+    /// The kinds of symbols in an expression, and its parameters, inputs and unknowns.
     pub(super) fn content(&self, node: Node) -> Content {
         self.contents.of(node)
     }
 
-    /// The nodes that a node is made of, directly.
+    /// The direct operands of a node.
     pub(crate) fn operands(&self, node: Node) -> Vec<Node> {
         match self.kind(node) {
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => Vec::new(),
@@ -216,12 +217,12 @@ impl Graph {
         }
     }
 
-    /// The nodes from a number on, in the order in which they were made.
+    /// The nodes from an index on, in the order of creation.
     pub(crate) fn nodes_from(&self, first: usize) -> impl Iterator<Item = Node> + use<> {
         (first..self.terms.len()).filter_map(|index| u32::try_from(index).ok().map(Node))
     }
 
-    /// Every node that the given ones are made of, themselves included, in ascending order.
+    /// The given nodes and all nodes below them, in ascending order.
     pub(crate) fn reachable(&self, roots: &[Node]) -> BTreeSet<Node> {
         let mut seen = BTreeSet::new();
         let mut open = roots.to_vec();
@@ -233,18 +234,18 @@ impl Graph {
         seen
     }
 
-    /// Whether an expression is of parameters, inputs and unknowns alone: it contains no time derivative, and nothing that the
-    /// program computes in a step of its own.
+    /// Whether an expression consists of parameters, inputs and unknowns alone: it contains no time derivative and no
+    /// result of a step.
     pub(crate) fn depends_on_position_alone(&self, node: Node) -> bool {
         self.content(node).is_of_position()
     }
 
-    /// Whether an expression has no time derivative: it contains nothing but parameters and the results of steps.
+    /// Whether an expression is constant in time: it contains only parameters and results of steps.
     pub(crate) fn is_constant_in_time(&self, node: Node) -> bool {
         self.content(node).is_constant_in_time()
     }
 
-    /// The numbers of the unknowns whose values an expression contains, ascending.
+    /// The indices of the unknowns whose values an expression contains, ascending.
     pub(crate) fn unknowns(&self, node: Node) -> impl Iterator<Item = usize> + '_ {
         self.contents.unknowns(self.content(node))
     }
@@ -277,7 +278,7 @@ impl Graph {
         }
     }
 
-    /// The symbol that a node is, if it is one.
+    /// The symbol of a node that is a symbol.
     pub(crate) fn as_symbol(&self, node: Node) -> Option<Symbol> {
         match self.kind(node) {
             NodeKind::Symbol(symbol) => Some(*symbol),
@@ -285,7 +286,7 @@ impl Graph {
         }
     }
 
-    /// The number that a node is, if it is one (π is none).
+    /// The number of a node that is a number. π is not a number here.
     pub(crate) fn as_number(&self, node: Node) -> Option<f64> {
         match self.kind(node) {
             NodeKind::Number(value) => Some(value.get()),
@@ -302,7 +303,7 @@ impl Graph {
         }
     }
 
-    /// The largest exponent of a factor, without its sign.
+    /// The largest absolute exponent of a factor.
     pub(crate) fn largest_exponent(&self, node: Node) -> Option<u32> {
         let of_factors = |node: Node| match self.kind(node) {
             NodeKind::Product(factors) => factors.iter().map(|(_, exponent)| exponent.unsigned_abs()).max(),
@@ -314,7 +315,7 @@ impl Graph {
         }
     }
 
-    /// How far the constants that stand in a node itself are from 1, as a logarithm without its sign; zero is not counted.
+    /// The largest distance of a node's own constants from 1, as an absolute logarithm. Zero is ignored.
     pub(crate) fn extremity(&self, node: Node) -> f64 {
         let size = |number: &Constant| {
             if number.get() == 0.0 {
@@ -341,7 +342,7 @@ impl Graph {
         self.as_number(node) == Some(1.0)
     }
 
-    /// An expression as a number times one that has none in front: `-3 a b` is `(-3, a b)`.
+    /// Splits an expression into a number and a rest without a number in front: `-3 a b` is `(-3, a b)`.
     pub(crate) fn split_coefficient(&mut self, node: Node) -> (f64, Node) {
         match self.kind(node) {
             NodeKind::Number(value) => {
@@ -360,7 +361,7 @@ impl Graph {
 mod tests {
     use super::*;
 
-    /// Of a sum it is the largest in its terms; a symbol by itself has none.
+    /// The largest exponent of a sum is the largest of its terms; a symbol alone has none.
     #[test]
     fn the_largest_exponent_is_that_of_any_factor() {
         let mut graph = Graph::new();
@@ -373,7 +374,7 @@ mod tests {
         assert_eq!(graph.largest_exponent(a), None);
     }
 
-    /// A number in front is split off, and nothing else is: what comes back multiplies to the same expression.
+    /// Only the number in front is split off: the two parts multiply to the same expression.
     #[test]
     fn a_coefficient_is_what_stands_in_front() {
         let mut graph = Graph::new();

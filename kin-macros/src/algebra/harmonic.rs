@@ -1,9 +1,9 @@
 //! Trigonometric polynomials: expressions expanded in chosen variables.
 //!
-//! In the chosen variables an expression becomes a sum of monomials, each a coefficient free of the variables, powers
-//! of variables (or of functions that cannot be expanded) and at most one sine or cosine of an integer combination of
-//! variables: products of sines and cosines are turned into sums of them, so cos² + sin² is 1 here, and a closure reads
-//! the same however it was typed. Quotients are brought over a common denominator.
+//! In these variables an expression becomes a sum of monomials. A monomial has a coefficient that is free of the
+//! variables, powers of variables (or of functions that cannot be expanded), and at most one sine or cosine of an
+//! integer combination of variables. Products of sines and cosines become sums of them. So cos² + sin² is 1 here, and a
+//! closure has one form however it was typed. Quotients are brought over a common denominator.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -11,20 +11,23 @@ use std::sync::Arc;
 use super::{Graph, Node, NodeKind, Symbol, Variables};
 use crate::algebra::Function;
 
-/// Expressions with more monomials than this are not expanded: no closed form has as many. In the library 82 is the largest number.
+/// The largest number of monomials of an expansion: no closed form has as many. The largest number in the library is
+/// 82.
 const LARGEST: usize = 512;
-/// A closed form is looked for with at most so many multiplications of monomials. In the library 200 is the largest number.
+/// The number of multiplications of monomials within which a closed form is searched for. The largest number in the
+/// library is 200.
 const BUDGET: usize = 2048;
-/// An equation is multiplied out in inputs and unknowns with so many multiplications, so many more for each node, and never more
-/// than the last number: that only saves operations. In the library 1200 is the largest number, for an equation of 48 nodes.
+/// The number of multiplications with which an equation is multiplied out in inputs and unknowns: a base, an amount for
+/// each node, and an upper bound. Multiplying out only saves operations, so it may stop. The largest number in the
+/// library is 1200, for an equation of 48 nodes.
 const POSITION_BUDGET: (usize, usize, usize) = (1024, 64, 4096);
 
-/// An integer combination of variables, the first coefficient positive.
+/// An integer combination of variables; its first coefficient is positive.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Angle(pub(crate) Vec<(Symbol, i32)>);
 
 impl Angle {
-    /// As an expression.
+    /// The angle as an expression.
     pub(crate) fn node(&self, graph: &mut Graph) -> Node {
         let terms: Vec<(Node, f64)> = self
             .0
@@ -34,7 +37,8 @@ impl Angle {
         graph.linear(0.0, &terms)
     }
 
-    /// a + sign · b with the first coefficient made positive, and whether that took a change of sign; `None` if zero.
+    /// a + sign · b with a positive first coefficient, and whether this took a change of sign; `None` if the sum is
+    /// zero.
     fn combine(&self, other: &Self, sign: i32) -> Option<(Self, bool)> {
         let mut collected: BTreeMap<Symbol, i32> = self.0.iter().copied().collect();
         for &(symbol, multiple) in &other.0 {
@@ -64,7 +68,7 @@ pub(crate) enum Harmonic {
 }
 
 impl Harmonic {
-    /// The unknowns in its angle.
+    /// The unknowns in the angle.
     fn unknowns(&self) -> impl Iterator<Item = usize> + '_ {
         let angle = match self {
             Self::One => None,
@@ -95,7 +99,7 @@ impl Monomial {
     }
 }
 
-/// Coefficients by monomial; none of them is zero.
+/// Coefficients by monomial. No coefficient is zero.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Polynomial(pub(crate) BTreeMap<Monomial, Node>);
 
@@ -108,7 +112,7 @@ impl Polynomial {
         Self(terms)
     }
 
-    /// The coefficient of a monomial, zero if it is not there.
+    /// The coefficient of a monomial, zero if the monomial does not occur.
     pub(crate) fn coefficient(&self, graph: &mut Graph, monomial: &Monomial) -> Node {
         self.0.get(monomial).copied().unwrap_or_else(|| graph.zero())
     }
@@ -164,7 +168,7 @@ impl Polynomial {
         result
     }
 
-    /// Back to an expression.
+    /// The polynomial as an expression.
     pub(crate) fn node(&self, graph: &mut Graph) -> Node {
         let mut terms = Vec::new();
         for (monomial, &coefficient) in &self.0 {
@@ -186,14 +190,14 @@ impl Polynomial {
         graph.sum(&terms)
     }
 
-    /// Drops the monomials whose coefficients vanish by an identity that the normal form does not know.
+    /// Drops the monomials whose coefficients vanish by an identity that the normal form does not recognise.
     fn cleaned(mut self, graph: &mut Graph) -> Self {
         self.0.retain(|_, coefficient| !graph.vanishes(*coefficient));
         self
     }
 }
 
-/// Product to sum; each result with its factor.
+/// A product of harmonics as a sum of harmonics, each with its factor.
 fn multiply_harmonics(left: &Harmonic, right: &Harmonic) -> Vec<(Harmonic, f64)> {
     let cosine = |combination: Option<(Angle, bool)>, factor: f64| match combination {
         None => Some((Harmonic::One, factor)),
@@ -220,17 +224,18 @@ pub(super) struct Fraction {
     below: Polynomial,
 }
 
-/// An expansion that has been done.
+/// An expansion that has been made, and whether it is complete.
 pub(super) struct Expanded {
     fraction: Fraction,
     is_complete: bool,
 }
 
-/// An expression, and the unknowns in it that are variables; none if all inputs and unknowns are.
+/// The key of an expansion: an expression and the unknowns that are variables, or `None` if all inputs and unknowns are
+/// variables.
 pub(super) type ExpandedKey = (Node, Option<Vec<usize>>);
 
 impl Fraction {
-    /// How many monomials there are.
+    /// The number of monomials.
     fn size(&self) -> usize {
         self.above.0.len() + self.below.0.len()
     }
@@ -238,13 +243,13 @@ impl Fraction {
 
 /// The expansion of expressions in chosen variables.
 ///
-/// An expression that would become too large stays as it is, like a function that cannot be expanded. Which ones do depends on
-/// nothing but the expression.
+/// An expression stays unexpanded if it would become too large, like a function that cannot be expanded. This depends
+/// on the expression alone.
 pub(crate) struct Expansion<'a> {
     graph: &'a mut Graph,
     variables: Variables<'a>,
     known: BTreeMap<Node, Fraction>,
-    /// How many more multiplications of monomials are allowed.
+    /// The number of multiplications of monomials that are still allowed.
     budget: usize,
     is_complete: bool,
 }
@@ -260,17 +265,17 @@ impl<'a> Expansion<'a> {
         }
     }
 
-    /// Whether nothing has been left as it was because it would have become too large.
+    /// Whether no expression stayed unexpanded because of its size.
     pub(crate) const fn is_complete(&self) -> bool {
         self.is_complete
     }
 
-    /// An equation `node == 0` multiplied by its denominators.
+    /// An equation `node == 0`, multiplied by its denominators.
     pub(crate) fn equation(&mut self, node: Node) -> Polynomial {
         self.expanded(node).above.cleaned(self.graph)
     }
 
-    /// An expression as a polynomial, if no variable stands below a fraction line.
+    /// An expression as a polynomial, if no variable stands in a denominator.
     pub(crate) fn polynomial(&mut self, node: Node) -> Option<Polynomial> {
         let fraction = self.expanded(node);
         if !fraction.below.is_constant() {
@@ -283,8 +288,8 @@ impl<'a> Expansion<'a> {
         Some(result.cleaned(self.graph))
     }
 
-    /// Whether something is free of the variables and not simple enough to multiply an equation by: the norm of a vector, for
-    /// instance, of which the coefficients would otherwise carry a high power.
+    /// Whether an expression is free of the variables, but not simple enough to multiply an equation by. An example is
+    /// the norm of a vector: the coefficients would carry a high power of it.
     fn is_known_divisor(&self, node: Node) -> bool {
         matches!(self.graph.kind(node), NodeKind::Sum(..) | NodeKind::Call(..)) && !self.varies(node)
     }
@@ -317,7 +322,7 @@ impl<'a> Expansion<'a> {
         }
     }
 
-    /// The expansion of a whole expression, done once for each choice of variables.
+    /// The expansion of a whole expression, made once for each choice of variables.
     fn expanded(&mut self, node: Node) -> Fraction {
         let variables = self.variables;
         let is_variable = |unknown: &usize| variables.include(Symbol::Unknown(*unknown));
@@ -350,14 +355,14 @@ impl<'a> Expansion<'a> {
         fraction
     }
 
-    /// Takes so many multiplications from the budget, if there are as many.
+    /// Takes multiplications from the budget if the budget allows them.
     fn afford(&mut self, multiplications: usize) -> bool {
         let rest = self.budget.checked_sub(multiplications);
         self.budget = rest.unwrap_or(self.budget);
         rest.is_some()
     }
 
-    /// An expression that is too large to be expanded.
+    /// An expression that is too large, left unexpanded.
     fn given_up(&mut self, node: Node) -> Fraction {
         self.is_complete = false;
         self.atom(node)
@@ -440,7 +445,7 @@ impl<'a> Expansion<'a> {
         }
     }
 
-    /// sin or cos of an integer combination of variables and anything that is free of them.
+    /// Expands sin or cos of a sum: an integer combination of variables plus a rest that is free of them.
     fn expand_circular(&mut self, function: Function, node: Node, angle: Node) -> Fraction {
         let Some((combination, rest)) = self.split_angle(angle) else {
             return self.atom(node);
@@ -465,7 +470,7 @@ impl<'a> Expansion<'a> {
         self.whole(above)
     }
 
-    /// An angle as an integer combination of variables and a rest that is free of them.
+    /// Splits an angle into an integer combination of variables and a rest that is free of them.
     fn split_angle(&mut self, angle: Node) -> Option<(BTreeMap<Symbol, i32>, Node)> {
         let (constant, terms): (f64, Vec<(Node, f64)>) = match self.graph.kind(angle) {
             NodeKind::Sum(constant, terms) => {
@@ -534,7 +539,7 @@ mod tests {
         assert!(graph.is_one(value));
     }
 
-    /// Whether a sum of so many unknowns, to such a power, is multiplied out.
+    /// Whether a sum of this number of unknowns, raised to this power, is multiplied out.
     fn is_multiplied_out(unknowns: usize, power: i32) -> bool {
         let mut graph = Graph::new();
         let terms: Vec<Node> = (0..unknowns)
@@ -545,7 +550,7 @@ mod tests {
         let mut expansion = Expansion::new(&mut graph, Variables::AllUnknowns);
         let polynomial = expansion.equation(whole);
         let is_complete = expansion.is_complete();
-        // x² and x y of all unknowns
+        // x² and x y for all unknowns
         let count = if power == 1 {
             unknowns
         } else {
@@ -555,17 +560,17 @@ mod tests {
         is_complete
     }
 
-    /// An expression is left as it is where it has too many monomials, or would take too many multiplications to have them.
+    /// An expression is left unexpanded if it has too many monomials or takes too many multiplications.
     #[test]
     fn what_is_too_large_is_left_as_it_is() {
         assert!(is_multiplied_out(LARGEST, 1));
         assert!(!is_multiplied_out(LARGEST + 1, 1));
-        // the square of a sum takes as many multiplications as its length has, squared
+        // squaring a sum takes as many multiplications as the square of its length
         assert!(is_multiplied_out(30, 2));
         assert!(!is_multiplied_out(BUDGET.isqrt() + 1, 2));
     }
 
-    /// Products of sines and cosines of any multiples of angles keep their values.
+    /// Expansions of products of sines and cosines keep their values, for any multiples of angles.
     #[test]
     fn expansions_have_the_value_of_what_they_expand() {
         let mut graph = Graph::new();
@@ -585,7 +590,7 @@ mod tests {
                 assert!(polynomial.0.keys().all(|monomial| monomial.powers.is_empty()));
                 let expanded = polynomial.node(&mut graph);
                 let (found, expected) = (graph.evaluate(expanded, &value), graph.evaluate(product, &value));
-                // a few terms below one
+                // the value has a few terms below one
                 assert!(
                     (found - expected).abs() < 16.0 * f64::EPSILON,
                     "{found} and not {expected}"
@@ -594,8 +599,8 @@ mod tests {
         }
     }
 
-    /// Quotients are brought over a common denominator as long as that takes few enough multiplications: two for each monomial that
-    /// has been gathered.
+    /// Quotients are brought over a common denominator as long as this takes few multiplications: two for each monomial
+    /// gathered so far.
     #[test]
     fn few_quotients_are_brought_together() {
         for (count, is_small) in [(40, true), (50, false)] {

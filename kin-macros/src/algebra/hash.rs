@@ -1,9 +1,9 @@
-//! A hash table for small keys: expressions are looked up so often that the standard library's hash, made to withstand
-//! keys of malicious choice, takes a good part of the time of an expansion.
+//! A hash table for small keys. Look-ups of expressions are so frequent that the standard library's hash, made to
+//! resist malicious keys, takes a considerable part of the time of an expansion.
 
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// A table whose order must not reach the output, as always.
+/// A hash table. As everywhere, its order must not reach the output.
 pub(crate) type HashMap<Key, Value> = std::collections::HashMap<Key, Value, BuildHasherDefault<Mixer>>;
 
 /// Multiplicative hashing of each word in turn (D. E. Knuth, *The Art of Computer Programming* 3, 2nd edition, section 6.4).
@@ -21,7 +21,7 @@ impl Mixer {
 
 impl Hasher for Mixer {
     fn finish(&self) -> u64 {
-        // the table takes low bits, and multiplication has mixed the high ones best
+        // the table uses the low bits, and multiplication mixes the high bits best
         self.0 ^ (self.0 >> 32)
     }
 

@@ -1,9 +1,9 @@
-//! The algebra: a hash-consed graph of expressions in normal form, and the elementary functions in them.
+//! The algebra: a hash-consed graph of expressions in normal form, and their elementary functions.
 //!
-//! Equal expressions are one node, because every constructor brings its result into a normal form before it looks
-//! whether it is there already: sums are flat with numeric coefficients, products are flat with integer exponents,
-//! sines and cosines have their quarter turns and signs taken out. Nodes are numbered in the order in which they are
-//! made, and nothing depends on a hash's order, so the same declaration gives the same graph, byte for byte.
+//! Equal expressions are one node, because every constructor brings its result into normal form before it looks the
+//! node up. In normal form, sums are flat with numeric coefficients, products are flat with integer exponents, and
+//! sines and cosines have their quarter turns and signs taken out. Nodes are numbered in the order of creation, and
+//! nothing depends on the order of a hash table. So the same declaration gives the same graph, byte for byte.
 
 mod construct;
 mod content;

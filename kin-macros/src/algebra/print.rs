@@ -5,12 +5,12 @@ use std::fmt::Write;
 use super::{Graph, Node, NodeKind, Symbol};
 use crate::precedence::Precedence;
 
-/// A text is cut off where it is longer than this: nobody reads it, and an expression of expressions that occur twice is longer by powers
-/// of two.
+/// The length at which a text is cut off. Nobody reads longer ones, and the length of an expression with repeated parts
+/// can grow as a power of two.
 const LONGEST: usize = 1000;
 
 impl Graph {
-    /// An expression in the declaration's own language, as far as it is of a readable length.
+    /// An expression in the declaration language, cut off at a readable length.
     pub(crate) fn print(&self, node: Node, name: &dyn Fn(Symbol) -> String) -> String {
         let mut printer = Printer {
             graph: self,
@@ -92,7 +92,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Factors with their powers, whatever the sign of these is.
+    /// Writes factors with their powers, whatever the sign of the powers.
     fn factors(&mut self, factors: &[(Node, i32)]) {
         for (place, &(part, exponent)) in factors.iter().enumerate() {
             self.text.push_str(if place == 0 { "" } else { " * " });
@@ -106,7 +106,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What is printed inside, in parentheses or not.
+    /// Writes `inside` in parentheses, or without.
     fn within(&mut self, parentheses: bool, inside: impl FnOnce(&mut Self)) {
         self.text.push_str(if parentheses { "(" } else { "" });
         inside(self);
@@ -118,7 +118,7 @@ impl Printer<'_> {
 mod tests {
     use super::*;
 
-    /// A text of the greatest length is whole, a longer one is cut there.
+    /// A text of exactly the greatest length stays whole; a longer one is cut there.
     #[test]
     fn only_what_is_longer_is_cut_off() {
         let mut graph = Graph::new();

@@ -1,15 +1,16 @@
-//! Identities, tested where the normal form cannot decide them.
+//! Numeric tests of identities that the normal form cannot decide.
 //!
-//! Two expressions that are equal by an identity which the normal form does not know (cos² + sin² = 1, say) have equal
-//! values everywhere; two that differ agree only on a set of measure zero. So an expression is taken to vanish if it
-//! does at several scattered points. The points are fixed, which keeps the expansion deterministic.
+//! Two expressions that are equal by an identity unknown to the normal form (cos² + sin² = 1, for example) have equal
+//! values everywhere. Two different expressions agree only on a set of measure zero. So an expression counts as zero if
+//! it vanishes at several scattered points. The points are fixed, which keeps the expansion deterministic.
 
 use super::{Graph, Node, NodeKind, Symbol};
 use crate::work;
 
-/// How many points are looked at.
+/// The number of points.
 pub(super) const POINTS: usize = 4;
-/// Rounding leaves about 1e-15 of the terms; a difference that is there at all leaves far more.
+/// The largest value relative to the terms that counts as zero. Rounding leaves about 1e-15 of the terms; a true
+/// difference leaves far more.
 const TOLERANCE: f64 = 1e-9;
 
 /// A point at which expressions are compared.
@@ -17,7 +18,7 @@ const TOLERANCE: f64 = 1e-9;
 pub(crate) struct Probe(u64);
 
 impl Probe {
-    /// One of them.
+    /// The first point.
     pub(crate) const FIRST: Self = Self(0);
 
     /// The points, in a fixed order.
@@ -25,7 +26,7 @@ impl Probe {
         (0..POINTS as u64).map(Self)
     }
 
-    /// A symbol's value at this point: between 0.5 and 1.5, where roots and logarithms are at home.
+    /// A symbol's value at this point: between 0.5 and 1.5, within the domain of roots and logarithms.
     pub(crate) fn value(self, symbol: Symbol) -> f64 {
         let (kind, index) = match symbol {
             Symbol::Parameter(index) => (1, index),
@@ -57,9 +58,9 @@ fn scattered(seed: u64) -> f64 {
 }
 
 impl Graph {
-    /// The values of an expression at the points; NaN outside of a function's domain.
+    /// The values of an expression at the points; NaN outside a function's domain.
     pub(crate) fn probe(&mut self, node: Node) -> [f64; POINTS] {
-        // operands have smaller numbers than what they are part of
+        // operands have lower indices than the expressions that contain them
         for index in self.probed.len()..=node.index() {
             work::turn();
             #[expect(clippy::cast_possible_truncation, reason = "there are fewer than 2^32 nodes")]
@@ -77,7 +78,7 @@ impl Graph {
         self.probed[node.index()]
     }
 
-    /// Whether an expression is zero whatever its symbols are; a product, if one of its factors is.
+    /// Whether an expression is zero for all values of its symbols. A product is zero if one of its factors is.
     pub(crate) fn vanishes(&mut self, node: Node) -> bool {
         if let Some(value) = self.as_number(node) {
             return value == 0.0;
@@ -104,7 +105,7 @@ impl Graph {
         }
     }
 
-    /// Whether two expressions are equal whatever their symbols are.
+    /// Whether two expressions are equal for all values of their symbols.
     pub(crate) fn same(&mut self, a: Node, b: Node) -> bool {
         a == b || {
             let difference = self.subtract(a, b);
@@ -112,7 +113,7 @@ impl Graph {
         }
     }
 
-    /// Whether an expression is negative at the first point: a sign that does not depend on how it was typed.
+    /// Whether an expression is negative at the first point. This sign does not depend on how the expression was typed.
     pub(crate) fn probes_negative(&mut self, node: Node) -> bool {
         self.probe(node)
             .into_iter()
@@ -125,7 +126,7 @@ impl Graph {
 mod tests {
     use super::*;
 
-    /// cos² + sin² - 1, alone and multiplied by something.
+    /// cos² + sin² - 1 vanishes, alone and as a factor of a product.
     #[test]
     fn identities_vanish_within_products_too() {
         let mut graph = Graph::new();
@@ -149,7 +150,7 @@ mod tests {
         }
     }
 
-    /// What vanishes and what does not is the same in any unit.
+    /// Whether an expression vanishes does not depend on the unit.
     #[test]
     fn multiples_vanish_with_what_they_are_multiples_of() {
         let mut graph = Graph::new();
@@ -164,7 +165,7 @@ mod tests {
         }
     }
 
-    /// Expressions are the same by an identity as well, and not by their looks alone.
+    /// Expressions that differ in form are the same if an identity makes them equal.
     #[test]
     fn what_differs_by_an_identity_is_the_same() {
         let mut graph = Graph::new();
@@ -176,7 +177,7 @@ mod tests {
         assert!(!graph.same(c2, s2));
     }
 
-    /// No two symbols have the same value at a point, or a difference of them would vanish.
+    /// No two symbols have the same value at a point. If they had, their difference would vanish.
     #[test]
     fn symbols_are_told_apart() {
         let mut symbols = Vec::new();

@@ -1,13 +1,13 @@
-//! Putting expressions in the place of others.
+//! Replacement of expressions by others.
 
 use std::collections::BTreeMap;
 
 use super::{Graph, Node, NodeKind};
 
 impl Graph {
-    /// An expression with every node that `replacements` names put in place, the whole brought into normal form again.
+    /// An expression with every node in `replacements` replaced, and the result brought into normal form again.
     ///
-    /// `replacements` also serves as the memory of what has been rewritten, so that many expressions share the work.
+    /// `replacements` also remembers all rewritten nodes, so that many expressions share the work.
     pub(crate) fn substitute(&mut self, node: Node, replacements: &mut BTreeMap<Node, Node>) -> Node {
         if let Some(&replacement) = replacements.get(&node) {
             return replacement;

@@ -1,34 +1,34 @@
-//! What the file of an elementary function says of it.
+//! The facts that the file of an elementary function states.
 
 use crate::algebra::{Function, Graph, Node};
 
 /// The facts of an elementary function.
 pub(super) struct Elementary {
-    /// Its name, in a declaration and in [`Calculation::Method`] alike.
+    /// The name, in a declaration and in [`Calculation::Method`] alike.
     pub(super) name: &'static str,
-    /// How it is written, as messages show it.
+    /// The spelling of a call, as messages show it.
     pub(super) form: &'static str,
-    /// How many arguments it takes.
+    /// The number of arguments.
     pub(super) arity: usize,
-    /// The dimension of its arguments.
+    /// The dimension of the arguments.
     pub(super) takes: Takes,
-    /// The dimension of its value.
+    /// The dimension of the value.
     pub(super) gives: Gives,
-    /// The numbers for which it is defined.
+    /// The arguments for which the function is defined.
     pub(super) domain: Domain,
     /// The function of `kin_core::solve` that checks the domain in generated code.
     pub(super) guard: Option<&'static Checked>,
-    /// How an equation f(x) = v is solved for x.
+    /// The way to solve an equation f(x) = v for x.
     pub(super) inverse: Inverse,
-    /// How generated code calculates it.
+    /// The way in which generated code calculates the function.
     pub(super) calculation: Calculation,
-    /// What it costs.
+    /// The cost of a call.
     pub(super) cost: &'static [Work],
-    /// Whether its value is zero anywhere. If not, a zero has come by underflow.
+    /// Whether the function has a zero. If not, a zero result comes from underflow.
     pub(super) has_zeros: bool,
-    /// Its value, for folding constants and for probing an identity.
+    /// The value, to fold constants and to probe identities.
     pub(super) value: fn(&[f64]) -> f64,
-    /// Its partial derivative by each argument, given the arguments and the node of the value itself.
+    /// The partial derivative by each argument, given the arguments and the node of the value.
     pub(super) partials: fn(&mut Graph, &[Node], Node) -> Vec<Node>,
 }
 
@@ -37,21 +37,21 @@ pub(super) struct Elementary {
 pub(crate) enum Takes {
     /// A number without dimension.
     Number {
-        /// What messages call it.
+        /// The name that messages give the argument.
         wanted: &'static str,
-        /// What to write where the argument is a length.
+        /// The advice of a message if the argument is a length.
         instead_of_length: &'static str,
     },
     /// An angle in radians, or a ratio.
     Angle,
     /// Any dimension.
     Anything,
-    /// Any dimension, the same for all arguments.
+    /// Any dimension, but the same for all arguments.
     Alike,
 }
 
 impl Takes {
-    /// A number, of which messages say this.
+    /// A dimensionless number, which messages call `wanted`.
     pub(super) const fn number(wanted: &'static str) -> Self {
         Self::Number {
             wanted,
@@ -71,21 +71,21 @@ pub(crate) enum Gives {
     Root,
 }
 
-/// The numbers for which a function is defined.
+/// The arguments for which a function is defined.
 #[derive(Clone, Copy)]
 pub(super) enum Domain {
-    /// All of them.
+    /// All numbers.
     Everywhere,
-    /// A part of them.
+    /// A part of all numbers.
     Part {
         contains: fn(&[f64]) -> bool,
-        /// What messages say of it, after "which".
+        /// The description in messages, after "which".
         text: &'static str,
     },
-    /// All of them except the zeros of what the function divides by.
+    /// All numbers except the zeros of a divisor of the function.
     Between {
         divisor: fn(&mut Graph, &[Node]) -> Node,
-        /// What messages say of it, after "which".
+        /// The description in messages, after "which".
         text: &'static str,
     },
 }
@@ -93,28 +93,28 @@ pub(super) enum Domain {
 /// A function of `kin_core::solve` that checks its argument.
 #[derive(PartialEq, Eq, Debug)]
 pub(crate) struct Checked {
-    /// Its name there.
+    /// Its name in `kin_core::solve`.
     pub(crate) name: &'static str,
-    /// Whether the sign of its argument decides. Only the formula of the argument tells how far a sum is from zero, in units of its
-    /// terms; from an end of the size of 1 the check itself can tell it.
+    /// Whether the sign of its argument decides. Then only the formula of the argument tells how far a sum is from
+    /// zero, relative to its terms. If the domain ends at about 1, the check itself can tell.
     pub(crate) decides_by_sign: bool,
-    /// What it costs.
+    /// Its cost.
     pub(crate) cost: &'static [Work],
 }
 
-/// How an equation f(x) = v is solved for x.
+/// The way to solve an equation f(x) = v for x.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Inverse {
-    /// Not by an inverse: f has two arguments, or closed forms of its own.
+    /// No inverse: f has two arguments, or closed forms of its own.
     None,
     /// There is one solution.
     One(InverseFunction),
-    /// f is even: there are two solutions, of which an assembly chooses one. The function takes the value, and a number with the sign
-    /// of the solution in the open assembly.
+    /// f is even: there are two solutions, and an assembly chooses one. The function takes the value, and a number with
+    /// the sign of the solution in the open assembly.
     Even(&'static Checked),
 }
 
-/// What gives the argument of a function by its value.
+/// The function that returns the argument of a function for a given value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum InverseFunction {
     /// A function that is defined for every value.
@@ -123,10 +123,10 @@ pub(crate) enum InverseFunction {
     Checked(&'static Checked),
 }
 
-/// How generated code calculates a function.
+/// The way in which generated code calculates a function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Calculation {
-    /// By the method of `kin_core::Number` with its name.
+    /// By the method of `kin_core::Number` that has the function's name.
     Method,
     /// By `sin_cos`, as the sine.
     Sine,
@@ -136,7 +136,7 @@ pub(crate) enum Calculation {
     Tangent,
 }
 
-/// A piece of work that a function takes.
+/// A unit of the cost of a function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Work {
     Multiplication,
@@ -145,6 +145,6 @@ pub(crate) enum Work {
     /// A sine and a cosine of one angle.
     SineCosine,
     ArcTangent,
-    /// Any other function of a library of numbers.
+    /// Any other function of a mathematical library.
     Other,
 }

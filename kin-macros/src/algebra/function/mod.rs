@@ -1,8 +1,9 @@
 //! The elementary functions of the declaration language, one file each.
 //!
-//! A file owns all that is known of its function: the facts of [`elementary::Elementary`]. A new function is a new file and an entry of
-//! the list below, besides the method that calculates it in the trait `Number` of kin-core. Time derivatives of every order follow
-//! from the partial derivatives (`derive/`); sine and cosine are differentiated as a pair there, because they share their angle.
+//! A file states all facts of its function, as [`elementary::Elementary`]. A new function needs a new file, an entry in
+//! the list below, and the method of the trait `Number` of kin-core that calculates it. Time derivatives of every order
+//! follow from the partial derivatives (`derive/`). There, sine and cosine are differentiated as a pair, because they
+//! share their angle.
 
 mod acos;
 mod acosh;
@@ -27,7 +28,7 @@ pub(crate) use elementary::{Calculation, Checked, Gives, Inverse, InverseFunctio
 use crate::algebra::{Graph, Node};
 use elementary::{Domain, Elementary};
 
-/// The list of the functions with their facts, in the order in which messages list them.
+/// Lists the functions with their facts, in the order in which messages list them.
 macro_rules! functions {
     ($($variant:ident: $facts:path;)+) => {
         /// An elementary function.
@@ -74,47 +75,47 @@ impl Function {
         Self::ALL.iter().copied().find(|function| function.name() == name)
     }
 
-    /// Its name, in the declaration and in generated code alike.
+    /// The name, in the declaration and in generated code alike.
     pub(crate) const fn name(self) -> &'static str {
         self.elementary().name
     }
 
-    /// How it is written, as messages show it.
+    /// The spelling of a call, as messages show it.
     pub(crate) const fn form(self) -> &'static str {
         self.elementary().form
     }
 
-    /// How many arguments it takes.
+    /// The number of arguments.
     pub(crate) const fn arity(self) -> usize {
         self.elementary().arity
     }
 
-    /// The dimension of its arguments.
+    /// The dimension of the arguments.
     pub(crate) const fn takes(self) -> Takes {
         self.elementary().takes
     }
 
-    /// The dimension of its value.
+    /// The dimension of the value.
     pub(crate) const fn gives(self) -> Gives {
         self.elementary().gives
     }
 
-    /// The function of `kin_core::solve` that checks its domain in generated code.
+    /// The function of `kin_core::solve` that checks the domain in generated code.
     pub(crate) const fn guard(self) -> Option<&'static Checked> {
         self.elementary().guard
     }
 
-    /// How an equation f(x) = v is solved for x.
+    /// The way to solve an equation f(x) = v for x.
     pub(crate) const fn inverse(self) -> Inverse {
         self.elementary().inverse
     }
 
-    /// How generated code calculates it.
+    /// The way in which generated code calculates the function.
     pub(crate) const fn calculation(self) -> Calculation {
         self.elementary().calculation
     }
 
-    /// The function that is calculated along with it: the cosine to the sine, the sine to the cosine.
+    /// The function that is calculated in the same call: cosine for sine, sine for cosine.
     pub(crate) const fn partner(self) -> Option<Self> {
         match self.calculation() {
             Calculation::Sine => Some(Self::Cos),
@@ -123,17 +124,17 @@ impl Function {
         }
     }
 
-    /// What it costs.
+    /// The cost of a call.
     pub(crate) const fn cost(self) -> &'static [Work] {
         self.elementary().cost
     }
 
-    /// Whether its value is zero anywhere. If not, a zero has come by underflow.
+    /// Whether the function has a zero. If not, a zero result comes from underflow.
     pub(crate) const fn has_zeros(self) -> bool {
         self.elementary().has_zeros
     }
 
-    /// Its value; NaN outside of the domain.
+    /// The value; NaN outside the domain.
     pub(crate) fn value(self, arguments: &[f64]) -> f64 {
         if self.contains(arguments) {
             (self.elementary().value)(arguments)
@@ -142,7 +143,7 @@ impl Function {
         }
     }
 
-    /// Whether the arguments lie in its domain, and it has a value there.
+    /// Whether the arguments lie in the domain and the value is a number.
     pub(crate) fn contains(self, arguments: &[f64]) -> bool {
         match self.elementary().domain {
             Domain::Everywhere | Domain::Between { .. } => arguments.iter().all(|argument| argument.is_finite()),
@@ -150,7 +151,7 @@ impl Function {
         }
     }
 
-    /// What messages say of its domain, if the arguments are constants outside of it.
+    /// The description of the domain in messages, if the arguments are constants outside it.
     pub(crate) fn left_domain(self, graph: &mut Graph, arguments: &[Node]) -> Option<&'static str> {
         let constants: Option<Vec<f64>> = arguments.iter().map(|&node| graph.constant_value(node)).collect();
         let constants = constants?;
@@ -164,7 +165,7 @@ impl Function {
         }
     }
 
-    /// Its partial derivative by each argument.
+    /// The partial derivative by each argument.
     pub(crate) fn partials(self, graph: &mut Graph, arguments: &[Node], value: Node) -> Vec<Node> {
         (self.elementary().partials)(graph, arguments, value)
     }

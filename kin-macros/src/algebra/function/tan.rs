@@ -19,7 +19,7 @@ pub(super) const TAN: Elementary = Elementary {
     has_zeros: true,
     value: |x| x[0].tan(),
     partials: |graph, _, value| {
-        // 1 + tan² x needs no function but the value itself
+        // 1 + tan² x needs no other function than the value itself
         let square = graph.power(value, 2);
         let one = graph.number(1.0);
         vec![graph.add(one, square)]

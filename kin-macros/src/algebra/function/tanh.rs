@@ -17,7 +17,7 @@ pub(super) const TANH: Elementary = Elementary {
     has_zeros: true,
     value: |x| x[0].tanh(),
     partials: |graph, _, value| {
-        // 1 - tanh² x needs no function but the value itself, and no power that might be infinite
+        // 1 - tanh² x needs no other function than the value itself, and no power that could become infinite
         let square = graph.power(value, 2);
         let one = graph.one();
         vec![graph.subtract(one, square)]

@@ -14,7 +14,7 @@ fn inside(function: Function) -> Vec<f64> {
     inside.expect("a function is defined somewhere")[..function.arity()].to_vec()
 }
 
-/// Numbers from all over the real line.
+/// Numbers from the whole real line.
 fn line() -> impl Iterator<Item = f64> {
     (-400..=400).map(|step| f64::from(step) / 40.0)
 }
@@ -51,7 +51,7 @@ fn partials_agree_with_differences() {
     }
 }
 
-/// A form is the name with as many arguments as the function takes, and no two functions are called alike.
+/// A form consists of the name and as many arguments as the function takes, and no two functions share a name.
 #[test]
 fn forms_have_the_name_and_the_arguments() {
     for &function in Function::ALL {
@@ -63,7 +63,8 @@ fn forms_have_the_name_and_the_arguments() {
     }
 }
 
-/// The value is a number where the domain contains the argument, and only there; a method of `f64` of the same name gives it.
+/// The value is a number exactly where the domain contains the argument. It equals the value of the method of `f64`
+/// with the same name.
 #[test]
 fn domains_are_where_values_are_numbers() {
     for &function in Function::ALL {
@@ -86,7 +87,7 @@ fn domains_are_where_values_are_numbers() {
     }
 }
 
-/// A constant outside of the domain is found, by the function itself or by what it divides by; any other argument is not.
+/// A constant outside the domain is reported, whether the function or its divisor excludes it. Other arguments are not.
 #[test]
 fn constants_outside_of_a_domain_are_found() {
     let mut graph = Graph::new();
@@ -111,13 +112,13 @@ fn constants_outside_of_a_domain_are_found() {
     );
 }
 
-/// A domain has a guard unless it is that of every number, or its end is a point, or one that numbers do not meet.
+/// A function has a guard if and only if its domain is stated as a part of the real line.
 #[test]
 fn parts_of_the_line_are_guarded() {
     for &function in Function::ALL.iter().filter(|function| function.arity() == 1) {
         let is_part = matches!(function.elementary().domain, Domain::Part { .. });
         assert_eq!(function.guard().is_some(), is_part, "{}", function.name());
-        // the sign of the argument decides if the domain ends at zero
+        // the sign of the argument decides if and only if the domain ends at zero
         if let Some(guard) = function.guard() {
             let ends_at_zero = function.contains(&[1e-300]) && !function.contains(&[-1e-300]);
             assert_eq!(guard.decides_by_sign, ends_at_zero, "{}", function.name());
@@ -126,7 +127,7 @@ fn parts_of_the_line_are_guarded() {
     }
 }
 
-/// A function that is said to have zeros has one, and none that is said to have none.
+/// A function has a zero if and only if its facts say so.
 #[test]
 fn zeros_are_where_they_are_said_to_be() {
     for &function in Function::ALL {
@@ -140,7 +141,7 @@ fn zeros_are_where_they_are_said_to_be() {
     }
 }
 
-/// The inverse of an inverse that needs no check is the function, and an even function has the same value on both sides.
+/// A function undoes its unchecked inverse, and an even function has the same value on both sides.
 #[test]
 fn inverses_undo_functions() {
     for &function in Function::ALL {
@@ -161,7 +162,7 @@ fn inverses_undo_functions() {
             }
             Inverse::One(InverseFunction::Checked(inverse)) => {
                 assert!(!inverse.cost.is_empty());
-                // there is one solution only
+                // there is only one solution
                 let values: Vec<f64> = line()
                     .map(|x| function.value(&[x]))
                     .filter(|value| !value.is_nan())
@@ -185,7 +186,8 @@ fn inverses_undo_functions() {
     }
 }
 
-/// What is calculated by sine and cosine is so, and costs that; the partner of a partner is the function itself.
+/// A function that is calculated from sine and cosine has their cost, and the partner of a partner is the function
+/// itself.
 #[test]
 fn circular_functions_are_calculated_together() {
     for &function in Function::ALL {
@@ -249,8 +251,8 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Outside of the algebra no function has a name but those that vectors are made of: sine and cosine, which turn them, and the
-/// square root, which is their length. So a function is added without a change there, and no default arm stands for it.
+/// The other rooms name no function except those that vectors consist of: sine and cosine, which turn vectors, and the
+/// square root, which gives their length. So a new function needs no change there, and no default arm handles it.
 #[test]
 fn other_rooms_do_not_list_functions() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
