@@ -1,16 +1,16 @@
-//! What can be called: the elementary functions, powers, and the functions of vectors.
+//! The names that can be called: the elementary functions, powers, and the functions of vectors.
 
 use crate::algebra::Function;
 use crate::syntax::Callee;
 
-/// The function whose second argument is a whole number, which belongs to its form.
+/// The function whose second argument is a whole number. This number is part of the form, not an argument.
 pub(super) const POWER: &str = "powi";
 
-/// How that function is written.
+/// The spelling of a call of that function.
 pub(super) const FORM_OF_POWER: &str = "powi(x, 2)";
 
 impl Callee {
-    /// Every one that is not an elementary function.
+    /// All functions that are not elementary.
     const OF_VECTORS: [Self; 11] = [
         Self::Cis,
         Self::Polar,
@@ -25,7 +25,7 @@ impl Callee {
         Self::Norm,
     ];
 
-    /// The function that is written `name`.
+    /// The function with this name.
     pub(crate) fn from_name(name: &str) -> Option<Self> {
         Self::OF_VECTORS
             .into_iter()
@@ -33,7 +33,7 @@ impl Callee {
             .or_else(|| Function::from_name(name).map(Self::Elementary))
     }
 
-    /// How it is written, as messages show it.
+    /// The spelling of a call, as messages show it.
     pub(crate) fn form(self) -> &'static str {
         match self {
             Self::Elementary(function) => function.form(),
@@ -51,7 +51,7 @@ impl Callee {
         }
     }
 
-    /// How many arguments it takes.
+    /// The number of arguments.
     pub(crate) fn arity(self) -> usize {
         match self {
             Self::Elementary(function) => function.arity(),
@@ -61,7 +61,7 @@ impl Callee {
         }
     }
 
-    /// As it is written.
+    /// The name, as it is typed.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Elementary(function) => function.name(),
@@ -80,19 +80,19 @@ impl Callee {
     }
 }
 
-/// Every name that can be called, in the order in which messages list them.
+/// Every name that can be called, in the order in which messages list the names.
 pub(crate) fn function_names() -> impl Iterator<Item = &'static str> {
     let elementary = Function::ALL.iter().map(|function| function.name());
     let of_vectors = Callee::OF_VECTORS.into_iter().map(Callee::name);
     elementary.chain([POWER]).chain(of_vectors)
 }
 
-/// Whether something of this name can be called.
+/// Whether a name can be called.
 pub(crate) fn is_function(name: &str) -> bool {
     form(name).is_some()
 }
 
-/// How the function of this name is written.
+/// The spelling of a call of the function with this name.
 pub(crate) fn form(name: &str) -> Option<&'static str> {
     if name == POWER {
         Some(FORM_OF_POWER)

@@ -1,4 +1,4 @@
-//! The words that say what a quantity is, and the shapes that values have.
+//! The dimensions of quantities, and the shapes of values.
 
 use proc_macro2::{Ident, TokenTree};
 use syn::Token;
@@ -8,12 +8,12 @@ use syn::parse::{ParseStream, Result};
 use crate::mistakes::suggestion;
 use crate::syntax::Axis;
 
-/// What a quantity was declared to be.
+/// The declared dimension of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dimension {
     Length,
     Angle,
-    /// An angle that is handed out as a unit vector; unknowns alone are.
+    /// An angle that is returned as a unit vector. Only unknowns have this dimension.
     Direction,
     Scalar,
     Point,
@@ -22,7 +22,7 @@ pub(crate) enum Dimension {
     Vector3,
 }
 
-/// What a value is made of.
+/// The shape of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shape {
     Scalar,
@@ -35,7 +35,7 @@ pub(crate) enum Shape {
 }
 
 impl Shape {
-    /// The axes along which a vector has its parts; of scalars and rotations there are none.
+    /// The axes along which a vector has its parts. Scalars and rotations have none.
     pub(crate) fn axes(self) -> &'static [Axis] {
         match self {
             Self::Scalar | Self::Rotation => &[],
@@ -44,7 +44,8 @@ impl Shape {
         }
     }
 
-    /// What the scalar parts of `name` are called: `p.x` and so on with a `.` between, and a scalar is its own part.
+    /// The names of the scalar parts of `name`: for example `p.x`, where `between` is the dot. A scalar is its own
+    /// part.
     pub(crate) fn part_names(self, name: &str, between: &str) -> Vec<String> {
         if self == Self::Scalar {
             return vec![name.to_owned()];
@@ -68,7 +69,7 @@ impl Dimension {
         Self::Vector3,
     ];
 
-    /// As it is written.
+    /// The word for this dimension in a declaration.
     pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Length => "Length",
@@ -82,7 +83,7 @@ impl Dimension {
         }
     }
 
-    /// What a quantity of it is made of.
+    /// The shape of a quantity of this dimension.
     pub(crate) fn shape(self) -> Shape {
         match self {
             Self::Length | Self::Angle | Self::Direction | Self::Scalar => Shape::Scalar,
@@ -91,7 +92,7 @@ impl Dimension {
         }
     }
 
-    /// Reads the dimension of something that is not an unknown: `an input`.
+    /// Reads the dimension of a quantity other than an unknown. `what` names its kind in messages: `an input`.
     pub(crate) fn parse_of(input: ParseStream<'_>, what: &str, name: &Ident) -> Result<Self> {
         let at = input.span();
         let dimension = Self::parse(input)?;
@@ -107,7 +108,7 @@ impl Dimension {
         Ok(dimension)
     }
 
-    /// Reads a dimension, an error at the first token of anything else.
+    /// Reads a dimension. Any other word is an error at its first token.
     pub(crate) fn parse(input: ParseStream<'_>) -> Result<Self> {
         let wrong = |at: &TokenTree, word: &str, near: &str| {
             syn::Error::new(

@@ -1,7 +1,7 @@
 //! Formulas, read by precedence climbing.
 //!
-//! `syn::Expr` would read them too, and far more than them: here everything that is not of the language meets its own message at
-//! its own token.
+//! `syn::Expr` could read them too, but it accepts far more. Here every construct outside the language gets its own
+//! message at its own token.
 
 use proc_macro2::{Ident, Span, TokenTree};
 use quote::ToTokens;
@@ -15,33 +15,33 @@ use crate::syntax::{
     Axis, Callee, Formula, FormulaKind, Operand, Operator, callee, form, function_names, is_function, nesting,
 };
 
-/// The largest exponent of `powi`: far beyond any mechanism, and small enough to multiply out.
+/// The largest exponent of `powi`: far larger than any mechanism needs, and small enough to multiply out.
 const LARGEST_EXPONENT: u32 = 64;
 
 /// The letters behind an angle in degrees.
 const DEGREES: &str = "deg";
 
-/// Where a formula stands, which is what may follow it.
+/// The context of a formula, which decides what may follow it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Context {
-    /// Before the `==` of an equation, or all of a statement that lacks one.
+    /// Before the `==` of an equation, or a whole statement that lacks one.
     LeftSide,
     /// After the `==`.
     RightSide,
     /// After the `=` of a `let` or an output.
     Value,
-    /// Between parentheses, alone.
+    /// Alone between parentheses.
     Parenthesis,
-    /// Between parentheses, with further arguments.
+    /// Between parentheses, with other arguments.
     Argument,
     /// Before the `..` of a range.
     RangeStart,
-    /// After it, or after a comparison; further unknowns may follow.
+    /// After the `..` of a range, or after a comparison. Further unknowns may follow.
     RangeEnd,
 }
 
 impl Formula {
-    /// A formula that is not nested too deep.
+    /// A formula, unless it is nested too deep.
     fn new(kind: FormulaKind, extent: Extent) -> Result<Self> {
         let depth = match &kind {
             FormulaKind::Number { .. } | FormulaKind::Degrees { .. } | FormulaKind::Pi | FormulaKind::Name(_) => 0,
@@ -55,7 +55,7 @@ impl Formula {
             FormulaKind::Call { arguments, .. } => 1 + deepest(arguments),
         };
         if depth > nesting::DEEPEST {
-            // at the sign or the method that is one too many
+            // the sign or the method that is one too many
             let at = match kind {
                 FormulaKind::Negate(_) => Extent::at(extent.first),
                 FormulaKind::Part { .. }
@@ -68,7 +68,7 @@ impl Formula {
         Ok(Self { kind, extent, depth })
     }
 
-    /// Calls `visit` on every name in the formula, in the order of the source.
+    /// Calls `visit` on every name in the formula, in source order.
     pub(crate) fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(&'a Ident)) {
         match &self.kind {
             FormulaKind::Name(name) => visit(name),
@@ -92,7 +92,7 @@ impl Formula {
     }
 }
 
-/// Reads a formula up to where its place ends.
+/// Reads a formula up to the end of its context.
 pub(crate) fn parse(input: ParseStream<'_>, place: Context) -> Result<Formula> {
     let formula = sum(input)?;
     let ended = input.is_empty()
@@ -142,7 +142,7 @@ fn product(input: ParseStream<'_>) -> Result<Formula> {
     }
 }
 
-/// An operator and what follows it.
+/// Reads an operator and the operand after it.
 fn operation(
     input: ParseStream<'_>,
     operator: Operator,
@@ -158,7 +158,7 @@ fn operation(
     })
 }
 
-/// A sum or a product; one operand alone is neither.
+/// A sum or a product. A single operand is returned as it is.
 fn chain(first: Formula, rest: Vec<Operand>, kind: fn(Box<Formula>, Vec<Operand>) -> FormulaKind) -> Result<Formula> {
     let Some(last) = rest.last() else {
         return Ok(first);
@@ -167,7 +167,7 @@ fn chain(first: Formula, rest: Vec<Operand>, kind: fn(Box<Formula>, Vec<Operand>
     Formula::new(kind(Box::new(first), rest), extent)
 }
 
-/// Any number of signs and what they stand before.
+/// Reads any number of signs and their operand.
 fn unary(input: ParseStream<'_>) -> Result<Formula> {
     let mut signs = Vec::new();
     while input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
@@ -182,7 +182,7 @@ fn unary(input: ParseStream<'_>) -> Result<Formula> {
     })
 }
 
-/// The end of the source has no place of its own, so a missing operand is shown at its operator.
+/// Reports a missing operand at its operator, because the end of the source has no place of its own.
 fn expect_operand(input: ParseStream<'_>, span: Span, symbol: &str) -> Result<()> {
     let ended = input.is_empty() || input.peek(Token![,]) || input.peek(Token![==]);
     if ended {
@@ -194,7 +194,7 @@ fn expect_operand(input: ParseStream<'_>, span: Span, symbol: &str) -> Result<()
     Ok(())
 }
 
-/// Methods and parts, after what they belong to.
+/// Reads an operand with the methods and parts after it.
 fn postfix(input: ParseStream<'_>) -> Result<Formula> {
     let mut of = operand(input)?;
     loop {
@@ -213,7 +213,7 @@ fn postfix(input: ParseStream<'_>) -> Result<Formula> {
     }
 }
 
-/// What follows a `.`.
+/// Reads the method or part after a `.`.
 fn member(input: ParseStream<'_>, dot: Span, of: Formula) -> Result<Formula> {
     if !input.peek(Ident::peek_any) {
         let at = if input.is_empty() { dot } else { input.span() };
@@ -277,7 +277,7 @@ fn operand(input: ParseStream<'_>) -> Result<Formula> {
     Err(input.error(no_operand(input)))
 }
 
-/// What is wrong with a token that begins no operand.
+/// The message for a token that cannot begin an operand.
 fn no_operand(input: ParseStream<'_>) -> &'static str {
     if input.peek(token::Bracket) {
         "there are no arrays here: write `vec2(x, y)` for a plane vector, `vec3(x, y, z)` for a space vector"
@@ -392,7 +392,7 @@ fn about_suffix(digits: &str, suffix: &str) -> String {
     }
 }
 
-/// A name, a call, or a word that means something in Rust but nothing here.
+/// Reads a name, a call, or a word that has a meaning in Rust but not here.
 fn word(input: ParseStream<'_>) -> Result<Formula> {
     let word = Ident::parse_any(input)?;
     let text = word.to_string();
@@ -430,8 +430,8 @@ fn word(input: ParseStream<'_>) -> Result<Formula> {
     Formula::new(kind, Extent::at(word.span()))
 }
 
-/// What to write instead of a construct of Rust. Keywords that could pass for names are left to be looked up as
-/// names, and so are functions without arguments: their declaration may have been a mistake already.
+/// The replacement for a construct of Rust. Keywords that could be names are looked up as names, and so are functions
+/// without arguments: their declaration may be the mistake.
 fn foreign(word: &str) -> Option<&'static str> {
     Some(match word {
         "if" | "else" | "match" => {
@@ -452,7 +452,7 @@ fn foreign(word: &str) -> Option<&'static str> {
     })
 }
 
-/// `a::b`, of which one is probably meant as PI or a function.
+/// Reports a path `a::b`. It was probably meant as PI or as a function.
 fn path(input: ParseStream<'_>, first: &Ident) -> syn::Error {
     let mut last = first.clone();
     while input.peek(Token![::]) && input.peek3(Ident::peek_any) {
@@ -509,14 +509,14 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
     )
 }
 
-/// The inverse function that is written with `arc` or `ar` elsewhere, and with `a` here.
+/// The function here named with `a` whose name elsewhere begins with `arc` or `ar`.
 fn without_arc(word: &str) -> Option<String> {
     let function = word.strip_prefix("arc").or_else(|| word.strip_prefix("ar"))?;
     let name = format!("a{function}");
     is_function(&name).then_some(name)
 }
 
-/// Reads `( … )` and tells where it closes.
+/// Reads `( … )` and returns the place of the closing parenthesis.
 fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Formula>) -> Result<Span> {
     let content;
     let parentheses = parenthesized!(content in input);
@@ -584,7 +584,7 @@ fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Res
     Formula::new(kind, extent)
 }
 
-/// The exponent of `powi`: an integer literal, as the formula's form depends on it.
+/// The exponent of `powi`. It must be an integer literal, because the form of the formula depends on it.
 fn exponent(argument: &Formula) -> Result<i32> {
     fn literal(formula: &Formula, text: &mut String) -> bool {
         match &formula.kind {
@@ -622,7 +622,7 @@ fn exponent(argument: &Formula) -> Result<i32> {
     }
 }
 
-/// What is wrong with a token that follows a complete formula.
+/// The error for a token that follows a complete formula.
 fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
     if input.peek(Token![==]) {
         return input.error(match place {

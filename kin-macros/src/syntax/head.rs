@@ -12,18 +12,18 @@ use crate::syntax::{Declaration, Dimension, ParameterField, name, split};
 
 const EXAMPLE: &str = "write `struct Name { … }` with the parameters as fields first";
 
-/// What stands before the statements.
+/// The declaration up to the first statement.
 struct Head {
     attributes: Vec<Attribute>,
     visibility: Visibility,
     name: Ident,
     fields: TokenStream,
-    /// A mistake that leaves the rest readable.
+    /// A mistake after which the rest is still readable.
     mistake: Option<syn::Error>,
     body: TokenStream,
 }
 
-/// Reads the struct; what follows it is handed back unread.
+/// Reads the struct and returns the tokens after it unread.
 pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Declaration, TokenStream)> {
     if tokens.is_empty() {
         mistakes.error_at(
@@ -96,13 +96,13 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
     Some((declaration, head.body))
 }
 
-/// Takes out the attributes that may remove what they stand on. Others may well depend on a condition.
+/// Takes out the attributes that may remove their item. Other attributes may depend on a condition.
 fn take_conditions(attributes: &mut Vec<Attribute>) -> Vec<Attribute> {
     let (conditions, others) = attributes.drain(..).partition(|attribute| {
         attribute.path().is_ident("cfg")
             || attribute.path().is_ident("cfg_attr")
                 && attribute.meta.require_list().is_ok_and(|list| {
-                    // the first is what it depends on
+                    // the first argument is the condition
                     split::fields(list.tokens.clone())
                         .into_iter()
                         .skip(1)
@@ -177,7 +177,8 @@ fn head(input: ParseStream<'_>) -> Result<Head> {
     Ok(head)
 }
 
-/// A field, with the mistake in its dimension if there is one: its name is still good for the struct that editors see.
+/// Reads a field, with the mistake in its dimension if there is one. The name remains valid for the struct that editors
+/// see.
 fn parameter(input: ParseStream<'_>) -> Result<(ParameterField, Option<syn::Error>)> {
     let start = input.span();
     let attributes = input.call(Attribute::parse_outer)?;
@@ -214,7 +215,7 @@ fn parameter_dimension(input: ParseStream<'_>, name: &Ident) -> Result<Dimension
     Ok(dimension)
 }
 
-/// The `:` before a dimension.
+/// Reads the `:` before a dimension.
 pub(super) fn dimension_of(input: ParseStream<'_>, name: &Ident, what: &str) -> Result<()> {
     let example = match what {
         "input" | "unknown" => "Angle",
@@ -236,7 +237,7 @@ pub(super) fn dimension_of(input: ParseStream<'_>, name: &Ident, what: &str) -> 
     ))
 }
 
-/// Underlines all of a type or pattern that was written where it does not belong.
+/// The extent of a type or a pattern in a wrong place.
 pub(super) fn rest(input: ParseStream<'_>) -> Option<Extent> {
     let tokens: TokenStream = input.fork().parse().ok()?;
     let mut tokens = tokens.into_iter();

@@ -1,7 +1,7 @@
-//! Tokens to syntax tree. Spans are kept, and only what a single statement shows by itself is checked.
+//! Tokens to syntax tree. Spans are kept. Only mistakes that a single statement shows by itself are checked here.
 //!
-//! The body is cut at its semicolons first and every statement is parsed on its own, so that a mistake in one hides none in
-//! another.
+//! The body is first cut at its semicolons, and each statement is parsed alone. So a mistake in one statement hides no
+//! mistake in another.
 
 mod callee;
 mod dimension;
@@ -28,22 +28,22 @@ pub(crate) use dimension::{Dimension, Shape};
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
 
-/// What stands between the braces of `mechanism! { … }`.
+/// The contents of the braces of `mechanism! { … }`.
 pub(crate) struct Declaration {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,
     pub(crate) name: Ident,
     pub(crate) parameters: Vec<ParameterField>,
     pub(crate) statements: Vec<Statement>,
-    /// Names whose declaration could not be read; their uses are not mistakes.
+    /// Names whose declarations could not be read. Their uses are not mistakes.
     pub(crate) broken: BTreeSet<String>,
-    /// Names that occur in statements that could not be read; they may well be in use.
+    /// Names that occur in unreadable statements. They may be in use.
     pub(crate) mentioned: BTreeSet<String>,
-    /// Whether the struct has fields that could be told apart. If not, any name may be one of them.
+    /// Whether the fields of the struct could be separated. If not, any name may be one of them.
     pub(crate) has_fields: bool,
     /// Whether every statement and field could be read.
     pub(crate) complete: bool,
-    /// Whether a formula breaks off: what it was going to use is not known.
+    /// Whether a formula ends too early. The names that it would have used are unknown.
     pub(crate) breaks_off: bool,
 }
 
@@ -64,7 +64,7 @@ pub(crate) enum Statement {
     Equation(EquationStatement),
     Output(OutputStatement),
     Order(OrderStatement),
-    /// `with transmission_angles`: the names as they were written.
+    /// `with transmission_angles`: the names as typed.
     Requests(Vec<Ident>),
 }
 
@@ -116,7 +116,7 @@ pub(crate) struct LetStatement {
 pub(crate) struct EquationStatement {
     pub(crate) left: Formula,
     pub(crate) right: Formula,
-    /// Of the `==`.
+    /// The place of the `==`.
     pub(crate) operator: Extent,
     pub(crate) tokens: TokenStream,
 }
@@ -135,18 +135,18 @@ pub(crate) struct OrderStatement {
     pub(crate) extent: Extent,
 }
 
-/// A formula with its place.
+/// A formula with its place in the source.
 #[derive(Clone)]
 pub(crate) struct Formula {
     pub(crate) kind: FormulaKind,
     pub(crate) extent: Extent,
-    /// How many formulas lie within each other, itself not counted.
+    /// The depth of nested formulas below this one.
     depth: usize,
 }
 
 #[derive(Clone)]
 pub(crate) enum FormulaKind {
-    /// A literal, with the spelling it was written in.
+    /// A literal as it was typed.
     Number {
         value: f64,
         text: String,
@@ -159,12 +159,12 @@ pub(crate) enum FormulaKind {
     Pi,
     Name(Ident),
     Negate(Box<Formula>),
-    /// Operands between `+` and `-`, however many: a long sum is not a deep one.
+    /// Any number of operands between `+` and `-`. So a long sum is not a deep one.
     Sum {
         first: Box<Formula>,
         rest: Vec<Operand>,
     },
-    /// The same between `*` and `/`.
+    /// Any number of operands between `*` and `/`.
     Product {
         first: Box<Formula>,
         rest: Vec<Operand>,
@@ -172,10 +172,10 @@ pub(crate) enum FormulaKind {
     Call {
         callee: Callee,
         arguments: Vec<Formula>,
-        /// Whether it was written `x.f()` rather than `f(x)`.
+        /// Whether it was typed `x.f()` and not `f(x)`.
         method: bool,
     },
-    /// `powi(x, 2)`; the exponent is part of the formula's form, not one of its values.
+    /// `powi(x, 2)`. The exponent is part of the form, not a value in the formula.
     Power {
         base: Box<Formula>,
         exponent: i32,
@@ -193,7 +193,7 @@ pub(crate) enum FormulaKind {
 #[derive(Clone)]
 pub(crate) struct Operand {
     pub(crate) operator: Operator,
-    /// Of the operator.
+    /// The place of the operator.
     pub(crate) span: Span,
     pub(crate) formula: Formula,
 }
@@ -213,7 +213,7 @@ pub(crate) enum Axis {
     Z,
 }
 
-/// What can be called besides `powi`.
+/// A function other than `powi`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Callee {
     Elementary(Function),
@@ -230,8 +230,8 @@ pub(crate) enum Callee {
     Norm,
 }
 
-/// Reads a declaration. Mistakes are added to `mistakes`; what could be read is returned all the same, `None` only if there is not
-/// even a struct.
+/// Reads a declaration. Mistakes are added to `mistakes`. The readable part is returned even then; the result is `None`
+/// only if there is no struct.
 pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
     let tokens = nesting::cut(tokens, mistakes);
     let (mut declaration, body) = head::parse(tokens, mistakes)?;
@@ -260,7 +260,7 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Decl
 }
 
 impl Declaration {
-    /// Remembers the names in a stretch of source that could not be read, so that they cause no further errors.
+    /// Remembers the names in an unreadable stretch of source, so that they cause no further errors.
     fn poison(&mut self, tokens: &TokenStream) {
         self.complete = false;
         self.breaks_off |= matches!(tokens.clone().into_iter().last(), Some(TokenTree::Punct(_)));
@@ -284,7 +284,7 @@ mod tests {
 
     use super::*;
 
-    /// The statements as they print, or the mistakes.
+    /// The printed statements, or the mistakes.
     fn read(body: TokenStream) -> Result<Vec<String>, Vec<String>> {
         let mut mistakes = Mistakes::new();
         let declaration = parse(quote!(struct M { a: Length } #body), &mut mistakes);
@@ -319,7 +319,7 @@ mod tests {
         }
     }
 
-    /// Every operation in parentheses of its own.
+    /// The formula with parentheses around every operation.
     fn grouping(formula: &Formula) -> String {
         match &formula.kind {
             FormulaKind::Negate(of) => format!("(-{})", grouping(of)),
@@ -465,7 +465,7 @@ mod tests {
             assert!(function_names().any(|name| name == function.name()));
         }
         for name in function_names() {
-            // `powi` alone is no callee: its exponent is a part of its form
+            // `powi` alone is not a function: its exponent is part of its form
             let callee = Callee::from_name(name);
             assert_eq!(callee.map(Callee::name), (name != "powi").then_some(name));
             let form = form(name).expect("it can be called");

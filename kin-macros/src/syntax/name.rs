@@ -1,4 +1,4 @@
-//! What a quantity may be called.
+//! The names that quantities may have.
 
 use proc_macro2::{Ident, Span};
 use syn::ext::IdentExt;
@@ -16,13 +16,13 @@ const KEYWORDS: [&str; 52] = [
     "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Whether Rust keeps this word for itself.
+/// Whether Rust reserves this word.
 pub(crate) fn keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
-/// Reads the name of a quantity that is being declared. If there is none, the message says `what` it is, and it is told at the
-/// token `before` if there is nothing more: the end of the source has no place of its own.
+/// Reads the name of a quantity that is being declared. If the name is missing, the message says `what` is declared. At
+/// the end of the source, which has no place of its own, the mistake is reported at the token `before`.
 pub(crate) fn parse(input: ParseStream<'_>, what: &str, before: Span) -> Result<Ident> {
     if input.is_empty() {
         return Err(syn::Error::new(
@@ -38,7 +38,7 @@ pub(crate) fn parse(input: ParseStream<'_>, what: &str, before: Span) -> Result<
     Ok(name)
 }
 
-/// Whether a quantity may bear this name.
+/// Whether a quantity may have this name.
 pub(crate) fn check(name: &Ident) -> Result<()> {
     let word = name.to_string();
     let complaint = if word.starts_with("r#") {

@@ -1,21 +1,21 @@
-//! How deep a declaration may be nested.
+//! The largest depth of nesting in a declaration.
 //!
-//! Formulas are read, checked and written by recursion, on the stack of the compiler, so their depth must end before that does. Groups of
-//! tokens are counted before anything else looks at them, as already the reading of tokens goes into every group.
+//! Formulas are read, checked and written by recursion on the compiler's stack, so their depth has to be limited. The
+//! depth of groups of tokens is checked first, because even reading tokens descends into every group.
 
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 
 use crate::mistakes::Mistakes;
 
-/// How many parentheses, functions and signs may lie within each other.
+/// The largest depth of nested parentheses, functions and signs.
 pub(super) const DEEPEST: usize = 256;
 
-/// What to do about what is deeper.
+/// The message for formulas that are nested deeper.
 pub(super) fn message() -> String {
     format!("this is nested more than {DEEPEST} deep: name an inner part of it by a `let`")
 }
 
-/// The tokens with every group emptied that lies too deep. The first one in each statement is reported.
+/// Empties every group that is too deep, and reports the first one in each statement.
 pub(super) fn cut(tokens: TokenStream, mistakes: &mut Mistakes) -> TokenStream {
     let too_deep = too_deep(&tokens);
     if too_deep.is_empty() {
@@ -27,12 +27,12 @@ pub(super) fn cut(tokens: TokenStream, mistakes: &mut Mistakes) -> TokenStream {
     emptied(tokens, 0)
 }
 
-/// Whether a group among these tokens of a statement has been emptied.
+/// Whether a group among the tokens of a statement has been emptied.
 pub(super) fn is_cut(tokens: &TokenStream) -> bool {
     !too_deep(tokens).is_empty()
 }
 
-/// Where groups lie too deep: the first in each statement.
+/// The groups that are too deep, the first in each statement.
 fn too_deep(tokens: &TokenStream) -> Vec<Span> {
     let mut found = Vec::new();
     let mut is_found = false;
@@ -54,7 +54,7 @@ fn too_deep(tokens: &TokenStream) -> Vec<Span> {
     found
 }
 
-/// The same tokens without what lies in groups that are too deep.
+/// The same tokens without the contents of groups that are too deep.
 fn emptied(tokens: TokenStream, depth: usize) -> TokenStream {
     tokens
         .into_iter()
@@ -82,7 +82,7 @@ mod tests {
     use super::*;
     use crate::syntax;
 
-    /// The mistakes of a formula in a declaration, by message.
+    /// The messages about a formula in a declaration.
     fn mistakes(formula: &TokenStream) -> Vec<String> {
         let mut mistakes = Mistakes::new();
         syntax::parse(
@@ -123,7 +123,7 @@ mod tests {
         assert_eq!(mistakes(&quote!((#left) + (#right))), [message()]);
     }
 
-    /// What is long is not deep.
+    /// A long formula is not a deep one.
     #[test]
     fn sums_and_products_are_as_long_as_they_like() {
         for operator in [quote!(+), quote!(*)] {

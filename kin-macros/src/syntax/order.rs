@@ -1,4 +1,4 @@
-//! `order = 6`: through which time derivative a mechanism is solved.
+//! `order = 6`: the highest time derivative for which a mechanism is solved.
 
 use proc_macro2::{Span, TokenStream};
 use syn::parse::{ParseStream, Result};
@@ -7,16 +7,16 @@ use syn::{Lit, LitInt, Token};
 use crate::mistakes::Extent;
 use crate::syntax::{OrderStatement, head};
 
-/// The highest order: as far as a motion has names for its derivatives.
+/// The highest order. A motion has no names for higher derivatives.
 const HIGHEST: usize = 12;
 
-/// Whether what follows the word `order` makes it a statement. It is an ordinary name otherwise.
+/// Whether the tokens after the word `order` make it a statement. Otherwise it is an ordinary name.
 pub(super) fn follows(input: ParseStream<'_>) -> bool {
     let assigns = input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>]);
     assigns || input.peek(Lit) || input.peek(Token![:]) && input.peek2(Lit)
 }
 
-/// `= 6` after `order`.
+/// Reads `= 6` after `order`.
 pub(super) fn parse(input: ParseStream<'_>, word: Span) -> Result<OrderStatement> {
     if !input.peek(Token![=]) {
         return Err(input.error("the order is given by `=`: write `order = 6`"));
@@ -38,7 +38,7 @@ pub(super) fn parse(input: ParseStream<'_>, word: Span) -> Result<OrderStatement
     }
 }
 
-/// The number, or what is wrong with it.
+/// The number, or the message if it is not valid.
 fn order(value: &TokenStream) -> std::result::Result<usize, String> {
     let Ok(literal) = syn::parse2::<LitInt>(value.clone()) else {
         return Err(format!(

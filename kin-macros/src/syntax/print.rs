@@ -1,4 +1,4 @@
-//! Formulas as text: what was written, with even spacing.
+//! Formulas as text: as typed, with even spacing.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -27,7 +27,7 @@ impl Comparison {
 }
 
 impl Axis {
-    /// What messages call an equation's part along this axis.
+    /// The name in messages of an equation's part along this axis.
     pub(crate) fn part_of_equation(self) -> &'static str {
         match self {
             Self::X => "equation's x part",

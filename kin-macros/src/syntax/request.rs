@@ -1,4 +1,4 @@
-//! `with transmission_angles, sensitivities`: generated items that are wanted besides the solvers.
+//! `with transmission_angles, sensitivities`: items to generate besides the solvers.
 
 use proc_macro2::{Ident, Span};
 use syn::Token;
@@ -7,12 +7,12 @@ use syn::parse::{ParseStream, Result};
 
 use crate::mistakes::nearest;
 
-/// The word that begins such a statement. It is no reserved word: a quantity may be called so as well.
+/// The word that begins a request. It is not reserved: a quantity may have this name too.
 pub(super) const WORD: &str = "with";
 
 const FORM: &str = "write the names of what is to be generated, as in `with transmission_angles;`";
 
-/// What can be requested by `with`.
+/// The items that can be requested by `with`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Request {
     /// The transmission angle of every dyad.
@@ -26,7 +26,7 @@ pub(crate) enum Request {
 impl Request {
     pub(crate) const ALL: [Self; 3] = [Self::TransmissionAngles, Self::Sensitivities, Self::Test];
 
-    /// As it is written.
+    /// The name, as it is typed.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::TransmissionAngles => "transmission_angles",
@@ -36,17 +36,18 @@ impl Request {
     }
 }
 
-/// Whether the word just read begins a request: only a name may follow it, which no formula allows, or nothing at all.
+/// Whether the word just read begins a request. It does if a name follows, which no formula allows, or if nothing
+/// follows.
 pub(super) fn follows(ahead: ParseStream<'_>) -> bool {
     ahead.is_empty() || ahead.peek(Token![,]) || ahead.peek(Ident::peek_any)
 }
 
-/// Whether two words that stand alone are most likely a misspelt request.
+/// Whether two words alone are probably a misspelt request.
 pub(super) fn is_meant(word: &str, name: &str) -> bool {
     nearest(word, [WORD]).is_some() && nearest(name, Request::ALL.map(Request::name)).is_some()
 }
 
-/// The names after `with`, whatever they are.
+/// Reads the names after `with`, without checking them.
 pub(super) fn parse(input: ParseStream<'_>, start: Span) -> Result<Vec<Ident>> {
     let mut names = Vec::new();
     loop {

@@ -1,4 +1,4 @@
-//! Cutting the body into statements before anything is parsed.
+//! The separation of the body into statements, before anything is parsed.
 
 use std::collections::BTreeSet;
 
@@ -11,11 +11,11 @@ use crate::syntax::request;
 /// The tokens of one statement without its `;`.
 pub(crate) struct Chunk {
     pub(crate) tokens: TokenStream,
-    /// Whether a `;` stood at its end.
+    /// Whether it ended in a `;`.
     pub(crate) terminated: bool,
 }
 
-/// Cuts at every `;`, and where one is missing before a word that can only begin a statement.
+/// Cuts the body at every `;`. If a `;` is missing, cuts before a word that can only begin a statement.
 pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chunk> {
     let tokens = visible_groups(body);
     let mut chunks = Vec::new();
@@ -32,7 +32,7 @@ pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chun
             continue;
         }
         let own = trailing_attributes(&current);
-        // behind a `let` it is a name
+        // after a `let` the word is a name
         let begins = begins_statement(&tokens[index..])
             || gives_order(&tokens[index..]) && ends_formula(&current) && !is_let(&current[..own]);
         if own > 0 && begins {
@@ -50,7 +50,7 @@ pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chun
     chunks
 }
 
-/// Cuts at the commas between fields, leaving those within `<…>` alone.
+/// Cuts at the commas between fields, but not at commas within `<…>`.
 pub(crate) fn fields(body: TokenStream) -> Vec<TokenStream> {
     let mut fields = vec![Vec::new()];
     let mut depth = 0_usize;
@@ -73,7 +73,7 @@ pub(crate) fn fields(body: TokenStream) -> Vec<TokenStream> {
         .collect()
 }
 
-/// All the names that occur.
+/// Adds all names that occur.
 pub(crate) fn mentioned_names(tokens: &TokenStream, names: &mut BTreeSet<String>) {
     for token in tokens.clone() {
         match token {
@@ -86,7 +86,8 @@ pub(crate) fn mentioned_names(tokens: &TokenStream, names: &mut BTreeSet<String>
     }
 }
 
-/// The names that a statement or a field was probably meant to declare: those before a `:`, and the one after its first word.
+/// Adds the names that a statement or a field was probably meant to declare: those before a `:`, and the one after its
+/// first word.
 pub(crate) fn declared_names(tokens: &TokenStream, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
     for pair in tokens.windows(2) {
@@ -104,7 +105,8 @@ pub(crate) fn declared_names(tokens: &TokenStream, names: &mut BTreeSet<String>)
     }
 }
 
-/// Groups without delimiters come from fragments of other macros. One token needs none; more keep their unity in parentheses.
+/// Removes groups without delimiters, which come from fragments of other macros. A single token needs no group; several
+/// stay together in parentheses.
 fn visible_groups(tokens: TokenStream) -> Vec<TokenTree> {
     let mut visible = Vec::new();
     for token in tokens {
@@ -137,7 +139,8 @@ fn has_invisible_groups(group: &Group) -> bool {
             .any(|token| matches!(token, TokenTree::Group(inner) if has_invisible_groups(&inner)))
 }
 
-/// Where the attributes at the end of a statement begin; they belong to the next if it ends there.
+/// The index where the attributes at the end of a statement begin. If the statement ends there, they belong to the next
+/// one.
 fn trailing_attributes(tokens: &[TokenTree]) -> usize {
     let mut end = tokens.len();
     while let [.., hash, TokenTree::Group(group)] = &tokens[..end]
@@ -149,7 +152,8 @@ fn trailing_attributes(tokens: &[TokenTree]) -> usize {
     end
 }
 
-/// `let`, one of the other words with a name and a colon behind it, or `with` and names alone.
+/// Whether the tokens begin with `let`, with another of the words followed by a name and a colon, or with `with`
+/// followed by names alone.
 fn begins_statement(tokens: &[TokenTree]) -> bool {
     match tokens {
         [TokenTree::Ident(word), TokenTree::Ident(_), rest @ ..] => {
@@ -165,18 +169,18 @@ fn begins_statement(tokens: &[TokenTree]) -> bool {
     }
 }
 
-/// `order =`, but not `order ==`.
+/// Whether the tokens begin with `order =`, but not `order ==`.
 fn gives_order(tokens: &[TokenTree]) -> bool {
     matches!(tokens, [TokenTree::Ident(word), TokenTree::Punct(equals), ..]
         if word == "order" && equals.as_char() == '=' && equals.spacing() == Spacing::Alone)
 }
 
-/// Whether these tokens are the word that begins an abbreviation, and no more.
+/// Whether the tokens are the word `let` alone.
 fn is_let(tokens: &[TokenTree]) -> bool {
     matches!(tokens, [TokenTree::Ident(word)] if word == "let")
 }
 
-/// Whether a formula may be complete here: not after an operator.
+/// Whether a formula may be complete here: it is not after an operator.
 fn ends_formula(tokens: &[TokenTree]) -> bool {
     !matches!(tokens.last(), Some(TokenTree::Punct(_)))
 }

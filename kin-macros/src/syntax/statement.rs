@@ -13,7 +13,7 @@ use crate::syntax::{
     Statement, UnknownItem, head, order, request,
 };
 
-/// Reads a statement without its `;`. Nothing at all is no mistake.
+/// Reads a statement without its `;`. An empty statement is not a mistake.
 pub(crate) fn parse(tokens: TokenStream) -> Result<Option<Statement>> {
     statement.parse2(tokens)
 }
@@ -60,7 +60,7 @@ fn statement(input: ParseStream<'_>) -> Result<Option<Statement>> {
     .map(Some)
 }
 
-/// Doc comments; no other attribute has a meaning on a statement.
+/// Reads doc comments. No other attribute has a meaning on a statement.
 fn documentation(input: ParseStream<'_>) -> Result<Vec<Attribute>> {
     let attributes = input.call(Attribute::parse_outer)?;
     match attributes.iter().find(|attribute| !attribute.path().is_ident("doc")) {
@@ -72,7 +72,7 @@ fn documentation(input: ParseStream<'_>) -> Result<Vec<Attribute>> {
     }
 }
 
-/// The word that says what kind of statement this is, `None` for an equation.
+/// The word that tells the kind of a statement, `None` for an equation.
 fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     let ahead = input.fork();
     if !ahead.peek(Ident::peek_any) {
@@ -129,7 +129,7 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     ))
 }
 
-/// Items between commas, with their doc comments. Those of the statement belong to the first.
+/// Reads items between commas, with their doc comments. The doc comments of the statement belong to the first item.
 fn list<Item>(
     input: ParseStream<'_>,
     leading: Vec<Attribute>,
@@ -157,7 +157,7 @@ fn list<Item>(
     }
 }
 
-/// `theta2: Angle`, of `an input` or `an unknown`.
+/// Reads `theta2: Angle`. `what` names the kind of quantity in messages: `an input` or `an unknown`.
 fn quantity(input: ParseStream<'_>, documentation: Vec<Attribute>, what: &str, start: Span) -> Result<QuantityItem> {
     let name = name::parse(input, what, start)?;
     head::dimension_of(input, &name, what)?;
@@ -234,7 +234,7 @@ fn unknown_item(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Sp
     })
 }
 
-/// `e > 0` after `where`.
+/// Reads `e > 0` after `where`.
 fn comparison(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<RangeKind> {
     if input.is_empty() {
         return Err(syn::Error::new(
@@ -282,7 +282,7 @@ fn comparison(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Ra
     })
 }
 
-/// `0..=PI` after `in`.
+/// Reads `0..=PI` after `in`.
 fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<RangeKind> {
     let open = |at: Extent| {
         syn::Error::new_spanned(
@@ -313,7 +313,7 @@ fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Range
     Ok(RangeKind::Between { low, high, closed })
 }
 
-/// `half = r3 / 2` after `let`.
+/// Reads `half = r3 / 2` after `let`.
 fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<LetStatement> {
     if input.peek(Token![mut]) {
         return Err(input.error("a `let` is an abbreviation and never changes: write it without `mut`"));
@@ -329,7 +329,7 @@ fn abbreviation(input: ParseStream<'_>, start: Span) -> Result<LetStatement> {
     Ok(LetStatement { name, value })
 }
 
-/// `midpoint: Point = …` after `output`.
+/// Reads `midpoint: Point = …` after `output`.
 fn output(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) -> Result<OutputStatement> {
     let name = name::parse(input, "output", start)?;
     head::dimension_of(input, &name, "output")?;
@@ -343,7 +343,7 @@ fn output(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) ->
     })
 }
 
-/// `= formula` to the end.
+/// Reads `= formula` up to the end.
 fn definition(input: ParseStream<'_>, name: &Ident, form: &str) -> Result<crate::syntax::Formula> {
     if input.is_empty() {
         return Err(syn::Error::new(
@@ -364,7 +364,7 @@ fn definition(input: ParseStream<'_>, name: &Ident, form: &str) -> Result<crate:
     formula::parse(input, Context::Value)
 }
 
-/// `left == right`
+/// Reads `left == right`.
 fn equation(input: ParseStream<'_>) -> Result<EquationStatement> {
     let tokens: TokenStream = input.fork().parse()?;
     if input.peek(Token![==]) {
