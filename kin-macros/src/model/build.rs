@@ -11,7 +11,7 @@ use crate::algebra::{Graph, Symbol};
 use crate::mistakes::{Extent, Mistakes};
 use crate::syntax::{self, Declaration, Statement};
 
-/// Builds the model. Mistakes are added to `mistakes`. After one the model is `None`.
+/// Builds the model. Mistakes are added to `mistakes`; if there is one, the model is `None`.
 pub(crate) fn build(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<Model> {
     let mut graph = Graph::new();
     let mut scope = Scope::new(declaration);
@@ -86,7 +86,7 @@ fn parameters(
     parameters
 }
 
-/// Declares every name of the statements. Where they stand does not matter, except for the use of a `let`.
+/// Declares every name of the statements. Their order matters only for the use of a `let`.
 fn quantities(
     declaration: &Declaration,
     graph: &mut Graph,
@@ -136,7 +136,7 @@ fn quantities(
     (inputs, unknowns)
 }
 
-/// Lowers every formula. An equation with a mistake leaves `None` in its place.
+/// Lowers every formula. An equation with a mistake becomes `None`.
 fn formulas(
     declaration: &Declaration,
     graph: &mut Graph,

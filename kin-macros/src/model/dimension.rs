@@ -1,4 +1,4 @@
-//! What formulas measure: scalar, vector or rotation, and which power of a length.
+//! The measure of a formula: its shape, and a power of length.
 //!
 //! Angles are plain numbers here, so that `r * theta` is a length.
 
@@ -24,7 +24,7 @@ impl Exponent {
         }
     }
 
-    /// Saturates: an exponent beyond 64 bits is nobody's, and wrong in any case.
+    /// A fraction in lowest terms. Its operands may be saturated: no sensible formula has an exponent beyond 64 bits.
     fn fraction(numerator: i64, denominator: i64) -> Self {
         let divisor = greatest_common_divisor(numerator, denominator).max(1);
         Self {
@@ -33,7 +33,7 @@ impl Exponent {
         }
     }
 
-    /// Of a product.
+    /// The exponent of a product.
     pub(crate) fn plus(self, other: Self) -> Self {
         Self::fraction(
             self.numerator
@@ -43,12 +43,12 @@ impl Exponent {
         )
     }
 
-    /// Of a power.
+    /// The exponent of a power.
     pub(crate) fn times(self, factor: i32) -> Self {
         Self::fraction(self.numerator.saturating_mul(i64::from(factor)), self.denominator)
     }
 
-    /// Of a square root.
+    /// The exponent of a square root.
     pub(crate) fn half(self) -> Self {
         Self::fraction(self.numerator, self.denominator.saturating_mul(2))
     }
@@ -77,27 +77,28 @@ impl Display for Exponent {
     }
 }
 
-/// What a formula measures.
+/// The shape and the dimension of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Measure {
     pub(crate) shape: Shape,
-    /// `None` is zero, which fits everywhere.
+    /// `None` for zero, which fits every dimension.
     pub(crate) exponent: Option<Exponent>,
 }
 
 impl Measure {
-    /// Whether it is zero, and so fits both a scalar and a vector.
+    /// Whether the formula is zero, and so fits both a scalar and a vector.
     pub(crate) fn is_zero(self) -> bool {
         self.shape == Shape::Scalar && self.exponent.is_none()
     }
 
-    /// Whether a plain number is wanted and this is one.
+    /// Whether this is a number without dimension.
     pub(crate) fn is_number(self) -> bool {
         self.shape == Shape::Scalar && self.exponent.is_none_or(|exponent| exponent == Exponent::NUMBER)
     }
 }
 
-/// The measure of a sum or difference, `None` if the powers of length differ. Zero takes the other's. The shapes fit.
+/// The measure of a sum or difference, `None` if the powers of length differ. Zero takes the measure of the other term.
+/// The shapes are known to fit.
 pub(crate) fn common(left: Measure, right: Measure) -> Option<Measure> {
     let fits = match (left.exponent, right.exponent) {
         (Some(left), Some(right)) => left == right,
@@ -113,12 +114,12 @@ pub(crate) fn common(left: Measure, right: Measure) -> Option<Measure> {
     })
 }
 
-/// The exponent of a product; that of zero and anything is again zero.
+/// The exponent of a product. A product with zero is zero.
 pub(crate) fn product(left: Option<Exponent>, right: Option<Exponent>) -> Option<Exponent> {
     Some(left?.plus(right?))
 }
 
-/// In words, with an article.
+/// Prints the measure in words, with an article.
 impl Display for Measure {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let vector = match self.shape {

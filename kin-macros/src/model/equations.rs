@@ -1,9 +1,9 @@
-//! The equations, scalar by scalar.
+//! The scalar equations.
 
 use super::{Model, Request};
 use crate::algebra::Node;
 
-/// The declared equation that a scalar equation is a part of, and which part.
+/// The declared equation to which a scalar equation belongs, and the part that it is.
 #[derive(Clone, Copy)]
 pub(crate) struct Origin {
     pub(crate) equation: usize,
@@ -11,12 +11,12 @@ pub(crate) struct Origin {
 }
 
 impl Model {
-    /// Whether something is to be generated besides the solvers.
+    /// Whether an item besides the solvers is requested.
     pub(crate) fn is_requested(&self, request: Request) -> bool {
         self.requests.iter().any(|requested| requested.request == request)
     }
 
-    /// A name that generated code needs for itself, made unlike any input or unknown.
+    /// A name that generated code needs for itself, changed so that no input or unknown has it.
     pub(crate) fn own_name(&self, name: &str) -> String {
         let mut name = name.to_owned();
         while self.inputs.iter().any(|input| input.name == name)

@@ -1,20 +1,21 @@
-//! How long a way leads through a formula, and where that ends.
+//! The length of the longest path through a formula, and its limit.
 
 use crate::algebra::{Graph, Node, NodeKind};
 use crate::mistakes::{Extent, Mistakes};
 
-/// So many operations may wait for each other. The passes after this one go that deep, each on a stack that has room for it.
+/// The largest number of operations of which each waits for the one before. The later passes recurse that deep, on a
+/// stack that is large enough.
 const LONGEST: usize = 10_000;
 
-/// The longest way through each node of a graph, as the number of operations on it.
+/// The longest path to each node of a graph, as a number of operations.
 #[derive(Default)]
 pub(super) struct Lengths(Vec<usize>);
 
 impl Lengths {
-    /// Whether no way through these nodes is too long; a mistake is reported at `extent`.
+    /// Whether no path to these nodes is too long. A longer one is reported at `extent`.
     pub(super) fn allow(&mut self, graph: &Graph, nodes: &[Node], extent: Extent, mistakes: &mut Mistakes) -> bool {
         for node in graph.nodes_from(self.0.len()) {
-            // the terms of a sum are added one after the other, and so are the factors of a product multiplied
+            // the terms of a sum are added one after the other, and the factors of a product multiplied
             let own = match graph.kind(node) {
                 NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => 0,
                 NodeKind::Sum(_, terms) => terms.len(),

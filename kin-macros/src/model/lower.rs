@@ -1,4 +1,4 @@
-//! Formulas to graph nodes: names looked up, dimensions checked, vectors taken apart.
+//! Formulas to graph nodes: names are looked up, dimensions checked, and vectors split into scalars.
 
 use proc_macro2::Span;
 
@@ -10,16 +10,16 @@ use crate::model::scope::Scope;
 use crate::model::value::Typed;
 use crate::syntax::{Axis, Callee, EquationStatement, Formula, FormulaKind, Operand, Operator, Shape};
 
-/// What formulas are lowered with. Every method returns `None` after a mistake, which has been reported then.
+/// The state of lowering. Every method reports mistakes and returns `None` after one.
 pub(super) struct Lowering<'a, 'b> {
     pub(super) graph: &'a mut Graph,
     pub(super) scope: &'a mut Scope<'b>,
     pub(super) mistakes: &'a mut Mistakes,
-    /// How far the constant farthest from 1 is from it, and where it stands.
+    /// The constant farthest from 1, as its distance and its place in the source.
     pub(super) extreme: &'a mut Option<(f64, Extent)>,
 }
 
-/// The largest exponent that a power may come to.
+/// The largest exponent of a power after the folding of powers of powers.
 const LARGEST_POWER: u32 = 1024;
 
 impl Lowering<'_, '_> {
@@ -156,7 +156,7 @@ impl Lowering<'_, '_> {
         Some(Typed { value, ..typed })
     }
 
-    /// A value just made, if its constants and powers fit. What it was made of has been looked at before.
+    /// A new value, if its constants and powers are within the limits. Its operands have been checked before.
     fn fitting(&mut self, extent: Extent, value: Value) -> Option<Value> {
         if let Some(misfit) = self.graph.take_misfit() {
             self.mistakes.error(
@@ -188,7 +188,7 @@ impl Lowering<'_, '_> {
         Some(value)
     }
 
-    /// Terms of a sum, of which a scalar beside a vector lies along x.
+    /// A sum. A scalar beside a vector lies along x.
     fn sum(&mut self, first: &Formula, rest: &[Operand]) -> Option<Typed> {
         let first = self.formula(first);
         let mut measure = first.as_ref().map(Typed::measure);
@@ -217,7 +217,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// What a sum measures with one term more, `None` after a mistake.
+    /// The measure of a sum with one more term, `None` after a mistake.
     fn measure_of_sum(
         &mut self,
         left: Option<Measure>,
@@ -244,7 +244,7 @@ impl Lowering<'_, '_> {
         measure
     }
 
-    /// A product with one factor or divisor more. `start` is where it begins.
+    /// A product with one more factor or divisor, which begins at `start`.
     fn times(
         &mut self,
         start: Extent,
@@ -263,7 +263,7 @@ impl Lowering<'_, '_> {
         Some(Typed { value, ..typed })
     }
 
-    /// A product: of two plane vectors, that of complex numbers; of a rotation, what it turns, turned.
+    /// A product. Two plane vectors multiply as complex numbers, and a rotation turns a vector or another rotation.
     fn product(&mut self, span: Span, left: &Typed, right: &Typed) -> Option<Typed> {
         let graph = &mut *self.graph;
         let (a, b) = (left.value.nodes(), right.value.nodes());
@@ -467,7 +467,7 @@ impl Lowering<'_, '_> {
         Some(Typed::number(self.rodrigues(parts, angle)))
     }
 
-    /// About an axis of any length but zero.
+    /// A rotation about an axis of any nonzero length.
     fn rotation(&mut self, argument: &Formula, axis: &Typed, angle: Node) -> Option<Typed> {
         if axis.value.shape() == Shape::Plane {
             self.mistakes.error(
@@ -502,7 +502,7 @@ impl Lowering<'_, '_> {
                 let identity = graph.number(if row == column { 1.0 } else { 0.0 });
                 let across = graph.subtract(identity, along);
                 let across = graph.multiply(cosine, across);
-                // the entry of u× is the third part of u, negative where the column follows the row
+                // the entry of u× is the third part of u, negative if the column follows the row
                 let turned = if row == column {
                     graph.zero()
                 } else {
@@ -576,7 +576,7 @@ impl Lowering<'_, '_> {
         })
     }
 
-    /// Most functions work on scalars.
+    /// The argument of a function of scalars.
     fn scalar_argument(&mut self, name: &str, argument: &Formula, typed: &Typed) -> Option<Node> {
         let measure = typed.measure();
         let remedy = match measure.shape {
@@ -670,23 +670,23 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// What to write instead of an argument that has a dimension.
+/// The replacement for an argument that has a dimension.
 #[derive(Clone, Copy)]
 enum Remedy {
-    /// The call as it should be.
+    /// The call as it should be written.
     Write(&'static str),
     /// A quotient without dimension.
     Divide { instead_of_length: &'static str },
 }
 
-/// The sum of the products of the parts.
+/// The inner product: the sum of the products of the parts.
 fn inner(graph: &mut Graph, a: &[Node], b: &[Node]) -> Node {
     let products: Vec<Node> = a.iter().zip(b).map(|(&a, &b)| graph.multiply(a, b)).collect();
     graph.sum(&products)
 }
 
-/// What to write instead where two values of these shapes are added or compared, `None` if they may be. Among plane vectors a
-/// scalar lies along x, as a real number does among complex ones; in space no direction is before the others.
+/// The advice for two values of these shapes that are added or compared, `None` if this is allowed. Beside plane
+/// vectors a scalar lies along x, as a real number does beside complex numbers. In space no direction is preferred.
 fn clash(left: Measure, right: Measure) -> Option<&'static str> {
     match (left.shape, right.shape) {
         (Shape::Rotation, _) | (_, Shape::Rotation) => Some(

@@ -1,5 +1,5 @@
-//! Syntax tree to model: names are what they stand for, dimensions fit, and vectors are scalars along their axes, each with
-//! its place in the source.
+//! Syntax tree to model: names are resolved, dimensions are checked, and vectors are split into scalars along their
+//! axes. Each item keeps its place in the source.
 
 mod angles;
 mod build;
@@ -26,7 +26,7 @@ pub(crate) use equations::Origin;
 use request::Requested;
 pub(crate) use value::Value;
 
-/// A mechanism as it was declared, free of mistakes in itself. Whether it can be solved is the next pass's question.
+/// A mechanism as declared, without mistakes in its formulas. The next pass decides whether it can be solved.
 pub(crate) struct Model {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,
@@ -36,11 +36,11 @@ pub(crate) struct Model {
     pub(crate) unknowns: Vec<Unknown>,
     pub(crate) equations: Vec<Equation>,
     pub(crate) outputs: Vec<Output>,
-    /// The highest time derivative that is solved for.
+    /// The highest time derivative.
     pub(crate) order: usize,
-    /// What is to be generated besides the solvers.
+    /// The items to generate besides the solvers.
     pub(crate) requests: Vec<Requested>,
-    /// The constant that is farthest from 1.
+    /// The constant farthest from 1.
     pub(crate) extreme_constant: Option<Extent>,
     pub(crate) graph: Graph,
 }
@@ -60,7 +60,7 @@ pub(crate) struct Quantity {
     pub(crate) dimension: Dimension,
 }
 
-/// What is to be found.
+/// An unknown.
 pub(crate) struct Unknown {
     pub(crate) name: Ident,
     pub(crate) documentation: Vec<Attribute>,
@@ -68,7 +68,7 @@ pub(crate) struct Unknown {
     pub(crate) range: Option<Range>,
 }
 
-/// Where an unknown is to be found. An end may be infinite.
+/// The range in which an unknown is found. An end may be infinite.
 pub(crate) struct Range {
     pub(crate) low: f64,
     pub(crate) high: f64,
@@ -77,14 +77,14 @@ pub(crate) struct Range {
 }
 
 pub(crate) struct Equation {
-    /// The left side less the right.
+    /// The left side minus the right side.
     pub(crate) residual: Value,
-    /// The whole equation, for errors that span it.
+    /// The whole equation, for errors that underline all of it.
     pub(crate) tokens: TokenStream,
     pub(crate) text: String,
 }
 
-/// A quantity that is computed from the others and carried to the same order.
+/// A quantity that is computed from the others, with derivatives of the same orders.
 pub(crate) struct Output {
     pub(crate) name: Ident,
     pub(crate) documentation: Vec<Attribute>,

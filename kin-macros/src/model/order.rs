@@ -1,12 +1,12 @@
-//! Through which time derivative the mechanism is solved.
+//! The highest time derivative for which the mechanism is solved.
 
 use crate::mistakes::Mistakes;
 use crate::syntax::{Declaration, Statement};
 
-/// Where nothing is said: through snap.
+/// The default order: snap.
 const USUAL: usize = 4;
 
-/// The order that is declared; it can be said once.
+/// The declared order. A second declaration of it is a mistake.
 pub(super) fn order(declaration: &Declaration, mistakes: &mut Mistakes) -> usize {
     let mut declared = None;
     for statement in &declaration.statements {

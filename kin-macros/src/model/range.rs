@@ -10,7 +10,7 @@ use crate::model::scope::Scope;
 use crate::model::{Dimension, Range};
 use crate::syntax::{Comparison, Declaration, Formula, RangeClause, RangeKind};
 
-/// The numbers of a range, `None` after a mistake.
+/// The ends of a range, `None` after a mistake.
 pub(super) fn range(
     clause: &RangeClause,
     unknown: &Ident,
@@ -55,7 +55,7 @@ pub(super) fn range(
     (dimension != Dimension::Angle || is_range_in_radians(clause, &range, mistakes)).then_some(range)
 }
 
-/// The end of a range, made of literals and PI.
+/// The end of a range, which consists of literals and PI.
 fn constant(bound: &Formula, declaration: &Declaration, mistakes: &mut Mistakes) -> Option<f64> {
     if let Some(name) = first_name(bound) {
         mistakes.error(

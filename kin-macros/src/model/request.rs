@@ -1,17 +1,17 @@
-//! What is to be generated besides the solvers.
+//! The items to generate besides the solvers.
 
 use proc_macro2::Ident;
 
 use crate::mistakes::{Mistakes, suggestion};
 use crate::syntax::{Declaration, Request, Statement};
 
-/// A request, with its place.
+/// A request with its place in the source.
 pub(crate) struct Requested {
     pub(crate) request: Request,
     pub(crate) name: Ident,
 }
 
-/// All requests in the order in which they are made, each of them once.
+/// All requests in source order, each once.
 pub(super) fn requests(declaration: &Declaration, mistakes: &mut Mistakes) -> Vec<Requested> {
     let mut requests: Vec<Requested> = Vec::new();
     let names = declaration.statements.iter().flat_map(|statement| match statement {

@@ -1,4 +1,4 @@
-//! The names of a declaration and what they stand for. All of them share one namespace.
+//! The names of a declaration and their meanings. All names share one namespace.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,14 +29,14 @@ impl Role {
     }
 }
 
-/// What a name stands for when it is used.
+/// The meaning of a name in a formula.
 pub(super) enum Meaning {
     Value(Typed),
-    /// A `let` that has not been reached yet.
+    /// A `let` that comes later.
     Later,
-    /// A `let` whose expression holds a mistake, which has been reported.
+    /// A `let` with a mistake in its formula, which has been reported.
     Broken,
-    /// An output cannot be used.
+    /// An output, which formulas cannot use.
     Result,
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Scope<'a> {
     pub(super) entries: Vec<Entry>,
     places: BTreeMap<String, usize>,
     declaration: &'a Declaration,
-    /// Names that a misspelt use was probably meant for. They count as used.
+    /// Names that a misspelt name was probably meant for. They count as used.
     meant: BTreeSet<String>,
 }
 
@@ -66,7 +66,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Adds a name; a second one of the same spelling is a mistake, and the first stays.
+    /// Adds a name. A second declaration of a name is a mistake, and the first stays.
     pub(super) fn declare(&mut self, name: &Ident, role: Role, meaning: Meaning, mistakes: &mut Mistakes) {
         let word = name.to_string();
         if let Some(&place) = self.places.get(&word) {
@@ -94,7 +94,7 @@ impl<'a> Scope<'a> {
         });
     }
 
-    /// What a `let` turned out to be. Only the one that holds the name: a second of the same spelling is not looked up.
+    /// Sets the meaning of a `let`. A second `let` of the same name is ignored.
     pub(super) fn define(&mut self, name: &Ident, meaning: Meaning) {
         if let Some(&place) = self.places.get(&name.to_string()) {
             let entry = &mut self.entries[place];
@@ -104,7 +104,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// What a name stands for in a formula; `None` if that is a mistake.
+    /// The value of a name in a formula; `None` after a mistake.
     pub(super) fn resolve(&mut self, name: &Ident, mistakes: &mut Mistakes) -> Option<Typed> {
         let word = name.to_string();
         let Some(&place) = self.places.get(&word) else {
@@ -158,7 +158,7 @@ impl<'a> Scope<'a> {
         format!("no parameter, input, unknown or `let` is called `{word}`{near}")
     }
 
-    /// Whether a name counts as used: for itself, or because a misspelt one was probably meant for it.
+    /// Whether a name counts as used: it is used itself, or a misspelt name was probably meant for it.
     pub(super) fn is_meant(&self, word: &str) -> bool {
         self.meant.contains(word)
     }

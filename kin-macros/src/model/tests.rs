@@ -1,4 +1,4 @@
-//! Mistakes in formulas and statements, each told once.
+//! Mistakes in formulas and statements, each reported once.
 
 use quote::quote;
 
@@ -21,7 +21,7 @@ fn mistakes(body: TokenStream) -> Vec<String> {
     mistakes.into_messages()
 }
 
-/// The mistakes of one formula.
+/// The messages about one formula.
 fn formula(formula: TokenStream) -> Vec<String> {
     mistakes(quote! {
         input t: Angle;
@@ -129,7 +129,7 @@ fn what_does_not_fit_is_told_once() {
     }
 }
 
-/// The mistakes of one formula among vectors of space.
+/// The messages about one formula with vectors of space.
 fn in_space(formula: TokenStream) -> Vec<String> {
     mistakes(quote! {
         input t: Angle;

@@ -1,4 +1,4 @@
-//! What a declaration lacks, and what it declares in vain.
+//! Missing statements and unused names.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,7 +8,7 @@ use crate::algebra::{Graph, Node};
 use crate::mistakes::Mistakes;
 use crate::syntax::{Declaration, Formula, Statement};
 
-/// A mechanism has inputs, unknowns and equations.
+/// Reports missing inputs, unknowns or equations.
 pub(super) fn missing_statements(declaration: &Declaration, mistakes: &mut Mistakes) {
     let name = &declaration.name;
     if declaration.statements.is_empty() {
@@ -41,7 +41,7 @@ pub(super) fn missing_statements(declaration: &Declaration, mistakes: &mut Mista
     }
 }
 
-/// What is declared is used, or is a mistake of its own.
+/// Reports names that are declared and not used.
 pub(super) fn unused_names(declaration: &Declaration, scope: &Scope<'_>, mistakes: &mut Mistakes) {
     for entry in &scope.entries {
         let word = entry.name.to_string();
@@ -60,7 +60,7 @@ pub(super) fn unused_names(declaration: &Declaration, scope: &Scope<'_>, mistake
     }
 }
 
-/// Every unknown stands in an equation, and every scalar equation contains an unknown. False if one was found that does not.
+/// Reports unknowns that no equation contains, and scalar equations without an unknown. Returns false if there is one.
 pub(super) fn unknowns_in_equations(
     declaration: &Declaration,
     unknowns: &[Unknown],
@@ -144,7 +144,7 @@ pub(super) fn unknowns_in_equations(
 
 enum Mention {
     Nowhere,
-    /// In equations without a mistake only.
+    /// Only in equations without a mistake.
     InSound,
     /// In an equation with a mistake.
     InBroken,
@@ -163,7 +163,7 @@ fn declaration_mentions(written: &[BTreeSet<String>], equations: &[Option<Equati
     mention
 }
 
-/// The names written in each equation, those within its abbreviations included.
+/// The names typed in each equation, including those in its abbreviations.
 fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
     let names_of = |expressions: &[&Formula]| {
         let mut names = BTreeSet::new();

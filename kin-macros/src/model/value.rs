@@ -1,4 +1,4 @@
-//! The value of a formula: scalars, one for each part of what it is.
+//! The value of a formula, as one scalar for each of its parts.
 
 use super::dimension::{Exponent, Measure};
 use crate::algebra::{Graph, Node};
@@ -33,12 +33,12 @@ impl Value {
         }
     }
 
-    /// From as many parts as the shape has.
+    /// A value of as many parts as the shape has.
     pub(crate) fn of(shape: Shape, parts: Vec<Node>) -> Self {
         Self { shape, parts }
     }
 
-    /// From the rows of its matrix.
+    /// A rotation from the rows of its matrix.
     pub(crate) fn rotation(rows: [[Node; 3]; 3]) -> Self {
         Self {
             shape: Shape::Rotation,
@@ -50,7 +50,7 @@ impl Value {
         self.shape
     }
 
-    /// The scalar parts: one, or those along the axes, or the rows of a rotation's matrix.
+    /// The scalar parts: one, or one for each axis, or the rows of a rotation's matrix.
     pub(crate) fn nodes(&self) -> Vec<Node> {
         self.parts.clone()
     }
@@ -65,7 +65,7 @@ impl Value {
         self.parts.chunks(3).collect()
     }
 
-    /// The same with a function applied to every part.
+    /// The value with a function applied to every part.
     pub(crate) fn map(&self, function: impl FnMut(Node) -> Node) -> Self {
         Self {
             shape: self.shape,
@@ -73,7 +73,7 @@ impl Value {
         }
     }
 
-    /// Two values of one shape, part by part.
+    /// Combines two values of one shape, part by part.
     pub(crate) fn zip(&self, other: &Self, mut function: impl FnMut(Node, Node) -> Node) -> Self {
         Self {
             shape: self.shape,
@@ -86,7 +86,7 @@ impl Value {
         }
     }
 
-    /// A scalar as a vector: it lies along x.
+    /// A scalar as a vector along x; a vector as it is.
     pub(crate) fn lifted(&self, graph: &mut Graph, shape: Shape) -> Self {
         if self.shape != Shape::Scalar || shape == Shape::Scalar {
             return self.clone();
@@ -97,7 +97,7 @@ impl Value {
     }
 }
 
-/// A formula's value and what it measures.
+/// A formula's value and its measure.
 #[derive(Clone, Debug)]
 pub(super) struct Typed {
     pub(super) value: Value,
