@@ -6,9 +6,9 @@ use crate::algebra::{Angle, Graph, Node};
 /// A link that turns: factor · cis(± angle).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Arm {
-    /// Its direction, an integer combination of unknowns.
+    /// The direction, an integer combination of unknowns.
     pub(crate) angle: Angle,
-    /// Whether it turns clockwise as the angle grows.
+    /// Whether the link turns clockwise as the angle grows.
     pub(crate) mirrored: bool,
     pub(crate) factor: ComplexNode,
 }
@@ -21,8 +21,8 @@ impl Arm {
         self.factor.times(graph, unit)
     }
 
-    /// The quotient of another link's vector and this one, times the square of this one's length, in two factors: a constant, and
-    /// the unit vector of the angle between their directions.
+    /// The quotient of another link's vector and this one, times the square of this link's length. The result has two
+    /// factors: a constant, and the unit vector of the angle between the directions.
     pub(crate) fn turn_to(&self, graph: &mut Graph, other: &Self) -> (ComplexNode, ComplexNode) {
         let (own_angle, other_angle) = (self.signed_angle(graph), other.signed_angle(graph));
         let between = graph.subtract(other_angle, own_angle);

@@ -4,7 +4,7 @@ use super::arm::Arm;
 use super::complex::ComplexNode;
 use crate::algebra::{Checked, Function, Graph, InverseFunction, Node, Symbol};
 
-/// How a block is solved. Every expression is free of the block's own unknowns.
+/// A closed form that solves a block. All expressions are free of the block's own unknowns.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum ClosedForm {
     /// coefficient · x = right.
@@ -23,7 +23,7 @@ pub(crate) enum ClosedForm {
     InverseSine { unknown: usize, radius: Node, height: Node },
     /// a cos x + b sin x = c.
     CosineSine { unknown: usize, a: Node, b: Node, c: Node },
-    /// f(argument) = value, where `then` solves argument = `result` for the unknown.
+    /// f(argument) = value. `then` solves argument = `result` for the unknown.
     Inverse {
         function: Function,
         inverse: InverseFunction,
@@ -31,15 +31,15 @@ pub(crate) enum ClosedForm {
         result: Symbol,
         then: Box<Self>,
     },
-    /// f(argument) = value with an even f, where coefficient · x = right solves argument = `result`, and coefficient · x = middle solves
-    /// argument = 0.
+    /// f(argument) = value with an even f. The solution of argument = `result` is that of coefficient · x = right, and
+    /// the solution of argument = 0 is that of coefficient · x = middle.
     EvenInverse {
         function: Function,
         inverse: &'static Checked,
         unknown: usize,
         value: Node,
         result: Symbol,
-        /// A number with the sign by which the argument grows with x.
+        /// A number with the sign of the argument's slope in x.
         growth: Node,
         coefficient: Node,
         right: Node,
@@ -51,13 +51,13 @@ pub(crate) enum ClosedForm {
         matrix: [[Node; 2]; 2],
         right: [Node; 2],
     },
-    /// first + second = target, both directions unknown: two circles meet (RRR dyad).
+    /// first + second = target, both directions unknown: the intersection of two circles (RRR dyad).
     TwoAngles {
         unknowns: [usize; 2],
         arms: [Arm; 2],
         target: ComplexNode,
     },
-    /// arm + length · direction = target: a circle meets a line (RRP dyad).
+    /// arm + length · direction = target: the intersection of a circle and a line (RRP dyad).
     AngleLength {
         angle: usize,
         length: usize,
@@ -65,7 +65,7 @@ pub(crate) enum ClosedForm {
         direction: ComplexNode,
         target: ComplexNode,
     },
-    /// arm = target, where their lengths are equal: the direction of a link that other equations have placed.
+    /// arm = target, where both lengths are equal: the direction of a link that other equations have placed.
     Direction {
         unknown: usize,
         arm: Arm,
@@ -91,12 +91,12 @@ impl ClosedForm {
         }
     }
 
-    /// Whether a function is inverted on the way.
+    /// Whether the solution inverts a function.
     pub(crate) const fn has_inverse(&self) -> bool {
         matches!(self, Self::Inverse { .. } | Self::EvenInverse { .. })
     }
 
-    /// What documentation calls it.
+    /// The name of the form in documentation.
     pub(crate) fn description(&self, graph: &Graph) -> String {
         match self {
             Self::Linear { .. } => "linear equation".to_owned(),

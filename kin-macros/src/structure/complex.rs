@@ -1,8 +1,8 @@
-//! Complex numbers of expressions, as which vectors of the plane are written.
+//! Complex numbers of expressions, which represent vectors of the plane.
 
 use crate::algebra::{Graph, Node};
 
-/// A complex number, or plane vector, of known expressions.
+/// A complex number, or plane vector, whose parts are expressions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct ComplexNode {
     pub(crate) re: Node,
@@ -41,7 +41,7 @@ impl ComplexNode {
         graph.add(a, b)
     }
 
-    /// The quotient; by a real number it takes no more than two divisions.
+    /// The quotient. A real divisor takes no more than two divisions.
     pub(crate) fn over(self, graph: &mut Graph, divisor: Self) -> Self {
         if divisor.is_real(graph) {
             let reciprocal = graph.power(divisor.re, -1);

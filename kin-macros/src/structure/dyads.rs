@@ -1,14 +1,14 @@
-//! The angles at which the links of dyads meet.
+//! The dyads of a mechanism and their transmission angles.
 
 use super::{Block, ClosedForm, Method, Part};
 use crate::algebra::{Graph, Node, Symbol};
 
 /// A dyad of two links, or of a link and a slider, and its transmission angle.
 pub(crate) struct Dyad {
-    /// The unknowns that it determines, ascending.
+    /// The unknowns that the dyad determines, ascending.
     pub(crate) unknowns: Vec<usize>,
     pub(crate) kind: Kind,
-    /// The angle's sine times a positive factor, but for its sign, which has no meaning.
+    /// The sine of the angle, times a positive factor. Its sign has no meaning.
     pub(crate) across: Node,
     /// The angle's cosine times the same factor.
     pub(crate) along: Node,
@@ -22,7 +22,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// What documentation calls it.
+    /// The name of the dyad in documentation.
     pub(crate) fn description(self) -> &'static str {
         match self {
             Self::TwoLinks => "two links (RRR dyad)",
@@ -31,10 +31,11 @@ impl Kind {
     }
 }
 
-/// All dyads, in the order in which they are solved. Equations are `residual == 0`, by number.
+/// All dyads, in the order in which they are solved. The equations are `residual == 0`, by index.
 ///
-/// Two links v₁ and v₂, one behind the other, meet at the angle between -v₁ and v₂. A link v and a slider with v + x d = constant
-/// meet at that between -v and the normal i (-d), as the joint at the end of v moves by -d when x grows.
+/// Two links v₁ and v₂, one after the other, meet at the angle between -v₁ and v₂. A link v and a slider with v + x d =
+/// constant meet at the angle between -v and the normal i (-d), because the joint at the end of v moves by -d when x
+/// grows.
 pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> Vec<Dyad> {
     let mut dyads = Vec::new();
     for (block, part) in blocks
@@ -58,7 +59,7 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
             Method::Closed(ClosedForm::AngleLength { arm, direction, .. }) => {
                 let vector = arm.vector(graph);
                 let product = vector.conjugate(graph).times(graph, *direction);
-                // i d in place of d turns the product by a quarter
+                // i d instead of d turns the product by a quarter
                 let along = graph.negate(product.im);
                 dyads.push(Dyad {
                     unknowns: part.unknowns.clone(),
@@ -73,11 +74,11 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
     dyads
 }
 
-/// A link and a slider on one of the axes, which are solved one after the other: one part of the loop holds the link's angle
-/// alone, the other one the slider's travel as well.
+/// A link and a slider on one of the axes, solved one after the other. One part of the loop contains the link's angle
+/// alone, the other part contains the slider's travel as well.
 ///
-/// The part with the angle alone is, but for what is constant, the link's component normal to the slide; differentiated, it is
-/// the component along the slide, which the other part has to hold, and differentiated again, its own opposite.
+/// The part with the angle alone is, up to a constant, the link's component normal to the slide. Its derivative is the
+/// component along the slide, which the other part has to contain. Its second derivative is its own opposite.
 fn slider_on_an_axis(graph: &mut Graph, residuals: &[Node], blocks: &[Block], block: &Block) -> Option<Dyad> {
     let ([angle], [equation]) = (block.unknowns.as_slice(), block.equations.as_slice()) else {
         return None;

@@ -1,21 +1,21 @@
-//! Equations matched to unknowns, and what is left over on either side.
+//! The matching of equations to unknowns, and the parts that have too many of either.
 //!
-//! A maximum matching by augmenting paths; where it is not perfect, the alternating paths from what is unmatched reach
-//! the over- and the underdetermined parts (A. L. Dulmage and N. S. Mendelsohn, "Coverings of bipartite graphs",
-//! Canadian Journal of Mathematics 10, 1958).
+//! A maximum matching is found by augmenting paths. If it is not perfect, the alternating paths from unmatched
+//! equations and unknowns reach the over- and the underdetermined parts (A. L. Dulmage and N. S. Mendelsohn, "Coverings
+//! of bipartite graphs", Canadian Journal of Mathematics 10, 1958).
 
 use std::collections::BTreeSet;
 
 use super::Fault;
 
-/// Which unknown each equation is matched to.
+/// The unknown that each equation is matched to.
 pub(super) struct Matching {
     unknown_of: Vec<Option<usize>>,
     equation_of: Vec<Option<usize>>,
 }
 
 impl Matching {
-    /// A maximum matching, where `incidence` lists the unknowns that each equation contains.
+    /// A maximum matching. `incidence` lists the unknowns of each equation.
     pub(super) fn of(incidence: &[BTreeSet<usize>], unknowns: usize) -> Self {
         let mut matching = Self {
             unknown_of: vec![None; incidence.len()],
@@ -122,12 +122,12 @@ mod tests {
     use super::Matching;
     use crate::structure::Fault;
 
-    /// Which unknowns each equation contains.
+    /// The unknowns that each equation contains.
     fn incidence<const N: usize>(equations: [&[usize]; N]) -> Vec<BTreeSet<usize>> {
         equations.map(|unknowns| unknowns.iter().copied().collect()).to_vec()
     }
 
-    /// An equation that could have any of its unknowns leaves one to the equation that has no other.
+    /// If one equation has several unknowns and another only one, the first leaves that unknown to the second.
     #[test]
     fn a_perfect_matching_gives_each_equation_an_unknown_of_its_own() {
         let incidence = incidence([&[0, 1, 2], &[0, 1], &[0]]);
@@ -139,8 +139,8 @@ mod tests {
         assert!(matching.faults(&incidence).is_empty());
     }
 
-    /// Three equations for the unknowns 0 and 1, one for the unknowns 2 and 3, one for the unknown 4: the faults name all
-    /// that takes part, and nothing of the part that is in order.
+    /// Three equations contain the unknowns 0 and 1, one the unknowns 2 and 3, one the unknown 4. The faults name all
+    /// equations and unknowns of the first two parts, and none of the third.
     #[test]
     fn faults_name_the_parts_with_too_many_and_with_too_few_equations() {
         let incidence = incidence([&[4], &[0], &[0, 1], &[1], &[2, 3]]);
@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(surplus, &[3]);
     }
 
-    /// A free unknown frees what the equations would otherwise determine, along a chain.
+    /// A free unknown leaves further unknowns undetermined, along a chain of equations.
     #[test]
     fn what_is_not_determined_spreads_along_equations() {
         let incidence = incidence([&[1, 2], &[0, 1]]);

@@ -1,8 +1,8 @@
-//! Equations to blocks: which equations determine which unknowns, in which order, and how they are solved.
+//! Equations to blocks: the equations that determine each unknown, their order, and the method of solution.
 //!
-//! The scalar equations are matched to the unknowns, the matching is ordered into the smallest blocks that can be
-//! solved one after another, and each block is compared with the closed forms that are known. A block that fits none is torn
-//! into parts, of which as few as possible are left to Newton's method.
+//! The scalar equations are matched to the unknowns. The matching is ordered into the smallest blocks that can be
+//! solved one after another, and each block is compared with the closed forms. A block without a closed form is torn
+//! into parts, of which Newton's method solves as few as possible.
 
 mod arm;
 mod closed_form;
@@ -24,31 +24,31 @@ pub(crate) use polynomials::{PolynomialSystem, Variable};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
 
-/// Unknowns that are solved together, the equations that determine them, and how.
+/// Unknowns that are solved together, the equations that determine them, and the method.
 pub(crate) struct Block {
-    /// The numbers of the scalar equations, ascending.
+    /// The indices of the scalar equations, ascending.
     pub(crate) equations: Vec<usize>,
-    /// The numbers of the unknowns, ascending.
+    /// The indices of the unknowns, ascending.
     pub(crate) unknowns: Vec<usize>,
-    /// How they are solved, one part after another; most blocks are of one part.
+    /// The parts of the solution, in order. Most blocks have one part.
     pub(crate) parts: Vec<Part>,
-    /// All solutions of a block of which a part is left to Newton's method, if its equations are algebraic.
+    /// The system that gives all solutions, for a block with algebraic equations and a part for Newton's method.
     pub(crate) all: Option<PolynomialSystem>,
-    /// Whether the parts alone do not guarantee that the Jacobian is regular where they succeed.
+    /// Whether the Jacobian may be singular although the parts have been solved.
     pub(crate) check_jacobian: bool,
 }
 
-/// Unknowns of a block that are found in one step.
+/// Unknowns of a block that one step finds.
 pub(crate) struct Part {
-    /// Their numbers, ascending.
+    /// The indices of the unknowns, ascending.
     pub(crate) unknowns: Vec<usize>,
     pub(crate) method: Method,
 }
 
-/// How a part is solved.
+/// The method that solves a part.
 pub(crate) enum Method {
     Closed(ClosedForm),
-    /// By Newton's method for as many expressions that must vanish, in which earlier parts' unknowns are known.
+    /// Newton's method. It finds as many unknowns as there are residuals; the unknowns of earlier parts are known.
     Newton {
         residuals: Vec<Node>,
         /// Whether the equations were too large to be compared with the closed forms.
@@ -57,7 +57,7 @@ pub(crate) enum Method {
 }
 
 impl Block {
-    /// Whether a part of it is left to Newton's method, and so has no assembly with a name.
+    /// Whether Newton's method solves a part of the block, so that its assemblies have no names.
     pub(crate) fn is_coupled(&self) -> bool {
         self.parts
             .iter()
@@ -65,20 +65,20 @@ impl Block {
     }
 }
 
-/// Why a declaration cannot be solved; equations and unknowns by number.
+/// The reason why a declaration cannot be solved. Equations and unknowns are given by index.
 pub(crate) enum Fault {
-    /// More unknowns than the equations that contain them.
+    /// More unknowns than equations that contain them.
     Underdetermined {
         unknowns: Vec<usize>,
         equations: Vec<usize>,
     },
-    /// More equations than unknowns in them; `surplus` are the ones left over.
+    /// More equations than unknowns; `surplus` are the unmatched equations.
     Overdetermined {
         unknowns: Vec<usize>,
         equations: Vec<usize>,
         surplus: Vec<usize>,
     },
-    /// Equations that say the same, so that they do not determine their unknowns.
+    /// Equations that repeat each other and so do not determine their unknowns.
     Dependent {
         unknowns: Vec<usize>,
         equations: Vec<usize>,
@@ -86,7 +86,7 @@ pub(crate) enum Fault {
     },
 }
 
-/// Equations `residual == 0` in blocks.
+/// Equations `residual == 0`, ordered into blocks.
 pub(crate) struct Structure {
     pub(crate) graph: Graph,
     pub(crate) residuals: Vec<Node>,
@@ -94,9 +94,9 @@ pub(crate) struct Structure {
     pub(crate) blocks: Vec<Block>,
 }
 
-/// Why equations have no structure.
+/// The reason why equations have no structure.
 pub(crate) enum Refusal {
-    /// A constant follows from them that no number is.
+    /// A constant that follows from them does not fit an `f64`.
     Constants(Misfit),
     Faults(Vec<Fault>),
 }
@@ -138,8 +138,8 @@ fn blocks(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<
     if faults.is_empty() { Ok(blocks) } else { Err(faults) }
 }
 
-/// The same equations, each multiplied out if an unknown cancels then: its solution would otherwise be written with that unknown,
-/// which may not be known before it.
+/// The same equations, each multiplied out if that cancels an unknown. The solution would otherwise contain this
+/// unknown, which may not be known yet.
 fn without_cancelling(graph: &mut Graph, equations: &[Node], variables: Variables<'_>) -> Vec<Node> {
     let incidence = incidence(graph, equations, variables);
     let mut without = Vec::new();
@@ -154,7 +154,7 @@ fn without_cancelling(graph: &mut Graph, equations: &[Node], variables: Variable
     without
 }
 
-/// The unknowns that each equation contains, once it is multiplied out.
+/// The unknowns that each equation contains after it is multiplied out.
 fn incidence(graph: &mut Graph, equations: &[Node], variables: Variables<'_>) -> Vec<BTreeSet<usize>> {
     equations
         .iter()
@@ -209,7 +209,7 @@ fn solve_block(
     Ok(block)
 }
 
-/// Whether the block's Jacobian is singular everywhere: then the equations do not determine the unknowns.
+/// Whether the block's Jacobian is singular everywhere. Then the equations do not determine the unknowns.
 fn is_dependent(graph: &mut Graph, residuals: &[Node], equations: &[usize], unknowns: &[usize]) -> bool {
     let jacobian: Vec<Vec<Node>> = equations
         .iter()
@@ -236,7 +236,7 @@ fn is_dependent(graph: &mut Graph, residuals: &[Node], equations: &[usize], unkn
     probed
 }
 
-/// Gaussian elimination with complete pivoting.
+/// Whether a matrix has full rank, by Gaussian elimination with complete pivoting.
 fn has_full_rank(mut rows: Vec<Vec<f64>>) -> bool {
     let size = rows.len();
     let largest = rows
@@ -266,12 +266,12 @@ fn has_full_rank(mut rows: Vec<Vec<f64>>) -> bool {
     true
 }
 
-/// Two equations of a block of which one is a multiple of the other, by a number or by parameters.
+/// Two equations of a block, one a multiple of the other by a number or by parameters.
 fn repeated(graph: &mut Graph, residuals: &[Node], equations: &[usize]) -> Option<(usize, usize)> {
     for (position, &second) in equations.iter().enumerate() {
         for &first in &equations[..position] {
             let ratio = graph.divide(residuals[first], residuals[second]);
-            // the same parameters with everything else changed
+            // the same parameters, with all other symbols changed
             let ratios: Vec<f64> = Probe::all()
                 .map(|probe| {
                     graph.evaluate(ratio, &|symbol| match symbol {
@@ -295,7 +295,7 @@ fn repeated(graph: &mut Graph, residuals: &[Node], equations: &[usize]) -> Optio
 mod tests {
     use super::has_full_rank;
 
-    /// The rank is that of the rows, whatever their scale and order.
+    /// The rank depends neither on the scale nor on the order of the rows.
     #[test]
     fn rows_have_full_rank_unless_one_follows_from_the_others() {
         let matrix = |rows: [[f64; 3]; 3]| rows.map(|row| row.to_vec()).to_vec();
@@ -309,7 +309,7 @@ mod tests {
             [0.0, 1e-9, 0.0],
             [1e-9, 0.0, 0.0]
         ])));
-        // the last row is twice the second less the first
+        // the last row is twice the second minus the first
         assert!(!has_full_rank(matrix([
             [1.0, 2.0, 3.0],
             [4.0, 5.0, 6.0],

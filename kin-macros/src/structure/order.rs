@@ -1,7 +1,8 @@
-//! The order of the blocks: strongly connected components of the matched equations.
+//! The order of the blocks: the strongly connected components of the matched equations.
 //!
 //! R. E. Tarjan, "Depth-first search and linear graph algorithms", SIAM Journal on Computing 1(2), 1972. A component is
-//! finished after everything that it depends on, so the components come out in the order in which they can be solved.
+//! finished after all components that it depends on. So the components come out in the order in which they can be
+//! solved.
 
 use std::collections::BTreeSet;
 
@@ -10,9 +11,9 @@ use super::matching::Matching;
 struct DepthFirst<'a> {
     incidence: &'a [BTreeSet<usize>],
     matching: &'a Matching,
-    /// When each equation was first seen.
+    /// The time at which each equation was first visited.
     seen: Vec<Option<usize>>,
-    /// The earliest equation on the stack that each can reach.
+    /// The earliest equation on the stack that each equation can reach.
     low: Vec<usize>,
     stack: Vec<usize>,
     is_on_stack: Vec<bool>,
@@ -20,7 +21,7 @@ struct DepthFirst<'a> {
     blocks: Vec<Vec<usize>>,
 }
 
-/// The blocks as lists of equations, each solvable once the ones before it are.
+/// The blocks as lists of equations. Each block can be solved after the ones before it.
 pub(super) fn blocks(incidence: &[BTreeSet<usize>], matching: &Matching) -> Vec<Vec<usize>> {
     let size = incidence.len();
     let mut search = DepthFirst {

@@ -1,7 +1,7 @@
 //! A coupled block as a system of polynomials, all of whose solutions can be found.
 //!
-//! Each unknown angle becomes two variables, its cosine c and sine s, with the equation c² + s² = 1; each unknown length
-//! stays what it is. A block in which an unknown stands both inside and outside of a sine is not algebraic.
+//! Each unknown angle becomes two variables, its cosine c and its sine s, with the equation c² + s² = 1. Each unknown
+//! length becomes one variable. A block is not algebraic if an unknown occurs both inside and outside a sine.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,43 +9,43 @@ use super::ClosedForm;
 use super::tear::Whole;
 use crate::algebra::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomial, Symbol, Variables};
 
-/// More paths than this are not followed.
+/// The largest number of paths that are followed.
 const LARGEST: usize = 1024;
 
 /// Polynomial equations for the unknowns of a block.
 pub(crate) struct PolynomialSystem {
-    /// What the variables stand for.
+    /// The meaning of the variables.
     pub(crate) variables: Vec<Variable>,
-    /// The terms, those of one equation after those of the other.
+    /// The terms, equation by equation.
     pub(crate) terms: Vec<PolynomialTerm>,
     /// Their coefficients, free of the block's unknowns.
     pub(crate) coefficients: Vec<Node>,
-    /// The unknowns that linear relations give, from the others.
+    /// The relations that give the other unknowns of the block linearly.
     pub(crate) relations: Vec<ClosedForm>,
     /// The product of the equations' degrees.
     pub(crate) paths: usize,
 }
 
-/// What a variable, or two of them, stand for.
+/// The meaning of one variable, or of two.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Variable {
-    /// Cosine and sine of an unknown angle, two variables.
+    /// Cosine and sine of an unknown angle: two variables.
     Turning(usize),
     /// An unknown itself.
     Plain(usize),
 }
 
-/// A term of an equation: a coefficient, by its place, and powers of variables, by their places.
+/// A term of an equation: the index of its coefficient, and powers of variables by index.
 pub(crate) struct PolynomialTerm {
     pub(crate) equation: usize,
     pub(crate) coefficient: usize,
     pub(crate) powers: Vec<(usize, u32)>,
 }
 
-/// Powers of variables, by place.
+/// Powers of variables, by index.
 type Powers = BTreeMap<usize, u32>;
 
-/// The system of a block, if it is algebraic and not too large.
+/// The system of a block, if the block is algebraic and not too large.
 pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem> {
     let unknowns = whole.unknowns.clone();
     let polynomials: Vec<Polynomial> = whole
@@ -122,8 +122,8 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     Some(system)
 }
 
-/// The degree of an equation in the variables. Those of the terms with different harmonics are independent of each other, so
-/// none of the highest degree cancels.
+/// The degree of an equation in the variables. Terms with different harmonics are independent, so no term of the
+/// highest degree cancels.
 fn degree(polynomial: &Polynomial) -> usize {
     let of_monomial = |monomial: &Monomial| -> usize {
         let powers: usize = monomial
@@ -153,7 +153,7 @@ impl PolynomialSystem {
         polynomial: &Polynomial,
         places: &BTreeMap<usize, usize>,
     ) {
-        // like terms of different harmonics, such as those of a double angle, are collected
+        // collect like terms from different harmonics, such as those of a double angle
         let mut collected: BTreeMap<Powers, Node> = BTreeMap::new();
         for (monomial, &coefficient) in &polynomial.0 {
             for (powers, factor) in expanded(graph, monomial, places) {
@@ -210,11 +210,11 @@ fn expanded(graph: &Graph, monomial: &Monomial, places: &BTreeMap<usize, usize>)
         .collect()
 }
 
-/// A polynomial with numbers for coefficients.
+/// A polynomial with numeric coefficients.
 type Numeric = BTreeMap<Powers, f64>;
 
-/// cos and sin of an integer combination of angles as polynomials in their cosines and sines: the parts of
-/// Π (c + i s)ⁿ, with the conjugate for negative n.
+/// cos and sin of an integer combination of angles, as polynomials in the cosines and sines of these angles: the parts
+/// of Π (c + i s)ⁿ, with the conjugate for negative n.
 fn turned(angle: &Angle, places: &BTreeMap<usize, usize>) -> (Numeric, Numeric) {
     let mut cosine = Numeric::from([(Powers::new(), 1.0)]);
     let mut sine = Numeric::new();
@@ -265,7 +265,7 @@ mod tests {
     use crate::algebra::{Angle, Graph, Symbol};
     use crate::structure::tear::Whole;
 
-    /// Cosine and sine of a sum of multiples of angles are what their polynomials are, at any angles.
+    /// The polynomials of cosine and sine of a sum of multiples of angles have the right values at any angles.
     #[test]
     fn multiples_of_angles_are_polynomials_in_cosines_and_sines() {
         let angles = [0.7_f64, -2.1];
@@ -291,7 +291,7 @@ mod tests {
             );
             let (cosine, sine) = turned(&angle, &places);
             let whole = f64::from(multiples[0]) * angles[0] + f64::from(multiples[1]) * angles[1];
-            // the coefficients add up to less than 40
+            // the absolute coefficients add up to less than 40
             assert!(
                 (value(&cosine) - whole.cos()).abs() < 40.0 * f64::EPSILON,
                 "{multiples:?}"
@@ -303,7 +303,8 @@ mod tests {
         }
     }
 
-    /// The polynomials of a block have the values of its equations, whatever the unknowns are, and each angle adds its circle.
+    /// The polynomials of a block have the values of its equations for any values of the unknowns, and each angle adds
+    /// its circle.
     #[test]
     fn a_system_is_its_equations() {
         let mut graph = Graph::new();
@@ -333,7 +334,7 @@ mod tests {
             system.variables,
             [Variable::Plain(0), Variable::Turning(1), Variable::Plain(2)]
         );
-        // of degrees 2, 3, 2, and a circle
+        // of degrees 2, 3, 2, and a circle of degree 2
         assert_eq!(system.paths, 24);
         let symbols = |symbol: Symbol| match symbol {
             Symbol::Unknown(unknown) => values[unknown],
@@ -351,7 +352,7 @@ mod tests {
         }
         for (sum, equation) in sums.into_iter().zip(equations) {
             let expected = graph.evaluate(equation, &symbols);
-            // a few terms below two
+            // the value has a few terms below two
             assert!((sum - expected).abs() < 20.0 * f64::EPSILON, "{sum} and not {expected}");
         }
         assert!(sums[3].abs() < 4.0 * f64::EPSILON, "cos² + sin² - 1 = {}", sums[3]);

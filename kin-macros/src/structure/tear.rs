@@ -1,13 +1,13 @@
-//! A block torn into parts: as much of it as possible is solved in closed form, and Newton's method finds the rest.
+//! Tearing: as much of a block as possible is solved in closed form, and Newton's method solves the rest.
 //!
-//! What is taken out leaves no choice behind, so that tearing adds no singular positions of its own to those of the block:
+//! The relations that are taken out leave no choice, so tearing adds no singular positions to those of the block:
 //!
-//! - an equation that is linear in an unknown, with a number for its coefficient, gives that unknown by the others;
-//! - a link whose angle stands in one loop only is taken out of it by the length of what it spans,
-//!   |C|² = |A|² for A cis(θ) = C, and its direction is that of C.
+//! - An equation that is linear in an unknown, with a number as its coefficient, gives this unknown from the others.
+//! - A link whose angle occurs in one loop only is replaced by its length: |C|² = |A|² for A cis(θ) = C. Its direction
+//! is that of C.
 //!
-//! What remains may fall apart into smaller parts, or have a closed form. (Tearing is G. Kron's word for it: "Diakoptics",
-//! 1963.)
+//! The remaining equations may fall into smaller parts, or have a closed form. (The word "tearing" is G. Kron's:
+//! "Diakoptics", 1963.)
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,10 +15,10 @@ use super::matching::Matching;
 use super::{ClosedForm, Method, Part, incidence, order, recognise, without_cancelling};
 use crate::algebra::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
 
-/// The parts that equations fall into, in the order in which they are solved.
+/// The parts into which equations fall, in the order in which they are solved.
 pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
     let equations = &without_cancelling(graph, equations, Variables::Unknowns(unknowns));
-    // numbered within the block, as the matching wants them
+    // renumbered within the block, because the matching counts from zero
     let incidence: Vec<BTreeSet<usize>> = incidence(graph, equations, Variables::Unknowns(unknowns))
         .into_iter()
         .map(|members| {
@@ -30,7 +30,7 @@ pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
         .collect();
     let matching = Matching::of(&incidence, unknowns.len());
     if !matching.faults(&incidence).is_empty() {
-        // an unknown has cancelled where it was taken out: the equations are solved as they are
+        // an unknown cancelled when another was taken out: solve the equations as they are
         return vec![newton(equations, unknowns, false)];
     }
     let mut parts = Vec::new();
@@ -46,7 +46,7 @@ pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
     parts
 }
 
-/// The parts of equations that cannot be ordered any further.
+/// The parts of equations that cannot be ordered further.
 fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
     let mut is_complete = true;
     let polynomials: Vec<Polynomial> = equations
@@ -73,15 +73,15 @@ fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<P
     parts
 }
 
-/// A block without its linear relations: the equations whose solutions, all together, are those of the block.
+/// A block without its linear relations. The solutions of the remaining equations are those of the block.
 pub(super) struct Whole {
     pub(super) equations: Vec<Node>,
     pub(super) unknowns: Vec<usize>,
-    /// What was taken out, in the order in which it is found from the rest.
+    /// The relations that were taken out, in the order in which they are solved after the rest.
     pub(super) relations: Vec<ClosedForm>,
 }
 
-/// A block with as many unknowns taken out as linear relations give.
+/// A block without the unknowns that linear relations give.
 pub(super) fn whole(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Whole {
     let mut whole = Whole {
         equations: equations.to_vec(),
@@ -98,7 +98,8 @@ pub(super) fn whole(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
     whole
 }
 
-/// An unknown taken out: the equations that remain, and how it is found when they are solved.
+/// The result of taking an unknown out: the remaining equations, and the relation that gives the unknown after they are
+/// solved.
 struct Torn {
     rest: Vec<Node>,
     unknown: usize,
@@ -122,8 +123,8 @@ fn newton(equations: &[Node], unknowns: &[usize], is_given_up: bool) -> Part {
     }
 }
 
-/// A relation between unknowns that is linear in all of them, such as that of two gears: the first unknown whose coefficient
-/// is 1 or -1 is taken out.
+/// Takes out a relation that is linear in all of its unknowns, such as the relation of two gears. It gives the first
+/// unknown whose coefficient is 1 or -1.
 fn relation(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<Torn> {
     for (place, &equation) in equations.iter().enumerate() {
         let partials: Vec<(usize, Node)> = unknowns
@@ -141,7 +142,7 @@ fn relation(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option
     None
 }
 
-/// An unknown that stands in an equation with a number for its coefficient, such as a length along an axis.
+/// Takes out an unknown that an equation contains with a number as its coefficient, such as a length along an axis.
 fn length(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<Torn> {
     for (place, &equation) in equations.iter().enumerate() {
         for &unknown in unknowns {
@@ -154,13 +155,14 @@ fn length(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<T
     None
 }
 
-/// The other equations with an unknown replaced by what one of them says of it.
+/// The other equations with an unknown replaced by its solution from one equation.
 fn substituted(graph: &mut Graph, equations: &[Node], place: usize, unknown: usize, coefficient: Node) -> Torn {
     let own = graph.symbol(Symbol::Unknown(unknown));
     let term = graph.multiply(coefficient, own);
     let mut right = graph.subtract(term, equations[place]);
     if graph.contains(right, Symbol::Unknown(unknown)) {
-        // within a product that is not multiplied out it does not cancel; the equation is linear in it
+        // the unknown does not cancel within a product that is not multiplied out; set it to zero there, because the
+        // equation is linear in it
         let mut vanished = BTreeMap::from([(own, graph.zero())]);
         let others = graph.substitute(equations[place], &mut vanished);
         right = graph.negate(others);
@@ -184,7 +186,7 @@ fn substituted(graph: &mut Graph, equations: &[Node], place: usize, unknown: usi
     }
 }
 
-/// A link whose angle stands in the two equations of one loop and nowhere else.
+/// Takes out a link whose angle occurs only in the two equations of one loop.
 fn link(graph: &mut Graph, equations: &[Node], polynomials: &[Polynomial], unknowns: &[usize]) -> Option<Torn> {
     for &unknown in unknowns {
         let places: Vec<usize> = (0..equations.len())
@@ -222,7 +224,7 @@ fn link(graph: &mut Graph, equations: &[Node], polynomials: &[Polynomial], unkno
 mod tests {
     use super::*;
 
-    /// What gears say of angles is taken out of a block, one relation after the other, until a single unknown is left.
+    /// The relations of gears are taken out of a block, one after the other, until one unknown is left.
     #[test]
     fn linear_relations_are_taken_out_of_a_block() {
         let mut graph = Graph::new();
@@ -254,7 +256,7 @@ mod tests {
         let rest = graph.linear(-1.0, &[(sines[0], 1.0), (sines[1], 1.0), (sines[2], 1.0)]);
         assert_eq!(taken.equations, [rest]);
 
-        // of the last unknown nothing is taken
+        // nothing is taken out of a block with one unknown
         let alone = whole(&mut graph, &[y], &[3]);
         assert_eq!((alone.unknowns, alone.relations.len()), (vec![3], 0));
     }

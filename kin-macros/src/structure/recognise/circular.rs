@@ -32,7 +32,8 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
             height,
         });
     }
-    // the two solutions change places with the equation's sign, which must not depend on how it was typed
+    // a change of the equation's sign exchanges the two solutions, so the sign must not depend on how the equation was
+    // typed
     if graph.probes_negative(a) {
         let (a, b, c) = (graph.negate(a), graph.negate(b), graph.negate(c));
         return Some(ClosedForm::CosineSine { unknown, a, b, c });
@@ -40,7 +41,7 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
     Some(ClosedForm::CosineSine { unknown, a, b, c })
 }
 
-/// What is divided and what divides it, without what both have in common; numbers belong to the first.
+/// Divides two expressions by their common factors. Numbers go to the numerator.
 fn quotient(graph: &mut Graph, above: Node, below: Node) -> (Node, Node) {
     let quotient = graph.divide(above, below);
     let (_, bare) = graph.split_coefficient(quotient);

@@ -1,4 +1,4 @@
-//! An unknown inside of one invertible function: f(g(x)) = v, solved as g(x) = f⁻¹(v).
+//! An unknown inside one invertible function: f(g(x)) = v, solved as g(x) = f⁻¹(v).
 
 use std::collections::BTreeMap;
 
@@ -59,12 +59,12 @@ pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize
                 middle,
             })
         }
-        // one assembly does not tell four solutions apart
+        // one assembly cannot distinguish four solutions
         (Inverse::Even(_) | Inverse::None, _) => None,
     }
 }
 
-/// A simple expression with the sign of another one: numbers and powers with an even exponent are left out.
+/// A simpler expression with the sign of `node`, without numbers and powers of even exponents.
 fn of_the_same_sign(graph: &mut Graph, node: Node) -> Node {
     let (coefficient, bare) = graph.split_coefficient(node);
     let factors = match graph.kind(bare) {
@@ -92,7 +92,8 @@ mod tests {
         recognise(graph, &equation, 0)
     }
 
-    /// One function of the unknown is inverted, times a number or a parameter and with what is free of the unknown beside it.
+    /// A single function of the unknown is inverted, with a number or a parameter as its factor and terms free of the
+    /// unknown beside it.
     #[test]
     fn a_single_function_is_inverted() {
         let mut graph = Graph::new();
@@ -115,7 +116,8 @@ mod tests {
         assert!(matches!(*then, ClosedForm::Linear { unknown: 0, .. }));
     }
 
-    /// A hyperbolic cosine has two solutions, on both sides of the middle; the growth has the sign of the coefficient of the unknown.
+    /// A hyperbolic cosine has two solutions, one on each side of the middle. The growth has the sign of the unknown's
+    /// coefficient.
     #[test]
     fn an_even_function_is_inverted_twice() {
         let mut graph = Graph::new();
@@ -145,12 +147,12 @@ mod tests {
                 panic!("cosh(2 factor x - q) = 3");
             };
             assert_eq!(growth, expected);
-            // x is in the middle where the argument is zero
+            // x is in the middle if the argument is zero
             let (center, expected) = (graph.divide(middle, coefficient), graph.divide(q, factor));
             assert_eq!(center, graph.scale(0.5, expected));
             assert_ne!(right, middle);
         }
-        // each of the two would have two again
+        // each of the two solutions would give two more
         let square = graph.power(x, 2);
         let cosine = graph.call(Function::Cosh, &[square]);
         let equation = graph.linear(-3.0, &[(cosine, 1.0)]);

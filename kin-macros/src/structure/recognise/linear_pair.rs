@@ -1,4 +1,4 @@
-//! Two equations that are linear in both unknowns: a plane loop with two unknown lengths is one.
+//! Two equations that are linear in both unknowns, such as a plane loop with two unknown lengths.
 
 use crate::algebra::{Graph, Harmonic, Node, Polynomial, Symbol};
 use crate::structure::ClosedForm;

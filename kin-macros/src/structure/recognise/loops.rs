@@ -1,30 +1,30 @@
-//! Plane loops: two scalar equations that are the parts of one equation of complex numbers.
+//! Plane loops: two scalar equations that are the parts of one complex equation.
 //!
-//! The pair may have been typed as a vector equation, or as two scalar ones with their sides, signs, order and even
-//! factors changed. It is a loop if one row can be scaled (and the two exchanged) so that the coefficients of every
-//! cos φ, sin φ form a matrix [[p, -q], [q, p]], which is multiplication by p + i q, or its mirror image.
+//! The pair may have been typed as a vector equation, or as two scalar equations with sides, signs, order and even
+//! factors changed. It is a loop if one row can be scaled, and the rows exchanged, so that the coefficients of every
+//! cos φ, sin φ form a matrix [[p, -q], [q, p]], which multiplies by p + i q, or its mirror image.
 
 use std::collections::BTreeSet;
 
 use crate::algebra::{Angle, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
 use crate::structure::{Arm, ClosedForm, ComplexNode};
 
-/// A pair of rows, `rows[0] = 0` the real part and `rows[1] = 0` the imaginary part of a loop.
+/// A pair of rows: `rows[0] = 0` is the real part and `rows[1] = 0` the imaginary part of a loop.
 struct RowPair<'a> {
     rows: [&'a Polynomial; 2],
-    /// What the second row is multiplied by.
+    /// The factor of the second row.
     scale: Node,
 }
 
-/// A pair of rows read as a loop: each place's factor, and whether its angle runs clockwise.
+/// A pair of rows read as a loop, with the factor of each place and whether its angle runs clockwise.
 struct Reading<'a> {
-    /// How far it is from the plain way to write a loop.
+    /// The distance from the usual way to write a loop.
     cost: usize,
     factors: Vec<(ComplexNode, bool)>,
     rows: RowPair<'a>,
 }
 
-/// cos φ and sin φ times a power product: one place where a rotating vector stands.
+/// cos φ and sin φ times a power product: one place of a rotating vector.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct TurningTerm {
     powers: Vec<(Node, i32)>,
@@ -81,8 +81,8 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
             else {
                 continue;
             };
-            // prefer real factors, then counter-clockwise angles, then the rows as typed: where as many angles run
-            // clockwise as not, a loop must not be taken for its mirror image, in which open and crossed change places
+            // prefer real factors, then counter-clockwise angles, then the rows as typed. If as many angles run
+            // clockwise as not, a loop must not be confused with its mirror image, which exchanges open and crossed
             let cost = factors
                 .iter()
                 .map(|(factor, mirrored)| 16 * usize::from(!factor.is_real(graph)) + 4 * usize::from(*mirrored))
@@ -112,8 +112,8 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
         .or_else(|| polar(graph, &rows, &arms, unknowns))
 }
 
-/// The one link of a loop that turns with an unknown, and the rest of the loop: arm + rest = 0. `None` if the unknown stands
-/// in the equations in any other way.
+/// The only link of a loop that turns with an unknown, and the rest of the loop: arm + rest = 0. `None` if the unknown
+/// occurs anywhere else in the equations.
 pub(in crate::structure) fn arm(
     graph: &mut Graph,
     equations: [&Polynomial; 2],
@@ -166,7 +166,7 @@ pub(in crate::structure) fn arm(
     None
 }
 
-/// The factor of the second row that makes the first place a multiplication by a complex number.
+/// The factor of the second row with which the first place is a multiplication by a complex number.
 fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &TurningTerm, mirrored: bool) -> Option<Node> {
     let [cosine, sine] = place.monomials();
     let (cosine_above, sine_above) = (rows[0].coefficient(graph, &cosine), rows[0].coefficient(graph, &sine));
@@ -226,13 +226,13 @@ impl RowPair<'_> {
         None
     }
 
-    /// What the rotating vectors add up to: minus the terms free of unknowns.
+    /// The sum of the rotating vectors: minus the terms free of unknowns.
     fn target(&self, graph: &mut Graph) -> ComplexNode {
         let free = self.complex(graph, &Monomial::one());
         ComplexNode::new(graph.negate(free.re), graph.negate(free.im))
     }
 
-    /// The monomials without sine or cosine that contain unknowns.
+    /// The monomials that contain unknowns but no sine or cosine.
     fn straight(&self) -> BTreeSet<&Monomial> {
         self.rows
             .iter()
@@ -255,7 +255,7 @@ fn two_angles(
     if !first_place.powers.is_empty() || !second_place.powers.is_empty() || !rows.straight().is_empty() {
         return None;
     }
-    // the unknowns must follow from the two angles without a choice of turns
+    // the unknowns must follow from the two angles without a choice of whole turns
     let multiple = |arm: &Arm, unknown: usize| {
         arm.angle
             .0
@@ -276,7 +276,7 @@ fn two_angles(
     })
 }
 
-/// Which of two unknowns an arm's angle is, if it is exactly that one, and the other unknown.
+/// The unknown that equals an arm's angle, and the other unknown. `None` if the angle is not a single unknown.
 fn split_unknowns(arm: &Arm, unknowns: [usize; 2]) -> Option<(usize, usize)> {
     let [(Symbol::Unknown(angle), 1)] = arm.angle.0[..] else {
         return None;
@@ -366,7 +366,7 @@ mod tests {
 
     struct Links {
         graph: Graph,
-        /// Two lengths and the parts of what they span.
+        /// Two lengths, and the components of the vector that they span.
         parameters: [Node; 4],
         unknowns: [Node; 2],
     }
@@ -380,7 +380,7 @@ mod tests {
         }
     }
 
-    /// Σ length · cis(± angle) - (c + i d), the signs those of the senses.
+    /// Σ length · cis(± angle) - (c + i d), with the signs in `senses`.
     fn loop_of(links: &mut Links, senses: [f64; 2]) -> [Node; 2] {
         let [a, b, c, d] = links.parameters;
         let graph = &mut links.graph;
@@ -394,7 +394,7 @@ mod tests {
         ]
     }
 
-    /// A loop is read as it was typed, and not as its mirror image, in which open and crossed change places.
+    /// A loop is read as typed and not as its mirror image, which exchanges open and crossed.
     #[test]
     fn angles_keep_their_sense() {
         for senses in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0]] {
@@ -410,7 +410,7 @@ mod tests {
         }
     }
 
-    /// A length that is found with its angle may have another one added to it.
+    /// An offset may be added to a length that is found together with its angle.
     #[test]
     fn a_length_may_have_an_offset() {
         let Links {

@@ -1,6 +1,6 @@
-//! A block's equations, as trigonometric polynomials in its unknowns, compared with the closed forms.
+//! The comparison of a block's equations, as trigonometric polynomials in its unknowns, with the closed forms.
 //!
-//! Everything here looks at coefficients of monomials, never at how an equation was typed.
+//! Only the coefficients of monomials count here, never how an equation was typed.
 
 mod circular;
 mod inverse;
@@ -23,7 +23,7 @@ pub(super) fn closed_form(graph: &mut Graph, equations: &[Polynomial], unknowns:
     }
 }
 
-/// One equation for one unknown.
+/// The closed form of one equation for one unknown.
 fn single(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
     powers::recognise(graph, equation, unknown)
         .or_else(|| circular::recognise(graph, equation, unknown))

@@ -46,7 +46,8 @@ mod tests {
         recognise(graph, &equation, 0)
     }
 
-    /// An equation has this form if it has the unknown's first two powers, and nothing else that depends on it.
+    /// An equation has this form only if its terms contain the unknown's first two powers, and no other term depends on
+    /// the unknown.
     #[test]
     fn powers_are_those_of_the_unknown_itself() {
         let mut graph = Graph::new();
