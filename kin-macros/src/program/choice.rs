@@ -5,26 +5,26 @@ use crate::algebra::Node;
 /// How one of two solutions is chosen.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Mode {
-    /// There is but one.
+    /// There is only one solution.
     Only,
-    /// By the block's assembly: the index of the caller's choice.
+    /// The block's assembly decides: the index of the caller's choice.
     Assembly(usize),
-    /// By the range declared for an unknown, known when the declaration is compiled.
+    /// The range declared for an unknown decides, whatever the dimensions.
     Fixed { is_open: bool },
-    /// By the ranges declared for unknowns, looked up when the candidates are there.
+    /// The ranges declared for unknowns decide at run time, by the candidates.
     Ranged,
 }
 
-/// A range declared for an unknown, as far as choosing needs it.
+/// The range declared for an unknown, as far as the choice needs it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     pub(crate) low: f64,
     pub(crate) high: f64,
 }
 
-/// The choice that a block leaves.
+/// The choice that a part of a block leaves.
 pub(crate) struct Choice {
     pub(crate) mode: Mode,
-    /// Positive in the open assembly, as an expression of unknowns, inputs and parameters.
+    /// An expression of unknowns, inputs and parameters that is positive in the open assembly.
     pub(crate) orientation: Option<Node>,
 }

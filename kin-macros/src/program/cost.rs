@@ -1,4 +1,4 @@
-//! What a program costs.
+//! The cost of a program.
 
 use std::ops::Add;
 
@@ -18,7 +18,7 @@ pub(crate) struct Cost {
 }
 
 impl Cost {
-    /// No operation at all.
+    /// No operations.
     pub(crate) const NONE: Self = Self {
         additions: 0,
         multiplications: 0,
@@ -34,17 +34,17 @@ impl Cost {
     /// A sine and a cosine of one angle.
     pub(crate) const SINE_COSINE: Self = Self::of(&[Work::SineCosine]);
 
-    /// Everything but roots, trigonometry and other functions.
+    /// All operations except roots, trigonometry and other functions.
     pub(crate) const fn arithmetic(self) -> usize {
         self.additions + self.multiplications + self.divisions + self.negations
     }
 
-    /// The number of operations, where a function counts as twenty.
+    /// The number of operations, with each function counted as twenty.
     pub(crate) const fn total(self) -> usize {
         self.arithmetic() + 20 * (self.square_roots + self.sine_cosines + self.arc_tangents + self.others)
     }
 
-    /// The cost of some work.
+    /// The cost of a list of work.
     pub(crate) const fn of(work: &[Work]) -> Self {
         let mut cost = Self::NONE;
         let mut rest = work;
@@ -63,7 +63,7 @@ impl Cost {
         cost
     }
 
-    /// The cost of factoring a matrix of so many rows, see `kin_core::solve::factor`.
+    /// The cost of factoring a matrix of `size` rows, see `kin_core::solve::factor`.
     pub(crate) const fn of_factors(size: usize) -> Self {
         let mut products = 0;
         let mut rows = 1;
@@ -71,7 +71,7 @@ impl Cost {
             products += rows * rows;
             rows += 1;
         }
-        // rows and columns are levelled by powers of two
+        // rows and columns are scaled by powers of two
         let levelling = 2 * size * size;
         Self {
             additions: products,
@@ -81,7 +81,7 @@ impl Cost {
         }
     }
 
-    /// The cost of solving by the factors of a matrix of so many rows, see `kin_core::solve::Factors::solve`.
+    /// The cost of a solution with the factors of a matrix of `size` rows, see `kin_core::solve::Factors::solve`.
     pub(crate) const fn of_substitution(size: usize) -> Self {
         Self {
             additions: size * (size - 1),
@@ -124,7 +124,7 @@ mod tests {
         others: 8000,
     };
 
-    /// The cost of both is the sum of each kind.
+    /// Costs are added kind by kind.
     #[test]
     fn costs_add_up_by_kind() {
         let double = Cost {
@@ -144,7 +144,7 @@ mod tests {
         assert_eq!(ONE.total(), 4321 + 20 * 8765);
     }
 
-    /// Each piece of work is counted among its kind, as often as it occurs.
+    /// Each piece of work is counted under its kind, as often as it occurs.
     #[test]
     fn work_is_counted_by_kind() {
         use Work::{ArcTangent, Division, Multiplication, Other, SineCosine, SquareRoot};
@@ -172,9 +172,10 @@ mod tests {
         assert_eq!(Cost::of(&[]), Cost::NONE);
     }
 
-    /// Gaussian elimination of three rows: one division for each of the three entries below the diagonal, and for each of these a
-    /// product and a difference for each entry that is left in its row, 2 · 2 and 1. Solving takes a product and a difference for
-    /// each of the six entries beside the diagonal, a division for each row, and levels rows and columns.
+    /// Gaussian elimination of three rows takes one division for each of the three entries below the diagonal. Each of
+    /// these entries also takes a product and a difference for each entry left in its row: 2 · 2 and 1. A solution
+    /// takes a product and a difference for each of the six entries beside the diagonal, a division for each row, and
+    /// the scaling of rows and columns.
     #[test]
     fn factors_cost_what_elimination_takes() {
         let factors = Cost::of_factors(3);

@@ -1,8 +1,8 @@
-//! Expressions as they are written.
+//! Expressions, ready to be written.
 
 use crate::algebra::{Function, Symbol};
 
-/// What stands on the right of a `let`.
+/// The right side of a `let`.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) enum Expression {
     Name(Symbol),
@@ -17,7 +17,7 @@ pub(crate) enum Expression {
 }
 
 impl Expression {
-    /// Adds the symbols in it.
+    /// Adds the symbols in the expression.
     pub(super) fn collect_symbols(&self, symbols: &mut Vec<Symbol>) {
         match self {
             Self::Name(symbol) => symbols.push(*symbol),

@@ -1,7 +1,7 @@
-//! The middle language: a program of stages and steps, whose expressions are nodes of a graph at first, and are written out when the
-//! program is scheduled.
+//! The middle language: a program of stages and steps. Its expressions are nodes of a graph until the program is
+//! scheduled; then they are ready to be written.
 //!
-//! Values are known by symbols. Their names are looked up where a program becomes text, and nowhere before.
+//! Values are identified by symbols. Names are looked up only when a program becomes text.
 
 mod choice;
 mod cost;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::Symbol;
 
-/// The names that generated code needs for itself where the names of a program stand as well.
+/// The names that generated code needs for itself beside the names of a program.
 pub(crate) const OWN_NAMES: [&str; 13] = [
     "assembly",
     "near",
@@ -21,19 +21,19 @@ pub(crate) const OWN_NAMES: [&str; 13] = [
     "values",
 ];
 
-/// The names of symbols in generated code, no two alike.
+/// The names of symbols in generated code. No two are equal.
 #[derive(Clone, Default)]
 pub(crate) struct Names {
     by_symbol: BTreeMap<Symbol, String>,
     taken: BTreeSet<String>,
-    /// The number that was last put behind a wish.
+    /// The last number appended to each wish.
     last: BTreeMap<String, usize>,
-    /// How many values have got a symbol together with their name.
+    /// The number of values whose symbols were created with their names.
     values: usize,
 }
 
 impl Names {
-    /// A name that is not taken yet, as close to the wish as possible.
+    /// A free name that is as close to the wish as possible.
     pub(crate) fn unique(&mut self, wish: &str) -> String {
         if self.taken.insert(wish.to_owned()) {
             return wish.to_owned();
@@ -59,13 +59,13 @@ impl Names {
         self.by_symbol.insert(symbol, name);
     }
 
-    /// Gives a symbol the very name that it was declared with.
+    /// Gives a symbol exactly the name that it was declared with.
     pub(crate) fn name_exactly(&mut self, symbol: Symbol, name: &str) {
         self.reserve(name);
         self.by_symbol.insert(symbol, name.to_owned());
     }
 
-    /// A new symbol, with a name as close to the wish as possible.
+    /// A new symbol, with a name that is as close to the wish as possible.
     pub(crate) fn value(&mut self, wish: &str) -> Symbol {
         let symbol = Symbol::Value(self.values);
         self.values += 1;
@@ -73,7 +73,8 @@ impl Names {
         symbol
     }
 
-    /// Takes over the names of a scope within, which began as a copy of these. A name of that scope may be used again outside.
+    /// Takes over the names of an inner scope, which began as a copy of these. A name of that scope may be used again
+    /// outside.
     pub(crate) fn adopt(&mut self, inner: Self) {
         self.values = inner.values;
         for (symbol, name) in inner.by_symbol {
@@ -81,7 +82,7 @@ impl Names {
         }
     }
 
-    /// The name of a symbol that has been named.
+    /// The name of a symbol, which must have one.
     pub(crate) fn of(&self, symbol: Symbol) -> &str {
         self.by_symbol.get(&symbol).map_or("unnamed", String::as_str)
     }

@@ -1,6 +1,6 @@
 //! The names of the time derivatives.
 
-/// Position, velocity, acceleration, jerk, snap, ….
+/// The names of the orders that have one.
 const NAMES: [&str; 7] = ["position", "velocity", "acceleration", "jerk", "snap", "crackle", "pop"];
 
 /// The name of the n-th time derivative.

@@ -1,4 +1,5 @@
-//! A printout of the middle language: which way was kept and why, and the steps of each order with their costs.
+//! A printout of the middle language: the way that was kept and the ways that were tried, then the steps of each order
+//! with their costs.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -52,7 +53,7 @@ fn stage_of(
     )?;
     let mut values = Vec::new();
     for step in &stage.steps {
-        // values of no other kind than an expression stand on lines of their own
+        // values that are plain expressions are listed on lines of their own
         if let Step::Define { symbol, .. } = step {
             values.push(program.names.of(*symbol));
             continue;
@@ -75,7 +76,7 @@ fn write_values(formatter: &mut Formatter<'_>, values: &mut Vec<&str>) -> fmt::R
     wrapped(formatter, "  let", &std::mem::take(values))
 }
 
-/// Names behind a word, on as many lines as they need.
+/// Writes names after a word, on as many lines as they need.
 fn wrapped(formatter: &mut Formatter<'_>, word: &str, names: &[&str]) -> fmt::Result {
     let mut line = String::new();
     for (place, name) in names.iter().enumerate() {
@@ -96,7 +97,7 @@ fn wrapped(formatter: &mut Formatter<'_>, word: &str, names: &[&str]) -> fmt::Re
     Ok(())
 }
 
-/// A step without its expressions; nothing for one that computes nothing.
+/// A step without its expressions; `None` for a step that computes nothing.
 fn line(step: &Step<Expression>, names: &Names) -> Option<String> {
     let list = |symbols: Vec<Symbol>| -> String {
         let list: Vec<&str> = symbols.into_iter().map(|symbol| names.of(symbol)).collect();
@@ -121,7 +122,7 @@ fn line(step: &Step<Expression>, names: &Names) -> Option<String> {
     })
 }
 
-/// The functions of a cost in words, behind a comma each.
+/// The functions of a cost in words, each after a comma.
 fn functions(cost: Cost) -> String {
     let counts = [
         (cost.square_roots, "square root"),
@@ -152,7 +153,7 @@ mod tests {
         insta::assert_snapshot!(sound(declarations::triad()).solvers(Passes::ALL));
     }
 
-    /// The architecture shows the printout of the four-bar.
+    /// The chapter on the architecture shows the printout of the four-bar.
     #[test]
     fn the_book_shows_it() {
         let book = include_str!("../../../docs/architecture.md");

@@ -1,4 +1,4 @@
-//! The closed forms of `kin_core::solve` that generated code calls: their names, what they take and return, and what they cost.
+//! The closed forms of `kin_core::solve` that generated code calls: their names, arguments, results and costs.
 
 use super::Cost;
 use crate::algebra::Checked;
@@ -13,7 +13,7 @@ pub(crate) enum Argument<E> {
 }
 
 impl<E> Argument<E> {
-    /// The expressions in it, in the order in which they are written.
+    /// The expressions in the argument, in the order in which they are written.
     pub(crate) fn expressions(&self) -> Vec<&E> {
         match self {
             Self::Scalar(value) => vec![value],
@@ -22,7 +22,7 @@ impl<E> Argument<E> {
         }
     }
 
-    /// The same argument in other expressions.
+    /// The same argument with other expressions.
     pub(crate) fn map<F>(&self, mut other: impl FnMut(&E) -> F) -> Argument<F> {
         match self {
             Self::Scalar(value) => Argument::Scalar(other(value)),
@@ -65,12 +65,12 @@ pub(crate) enum Solver {
     SquareRoot,
     /// The inverse of a function.
     Inverse(&'static Checked),
-    /// The inverse of an even function, of its value and of a number whose sign belongs to the open assembly.
+    /// The inverse of an even function. It takes the function's value and a number with the sign of the open assembly.
     EvenInverse(&'static Checked),
 }
 
 impl Solver {
-    /// Its name in `kin_core::solve`.
+    /// The name in `kin_core::solve`.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::CircleCircle => "circle_circle",
@@ -91,7 +91,7 @@ impl Solver {
         }
     }
 
-    /// Whether it takes an assembly.
+    /// Whether the closed form takes an assembly.
     pub(crate) const fn takes_assembly(self) -> bool {
         match self {
             Self::Linear | Self::LinearPair | Self::Inverse(_) => false,
@@ -111,7 +111,7 @@ impl Solver {
         }
     }
 
-    /// Whether it decides on the sign of an argument, of which it does not know the terms.
+    /// Whether the closed form decides by the sign of an argument whose terms it does not know.
     pub(crate) const fn decides_on(self, place: usize) -> bool {
         match self {
             Self::Linear | Self::SquareRoot | Self::Quadratic | Self::Polar => place == 0,
@@ -145,7 +145,7 @@ impl Solver {
         }
     }
 
-    /// What it costs in the assembly that costs more.
+    /// The cost in the assembly that costs more.
     pub(crate) const fn dearest(self) -> Cost {
         let (open, crossed) = (self.cost(true), self.cost(false));
         if open.negations > crossed.negations {
@@ -155,7 +155,7 @@ impl Solver {
         }
     }
 
-    /// What it costs in an assembly; a test runs every library mechanism with counting numbers and compares.
+    /// The cost in an assembly. A test runs every library mechanism with counting numbers and compares.
     pub(crate) const fn cost(self, is_open: bool) -> Cost {
         let work = match self {
             Self::CircleCircle => closed_form(8, 12, 1, 1),
@@ -195,7 +195,7 @@ impl Solver {
     }
 }
 
-/// The cost of a closed form that only one of the assemblies adds to.
+/// The cost of a closed form in which only one of the assemblies adds an operation.
 const fn closed_form(additions: usize, multiplications: usize, divisions: usize, square_roots: usize) -> Cost {
     Cost {
         additions,
@@ -216,7 +216,7 @@ mod tests {
     use super::*;
     use crate::algebra::{Function, Inverse, InverseFunction};
 
-    /// The functions of `kin_core::solve`: whether the last argument is an assembly, and what an `Ok` holds.
+    /// The functions of `kin_core::solve`: whether the last argument is an assembly, and the type in `Ok`.
     fn functions() -> BTreeMap<String, (bool, String)> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/solve");
         let rooms = ["forms", "guard"].map(|room| fs::read_dir(format!("{folder}/{room}")));
@@ -242,7 +242,7 @@ mod tests {
         functions
     }
 
-    /// Generated code calls each closed form as it is declared, and takes apart what it returns.
+    /// The calls in generated code match the declarations of the closed forms: names, arguments and results.
     #[test]
     fn solvers_are_what_is_declared_in_kin_core() {
         let functions = functions();

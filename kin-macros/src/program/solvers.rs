@@ -6,30 +6,30 @@ use super::{Choice, Directions, Expression, Names, Program, Stage, Trials};
 use crate::algebra::{Graph, Symbol};
 use crate::structure::Dyad;
 
-/// The programs that a mechanism needs, and what has been decided about them.
+/// The programs that a mechanism needs, and the decisions behind them.
 pub(crate) struct Solvers {
-    /// Position and every order after it, and the sensitivities if they were requested.
+    /// The position and every order after it, then the sensitivities if they are requested.
     pub(crate) motion: Program<Expression>,
-    /// How each part of the blocks chooses between its solutions.
+    /// The choice between the solutions of each part.
     pub(crate) choices: Vec<Choice>,
-    /// Holds the expressions of the choices.
+    /// The graph of the expressions in the choices.
     pub(crate) graph: Graph,
-    /// The rates to be tested, by unknown and order. If they are finite, all are.
+    /// The rates to be tested, by unknown and order. If they are finite, all rates are.
     pub(crate) telltales: BTreeSet<(usize, usize)>,
-    /// The assembly of a guess: definitions in the order of the choices, each positive in the open assembly.
+    /// The assembly of a guess: one definition for each choice, positive in the open assembly.
     pub(crate) orientations: Program<Expression>,
-    /// Their symbols.
+    /// The symbols of these definitions.
     pub(crate) orientation_symbols: Vec<Symbol>,
-    /// The way through all positions where a block is left to Newton's method, if its equations are algebraic.
+    /// The program that goes through all positions, if Newton's method solves a part and the equations are algebraic.
     pub(crate) every: Option<Program<Expression>>,
-    /// The transmission angles, if they were requested.
+    /// The transmission angles, if they are requested.
     pub(crate) transmission: Option<TransmissionAngles>,
     /// Whether equations or outputs were too large to be multiplied out.
     pub(crate) is_form_given_up: bool,
     pub(crate) trials: Trials,
 }
 
-/// The dyads, each with the symbols of its angle's sine and cosine, and the program that computes them.
+/// The dyads, each with the symbols of its angle's sine and cosine, and the program that computes these.
 pub(crate) struct TransmissionAngles {
     pub(crate) dyads: Vec<(Dyad, [Symbol; 2])>,
     pub(crate) program: Program<Expression>,
@@ -41,13 +41,13 @@ impl Solvers {
         self.orders().len() - 1
     }
 
-    /// Position, velocity, …: a stage for each order.
+    /// The stages of the orders: position, velocity, ….
     pub(crate) fn orders(&self) -> &[Stage<Expression>] {
         let stages = &self.motion.stages;
         &stages[..stages.len() - usize::from(self.motion.has_sensitivities)]
     }
 
-    /// The stage of the partial derivatives by the parameters, if they were requested.
+    /// The stage of the partial derivatives by the parameters, if they are requested.
     pub(crate) fn sensitivities(&self) -> Option<&Stage<Expression>> {
         self.motion.stages.last().filter(|_| self.motion.has_sensitivities)
     }
@@ -57,7 +57,7 @@ impl Solvers {
         &self.motion.names
     }
 
-    /// The unknowns that are handed out as unit vectors.
+    /// The unknowns that are returned as unit vectors.
     pub(crate) fn directions(&self) -> &Directions {
         &self.motion.directions
     }

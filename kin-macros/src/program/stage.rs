@@ -3,15 +3,16 @@
 use super::{Cost, Directions, Expression, Names, Step};
 use crate::algebra::{Node, Symbol};
 
-/// The steps of one order: 0 is position, 1 velocity, and so on. What else a stage holds is known when it is scheduled.
+/// The steps of one order: 0 is position, 1 velocity, and so on. The other fields are filled when the stage is
+/// scheduled.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Stage<E> {
     pub(crate) steps: Vec<Step<E>>,
-    /// Values of earlier stages that it uses, besides positions and rates.
+    /// Values of earlier stages that the stage uses, besides positions and rates.
     pub(crate) uses: Vec<Carried>,
-    /// Symbols whose values or rates it uses.
+    /// Symbols whose values or rates the stage uses.
     pub(crate) reads: Vec<Symbol>,
-    /// Values that it hands to later stages.
+    /// Values that the stage hands to later stages.
     pub(crate) carries: Vec<Carried>,
     pub(crate) cost: Cost,
 }
@@ -20,12 +21,12 @@ pub(crate) struct Stage<E> {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Carried {
     pub(crate) symbol: Symbol,
-    /// Set if it is the factors of a matrix of so many rows.
+    /// The number of rows, if the value is the factors of a matrix.
     pub(crate) factors: Option<usize>,
 }
 
 impl Carried {
-    /// The place of the parameter that it is, which the first stage takes from the structure itself.
+    /// The index of the parameter, if the value is one. The first stage reads parameters from the structure.
     pub(crate) fn parameter(self) -> Option<usize> {
         match self.symbol {
             Symbol::Parameter(index) => Some(index),
@@ -48,25 +49,25 @@ impl<E> Stage<E> {
 }
 
 impl Stage<Node> {
-    /// The expressions that its steps need.
+    /// The expressions that the steps need.
     pub(crate) fn needs(&self) -> impl Iterator<Item = Node> + '_ {
         self.steps.iter().flat_map(Step::needs)
     }
 }
 
-/// Position and every order after it.
+/// The position and every order after it.
 #[derive(Clone)]
 pub(crate) struct Program<E> {
     pub(crate) stages: Vec<Stage<E>>,
     pub(crate) names: Names,
-    /// The unknowns that are handed out as unit vectors.
+    /// The unknowns that are returned as unit vectors.
     pub(crate) directions: Directions,
-    /// Whether the last stage is that of the sensitivities, a method of the mechanism, as the position is.
+    /// Whether the last stage holds the sensitivities. Like the position, they are a method of the mechanism.
     pub(crate) has_sensitivities: bool,
 }
 
 impl<E> Program<E> {
-    /// A program of one stage and nothing else.
+    /// A program of a single stage.
     pub(crate) fn single(steps: Vec<Step<E>>, names: Names) -> Self {
         Self {
             stages: vec![Stage::new(steps)],
@@ -88,7 +89,7 @@ impl Program<Expression> {
 mod tests {
     use super::*;
 
-    /// What the first stage takes from the structure is a parameter itself.
+    /// A carried parameter is known by its index.
     #[test]
     fn parameters_are_carried_by_their_place() {
         let place = |symbol: Symbol| Carried { symbol, factors: None }.parameter();

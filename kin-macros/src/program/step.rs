@@ -5,46 +5,47 @@ use super::expression::Expression;
 use super::solver::{Argument, Solver};
 use crate::algebra::{Checked, Node, Symbol};
 
-/// One step. The expressions `E` are nodes of a graph until the program is scheduled, and then expressions to be written.
+/// One step. Its expressions `E` are nodes of a graph until the program is scheduled, and ready to be written
+/// afterwards.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) enum Step<E> {
-    /// A value under a name.
+    /// A value and its symbol.
     Define { symbol: Symbol, value: E },
-    /// A function that is not defined everywhere, with a check. Scheduling makes this step.
+    /// A checked call of a function that is not defined everywhere. Scheduling makes this step.
     Check {
         symbol: Symbol,
         guard: &'static Checked,
         argument: E,
     },
-    /// Sine and cosine of one angle, of which one may not be needed. Scheduling makes this step.
+    /// Sine and cosine of one angle. One of them may be unused. Scheduling makes this step.
     SineCosine {
         sine: Option<Symbol>,
         cosine: Option<Symbol>,
         angle: E,
     },
-    /// A closed form. Its results are in order; scheduling leaves out those that nothing needs.
+    /// A call of a closed form, with its results in order. Scheduling leaves out the results that nothing needs.
     Solve {
         solver: Solver,
         arguments: Vec<Argument<E>>,
         results: Vec<Option<Symbol>>,
     },
-    /// The direction of a vector. Its length may be negative, unless there is none.
+    /// The direction of a vector. If a length is given, it may be negative.
     Angle {
         symbol: Symbol,
         y: E,
         x: E,
         length: Option<E>,
     },
-    /// The unknown, just computed, is compared with the range declared for it. An angle that `turns` came from a direction, so it may
-    /// be moved by whole turns; any other value stands in its equation as a number and may not. An angle that `wraps` may have
-    /// to be moved by a turn to lie in its range.
+    /// Compares the unknown, just computed, with its declared range. An angle with `turns` came from a direction, so it
+    /// may be moved by whole turns. Any other value occurs in its equation as a number and may not be moved. An angle
+    /// with `wraps` may need one turn to lie in its range.
     Bound { unknown: usize, turns: bool, wraps: bool },
     /// The beginning of a part of a block.
     Open { part: usize, mode: Mode },
-    /// The end of that part.
+    /// The end of a part of a block.
     Close { part: usize },
-    /// Newton's method from the guess that the caller gave: values of the unknowns at which the residuals vanish. `given` are the values
-    /// of earlier steps that the residuals refer to. Scheduling fills `body` with the steps of an iteration.
+    /// Newton's method from the caller's guess. It finds values of the unknowns at which the residuals vanish. `given`
+    /// are the values of earlier steps in the residuals. Scheduling fills `body` with the steps of an iteration.
     Newton {
         part: usize,
         unknowns: Vec<usize>,
@@ -53,13 +54,13 @@ pub(crate) enum Step<E> {
         residuals: Vec<E>,
         jacobian: Vec<Vec<E>>,
     },
-    /// All solutions of a block's equations, one after the other, as values of its variables.
+    /// All solutions of a block's equations, one after the other, as values of the block's variables.
     Every {
         block: usize,
         coefficients: Vec<E>,
         results: Vec<Symbol>,
     },
-    /// The factors of a matrix by which later stages solve.
+    /// The factors of a matrix, which later stages use to solve.
     Factor { symbol: Symbol, matrix: Vec<Vec<E>> },
     /// matrix · results = right, by the factors of the matrix.
     Substitute {
@@ -67,12 +68,12 @@ pub(crate) enum Step<E> {
         right: Vec<E>,
         results: Vec<Symbol>,
     },
-    /// A value that must not vanish, because something is divided by it later.
+    /// A value that must not vanish, because a later step divides by it.
     Regular { value: E },
 }
 
 impl<E> Step<E> {
-    /// All expressions in it, in the order in which they are written.
+    /// All expressions in the step, in the order in which they are written.
     pub(crate) fn expressions(&self) -> Vec<&E> {
         match self {
             Self::Define { value, .. } | Self::Regular { value } => vec![value],
@@ -102,7 +103,7 @@ impl<E> Step<E> {
         }
     }
 
-    /// The same step in other expressions, which are made in the order in which they are written.
+    /// The same step with other expressions, which are made in the order in which they are written.
     pub(crate) fn map<F>(&self, other: &mut impl FnMut(&E) -> F) -> Step<F> {
         match self {
             Self::Define { symbol, value } => Step::Define {
@@ -182,7 +183,7 @@ impl<E> Step<E> {
         }
     }
 
-    /// The symbols that it defines for the steps after it.
+    /// The symbols that the step defines for later steps.
     pub(crate) fn defines(&self) -> Vec<Symbol> {
         match self {
             Self::Define { symbol, .. }
@@ -206,7 +207,7 @@ fn rows<E, F>(matrix: &[Vec<E>], other: &mut impl FnMut(&E) -> F) -> Vec<Vec<F>>
 }
 
 impl Step<Expression> {
-    /// The symbols that it reads and does not define itself.
+    /// The symbols that the step reads and does not define itself.
     pub(crate) fn uses(&self) -> Vec<Symbol> {
         let mut symbols = Vec::new();
         for expression in self.expressions() {
@@ -221,7 +222,7 @@ impl Step<Expression> {
 }
 
 impl Step<Node> {
-    /// The expressions that have to be known where the step stands. An iteration of Newton's method is a program of its own.
+    /// The expressions that must be known before the step. An iteration of Newton's method is a program of its own.
     pub(crate) fn needs(&self) -> Vec<Node> {
         match self {
             Self::Newton { given, .. } => given.clone(),
@@ -238,7 +239,7 @@ mod tests {
     use crate::passes::Passes;
     use crate::testing::sound;
 
-    /// What an iteration of Newton's method computes within itself is neither defined nor used outside of it.
+    /// The values within an iteration of Newton's method are neither defined nor used outside it.
     #[test]
     fn symbols_within_an_iteration_stay_there() {
         let declared = sound(quote! {

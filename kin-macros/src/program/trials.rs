@@ -1,4 +1,4 @@
-//! The decisions behind a program: which ways to derive it were tried, and what each costs.
+//! The decisions behind a program: the ways to derive it that were tried, and their costs.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -7,11 +7,11 @@ use super::Cost;
 /// A way to derive a program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Approach {
-    /// Whether the equations are multiplied out before they are differentiated.
+    /// Whether the equations were multiplied out before they were differentiated.
     pub(crate) is_multiplied_out: bool,
-    /// Whether the influences of rates on each other are collected in coefficients.
+    /// Whether the mutual influences of the rates are collected in coefficients.
     pub(crate) has_influences: bool,
-    /// Whether factors that terms share are taken out.
+    /// Whether shared factors are taken out of sums.
     pub(crate) takes_out_factors: bool,
 }
 
