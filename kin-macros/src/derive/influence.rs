@@ -1,9 +1,9 @@
-//! Influence coefficients: what each rate of the right-hand sides adds to an unknown's.
+//! Influence coefficients: the contribution of each rate in the right-hand sides to an unknown's rate.
 //!
-//! Of J x = R the solution is x = adj(J) R / det J, and R is a sum of rates of links, each multiplied by a part of a link's vector. The
-//! vectors depend on the position alone. So do the sums of their products with the adjugate: they are computed once, for all
-//! orders, where R would be multiplied by the adjugate at each. (For a four-bar linkage these are the dot and cross products of its
-//! links.)
+//! The solution of J x = R is x = adj(J) R / det J, and R is a sum of rates of links, each times a component of a
+//! link's vector. These vectors depend on the position alone, and so do the sums of their products with the adjugate.
+//! So these sums are computed once for all orders, whereas R would have to be multiplied by the adjugate in each order.
+//! (For a four-bar linkage they are dot and cross products of its links.)
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,12 +12,12 @@ use super::radius::radius;
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::passes::{Pass, Passes};
 
-/// How right-hand sides are multiplied by an adjugate.
+/// The way to multiply right-hand sides by an adjugate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Influences {
-    /// As they are.
+    /// Each right-hand side is multiplied as it is.
     Separate,
-    /// With coefficients of the position collected, for all orders together.
+    /// Coefficients that depend on the position alone are collected, for all orders together.
     Collected,
 }
 
@@ -44,7 +44,7 @@ impl Influences {
         determinant: Node,
         passes: Passes,
     ) -> Node {
-        // where there is nothing to divide by there is nothing that all orders share
+        // without a divisor, the orders have nothing to share
         if self == Self::Collected && graph.as_number(determinant).is_none() {
             let quotients: Vec<Node> = weights
                 .iter()
@@ -57,13 +57,13 @@ impl Influences {
     }
 }
 
-/// Coefficients of the position, by what they are multiplied with.
+/// Coefficients that depend on the position, by their cofactors.
 #[derive(Default)]
 struct Collected {
     coefficients: BTreeMap<Node, Vec<(Node, f64)>>,
 }
 
-/// Σ weight · right, the rates outside and what depends on the position alone inside.
+/// Σ weight · right, with the rates as factors of expressions that depend on the position alone.
 fn collected(graph: &mut Graph, weights: &[Node], rights: &[Node], passes: Passes) -> Node {
     let mut collected = Collected::default();
     for (&weight, &right) in weights.iter().zip(rights) {
@@ -105,14 +105,15 @@ impl Collected {
             .partition(|&(factor, _)| graph.depends_on_position_alone(factor));
         position.push((weight, 1));
         let (influence, rate) = (graph.product(&position), graph.product(&rates));
-        // the sign and the number in front belong to the coefficient, that the rate be the same in every row
+        // the sign and the number go into the coefficient, so that the rate is the same in every row
         let (number, rate) = graph.split_coefficient(rate);
         let own = self.coefficients.entry(rate).or_default();
         own.push((influence, number * coefficient));
     }
 }
 
-/// A coefficient and the number before it, the same for all orders whatever the numbers of their right-hand sides.
+/// A coefficient and the number in front of it. The coefficient is the same for all orders, whatever the numbers in
+/// their right-hand sides.
 fn influence(graph: &mut Graph, terms: &[(Node, f64)], passes: Passes) -> (f64, Node) {
     let sum = graph.linear(0.0, terms);
     let sum = radius(graph, sum, passes);
@@ -131,16 +132,17 @@ fn influence(graph: &mut Graph, terms: &[(Node, f64)], passes: Passes) -> (f64, 
     (number, graph.linear(0.0, &terms))
 }
 
-/// A coefficient in an expression that was collected.
+/// A coefficient in a collected expression.
 pub(super) struct Found {
     pub(super) node: Node,
-    /// The motion that it is multiplied by.
+    /// The motion that the coefficient multiplies.
     pub(super) by: Option<Mover>,
     /// Whether the product is subtracted.
     pub(super) is_opposite: bool,
 }
 
-/// The coefficients in an expression that was collected, which is multiplied by a number. Expressions in `seen` have been looked at.
+/// The coefficients in a collected expression, which is multiplied by a number. Expressions in `seen` have been visited
+/// before.
 pub(super) fn influences(
     graph: &Graph,
     (node, number): (Node, f64),
@@ -168,7 +170,7 @@ pub(super) fn influences(
                 .iter()
                 .copied()
                 .partition(|&(factor, _)| graph.depends_on_position_alone(factor));
-            // beside other coefficients it is not the whole of what the motion is multiplied by
+            // with other coefficients beside it, this is not the whole factor of the motion
             let by = mover(graph, &motion, movers).filter(|_| position.len() == 1);
             let (by, is_opposite) = (
                 by.map(|(mover, _)| mover),
@@ -189,7 +191,7 @@ pub(super) fn influences(
     }
 }
 
-/// The part of a quantity's motion that a product of rates is, and whether it is the opposite of that part.
+/// The component of a quantity's motion that a product of rates is, and whether the product is its opposite.
 fn mover(graph: &Graph, factors: &[(Node, i32)], movers: &BTreeMap<Node, Mover>) -> Option<(Mover, bool)> {
     if let [(factor, 1)] = *factors
         && let Some(&mover) = movers.get(&factor)

@@ -1,8 +1,8 @@
 //! A block's Jacobian, and the linear systems that it solves for the rates of every order.
 //!
-//! A large Jacobian is reduced first, by a step that cannot fail where its determinant does not vanish, whatever the position:
-//! two entries that stand alone in their column, p and q, are turned into √(p² + q²) and zero. What remains is solved by Cramer's
-//! rule up to three unknowns, and beyond by the factors that the position has left.
+//! A large Jacobian is reduced first. The step of the reduction cannot fail if the determinant does not vanish,
+//! whatever the position: two entries p and q that are alone in their column are turned into √(p² + q²) and zero. Up to
+//! three remaining unknowns are solved by Cramer's rule. More are solved by the factors that the position has computed.
 
 use super::Rate;
 use super::influence::Influences;
@@ -11,31 +11,31 @@ use crate::algebra::{Graph, Node, Symbol};
 use crate::passes::{Pass, Passes};
 use crate::structure::Block;
 
-/// Up to so many unknowns are solved by Cramer's rule.
+/// The largest number of unknowns that Cramer's rule solves.
 const CRAMER: usize = 3;
 
-/// A Jacobian, reduced as far as it goes.
+/// A Jacobian after all reductions.
 pub(super) struct Jacobian {
     turns: Vec<Turn>,
-    /// The equations that remain, by their places in the block.
+    /// The remaining equations, by their indices in the block.
     rows: Vec<usize>,
-    /// The unknowns that remain.
+    /// The remaining unknowns.
     unknowns: Vec<usize>,
     core: Vec<Vec<Node>>,
-    /// The factors of the core, where it is too large for Cramer's rule.
+    /// The factors of the remaining matrix, if it is too large for Cramer's rule.
     factors: Option<Symbol>,
     passes: Passes,
 }
 
-/// What must hold for the rates of a block to exist.
+/// The condition under which the rates of a block exist.
 pub(crate) enum Regularity {
     /// This determinant does not vanish.
     Determinant(Node),
-    /// This matrix can be factored. `factors` is what the orders know the factors by.
+    /// This matrix can be factored. `factors` is the symbol of its factors.
     Factors { factors: Symbol, matrix: Vec<Vec<Node>> },
 }
 
-/// A step of the reduction: two equations with an unknown are turned so that only the first has it.
+/// A step of the reduction: two equations that contain an unknown are turned so that only the first one does.
 struct Turn {
     rows: [usize; 2],
     entries: [Node; 2],
@@ -83,7 +83,7 @@ impl Jacobian {
         jacobian
     }
 
-    /// A column with two entries, and their rows.
+    /// A column with exactly two entries, and their rows.
     fn turnable(&self, graph: &Graph) -> Option<([usize; 2], usize)> {
         let size = self.core.len();
         (0..size).find_map(|column| {
@@ -119,7 +119,7 @@ impl Jacobian {
         }
     }
 
-    /// What the position tests: that the system which remains is regular.
+    /// The condition that the position tests: the remaining system is regular.
     pub(super) fn regularity(&self, graph: &mut Graph) -> Regularity {
         match self.factors {
             Some(factors) => Regularity::Factors {
@@ -130,13 +130,13 @@ impl Jacobian {
         }
     }
 
-    /// What rates are divided by that does not vanish where the determinant does not.
+    /// Divisors of rates that do not vanish unless the determinant does.
     pub(super) fn guaranteed(&self, graph: &mut Graph) -> Vec<Node> {
         self.turns.iter().map(|turn| squares(graph, turn.entries)).collect()
     }
 
-    /// The x of J x = right, one for each unknown, in the order in which they can be computed; `symbol` is what later ones
-    /// know earlier ones by.
+    /// The solution x of J x = right, one rate for each unknown, in the order in which they can be computed. `symbol`
+    /// is the symbol by which later rates refer to earlier ones.
     pub(super) fn solve(
         &self,
         graph: &mut Graph,
@@ -155,7 +155,7 @@ impl Jacobian {
         }
         let own: Vec<Node> = self.rows.iter().map(|&row| right[row]).collect();
         match self.factors {
-            // nothing to be solved for
+            // the right-hand side is zero, and so is the solution
             Some(_) if own.iter().all(|&node| graph.is_zero(node)) => {
                 rates.extend(self.unknowns.iter().zip(&own).map(|(&unknown, &value)| Rate::Value {
                     symbol: symbol(unknown),
@@ -181,7 +181,7 @@ impl Jacobian {
         rates
     }
 
-    /// The rates of what remains, up to three unknowns, by Cramer's rule.
+    /// The rates of up to three remaining unknowns, by Cramer's rule.
     fn cramer(
         &self,
         graph: &mut Graph,
@@ -211,7 +211,7 @@ impl Jacobian {
                     .collect()
             }
             matrix => {
-                // the columns of the adjugate are the cross products of the rows
+                // the columns of the adjugate are cross products of the rows
                 let cofactors = [
                     cross(graph, &matrix[1], &matrix[2]),
                     cross(graph, &matrix[2], &matrix[0]),
@@ -244,7 +244,7 @@ fn squares(graph: &mut Graph, [p, q]: [Node; 2]) -> Node {
     graph.add(p, q)
 }
 
-/// A right-hand side less what the rates found add to its equation.
+/// A right-hand side minus the contributions of the rates found so far.
 fn without(
     graph: &mut Graph,
     right: Node,
@@ -267,7 +267,7 @@ fn without(
     rest
 }
 
-/// The cross product of two rows of three.
+/// The cross product of two rows of three entries.
 fn cross(graph: &mut Graph, a: &[Node], b: &[Node]) -> [Node; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         let (first, second) = (graph.multiply(a[i], b[j]), graph.multiply(a[j], b[i]));
@@ -306,7 +306,7 @@ mod tests {
     use crate::passes::{Pass, Passes};
     use crate::structure::Block;
 
-    /// What a row of a pattern has in a column: nothing, a number, or a parameter.
+    /// The entry of a pattern's row in a column: zero, a number, or a parameter.
     fn entry(graph: &mut Graph, place: usize, letter: char) -> Node {
         match letter {
             '.' => graph.zero(),
@@ -315,7 +315,8 @@ mod tests {
         }
     }
 
-    /// Entries of about a half, and of about four on the diagonal of a matrix of this size, for a condition below a hundred.
+    /// A value of about one half, or about four on the diagonal of a matrix of this size, so that the condition is
+    /// below one hundred.
     fn value(size: usize, place: usize) -> f64 {
         let small = 0.3 + 0.1 * f64::from(u8::try_from(7 * place % 5).expect("it is less than five"));
         if place.is_multiple_of(size + 1) {
@@ -325,7 +326,7 @@ mod tests {
         }
     }
 
-    /// x of A x = right, by elimination, with pivots of rows.
+    /// The solution x of A x = right, by elimination with pivoting.
     fn eliminated(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
         let size = right.len();
         for step in 0..size {
@@ -346,8 +347,8 @@ mod tests {
         (0..size).map(|row| right[row] / matrix[row][row]).collect()
     }
 
-    /// Solves J x = right for a Jacobian of some pattern, computes the rates one after the other, and puts them back into the
-    /// equations. Returns the number of turns, and the size of the system that they leave.
+    /// Solves J x = right for a Jacobian of a pattern, computes the rates in order, and substitutes them into the
+    /// equations. Returns the number of turns and the size of the remaining system.
     fn put_back(pattern: &[&str], passes: Passes, influences: Influences, is_still: bool) -> (usize, usize) {
         let size = pattern.len();
         let mut graph = Graph::new();
@@ -378,7 +379,7 @@ mod tests {
         let known = |found: &BTreeMap<Symbol, f64>, symbol: Symbol| match symbol {
             Symbol::Parameter(place) => value(size, place),
             Symbol::InputRate(row, _) => 1.0 + 0.7 * f64::from(u8::try_from(row).expect("it is small")),
-            // what is used before it is found makes the result NaN
+            // a value used before it is computed makes the result NaN
             Symbol::UnknownRate(..) => found.get(&symbol).copied().unwrap_or(f64::NAN),
             _ => f64::NAN,
         };
@@ -412,7 +413,7 @@ mod tests {
                 _ => known(&found, symbol),
             });
             let right = graph.evaluate(right, &|symbol| known(&found, symbol));
-            // what is put back differs by a few dozen roundings of terms below ten
+            // a substitution takes a few dozen roundings of terms below ten
             assert!(
                 (left - right).abs() < 1e-13,
                 "{pattern:?}, {influences:?}: {left} and not {right}"
@@ -421,8 +422,8 @@ mod tests {
         (jacobian.turns.len(), jacobian.core.len())
     }
 
-    /// Whatever the pattern of the Jacobian, the rates fulfil all of its equations, each is found once, and from what is found
-    /// before it. The table has the number of turns, and the size of what they leave.
+    /// For every pattern of the Jacobian, the rates satisfy all equations, and each is found once, from earlier ones.
+    /// The table lists the number of turns and the size of the remaining system.
     #[test]
     fn rates_fulfil_the_equations_of_jacobians_of_every_pattern() {
         let patterns: [(&[&str], usize, usize); 10] = [

@@ -1,7 +1,7 @@
-//! Time derivatives of the closure, order by order, with one Jacobian for each block.
+//! The time derivatives of the closure, order by order, with one Jacobian for each block.
 //!
-//! Differentiating a closed loop n times gives J q⁽ⁿ⁾ = -Rₙ: the Jacobian J is the same for every order n, and Rₙ is
-//! the n-th derivative of the closure with the block's own n-th rates left out.
+//! Differentiating a closed loop n times gives J q⁽ⁿ⁾ = -Rₙ. The Jacobian J is the same for every order n. Rₙ is the
+//! n-th derivative of the closure without the block's own n-th rates.
 
 mod influence;
 mod jacobian;
@@ -29,27 +29,28 @@ pub(crate) struct Derivatives {
     pub(crate) orders: Vec<Vec<Rate>>,
     /// `outputs[n - 1][k]` is the n-th derivative of the k-th output expression.
     pub(crate) outputs: Vec<Vec<Node>>,
-    /// What must hold in each block for its rates to exist.
+    /// For each block, the condition under which its rates exist.
     pub(crate) regularity: Vec<Regularity>,
-    /// What the rates are divided by, besides the determinants, that does not vanish where these do not.
+    /// Divisors of the rates, besides the determinants, that do not vanish unless a determinant does.
     pub(crate) guaranteed: Vec<Node>,
     rights: Vec<(Node, Hint)>,
     rates: Rates,
     jacobians: Vec<Jacobian>,
 }
 
-/// The derivatives through an order take more expressions than are handled in reasonable time.
+/// The error that the derivatives through an order take more expressions than are allowed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct TooLarge {
     pub(crate) order: usize,
 }
 
-/// A part of the derivation that has a name.
+/// A named part of the derivation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Hint {
     /// The right-hand side -Rₙ of a scalar equation.
     Right { equation: usize, order: usize },
-    /// The coefficient with which the motion of a quantity enters the rates of an unknown, if it is one quantity; or its opposite.
+    /// The coefficient of a motion in the rates of an unknown, or its opposite, if the motion is that of a single
+    /// quantity.
     Influence {
         unknown: Symbol,
         by: Option<Mover>,
@@ -61,20 +62,20 @@ pub(crate) enum Hint {
     Q { angle: Symbol, order: usize },
 }
 
-/// The part of a quantity's motion that an influence coefficient is multiplied by.
+/// The component of a quantity's motion that an influence coefficient multiplies.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Mover {
     /// An input or an unknown.
     pub(crate) quantity: Symbol,
-    /// Whether it is P of an angle, the part along the link, and not Q or a rate.
+    /// Whether the component is P of an angle, along the link, and not Q or a rate.
     pub(crate) is_along: bool,
 }
 
-/// How time derivatives of unknowns are found.
+/// The way to find time derivatives of unknowns.
 pub(crate) enum Rate {
-    /// One by itself.
+    /// One rate alone.
     Value { symbol: Symbol, value: Node },
-    /// Several together, by the factors of their Jacobian.
+    /// Several rates together, by the factors of their Jacobian.
     System {
         factors: Symbol,
         symbols: Vec<Symbol>,
@@ -83,7 +84,7 @@ pub(crate) enum Rate {
 }
 
 impl Rate {
-    /// What is found.
+    /// The symbols of the rates.
     pub(crate) fn symbols(&self) -> &[Symbol] {
         match self {
             Self::Value { symbol, .. } => std::slice::from_ref(symbol),
@@ -92,7 +93,7 @@ impl Rate {
     }
 }
 
-/// What is differentiated.
+/// The formulas to differentiate.
 #[derive(Clone, Copy)]
 pub(crate) struct Subject<'a> {
     pub(crate) residuals: &'a [Node],
@@ -100,24 +101,25 @@ pub(crate) struct Subject<'a> {
     pub(crate) outputs: &'a [Node],
     pub(crate) influences: Influences,
     pub(crate) passes: Passes,
-    /// More expressions than these are not handled.
+    /// The largest number of expressions.
     pub(crate) most_expressions: usize,
 }
 
-/// A multiplied-out form is tried if it has at most so many terms for each node of the typed form. A larger one has never been
-/// the cheaper one: in the library the largest ratio is 1.3, and most are below a half.
+/// The largest number of terms of a multiplied-out form for each node of the typed form. A larger form has never been
+/// cheaper: the largest ratio in the library is 1.3, and most are below one half.
 const TERMS_FOR_EACH_NODE: usize = 2;
 
-/// Equations and outputs in a form in which they can be differentiated.
+/// Equations and outputs in a form that can be differentiated.
 #[derive(Clone)]
 pub(crate) struct Formulas {
     pub(crate) residuals: Vec<Node>,
     pub(crate) outputs: Vec<Node>,
-    /// Whether some would have become too large.
+    /// Whether multiplying out was given up for size.
     pub(crate) is_given_up: bool,
 }
 
-/// Equations and outputs as typed or multiplied out, and equations in any case without a quotient of what varies.
+/// Equations and outputs, as typed or multiplied out. In either form, the equations contain no quotient of varying
+/// expressions.
 pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], expand: bool) -> Formulas {
     let mut is_given_up = false;
     let mut choose = |graph: &mut Graph, typed: Node, multiplied_out: Option<Polynomial>, is_complete: bool| {
@@ -157,7 +159,10 @@ pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], 
 }
 
 impl Derivatives {
-    /// All orders through the one given, or the order at which there are too many expressions.
+    /// The derivatives of all orders through the given one.
+    ///
+    /// # Errors
+    /// Returns the order at which there are too many expressions.
     pub(crate) fn new(graph: &mut Graph, task: Subject<'_>, order: usize) -> Result<Self, TooLarge> {
         let jacobians: Vec<Jacobian> = task
             .blocks
@@ -185,7 +190,7 @@ impl Derivatives {
         Ok(derivatives)
     }
 
-    /// The determinants that must not vanish, of all blocks.
+    /// The determinants of all blocks, which must not vanish.
     pub(crate) fn determinants(&self) -> impl Iterator<Item = &Node> {
         self.regularity.iter().filter_map(|block| match block {
             Regularity::Determinant(determinant) => Some(determinant),
@@ -251,7 +256,7 @@ impl Derivatives {
         );
     }
 
-    /// Names for parts that a reader of the program will want to know.
+    /// Names for the parts that have a meaning to readers of the program.
     pub(crate) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
         let mut hints = self.rights.clone();
         let envelopes = self.rates.hints(graph);
@@ -297,7 +302,7 @@ impl Derivatives {
 mod tests {
     use super::*;
 
-    /// An equation is multiplied out where that is complete, or leaves no more than a few terms for each node.
+    /// An equation is multiplied out if this is complete, or leaves only a few terms for each node.
     #[test]
     fn equations_are_multiplied_out_if_they_stay_small() {
         let mut graph = Graph::new();

@@ -3,7 +3,7 @@
 use crate::algebra::{Function, Graph, Node, NodeKind};
 use crate::passes::{Pass, Passes};
 
-/// m, if an expression is m cos² x + m sin² x; otherwise the expression.
+/// Returns m for an expression m cos² x + m sin² x, and any other expression as it is.
 pub(super) fn radius(graph: &mut Graph, expression: Node, passes: Passes) -> Node {
     if !passes.include(Pass::Radii) {
         return expression;

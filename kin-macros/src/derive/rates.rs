@@ -1,7 +1,7 @@
 //! Total time derivatives of any order of any expression.
 //!
-//! Every rule gives the n-th derivative from lower ones, which are remembered, so that the work grows with the square of
-//! the order and not exponentially, as it does when the first derivative is differentiated again and again.
+//! Every rule gives the n-th derivative from lower ones, which are remembered. So the work grows with the square of the
+//! order. Differentiating the first derivative again and again would make it grow exponentially.
 
 use std::collections::BTreeMap;
 
@@ -14,13 +14,13 @@ pub(super) struct Rates {
     passes: Passes,
     known: BTreeMap<(Node, usize), Node>,
     envelopes: BTreeMap<(Node, Node, usize), (Node, Node)>,
-    /// The unknowns whose rates of the order given are sought.
+    /// The unknowns whose rates are being solved for, and the order of these rates.
     sought: (Vec<usize>, usize),
-    /// What lower rates add to the Q of a sought angle, by unknown and order.
+    /// The contributions of lower rates to the Q of an unknown angle that is solved for, by unknown and order.
     lower: BTreeMap<(usize, usize), Node>,
 }
 
-/// n over k.
+/// The binomial coefficient, n over k.
 pub(super) fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |product, step| {
         #[expect(clippy::cast_precision_loss, reason = "orders are small")]
@@ -40,22 +40,23 @@ impl Rates {
         }
     }
 
-    /// From now on the rates of this order of these unknowns are sought: where one of them turns a vector, its whole Q is.
+    /// Sets the unknowns whose rates are solved for, and the order. If such an unknown turns a vector, its whole Q is
+    /// solved for.
     ///
-    /// Q is the rate itself and what lower rates add to it. As the vector is multiplied by nothing but the whole, this part does not
-    /// have to be multiplied by the vector to be brought to the right-hand side.
+    /// Q is the rate itself plus contributions of lower rates. The vector is multiplied by the whole Q only, so these
+    /// contributions need not be multiplied by the vector and moved to the right-hand side.
     pub(super) fn seek(&mut self, unknowns: &[usize], order: usize) {
         if self.passes.include(Pass::WholeTurnings) {
             self.sought = (unknowns.to_vec(), order);
         }
     }
 
-    /// What lower rates add to the Q of an unknown angle, if it was sought.
+    /// The contributions of lower rates to the Q of an unknown angle, if it was solved for.
     pub(super) fn lower(&self, unknown: usize, order: usize) -> Option<Node> {
         self.lower.get(&(unknown, order)).copied()
     }
 
-    /// The shared parts of rotating vectors that have a name: P and Q by angle and order.
+    /// The named parts of rotating vectors, which are shared: P and Q by angle and order.
     pub(super) fn hints(&self, graph: &Graph) -> Vec<(Node, Hint)> {
         let mut hints = Vec::new();
         for (&(amplitude, angle, order), &(along, across)) in &self.envelopes {
@@ -69,7 +70,7 @@ impl Rates {
         hints
     }
 
-    /// The total time derivative of the order given.
+    /// The total time derivative of a given order.
     pub(super) fn total(&mut self, graph: &mut Graph, node: Node, order: usize) -> Node {
         if order == 0 {
             return node;
@@ -118,7 +119,7 @@ impl Rates {
         derivative
     }
 
-    /// A product, split into what is constant, what turns, and the rest.
+    /// The derivative of a product, split into constant factors, a rotating factor, and the rest.
     fn product(&mut self, graph: &mut Graph, factors: &[(Node, i32)], order: usize) -> Node {
         let (constant, varying): (Vec<_>, Vec<_>) = factors
             .iter()
@@ -171,7 +172,7 @@ impl Rates {
                 graph.multiply(reciprocal, sum)
             }
             _ => {
-                // by halves, so that a high power takes few products
+                // halving the exponent keeps the number of products of a high power small
                 let half = exponent / 2;
                 let (left, right) = (graph.power(base, half), graph.power(base, exponent - half));
                 self.leibniz(graph, left, right, order)
@@ -212,7 +213,8 @@ impl Rates {
         (arguments[0], other, function == Function::Cos)
     }
 
-    /// A link vector's part: z⁽ⁿ⁾ = (Aₙ + i Bₙ) cis(φ) for z = m cis(φ), with A and B shared by everything that turns with φ.
+    /// The derivative of a component of a link vector: z⁽ⁿ⁾ = (Aₙ + i Bₙ) cis(φ) for z = m cis(φ). All vectors that
+    /// turn with φ share A and B.
     fn turning(
         &mut self,
         graph: &mut Graph,
@@ -238,9 +240,9 @@ impl Rates {
         }
     }
 
-    /// Aₙ and Bₙ of (m cis φ)⁽ⁿ⁾ = (Aₙ + i Bₙ) cis φ.
+    /// Aₙ and Bₙ in (m cis φ)⁽ⁿ⁾ = (Aₙ + i Bₙ) cis φ.
     ///
-    /// For m = 1 these are P and Q: the real and imaginary parts of the complete Bell polynomials in i φ′, i φ″, …, with
+    /// For m = 1 they are P and Q: the real and imaginary parts of the complete Bell polynomials in i φ′, i φ″, …, with
     /// (P + i Q)ₙ₊₁ = Σ C(n, k) i φ⁽ᵏ⁺¹⁾ (P + i Q)ₙ₋ₖ.
     fn envelope(&mut self, graph: &mut Graph, amplitude: Node, angle: Node, order: usize) -> (Node, Node) {
         if let Some(&known) = self.envelopes.get(&(amplitude, angle, order)) {
@@ -271,7 +273,7 @@ impl Rates {
         result
     }
 
-    /// Q as a sum, of which the last term is the highest rate; or as a symbol, where this rate is sought.
+    /// Q as a sum whose last term is the highest rate, or as a symbol if this rate is being solved for.
     fn across(&mut self, graph: &mut Graph, angle: Node, terms: &[(Node, f64)]) -> Node {
         let order = terms.len();
         let (_, rest) = terms.split_last().expect("orders start at one");
@@ -293,7 +295,8 @@ impl Rates {
 mod tests {
     use super::*;
 
-    /// With link vectors and by Leibniz's rule alone, all agree with a difference quotient of the order below.
+    /// The derivatives with link vectors and by Leibniz's rule alone agree with a difference quotient of the next lower
+    /// order.
     #[test]
     fn each_order_is_the_derivative_of_the_one_below() {
         let mut graph = Graph::new();
@@ -328,7 +331,7 @@ mod tests {
                 if matches!(symbol, Symbol::Parameter(_)) {
                     return value;
                 }
-                // x(t) = value · exp(t), so that every derivative is known
+                // x(t) = value · exp(t), whose derivatives are all known
                 let _ = order;
                 value * time.exp()
             }
@@ -352,7 +355,7 @@ mod tests {
         }
     }
 
-    /// The rate of a rate is the rate of a higher order.
+    /// The rate of a rate is the rate of the sum of both orders.
     #[test]
     fn orders_add_up() {
         let mut graph = Graph::new();

@@ -1,14 +1,14 @@
-//! Partial derivatives of the motion with respect to the parameters, order by order, with the same Jacobians.
+//! Partial derivatives of the motion by the parameters, order by order, with the same Jacobians.
 //!
-//! The closure F(q, u, p) = 0 holds for all values of the parameters, and q depends on them. Dependent by one of
-//! them, with S = ∂q/∂p, it reads J S + ∂F/∂p = 0; differentiated n times in time, by Leibniz's rule,
+//! The closure F(q, u, p) = 0 holds for all values of the parameters p, and q depends on them. Its derivative by one
+//! parameter, with S = ∂q/∂p, is J S + ∂F/∂p = 0. Leibniz's rule gives the n-th time derivative:
 //!
 //! J S⁽ⁿ⁾ = -[(∂F/∂p)⁽ⁿ⁾ + Σ C(n, k) J⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾] over k below n.
 //!
-//! In a chain of blocks the unknowns of earlier blocks join the sum, for them over all k to n. The derivatives of J
-//! along the motion are the same for all parameters and are computed once. (Direct differentiation of an implicit function:
-//! A. Griewank and A. Walther, "Evaluating Derivatives", 2nd edition, SIAM 2008, chapter 15; for a four-bar linkage to the
-//! acceleration: D. M. Erickson, "Computer aided design of minimum sensitivity four-bar linkages", Kansas State
+//! In a chain of blocks the unknowns of earlier blocks join the sum, with all k up to n. The derivatives of J along the
+//! motion are the same for all parameters and are computed once. (Direct differentiation of an implicit function: A.
+//! Griewank and A. Walther, "Evaluating Derivatives", 2nd edition, SIAM 2008, chapter 15. For a four-bar linkage up to
+//! the acceleration: D. M. Erickson, "Computer aided design of minimum sensitivity four-bar linkages", Kansas State
 //! University, 1988, chapter III.)
 
 use std::collections::BTreeMap;
@@ -18,17 +18,19 @@ use super::rates::{Rates, binomial};
 use super::{Derivatives, Influences, Rate, Subject, TooLarge};
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
 
-/// One step of the sensitivities' program.
+/// One step of the program of sensitivities.
 pub(crate) enum Definition {
     /// A sensitivity.
     Value { symbol: Symbol, node: Node },
-    /// Several of one parameter and order together, by the factors of a Jacobian that the rates have been found by.
+    /// Several sensitivities to one parameter, of one order, by the factors of a Jacobian with which the rates were
+    /// found.
     System {
         factors: Symbol,
         right: Vec<Node>,
         results: Vec<Symbol>,
     },
-    /// What the sensitivities to all parameters have in common: the time derivative of a partial derivative by an unknown.
+    /// The part that the sensitivities to all parameters share: the time derivative of a partial derivative by an
+    /// unknown.
     Entry {
         symbol: Symbol,
         node: Node,
@@ -38,7 +40,7 @@ pub(crate) enum Definition {
     },
 }
 
-/// What is differentiated.
+/// A quantity that is differentiated.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum Dependent {
     Equation(usize),
@@ -46,10 +48,11 @@ pub(crate) enum Dependent {
 }
 
 impl Derivatives {
-    /// Every sensitivity to so many parameters, of every order derived so far, in the order in which they can be computed.
+    /// The sensitivities to `parameters` parameters, of every order derived so far, in the order in which they can be
+    /// computed.
     ///
     /// # Errors
-    /// If there are too many expressions.
+    /// Returns an error if there are too many expressions.
     pub(crate) fn sensitivities(
         &mut self,
         graph: &mut Graph,
@@ -103,14 +106,14 @@ struct Derivation<'a> {
     rates: &'a mut Rates,
     definitions: Vec<Definition>,
     partials: BTreeMap<(Dependent, Symbol), Node>,
-    /// The symbols under which the sums know the time derivatives of partial derivatives.
+    /// The symbols of the time derivatives of partial derivatives, as the sums refer to them.
     entries: BTreeMap<Node, Node>,
     /// The sensitivities of unknowns found so far: symbols, or zero.
     found: BTreeMap<Symbol, Node>,
 }
 
 impl Derivation<'_> {
-    /// (∂f/∂p)⁽ⁿ⁾ + Σ C(n, k) (∂f/∂q)⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾ over the unknowns given, as far as their S⁽ᵏ⁾ have been found.
+    /// (∂f/∂p)⁽ⁿ⁾ + Σ C(n, k) (∂f/∂q)⁽ⁿ⁻ᵏ⁾ S⁽ᵏ⁾ over the given unknowns and the S⁽ᵏ⁾ found so far.
     fn total(&mut self, row: Dependent, unknowns: &[usize], parameter: usize, order: usize) -> Node {
         let own = self.partial(row, Symbol::Parameter(parameter), order);
         let mut terms = vec![(own, 1.0)];
@@ -177,10 +180,10 @@ impl Derivation<'_> {
         self.graph.scale(coefficient, symbol)
     }
 
-    /// S⁽ⁿ⁾ of a block from J S⁽ⁿ⁾ = right, by the solver that the rates use.
+    /// S⁽ⁿ⁾ of a block, from J S⁽ⁿ⁾ = right by the solver of the rates.
     fn solve(&mut self, jacobian: &Jacobian, right: &[Node], parameter: usize, order: usize) {
         let symbol = |unknown: usize| Symbol::Sensitivity(unknown, parameter, order);
-        // each of these right-hand sides has entries of its own order
+        // each right-hand side has entries of its own order only
         for solution in jacobian.solve(self.graph, Influences::Separate, right, &symbol) {
             match solution {
                 Rate::Value { symbol, value } => {
