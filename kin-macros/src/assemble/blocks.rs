@@ -1,4 +1,4 @@
-//! Each block's closed form as steps.
+//! The closed form of each block as steps.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -12,11 +12,11 @@ use crate::passes::Passes;
 use crate::program::{Argument, Choice, Limits, Mode, Names, Solver, Stage, Step};
 use crate::structure::{Block, ClosedForm, ComplexNode, Method, Part};
 
-/// The steps that find the position, what they teach about directions, and the choices they leave.
+/// The steps that find the position, the directions and roots that they make known, and the remaining choices.
 pub(crate) struct Assembled {
     pub(crate) stage: Stage<Node>,
     pub(crate) units: Units,
-    /// What has been found not to be zero on the way to the position.
+    /// The values that the position finds to be nonzero.
     pub(crate) nonzero: Vec<Node>,
     pub(crate) roots: Vec<KnownRoot>,
     pub(crate) choices: Vec<Choice>,
@@ -28,13 +28,13 @@ pub(super) struct Builder<'a> {
     pub(super) names: &'a mut Names,
     pub(super) steps: Vec<Step<Node>>,
     pub(super) units: Units,
-    /// What closed forms divide by, and have found not to be zero.
+    /// The divisors that closed forms find to be nonzero.
     pub(super) nonzero: Vec<Node>,
-    /// The roots that closed forms have taken.
+    /// The roots that closed forms take.
     pub(super) roots: Vec<KnownRoot>,
 }
 
-/// Turns blocks into steps that find a position.
+/// Turns blocks into steps that find one position.
 pub(crate) fn assemble(
     graph: &mut Graph,
     names: &mut Names,
@@ -58,7 +58,7 @@ pub(crate) fn assemble_every(
     is_algebraic.then(|| steps(graph, names, blocks, ranges, None, passes).stage)
 }
 
-/// The steps for one position, or for all if there is no use for the Jacobians.
+/// The steps that find one position, or all positions if no Jacobians are given.
 fn steps(
     graph: &mut Graph,
     names: &mut Names,
@@ -117,7 +117,7 @@ fn steps(
 }
 
 impl Builder<'_> {
-    /// What a block's Jacobian must fulfil, once all of its unknowns are known.
+    /// Checks that a block's Jacobian is regular, after all of the block's unknowns are found.
     fn regular(&mut self, jacobian: &Regularity) {
         let step = match jacobian {
             Regularity::Determinant(determinant) => Step::Regular {
@@ -134,7 +134,7 @@ impl Builder<'_> {
         self.steps.push(step);
     }
 
-    /// The unknowns of a part, just found, are brought to the turn or into the range that is wanted.
+    /// Moves the unknowns of a part, just found, to the requested turn or into the declared range.
     fn bounds(&mut self, part: &Part, ranges: &BTreeMap<usize, Limits>) {
         for &unknown in &part.unknowns {
             let own = Symbol::Unknown(unknown);
@@ -159,7 +159,7 @@ impl Builder<'_> {
         ComplexNode::new(self.known(value.re), self.known(value.im))
     }
 
-    /// A value under a name, so that what is built on it refers to it and not to how it came about.
+    /// Names a value, so that later expressions refer to the name and not to the formula.
     pub(super) fn define(&mut self, wish: &str, node: Node) -> Node {
         if self.graph.as_symbol(node).is_some() || self.graph.as_number(node).is_some() {
             return node;
@@ -315,7 +315,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The coordinate of a link that is known, and the other one, which is found.
+    /// Adds the step that finds one coordinate of a link from the other. Returns both coordinates, the given one first.
     fn inverse_circular(&mut self, solver: Solver, unknown: usize, radius: Node, coordinate: Node) -> (Node, Node) {
         let (radius, mut given) = (self.known(radius), self.known(coordinate));
         let wish = self.link_name(radius, &self.unknown_name(unknown));
@@ -323,7 +323,7 @@ impl Builder<'_> {
             Solver::InverseCosine => ["x", "y"],
             _ => ["y", "x"],
         };
-        // a product stays what it is: its factors may cancel, or occur elsewhere
+        // leave a product as it is: its factors may cancel, or occur elsewhere
         if matches!(self.graph.kind(given), NodeKind::Sum(..)) {
             given = self.define(&format!("{wish}_{own}"), given);
         }
@@ -334,7 +334,7 @@ impl Builder<'_> {
         (given, found)
     }
 
-    /// The square of a root that a closed form is about to take.
+    /// A symbol for the square of a root that a closed form is about to take.
     pub(super) fn root(&mut self, symbol: Symbol, value: Node) -> Symbol {
         let name = self.names.of(symbol).to_owned();
         let (symbol, square) = self.fresh(&format!("{name}_squared"));
@@ -348,13 +348,13 @@ impl Builder<'_> {
         symbol
     }
 
-    /// From now on there is this root, and its square is not zero.
+    /// Records a root and that its square is nonzero.
     pub(super) fn learn_root(&mut self, root: KnownRoot) {
         self.nonzero.push(root.square);
         self.roots.push(root);
     }
 
-    /// The unknown angle of a link that is known as a vector.
+    /// Finds the unknown angle of a link whose vector is known.
     pub(super) fn turn_vector(&mut self, unknown: usize, length: Node, vector: ComplexNode) {
         let length = self.known(length);
         self.nonzero.push(length);
@@ -365,7 +365,7 @@ impl Builder<'_> {
         self.push_angle(unknown, vector, length);
     }
 
-    /// The unknown angle of a unit vector.
+    /// Finds the unknown angle of a unit vector.
     pub(super) fn turn(&mut self, unknown: usize, unit: ComplexNode) {
         let angle = self.graph.symbol(Symbol::Unknown(unknown));
         self.units.learn_direction(angle, unit);
@@ -378,7 +378,7 @@ impl Builder<'_> {
         });
     }
 
-    /// The argument of a function by its value.
+    /// Finds the argument of a function from the function's value.
     fn inverse(&mut self, inverse: InverseFunction, value: Node, result: Symbol) {
         let value = self.known(value);
         self.names.name(result, "inverse");
@@ -405,7 +405,8 @@ mod tests {
     use super::*;
     use crate::testing::sound;
 
-    /// A function of an unknown is inverted by the closed form of its inverse; an inverse that is defined everywhere needs none.
+    /// A function of an unknown is inverted by the closed form of its inverse. An inverse that is defined everywhere
+    /// needs no closed form.
     #[test]
     fn functions_are_inverted_by_their_inverses() {
         let names = |function: TokenStream| -> Vec<&str> {

@@ -1,4 +1,4 @@
-//! Which of two solutions: by the caller's choice or by a declared range, and how to tell them apart.
+//! The choice between two solutions, by the caller or by a declared range, and the sign that distinguishes them.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{Limits, Mode};
 use crate::structure::{ClosedForm, Method, Part};
 
-/// How a part's solution is chosen; `assemblies` counts the choices left to the caller.
+/// The mode in which a part's solution is chosen. `assemblies` counts the choices left to the caller.
 pub(super) fn mode(graph: &Graph, part: &Part, ranges: &BTreeMap<usize, Limits>, assemblies: &mut usize) -> Mode {
     let form = match &part.method {
         Method::Closed(form) if form.has_assemblies() => form,
@@ -27,7 +27,7 @@ pub(super) fn mode(graph: &Graph, part: &Part, ranges: &BTreeMap<usize, Limits>,
         .map_or(Mode::Ranged, |is_open| Mode::Fixed { is_open })
 }
 
-/// Positive in the open assembly.
+/// An expression that is positive in the open assembly.
 pub(super) fn orientation(graph: &mut Graph, part: &Part) -> Option<Node> {
     match &part.method {
         Method::Closed(form) => orientation_of(graph, form),
@@ -46,7 +46,7 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
             middle,
             ..
         } => {
-            // how far the unknown is beyond the middle, times the square of the coefficient
+            // the distance of the unknown from the middle, times the square of the coefficient
             let x = graph.symbol(Symbol::Unknown(*unknown));
             let product = graph.multiply(*coefficient, x);
             let distance = graph.subtract(product, *middle);
@@ -98,7 +98,7 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
     })
 }
 
-/// Whether a range decides between the solutions whatever the dimensions are, and for the open one.
+/// Whether a range chooses the open solution, `None` if the range does not decide for all dimensions.
 fn fixed_by_range(graph: &Graph, form: &ClosedForm, unknown: usize, limits: Limits) -> Option<bool> {
     use std::f64::consts::{FRAC_PI_2, PI};
     const SLACK: f64 = 1e-12;
@@ -133,7 +133,7 @@ mod tests {
     use super::*;
     use crate::algebra::{Function, Inverse};
 
-    /// A range decides where it holds one of the two solutions only, whatever the dimensions are.
+    /// A range decides for all dimensions if it contains only one of the two solutions.
     #[test]
     fn ranges_within_half_a_turn_decide() {
         let mut graph = Graph::new();

@@ -1,4 +1,4 @@
-//! Plane loops as steps: the vectors of the links that turn, and the angles from them.
+//! Plane loops as steps: the vectors of the turning links, and the angles from them.
 
 use super::blocks::Builder;
 use super::reciprocals::KnownRoot;
@@ -7,7 +7,7 @@ use crate::program::{Argument, Solver, Step};
 use crate::structure::{Arm, ComplexNode};
 
 impl Builder<'_> {
-    /// What a link's components are called: after its length, if that has a name.
+    /// The prefix of the names of a link's components: its length, if that has a name, otherwise the angle.
     pub(super) fn link_name(&mut self, length: Node, angle: &str) -> String {
         match self.graph.as_symbol(length) {
             Some(symbol @ Symbol::Parameter(_)) => self.names.of(symbol).to_owned(),
@@ -30,7 +30,7 @@ impl Builder<'_> {
         if mirrored { unit.conjugate(self.graph) } else { unit }
     }
 
-    /// The angle of a link that spans a known vector.
+    /// Finds the angle of a link whose vector is known.
     pub(super) fn direction(&mut self, unknown: usize, arm: &Arm, target: ComplexNode) {
         let factor = self.known_complex(arm.factor);
         let target = self.known_complex(target);
@@ -50,7 +50,7 @@ impl Builder<'_> {
         let mut target = self.known_complex(target);
         let names = [self.angle_name(&arms[0]), self.angle_name(&arms[1])];
         let both_real = factors.iter().all(|factor| factor.is_real(self.graph));
-        // vectors[k] points along the k-th arm: factor times unit vector, with a positive number in front
+        // vectors[k] points along the k-th arm: factor times unit vector, times a positive number
         let (vectors, lengths);
         if both_real {
             let (first_sign, first) = self.graph.split_coefficient(factors[0].re);
@@ -118,7 +118,7 @@ impl Builder<'_> {
                 self.graph.subtract(target.im, link.im),
             );
             let other = self.define_complex(&format!("link_{}", names[1]), other);
-            // turned back by the factor's own angle they lie along the arms, times the factor's square
+            // turned back by the angle of the factor, they lie along the arms, times the factor's square
             let mut turned = [link, other];
             let mut squares = [a2, b2];
             for index in 0..2 {
@@ -143,7 +143,7 @@ impl Builder<'_> {
         self.angles_of_unknowns(unknowns, arms, vectors, lengths, directions);
     }
 
-    /// The unknowns from the directions of the two arms, which are integer combinations of them.
+    /// Finds the unknowns from the directions of two arms, which are integer combinations of the unknowns.
     fn angles_of_unknowns(
         &mut self,
         unknowns: [usize; 2],
@@ -195,7 +195,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A clockwise vector as a counter-clockwise one.
+    /// The mirror image of a clockwise vector, so that it turns counter-clockwise; other vectors stay as they are.
     fn upright(&mut self, vector: ComplexNode, mirrored: bool) -> ComplexNode {
         if mirrored { vector.conjugate(self.graph) } else { vector }
     }
@@ -273,7 +273,7 @@ impl Builder<'_> {
         self.push_angle(angle, vector, length);
     }
 
-    /// The angle of a vector, a number's sign in front of the length being moved into the vector.
+    /// Finds the angle of a vector. The sign of a number in front of the length is moved into the vector.
     pub(super) fn push_angle(&mut self, unknown: usize, vector: ComplexNode, length: Node) {
         let (coefficient, bare) = self.graph.split_coefficient(length);
         let sign = self.graph.number(coefficient.signum());
@@ -331,7 +331,7 @@ mod tests {
     use crate::program::Names;
     use crate::testing::{declarations, sound};
 
-    /// Angles that are found from the directions of links are the unknowns that give the links these directions.
+    /// The unknowns found from the directions of links give the links these directions.
     #[test]
     fn unknowns_follow_from_combinations_of_angles() {
         const TRUE: [f64; 2] = [0.7, -1.9];
@@ -413,7 +413,7 @@ mod tests {
         }
     }
 
-    /// The components of a link are called after its length, or else after the angles that it turns with.
+    /// The components of a link are named after its length, or after the angles with which it turns.
     #[test]
     fn links_are_called_after_their_length_or_their_angle() {
         let solvable = sound(quote! {
@@ -433,7 +433,7 @@ mod tests {
         }
     }
 
-    /// A slide along an axis has a form of its own if its length is measured as it is.
+    /// A slide along an axis has a closed form of its own if its length is measured along that axis without a factor.
     #[test]
     fn slides_along_axes_are_solved_as_such() {
         for (direction, expected) in [

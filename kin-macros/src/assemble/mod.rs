@@ -1,7 +1,7 @@
-//! Position: the blocks' closed forms, and Newton's method for what has none, as steps of a program.
+//! The position as steps of a program: the closed forms of the blocks, and Newton's method for the others.
 //!
-//! Closed forms give the vectors of the links that turn, and the angle itself by one arctangent at the end. From then on
-//! every sine and cosine of an unknown is read off those vectors; none is evaluated again.
+//! Closed forms give the vectors of the turning links, and one arctangent at the end gives the angle. From then on,
+//! every sine and cosine of an unknown is read off these vectors. None is evaluated again.
 
 mod blocks;
 mod choice;

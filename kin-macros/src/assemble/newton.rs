@@ -1,4 +1,4 @@
-//! What no closed form finds: the residuals of a part, made ready for Newton's method, or for all solutions.
+//! Parts without a closed form: their residuals as steps for Newton's method, or for all solutions.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use crate::program::{Mode, Step};
 use crate::structure::{PolynomialSystem, Variable};
 
 impl Builder<'_> {
-    /// The step that finds a part's unknowns from the guess that the caller gave.
+    /// The step that finds a part's unknowns from the caller's guess.
     pub(super) fn newton(&mut self, part: usize, unknowns: &[usize], residuals: &[Node]) {
         let residuals: Vec<Node> = residuals.iter().map(|&residual| self.known(residual)).collect();
         let jacobian: Vec<Vec<Node>> = residuals
@@ -20,7 +20,7 @@ impl Builder<'_> {
                     .collect()
             })
             .collect();
-        // what does not change from one iteration to the next is computed once, before the first
+        // values that stay the same in all iterations are computed once, before the first
         let mut moved = BTreeMap::new();
         let residuals: Vec<Node> = residuals
             .into_iter()
@@ -89,7 +89,7 @@ impl Builder<'_> {
         self.steps.push(Step::Close { part });
     }
 
-    /// An expression with everything that is free of the unknowns replaced by names for it.
+    /// An expression in which every part that is free of the unknowns is replaced by a name.
     fn hoist(&mut self, node: Node, unknowns: &[usize], moved: &mut BTreeMap<Node, Node>) -> Node {
         if let Some(&known) = moved.get(&node) {
             return known;

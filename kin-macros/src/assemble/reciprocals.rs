@@ -1,8 +1,8 @@
 //! Reciprocals of roots.
 //!
-//! Rates are divided by the determinants of their blocks, and the determinant of a closed form is the square root in it, up to a
-//! factor. 1 / √x = √x · (1 / x): there the division does not wait for the root, and the determinant need not be put together from
-//! the vectors of the links.
+//! Rates are divided by the determinants of their blocks, and the determinant of a closed form is, up to a factor, the
+//! square root in it. 1 / √x = √x · (1 / x). In this form the division need not wait for the root, and the determinant
+//! need not be computed from the vectors of the links.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,22 +10,22 @@ use super::units::Units;
 use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{Names, Stage, Step};
 
-/// What a closed form has taken the root of: the reciprocal of `base` is `factor * value / square`.
+/// A root that a closed form has taken. The reciprocal of `base` is `factor * value / square`.
 pub(crate) struct KnownRoot {
     pub(super) base: Node,
     pub(super) value: Node,
     pub(super) square: Node,
     pub(super) factor: f64,
-    /// What `factor / square` and the reciprocal are called.
+    /// The names of `factor / square` and of the reciprocal.
     pub(super) names: [String; 2],
 }
 
-/// The reciprocals that rates may refer to, each with two definitions: that of the square's, and its own.
+/// The reciprocals that rates may refer to, each with two definitions: the reciprocal of the square, and its own.
 #[derive(Default)]
 pub(crate) struct Reciprocals(Vec<(Node, [(Symbol, Node); 2])>);
 
 impl Reciprocals {
-    /// From now on, expressions that are rewritten divide by none of these roots.
+    /// Lets expressions that are rewritten from now on use these reciprocals and not divide by the roots.
     pub(crate) fn learn(graph: &mut Graph, names: &mut Names, units: &mut Units, roots: &[KnownRoot]) -> Self {
         let mut known = BTreeMap::new();
         let reciprocals = roots
@@ -53,7 +53,7 @@ impl Reciprocals {
         Self(reciprocals)
     }
 
-    /// Puts those that are referred to before the step that is the first to do so.
+    /// Places the reciprocals that are used before the first step that uses them.
     pub(crate) fn place(self, graph: &Graph, stages: &mut [Stage<Node>]) {
         let mut sought: BTreeMap<Node, [(Symbol, Node); 2]> = self.0.into_iter().collect();
         let mut seen = BTreeSet::new();
@@ -82,7 +82,7 @@ mod tests {
     use crate::testing::declarations::{four_bar, inverted_slider_crank, slider_crank};
     use crate::testing::sound;
 
-    /// Rates are divided by nothing but the square of a root, and that once.
+    /// Rates divide only by the square of a root, and only once.
     #[test]
     fn a_root_is_inverted_once_and_by_its_square() {
         for (declaration, of_square, own) in [

@@ -1,4 +1,4 @@
-//! Unknown angles that are handed out as unit vectors.
+//! Unknown angles that are returned as unit vectors.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,7 +6,7 @@ use super::units::Units;
 use crate::algebra::{Graph, Node, Symbol};
 use crate::program::{DirectionSymbols, Directions, Limits, Names, Stage, Step};
 
-/// The steps that find cosine and sine where everything that the closed forms find is known.
+/// The steps that find cosine and sine after the closed forms.
 pub(crate) fn define(
     graph: &mut Graph,
     names: &mut Names,
@@ -38,7 +38,7 @@ pub(crate) fn define(
     Directions(directions)
 }
 
-/// Where the position is complete: the steps by which it leaves the angles to later stages.
+/// The steps at the end of the position by which it hands the angles to later stages.
 pub(crate) fn leave_angles(directions: &Directions, graph: &mut Graph, units: &mut Units, position: &mut Stage<Node>) {
     for (&unknown, direction) in &directions.0 {
         let (own, node) = (graph.symbol(Symbol::Unknown(unknown)), graph.symbol(direction.angle));
@@ -50,8 +50,8 @@ pub(crate) fn leave_angles(directions: &Directions, graph: &mut Graph, units: &m
     }
 }
 
-/// Leaves out the steps that find an angle which nothing asks for: no range, and no other step. An angle that was not found as
-/// a direction, but as a number, stays, for it stands as that number in its equation.
+/// Removes the steps that find an angle used neither by a range nor by another step. An angle found as a number, not as
+/// a direction, stays, because its equation contains it as that number.
 pub(crate) fn drop_idle(
     directions: &mut Directions,
     graph: &mut Graph,

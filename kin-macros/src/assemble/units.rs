@@ -1,4 +1,4 @@
-//! Sines and cosines read off unit vectors.
+//! Sines and cosines, read off unit vectors.
 
 use std::collections::BTreeMap;
 
@@ -7,22 +7,22 @@ use crate::passes::{Pass, Passes};
 use crate::program::Step;
 use crate::structure::ComplexNode;
 
-/// What is known of the directions of unknown angles.
+/// The known directions of unknown angles.
 pub(crate) struct Units {
     passes: Passes,
-    /// cos and sin of an angle, by the angle's expression.
+    /// cos and sin of an angle, by the expression of the angle.
     directions: BTreeMap<Node, ComplexNode>,
-    /// Unknown angles that are linear expressions of others.
+    /// Unknown angles that are linear expressions of other angles.
     combinations: BTreeMap<Node, Node>,
-    /// Angles that are known by another name from here on.
+    /// The new names of angles.
     renamed: BTreeMap<Node, Node>,
-    /// The reciprocals of what is not to be divided by.
+    /// The expressions for the reciprocals of divisors that are to be avoided.
     reciprocals: BTreeMap<Node, Node>,
     rewritten: BTreeMap<Node, Node>,
 }
 
 impl Units {
-    /// Nothing is known yet.
+    /// The state in which nothing is known.
     pub(crate) const fn new(passes: Passes) -> Self {
         Self {
             passes,
@@ -34,7 +34,7 @@ impl Units {
         }
     }
 
-    /// From now on cos and sin of `angle` are these.
+    /// Records cos and sin of `angle`.
     pub(crate) fn learn_direction(&mut self, angle: Node, direction: ComplexNode) {
         if self.passes.include(Pass::UnitVectors) {
             self.directions.insert(angle, direction);
@@ -42,19 +42,19 @@ impl Units {
         }
     }
 
-    /// From now on an unknown is known to be this expression.
+    /// Records the expression of an unknown.
     pub(crate) fn learn_combination(&mut self, unknown: Node, value: Node) {
         self.combinations.insert(unknown, value);
         self.rewritten.clear();
     }
 
-    /// From now on this value is read where that of an angle stands outside of sines and cosines.
+    /// Lets `value` replace an angle outside sines and cosines from now on.
     pub(crate) fn rename(&mut self, angle: Node, value: Node) {
         self.renamed.insert(angle, value);
         self.rewritten.clear();
     }
 
-    /// From now on there are other expressions for the reciprocals of these.
+    /// Records other expressions for reciprocals.
     pub(crate) fn learn_reciprocals(&mut self, graph: &mut Graph, reciprocals: BTreeMap<Node, Node>) {
         self.reciprocals = reciprocals;
         self.rewritten.clear();
@@ -65,7 +65,7 @@ impl Units {
         }
     }
 
-    /// An expression without a sine or cosine of an unknown whose direction is known.
+    /// An expression without sines and cosines of unknowns whose directions are known.
     pub(crate) fn rewrite(&mut self, graph: &mut Graph, node: Node) -> Node {
         if let Some(&known) = self.rewritten.get(&node) {
             return known;
@@ -102,7 +102,7 @@ impl Units {
         result
     }
 
-    /// A product that divides by nothing that has another expression for its reciprocal.
+    /// A product in which recorded expressions replace divisions.
     fn inverted(&self, graph: &mut Graph, product: Node) -> Node {
         let (coefficient, bare) = graph.split_coefficient(product);
         let NodeKind::Product(factors) = graph.kind(bare) else {
@@ -119,7 +119,7 @@ impl Units {
         graph.scale(coefficient, inverted)
     }
 
-    /// A factor as a power of the other expression for its reciprocal.
+    /// A factor as a power of the recorded expression for its reciprocal.
     fn reciprocal(&self, (base, exponent): (Node, i32)) -> Option<(Node, i32)> {
         let &reciprocal = self.reciprocals.get(&base)?;
         (exponent < 0).then_some((reciprocal, -exponent))
@@ -140,7 +140,7 @@ impl Units {
         }
     }
 
-    /// cos and sin of an angle: known, put together from known ones by the addition theorems, or evaluated.
+    /// cos and sin of an angle: known ones, combinations of known ones by the addition theorems, or evaluated.
     pub(crate) fn direction(&mut self, graph: &mut Graph, angle: Node) -> ComplexNode {
         if let Some(&direction) = self.directions.get(&angle) {
             return direction;
@@ -165,7 +165,8 @@ impl Units {
         direction
     }
 
-    /// An angle as an integer combination of angles with known directions and one rest; `None` if it has to be evaluated.
+    /// An angle as an integer combination of angles with known directions and one rest; `None` if it has to be
+    /// evaluated.
     fn resolve(&mut self, graph: &mut Graph, angle: Node) -> Option<Vec<(Node, i32)>> {
         let (constant, terms): (f64, Vec<(Node, f64)>) = match graph.kind(angle) {
             NodeKind::Sum(constant, terms) => (
@@ -201,7 +202,7 @@ impl Units {
                 rest.push((part, factor));
             }
         }
-        // an angle of inputs and parameters alone is as cheap to evaluate as to put together, and more exact
+        // an angle of inputs and parameters alone is as cheap to evaluate as to combine, and more accurate
         let is_of_unknowns = parts
             .iter()
             .any(|&(part, _)| matches!(graph.as_symbol(part), Some(Symbol::Unknown(_))));
@@ -221,7 +222,8 @@ impl Units {
 mod tests {
     use super::*;
 
-    /// The parameter, the input and the unknowns of the tests, and the direction of the first unknown as a closed form finds it.
+    /// The parameter, the input and the unknowns of the tests, and the direction of the first unknown as a closed form
+    /// finds it.
     struct Known {
         graph: Graph,
         units: Units,
@@ -268,7 +270,7 @@ mod tests {
         }
     }
 
-    /// Whatever an angle is put together from, its cosine and sine are those of the whole angle.
+    /// The cosine and sine of a combined angle are those of the whole angle.
     #[test]
     fn combined_directions_are_those_of_the_whole_angle() {
         let Known {
@@ -293,7 +295,8 @@ mod tests {
         }
     }
 
-    /// A multiple of the input is put together from the input's own sine and cosine, a sum of inputs and parameters is evaluated.
+    /// A multiple of the input is combined from the input's own sine and cosine. A sum of inputs and parameters is
+    /// evaluated.
     #[test]
     fn multiples_of_inputs_need_no_further_sine() {
         let mut known = Known::new();
@@ -311,7 +314,7 @@ mod tests {
         assert_eq!((found.re, found.im), expected);
     }
 
-    /// An angle by another name is read by that name, beside and inside of functions, but for the direction that is known.
+    /// A renamed angle is read by its new name beside and inside functions, except for its known direction.
     #[test]
     fn renamed_angles_are_read_by_their_new_name() {
         let mut known = Known::new();
