@@ -1,14 +1,14 @@
-//! The values that each stage leaves for the later ones.
+//! The values that each stage hands to later stages.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::Symbol;
 use crate::program::{Carried, Expression, Program, Step};
 
-/// Finds out what each stage of a scheduled program leaves for the later ones.
+/// Finds the values that each stage of a scheduled program hands to later stages.
 pub(super) fn hand_on(program: &mut Program<Expression>) {
     let last = program.stages.len();
-    // methods of the mechanism itself, which need not be handed its parameters
+    // methods of the mechanism itself read its parameters directly
     let has_parameters = |stage: usize| stage == 0 || (program.has_sensitivities && stage + 1 == last);
     let mut uses: Vec<BTreeSet<Carried>> = vec![BTreeSet::new(); last];
     let mut reads: Vec<BTreeSet<Symbol>> = vec![BTreeSet::new(); last];
@@ -32,7 +32,7 @@ pub(super) fn hand_on(program: &mut Program<Expression>) {
                         reads[stage].insert(symbol);
                         continue;
                     }
-                    // the pose tells cosine and sine of a direction as well
+                    // the pose also has the cosine and sine of a direction
                     Symbol::Step(_) if stage > 0 && program.directions.meaning(symbol).is_some() => {
                         reads[stage].insert(symbol);
                         continue;
@@ -71,7 +71,7 @@ pub(super) fn hand_on(program: &mut Program<Expression>) {
             }
         }
     }
-    // an angle that is found beside its unit vector stays with every pose
+    // an angle that is found beside its unit vector stays in every pose
     let poses = if program.has_sensitivities { last - 1 } else { last };
     for symbol in program.directions.angles() {
         for carried in &mut carries[..poses] {

@@ -1,4 +1,4 @@
-//! Expressions as lines: sums and products of any number of terms, numbered, equal ones once.
+//! Expressions as numbered lines: sums and products of any number of terms. Equal lines have one number.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,11 +8,11 @@ use crate::algebra::{Constant, Function, Graph, HashMap, Node, NodeKind, Symbol}
 use crate::passes::Pass;
 use crate::work;
 
-/// Sums and products of more terms than this are sums and products of shorter ones. Pairs that occur more than once are looked
-/// for within a line, and there are as many pairs as the square of its length.
+/// The largest number of terms of a line. Longer sums and products become sums and products of shorter ones. The search
+/// for repeated pairs in a line takes the square of its length.
 const WIDEST: usize = 64;
 
-/// A line's number.
+/// The index of a line.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct LineId(pub(super) usize);
 
@@ -21,9 +21,9 @@ pub(super) enum Line {
     Number(Constant),
     Pi,
     Leaf(Symbol),
-    /// Σ ± term; true is minus.
+    /// Σ ± term; true means minus.
     Sum(Vec<(bool, LineId)>),
-    /// Π factor, ascending, repeated for powers.
+    /// Π factor, ascending, with repetitions for powers.
     Product(Vec<LineId>),
     Quotient(LineId, LineId),
     Call(Function, Vec<LineId>),
@@ -34,14 +34,14 @@ pub(super) struct Lines {
     pub(super) list: Vec<Line>,
     known: HashMap<Line, LineId>,
     by_node: BTreeMap<Node, LineId>,
-    /// What more than one product divides by: its reciprocal is computed once.
+    /// The divisors of more than one product. Their reciprocals are computed once.
     shared_divisors: BTreeSet<Node>,
     shared_reciprocals: BTreeSet<LineId>,
     pub(super) style: Style,
 }
 
 impl Lines {
-    /// No lines yet; what the expressions given divide by more than once will be inverted once.
+    /// An empty list. Divisors that occur more than once in the given expressions will be inverted once.
     pub(super) fn new(graph: &Graph, roots: &[Node], style: Style) -> Self {
         let reachable = graph.reachable(roots);
         let mut divisions: BTreeMap<Node, usize> = BTreeMap::new();
@@ -81,7 +81,7 @@ impl Lines {
         &self.list[id.0]
     }
 
-    /// The line of an expression that was among, or within, the roots.
+    /// The line of an expression that is a root or a part of one.
     pub(super) fn of_node(&self, node: Node) -> LineId {
         self.by_node[&node]
     }
@@ -159,7 +159,7 @@ impl Lines {
                     } else {
                         (&mut below, line)
                     };
-                    // what is computed once for all orders is not torn apart by a factor that some terms share
+                    // keep together what is computed once for all orders, even if some terms share a factor of it
                     let is_above = exponent > 0 || factor != line;
                     let is_still = is_above && self.is_still(graph, base);
                     let list = if is_still { &mut still } else { list };
@@ -176,7 +176,7 @@ impl Lines {
                 self.intern(Line::Quotient(above, below))
             }
             NodeKind::Sum(constant, terms) => {
-                // terms with the same number in front share its multiplication
+                // terms with the same number in front share one multiplication
                 let mut groups: Vec<(f64, Vec<(bool, LineId)>)> = Vec::new();
                 for &(part, coefficient) in terms {
                     let (value, line) = (coefficient.get(), self.by_node[&part]);
@@ -221,12 +221,12 @@ impl Lines {
         }
     }
 
-    /// Whether a factor is multiplied by others of its kind before it is multiplied by a rate.
+    /// Whether a factor is first multiplied by others that depend on the position alone, and then by a rate.
     fn is_still(&self, graph: &Graph, factor: Node) -> bool {
         self.style.takes_out_factors && graph.depends_on_position_alone(factor)
     }
 
-    /// A sum, with a factor that several of its terms share taken out if that is asked for: the most frequent one, then the most
+    /// A sum whose shared factors are taken out, if the style asks for it: first the most frequent one, then the most
     /// frequent one of the new sum, and so on.
     fn factored_sum(&mut self, terms: Vec<(bool, LineId)>) -> LineId {
         if !self.style.takes_out_factors || terms.len() < 2 {
@@ -267,13 +267,13 @@ impl Lines {
     }
 }
 
-/// The terms of a sum of which factors are taken out, and in which of them each factor stands.
+/// The terms of a sum whose factors are taken out, and the terms in which each factor occurs.
 #[derive(Default)]
 struct FactoredSum {
-    /// By place. New terms stand before all others.
+    /// The terms by place. A new term is placed before all others.
     terms: BTreeMap<isize, (bool, LineId)>,
     places: BTreeMap<LineId, BTreeSet<isize>>,
-    /// The factors of more than one term, by the number of terms.
+    /// The factors of several terms, by the number of these terms.
     shared: BTreeSet<(usize, Reverse<LineId>)>,
 }
 
@@ -309,12 +309,12 @@ impl FactoredSum {
         }
     }
 
-    /// The factor of the most terms, the first one if there are several.
+    /// The factor of the most terms, the first one if several are equal.
     fn most_frequent(&self) -> Option<LineId> {
         self.shared.last().map(|&(_, Reverse(factor))| factor)
     }
 
-    /// Removes the terms with a factor.
+    /// Removes the terms that contain a factor.
     fn take(&mut self, lines: &Lines, factor: LineId) -> Vec<(bool, LineId)> {
         let places = self.places.get(&factor).cloned().unwrap_or_default();
         let mut taken = Vec::new();

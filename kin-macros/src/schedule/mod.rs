@@ -1,8 +1,8 @@
-//! The straight-line program: what is computed when, under which name, and what it costs.
+//! The straight-line program: which values are computed, in which stage and under which names, and their cost.
 //!
-//! Expressions become lines (sums and products of any length), lines share what they have in common, and what is left is
-//! put into binary operations in the order in which the steps need them. A value is computed in the first stage that
-//! needs it and carried to the later ones.
+//! Expressions become lines (sums and products of any length), and lines share their common parts. The result becomes
+//! binary operations in the order in which the steps need them. A value is computed in the first stage that needs it
+//! and carried to later ones.
 
 mod carry;
 mod lines;

@@ -1,10 +1,10 @@
-//! Names for values, so that a reader of the generated code recognises them.
+//! Names for values, so that readers of the generated code recognise them.
 
 use super::operation::{Operation, OperationId};
 use super::scheduler::Scheduler;
 use crate::algebra::Symbol;
 
-/// Longer names are not made.
+/// The length of the longest name.
 const NAME_LENGTH: usize = 36;
 
 impl Scheduler<'_> {
@@ -16,7 +16,7 @@ impl Scheduler<'_> {
         symbol
     }
 
-    /// A name that says what a value is, as long as it is short, or at least of what kind it is.
+    /// A name that describes the value if that is short, otherwise its kind.
     fn describe(&self, value: OperationId) -> String {
         self.phrase(value).unwrap_or_else(|| {
             let kind = match self.operations.operation(value) {
@@ -31,7 +31,7 @@ impl Scheduler<'_> {
         })
     }
 
-    /// A value in the names of its operands.
+    /// A description of a value by the names of its operands.
     fn phrase(&self, value: OperationId) -> Option<String> {
         let phrase = match *self.operations.operation(value) {
             Operation::Leaf(symbol) => return Some(self.names.of(symbol).to_owned()),
@@ -64,12 +64,12 @@ impl Scheduler<'_> {
             Operation::Subtract(a, b) => format!("{}_minus_{}", self.part(a)?, self.part(b)?),
             Operation::Negate(a) => format!("minus_{}", self.part(a)?),
         };
-        // a name does not begin with a digit
+        // a name must not begin with a digit
         let is_name = !phrase.starts_with(|first: char| first.is_ascii_digit());
         (is_name && phrase.len() <= NAME_LENGTH).then_some(phrase)
     }
 
-    /// The name of a value that has one, or what it would be called.
+    /// The name of a value, or its description if it has no name.
     fn part(&self, value: OperationId) -> Option<String> {
         match self.bound.get(&value) {
             Some(&symbol) => Some(self.names.of(symbol).to_owned()),

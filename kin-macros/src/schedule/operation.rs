@@ -6,7 +6,7 @@ use super::lines::{Line, LineId, Lines};
 use crate::algebra::{Constant, Function, HashMap, Symbol};
 use crate::program::Cost;
 
-/// An operation's number; operands have lower ones.
+/// The index of an operation; operands have lower indices.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct OperationId(pub(super) usize);
 
@@ -33,7 +33,7 @@ impl Operation {
         }
     }
 
-    /// Its cost; a sine and a cosine of one angle are counted where they are paired.
+    /// The cost of the operation. A sine and a cosine of one angle are counted where they are paired.
     pub(super) fn cost(&self) -> Cost {
         let mut cost = Cost::default();
         match self {
@@ -72,7 +72,7 @@ impl OperationList {
         value
     }
 
-    /// The number of an operation, if the program has it.
+    /// The index of an operation, if the program contains it.
     pub(super) fn find(&self, operation: &Operation) -> Option<OperationId> {
         self.known.get(operation).copied()
     }

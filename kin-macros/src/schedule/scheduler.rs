@@ -1,4 +1,4 @@
-//! Operations as steps: what gets a name, and in which stage it is computed.
+//! Operations as steps: the values that get a name, and the stage that computes each value.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,10 +11,10 @@ use crate::algebra::{Checked, Function, Graph, Node, Symbol};
 use crate::passes::{Pass, Passes};
 use crate::program::{Cost, Expression, Mode, Names, Program, Solver, Stage, Step};
 
-/// Expressions with more operations than this are broken up.
+/// The largest number of operations in an expression. Longer ones are broken up.
 const READABLE: usize = 10;
 
-/// Where and how often a value is used.
+/// The number of uses of a value, and the last stage that uses it.
 #[derive(Clone, Copy, Default)]
 struct Usage {
     count: usize,
@@ -26,20 +26,20 @@ pub(super) struct Scheduler<'a> {
     pub(super) operations: OperationList,
     pub(super) names: Names,
     pub(super) hints: BTreeMap<OperationId, String>,
-    /// By value; none for what is not used.
+    /// The usage by value; zero uses for an unused value.
     usage: Vec<Usage>,
-    /// Values that have a name, and it.
+    /// The symbols of the values that have a name.
     pub(super) bound: BTreeMap<OperationId, Symbol>,
     program: &'a Program<Node>,
     style: Style,
     stage: usize,
     steps: Vec<Step<Expression>>,
     cost: Cost,
-    /// How the block that is being written chooses between its solutions.
+    /// The mode in which the current block chooses between its solutions.
     mode: Mode,
-    /// How the blocks that have been written did, by unknown.
+    /// The modes of the blocks written so far, by unknown.
     modes: BTreeMap<usize, Mode>,
-    /// What an iteration of Newton's method does, by part.
+    /// The iterations of Newton's method, by part.
     iterations: BTreeMap<usize, Iteration>,
 }
 
@@ -50,7 +50,8 @@ struct Iteration {
     cost: Cost,
 }
 
-/// Schedules the iterations of Newton's method, each a program of its own. Their names are added to those of the program around them.
+/// Schedules the iterations of Newton's method, each as a program of its own. Their names are added to those of the
+/// surrounding program.
 fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes: Passes) -> BTreeMap<usize, Iteration> {
     let mut iterations = BTreeMap::new();
     for step in program.stages.iter().flat_map(|stage| &stage.steps) {
@@ -64,7 +65,7 @@ fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes:
         else {
             continue;
         };
-        // the same lines, in one piece, as an argument of no solver at all
+        // a step that stands for all lines of the iteration together, whose results are taken apart below
         let lines = Step::Factor {
             symbol: RESIDUALS,
             matrix: [residuals].into_iter().chain(jacobian).cloned().collect(),
@@ -94,10 +95,10 @@ fn iterations(graph: &Graph, program: &Program<Node>, names: &mut Names, passes:
     iterations
 }
 
-/// Stands for the residuals and the Jacobian of an iteration while it is scheduled.
+/// The symbol of the residuals and the Jacobian of an iteration while it is scheduled.
 const RESIDUALS: Symbol = Symbol::Step(usize::MAX);
 
-/// Schedules a program. `hints` are names for expressions that get one.
+/// Schedules a program. `hints` are names for expressions that need a `let`.
 pub(crate) fn schedule(
     graph: &Graph,
     program: &Program<Node>,
@@ -109,7 +110,7 @@ pub(crate) fn schedule(
     let mut lines = Lines::new(graph, &roots, style);
     let reachable: BTreeSet<Node> = graph.reachable(&roots);
     if let (true, Some((_, motion))) = (program.has_sensitivities, program.stages.split_last()) {
-        // the motion comes first: what it shares is not to be torn apart for what comes after it
+        // the motion comes first, so that later programs do not break up the expressions that it shares
         lines.extend(graph, &roots_of(motion));
         share::share(&mut lines);
     }
@@ -151,7 +152,7 @@ impl Scheduler<'_> {
         self.operations.lower(lines, lines.of_node(node))
     }
 
-    /// First pass: where each value is used.
+    /// The first pass: counts the uses of each value.
     fn survey(&mut self, lines: &Lines) {
         let program = self.program;
         for (stage, steps) in program.stages.iter().enumerate() {
@@ -195,7 +196,7 @@ impl Scheduler<'_> {
         matches!(self.operations.operation(value), Operation::Call(function, _) if function.partner().is_some())
     }
 
-    /// The cosine to a sine and the sine to a cosine, if the program has it.
+    /// The cosine of the angle of a sine, or the sine of the angle of a cosine, if the program contains it.
     fn partner(&self, value: OperationId) -> Option<OperationId> {
         let Operation::Call(function, arguments) = self.operations.operation(value) else {
             return None;
@@ -205,7 +206,7 @@ impl Scheduler<'_> {
         (self.usage(partner).count > 0 && self.includes(Pass::SineCosinePairs)).then_some(partner)
     }
 
-    /// Second pass: the steps.
+    /// The second pass: writes the steps.
     fn write(mut self, lines: &Lines) -> Program<Expression> {
         let program = self.program;
         let mut stages = Vec::new();
@@ -261,7 +262,7 @@ impl Scheduler<'_> {
         self.steps.push(written);
     }
 
-    /// A step whose expressions are written: what it costs, and what its parts have to know of each other.
+    /// Completes a step whose expressions are written: adds its cost and the facts that its parts need.
     fn finished(&mut self, lines: &Lines, step: &Step<Node>, mut written: Step<Expression>) -> Step<Expression> {
         match &mut written {
             Step::Solve { solver, results, .. } => {
@@ -290,7 +291,7 @@ impl Scheduler<'_> {
                 if is_positive {
                     *length = None;
                 }
-                // an unknown length is negative in one of its two assemblies, and the vector is turned round there
+                // an unknown length is negative in one of its two assemblies, and the vector is reversed there
                 if let Operation::Leaf(Symbol::Unknown(unknown)) = self.operations.operation(known)
                     && self.modes.get(unknown) != Some(&(Mode::Fixed { is_open: true }))
                 {
@@ -308,7 +309,7 @@ impl Scheduler<'_> {
         written
     }
 
-    /// Adds to the cost; a block whose range is looked up solves for both candidates.
+    /// Adds to the cost. A block whose range is checked at run time solves for both candidates.
     fn charge(&mut self, cost: Cost) {
         let times = if matches!(self.mode, Mode::Ranged) { 2 } else { 1 };
         for _ in 0..times {
@@ -328,7 +329,7 @@ impl Scheduler<'_> {
         self.cost = self.cost + cost;
     }
 
-    /// Whether a result of a closed form is needed; a position has all unknowns.
+    /// Whether a result of a closed form is used. A position uses all unknowns.
     fn is_used(&mut self, symbol: Symbol) -> bool {
         let leaf = self.operations.leaf(symbol);
         matches!(symbol, Symbol::Unknown(_)) || self.usage(leaf).count > 0
@@ -343,7 +344,7 @@ impl Scheduler<'_> {
         }
     }
 
-    /// A function with a partner or a check cannot stand within an expression.
+    /// Whether a call cannot be part of an expression, because it has a partner or a check.
     fn must_be_separate(&self, value: OperationId) -> bool {
         self.known(value).is_some() || self.is_circular(value) || self.guard(value).is_some()
     }
@@ -356,7 +357,7 @@ impl Scheduler<'_> {
         }
     }
 
-    /// A value by its name if it has or deserves one, else written out.
+    /// The name of a value if it has or needs one, otherwise its expression.
     fn expression(&mut self, value: OperationId) -> Expression {
         if let Some(symbol) = self.known(value) {
             return Expression::Name(symbol);
@@ -393,7 +394,7 @@ impl Scheduler<'_> {
         self.unfold(value)
     }
 
-    /// Whether a value takes more operations than are readable, written out.
+    /// Whether the expression of a value takes more operations than are readable.
     fn is_long(&self, value: OperationId) -> bool {
         let mut operations = 0;
         let mut open = vec![value];
@@ -443,7 +444,7 @@ impl Scheduler<'_> {
         }
     }
 
-    /// Names a sine or cosine, and its partner with it.
+    /// Names a sine or cosine together with its partner.
     fn bind_circular(&mut self, value: OperationId) -> Symbol {
         let Operation::Call(_, arguments) = self.operations.operation(value).clone() else {
             unreachable!("sines and cosines are calls");

@@ -1,10 +1,10 @@
 //! Common subexpressions of sums and products: pairs that occur more than once are computed once.
 //!
-//! The greedy extraction of two-term divisors, most frequent first (R. K. Brayton and C. `McMullen`, "The decomposition
-//! and factorization of Boolean expressions", ISCAS 1982, in its common form for arithmetic expressions).
+//! This is the greedy extraction of two-term divisors, most frequent first (R. K. Brayton and C. `McMullen`, "The
+//! decomposition and factorization of Boolean expressions", ISCAS 1982, in its common form for arithmetic expressions).
 //!
-//! An element that occurs only once is in no pair that occurs twice. Only pairs of other elements are counted, and only those
-//! whose elements have changed are counted again, so the work follows the length of what can be shared.
+//! An element that occurs only once is in no pair that occurs twice. So only pairs of other elements are counted, and
+//! only pairs with changed elements are counted again. The work follows the number of elements that can be shared.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,13 +22,14 @@ enum Pair {
     Sum(LineId, LineId, bool),
 }
 
-/// How often a term stands in a line with each sign; a factor has no sign.
+/// The number of occurrences of a term in a line, by sign. Factors have no sign.
 type Multiplicity = [usize; 2];
 
-/// Whether a line is a sum, and an element of it: a term is nothing to products, nor a factor to sums.
+/// An element of a line, and whether the line is a sum: terms of sums and factors of products are never shared with
+/// each other.
 type Element = (bool, LineId);
 
-/// The elements of a line, each as often as it stands there.
+/// The elements of a line, each as often as it occurs.
 fn elements(line: &Line) -> Vec<(LineId, bool)> {
     match line {
         Line::Product(factors) => factors.iter().map(|&factor| (factor, false)).collect(),
@@ -37,7 +38,7 @@ fn elements(line: &Line) -> Vec<(LineId, bool)> {
     }
 }
 
-/// Elements that occur more than once, and for all others the only line that they stand in.
+/// Elements that occur more than once, and for each other element the only line that contains it.
 struct Repeated {
     elements: HashMap<Element, usize>,
     only: HashMap<Element, usize>,
@@ -64,14 +65,14 @@ impl Repeated {
         self.elements.contains_key(&element)
     }
 
-    /// Takes note that an element now occurs more than once. If it did not before, the line that it stood in is handed back.
+    /// Records that an element now occurs more than once. If this is new, the line that contained it is returned.
     fn add(&mut self, element: Element) -> Option<usize> {
         let is_new = self.elements.insert(element, 0).is_none();
         is_new.then(|| self.only.get(&element).copied()).flatten()
     }
 }
 
-/// The terms or factors of a line, of those that occur more than once, ascending.
+/// The elements of a line that occur more than once, ascending.
 type Elements = Vec<(LineId, Multiplicity)>;
 
 /// The elements of a line that occur more than once.
@@ -86,7 +87,7 @@ fn repeated_elements(line: &Line, repeated: &Repeated) -> Elements {
     counts.into_iter().collect()
 }
 
-/// An element of a line, and how often it stands there before and after a change.
+/// An element of a line, with its number of occurrences before and after a change.
 #[derive(Clone, Copy)]
 struct Recount {
     id: LineId,
@@ -94,7 +95,7 @@ struct Recount {
     after: Multiplicity,
 }
 
-/// The elements that a line has before or after a change.
+/// The elements of a line before or after a change, with their counts.
 fn changes(before: &Elements, after: &Elements) -> Vec<Recount> {
     let mut all: BTreeMap<LineId, [Multiplicity; 2]> = BTreeMap::new();
     for (place, elements) in [before, after].into_iter().enumerate() {
@@ -108,7 +109,7 @@ fn changes(before: &Elements, after: &Elements) -> Vec<Recount> {
 }
 
 impl Pair {
-    /// The pairs that two different elements of a line may form, or one with itself.
+    /// The pairs that two elements of a line can form. An element can form a pair with itself.
     fn of(is_sum: bool, one: LineId, other: LineId) -> impl Iterator<Item = Self> {
         let (a, b) = (one.min(other), one.max(other));
         let pairs = if is_sum {
@@ -119,7 +120,7 @@ impl Pair {
         pairs.into_iter().flatten()
     }
 
-    /// How often the pair can be taken out of a line that has its elements as often as given.
+    /// The number of times that the pair can be taken out of a line, given the multiplicity of its elements.
     const fn times(self, [p, m]: Multiplicity, [q, n]: Multiplicity) -> usize {
         match self {
             Self::Product(a, b) if a.0 == b.0 => p / 2,
@@ -131,10 +132,10 @@ impl Pair {
     }
 }
 
-/// Where each pair occurs. Only elements that change are looked at again.
+/// The occurrences of each pair. Only changed elements are counted again.
 #[derive(Default)]
 struct Occurrences {
-    /// The lines, ascending, and how often each has the pair.
+    /// The lines that contain each pair, ascending, with the number of times.
     places: HashMap<Pair, Vec<(usize, usize)>>,
     /// The elements of each line.
     elements: Vec<Elements>,
@@ -143,7 +144,7 @@ struct Occurrences {
 }
 
 impl Occurrences {
-    /// Takes note of what a line has become.
+    /// Records the new state of a line.
     fn update(&mut self, index: usize, line: &Line, repeated: &Repeated) {
         if self.elements.len() <= index {
             self.elements.resize_with(index + 1, Elements::new);
@@ -180,7 +181,7 @@ impl Occurrences {
         }
     }
 
-    /// The pairs that occur more than once and have not been looked at since they did, the most frequent first.
+    /// The pairs that occur more than once and have not been examined since, the most frequent first.
     fn candidates(&mut self) -> Vec<Pair> {
         let mut candidates: Vec<(usize, Pair)> = mem::take(&mut self.grown)
             .into_iter()
@@ -206,7 +207,7 @@ pub(super) fn share(lines: &mut Lines) {
         }
         for pair in occurrences.candidates() {
             let places = &occurrences.places[&pair];
-            // earlier replacements may have used up what this pair needs
+            // earlier replacements may have used up elements of this pair
             let current: usize = places
                 .iter()
                 .map(|&(place, _)| count_in(&lines.list[place], pair))
@@ -231,7 +232,7 @@ pub(super) fn share(lines: &mut Lines) {
     }
 }
 
-/// How often a pair can be taken out of a line.
+/// The number of times that a pair can be taken out of a line.
 fn count_in(line: &Line, pair: Pair) -> usize {
     match (line, pair) {
         (Line::Product(factors), Pair::Product(a, b)) => {
@@ -247,7 +248,7 @@ fn count_in(line: &Line, pair: Pair) -> usize {
     }
 }
 
-/// Puts `replacement` in the place of a pair, as often as it occurs.
+/// Replaces a pair by `replacement`, as often as it occurs. Returns whether it occurred.
 fn replace(line: &mut Line, pair: Pair, replacement: LineId) -> bool {
     let mut changed = false;
     match (line, pair) {

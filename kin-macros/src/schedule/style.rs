@@ -2,11 +2,11 @@
 
 use crate::passes::Passes;
 
-/// What may be decided about a schedule.
+/// The decisions about a schedule that may differ.
 #[derive(Clone, Copy)]
 pub(crate) struct Style {
-    /// Whether factors that terms of a sum share are taken out. Those of the position alone are multiplied by each other first, and
-    /// not torn apart.
+    /// Whether shared factors are taken out of sums. Factors that depend on the position alone are multiplied first and
+    /// kept together.
     pub(crate) takes_out_factors: bool,
     /// Whether functions that are not defined everywhere are checked, in the first stage.
     pub(crate) check_domains: bool,
@@ -31,7 +31,7 @@ impl Style {
         }
     }
 
-    /// The same style, in which shared factors are taken out.
+    /// The same style, with shared factors taken out.
     pub(crate) const fn with_factors_taken_out(self) -> Self {
         Self {
             takes_out_factors: true,
