@@ -1,4 +1,4 @@
-//! One way to the program: a list of passes, from derivatives to schedule.
+//! One way to derive the program: a list of passes, from derivatives to the schedule.
 
 use super::Task;
 use super::extras::extras;
@@ -26,7 +26,7 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    /// All passes, one after the other.
+    /// Runs all passes, one after the other.
     pub(super) fn new(task: &Task<'_>, derived: &Derived, sensitivities: &[Definition]) -> Self {
         let mut draft = Draft::of_position(task, derived);
         draft.learn_reciprocals();
@@ -47,7 +47,7 @@ impl Candidate {
         self.scheduled.cost().total()
     }
 
-    /// What this way costs.
+    /// The record of this way and its cost.
     pub(super) fn trial(&self) -> Trial {
         Trial {
             way: self.way,
@@ -55,7 +55,7 @@ impl Candidate {
         }
     }
 
-    /// Takes out factors that terms share, if that is cheaper.
+    /// Takes out shared factors, if that is cheaper.
     pub(super) fn take_out_factors(&mut self, passes: Passes) {
         if !passes.include(Pass::SharedFactors) {
             return;
@@ -104,14 +104,14 @@ struct Draft<'a> {
     reciprocals: Reciprocals,
     directions: Directions,
     choices: Vec<Choice>,
-    /// The values that the position has found not to be zero.
+    /// The values that the position finds to be nonzero.
     nonzero: Vec<Node>,
     hints: Vec<(Node, String)>,
     has_sensitivities: bool,
 }
 
 impl<'a> Draft<'a> {
-    /// The position, block by block.
+    /// Derives the position, block by block.
     fn of_position(task: &'a Task<'a>, derived: &'a Derived) -> Self {
         let (mut graph, mut names) = (derived.graph.clone(), task.names.clone());
         let unknowns: Vec<usize> = task.blocks.iter().flat_map(|block| &block.unknowns).copied().collect();
@@ -153,14 +153,14 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// Rates divide by the reciprocals of the roots that closed forms take.
+    /// Lets rates use the reciprocals of the roots that closed forms take.
     fn learn_reciprocals(&mut self) {
         let is_included = self.task.passes.include(Pass::InvertedRoots);
         let roots: &[KnownRoot] = if is_included { &self.roots } else { &[] };
         self.reciprocals = Reciprocals::learn(&mut self.graph, &mut self.names, &mut self.units, roots);
     }
 
-    /// Cosine and sine of the unknowns that are handed out as unit vectors.
+    /// Defines cosine and sine of the unknowns that are returned as unit vectors.
     fn define_unit_vectors(&mut self) {
         self.directions = assemble::define(
             &mut self.graph,
@@ -171,7 +171,7 @@ impl<'a> Draft<'a> {
         );
     }
 
-    /// The outputs' values.
+    /// Defines the values of the outputs.
     fn define_outputs(&mut self) {
         for (index, &output) in self.task.outputs.iter().enumerate() {
             let step = self.definition(Symbol::OutputRate(index, 0), output);
@@ -179,12 +179,12 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// Later stages know the angles beside unit vectors by names of their own.
+    /// Gives the angles beside unit vectors names of their own for later stages.
     fn leave_angles(&mut self) {
         assemble::leave_angles(&self.directions, &mut self.graph, &mut self.units, &mut self.stages[0]);
     }
 
-    /// A stage for each order: the rates of the unknowns and of the outputs.
+    /// Adds a stage for each order, with the rates of the unknowns and of the outputs.
     fn add_rates(&mut self) {
         let derivatives = &self.derived.derivatives;
         for (order, (rates, outputs)) in derivatives.orders.iter().zip(&derivatives.outputs).enumerate() {
@@ -208,7 +208,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// A stage after the highest order: the partial derivatives by the parameters.
+    /// Adds a stage after the highest order, with the partial derivatives by the parameters.
     fn add_sensitivities(&mut self, definitions: &[Definition]) {
         if definitions.is_empty() {
             return;
@@ -221,7 +221,7 @@ impl<'a> Draft<'a> {
                 Definition::Value { symbol, node } | Definition::Entry { symbol, node, .. } => {
                     self.definition(*symbol, *node)
                 }
-                // the factors are the position's own: where it could not factor there is no pose
+                // the factors come from the position: if it cannot factor the matrix, there is no pose
                 Definition::System {
                     factors,
                     right,
@@ -234,7 +234,7 @@ impl<'a> Draft<'a> {
         self.stages.push(Stage::new(steps));
     }
 
-    /// Names for parts of the formulas that have a meaning.
+    /// Names the parts of the formulas that have a meaning.
     fn hint_names(&mut self) {
         let derivatives = &self.derived.derivatives;
         for &determinant in derivatives.determinants() {
@@ -251,7 +251,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// The name of a part of the formulas, and whether the part is the opposite of what is called so.
+    /// The name of a part of the formulas, and whether the part is the opposite of the named quantity.
     fn hint(&self, hint: Hint) -> (String, bool) {
         let name = match hint {
             Hint::Right { equation, order } => format!("right_{}_{}", equation + 1, order_name(order)),
@@ -276,7 +276,7 @@ impl<'a> Draft<'a> {
         (name, false)
     }
 
-    /// The position checks what later stages divide by.
+    /// Lets the position check the divisors of later stages.
     fn check_divisors(&mut self) {
         let derivatives = &self.derived.derivatives;
         let guaranteed: Vec<Node> = derivatives
@@ -291,7 +291,7 @@ impl<'a> Draft<'a> {
         self.stages[0].steps.extend(checks);
     }
 
-    /// An angle that nothing asks for is not found, if its unit vector is.
+    /// Removes angles that nothing uses and whose unit vectors are found.
     fn drop_idle_angles(&mut self) {
         assemble::drop_idle(
             &mut self.directions,
@@ -301,7 +301,7 @@ impl<'a> Draft<'a> {
         );
     }
 
-    /// Reciprocals are computed before the first step that needs them.
+    /// Places reciprocals before the first step that needs them.
     fn place_reciprocals(&mut self) {
         std::mem::take(&mut self.reciprocals).place(&self.graph, &mut self.stages);
     }
@@ -329,7 +329,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// A definition in terms of what is known where it stands.
+    /// A definition, rewritten by the directions known at its stage.
     fn definition(&mut self, symbol: Symbol, node: Node) -> Step<Node> {
         let value = self.units.rewrite(&mut self.graph, node);
         Step::Define { symbol, value }

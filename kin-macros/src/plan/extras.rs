@@ -16,7 +16,7 @@ pub(super) struct Extras {
     pub(super) transmission: Option<TransmissionAngles>,
 }
 
-/// Plans all of them, those that were requested and those that every mechanism has.
+/// Plans all of them: those that are requested and those that every mechanism has.
 pub(super) fn extras(task: &Task<'_>, graph: &mut Graph, names: &Names, choices: &[Choice]) -> Extras {
     let (orientations, orientation_symbols) = orientations(graph, names, choices);
     Extras {
@@ -29,7 +29,8 @@ pub(super) fn extras(task: &Task<'_>, graph: &mut Graph, names: &Names, choices:
     }
 }
 
-/// The program that finds the assembly of given values of the unknowns, a definition for each choice of the caller's.
+/// The program that finds the assembly of given values of the unknowns, with a definition for each choice of the
+/// caller.
 fn orientations(graph: &mut Graph, names: &Names, choices: &[Choice]) -> (Program<Expression>, Vec<Symbol>) {
     let mut names = names.clone();
     let (mut steps, mut symbols) = (Vec::new(), Vec::new());

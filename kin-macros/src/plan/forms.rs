@@ -5,7 +5,7 @@ use crate::algebra::Graph;
 use crate::derive::{self, Derivatives, Formulas, Influences, TooLarge};
 use crate::passes::Pass;
 
-/// Equations and outputs in one form, and the graph that has it.
+/// Equations and outputs in one form, and the graph of that form.
 #[derive(Clone)]
 pub(super) struct Form {
     pub(super) graph: Graph,
@@ -27,7 +27,7 @@ impl Form {
     }
 }
 
-/// The equations multiplied out, and as typed if that is something else.
+/// The multiplied-out form of the equations, and the typed form if it differs.
 pub(super) fn forms(task: &Task<'_>) -> Vec<Form> {
     let mut graph = task.graph.clone();
     let mut form = |is_multiplied_out| {

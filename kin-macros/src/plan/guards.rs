@@ -1,11 +1,11 @@
-//! Divisors that have to be checked with the position, as later stages cannot fail.
+//! Divisors that are checked together with the position, because later stages cannot fail.
 
 use std::collections::BTreeSet;
 
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::program::Stage;
 
-/// The divisors of later stages that nothing before them has found to be regular.
+/// The divisors of later stages that no earlier check has found to be nonzero.
 pub(super) fn unguarded_divisors(graph: &Graph, stages: &[Stage<Node>], guaranteed: &[Node]) -> Vec<Node> {
     let divisors = |stages: &[Stage<Node>]| -> BTreeSet<Node> {
         let needs: Vec<Node> = stages.iter().flat_map(Stage::needs).collect();
@@ -28,7 +28,7 @@ pub(super) fn unguarded_divisors(graph: &Graph, stages: &[Stage<Node>], guarante
     for &node in guaranteed {
         known.insert(node);
         match graph.kind(node) {
-            // a product that does not vanish has no factor that does
+            // if a product is nonzero, so are its factors
             NodeKind::Product(factors) => known.extend(factors.iter().map(|&(base, _)| base)),
             NodeKind::Sum(constant, terms) if constant.get() == 0.0 && terms.len() == 1 => {
                 known.insert(terms[0].0);
@@ -42,7 +42,7 @@ pub(super) fn unguarded_divisors(graph: &Graph, stages: &[Stage<Node>], guarante
     divisors(later)
         .into_iter()
         .filter(|divisor| !known.contains(divisor))
-        // a length that a closed form has turned into a direction is not zero
+        // a length that a closed form has turned into a direction is nonzero
         .filter(|&divisor| {
             !matches!(
                 graph.as_symbol(divisor),

@@ -1,7 +1,7 @@
 //! The whole program, by the cheapest of several ways to derive it.
 //!
-//! The equations are differentiated as typed and multiplied out, and the cheaper form with influence coefficients as well. Each way is
-//! carried through to the scheduled program and its operations are counted; the cheapest way is kept.
+//! The equations are differentiated as typed and multiplied out, and the cheaper form also with influence coefficients.
+//! Each way is carried through to the scheduled program, whose operations are counted. The cheapest way is kept.
 
 mod candidate;
 mod extras;
@@ -22,13 +22,14 @@ use crate::derive::{Influences, TooLarge};
 use crate::passes::Pass;
 use crate::program::{Solvers, Trial};
 
-/// As many expressions as the largest declarations that compile in minutes have: some hundred thousand operations.
+/// The largest number of expressions. The largest declarations that compile within minutes have as many, and some
+/// hundred thousand operations.
 pub(crate) const MOST_EXPRESSIONS: usize = 1_000_000;
 
-/// Tries both forms, and the cheaper one with influence coefficients, and keeps the cheapest.
+/// Tries both forms, and the cheaper form with influence coefficients, and keeps the cheapest way.
 ///
 /// # Errors
-/// If the derivatives take too many expressions.
+/// Returns an error if the derivatives take too many expressions.
 pub(crate) fn plan(task: &Task<'_>) -> Result<Solvers, TooLarge> {
     let mut trials = Vec::new();
     let forms = forms(task);
@@ -50,7 +51,7 @@ pub(crate) fn plan(task: &Task<'_>) -> Result<Solvers, TooLarge> {
     Ok(candidate.finish(task, trials, is_form_given_up))
 }
 
-/// One way, with the factors that terms share taken out if that is cheaper.
+/// One way to derive the program. Shared factors are taken out if that is cheaper.
 fn attempt(
     task: &Task<'_>,
     form: Form,
@@ -67,7 +68,7 @@ fn attempt(
     Ok((candidate, derived))
 }
 
-/// The cheaper of two ways, the first one if they cost the same.
+/// The cheaper of two ways, the first one if the costs are equal.
 fn cheaper(first: Option<(Candidate, Derived)>, second: (Candidate, Derived)) -> (Candidate, Derived) {
     match first {
         Some(first) if first.0.cost() <= second.0.cost() => first,
@@ -75,7 +76,7 @@ fn cheaper(first: Option<(Candidate, Derived)>, second: (Candidate, Derived)) ->
     }
 }
 
-/// The program of the way that was kept, with the sensitivities after it.
+/// The program of the best way, with the sensitivities after it.
 fn with_sensitivities(task: &Task<'_>, mut derived: Derived) -> Result<Candidate, TooLarge> {
     let own = derived.form.task(task, derived.influences);
     let definitions = derived

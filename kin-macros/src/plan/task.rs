@@ -1,4 +1,4 @@
-//! The task: what a declaration asks for, as the planner needs it.
+//! The task: the contents of a declaration, as the planner needs them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,26 +9,26 @@ use crate::passes::Passes;
 use crate::program::{Limits, Names, OWN_NAMES};
 use crate::structure::{Block, Structure};
 
-/// The equations to be solved, and what has been decided about their solution.
+/// The equations to solve, and the decisions about their solution.
 pub(crate) struct Task<'a> {
     pub(crate) graph: &'a Graph,
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
     pub(crate) ranges: BTreeMap<usize, Limits>,
-    /// The unknown angles that are handed out as unit vectors.
+    /// The unknown angles that are returned as unit vectors.
     pub(crate) directions: BTreeSet<usize>,
     /// The scalar parts of the outputs.
     pub(crate) outputs: Vec<Node>,
     pub(crate) inputs: usize,
     pub(crate) order: usize,
-    /// The number of scalar parameters by which the motion is to be differentiated: all of them, or none.
+    /// The number of scalar parameters by which the motion is differentiated: all of them, or none.
     pub(crate) parameters: usize,
     pub(crate) has_transmission_angles: bool,
     /// Names of parameters, inputs, unknowns and outputs.
     pub(crate) names: Names,
     /// The passes that make the program cheaper.
     pub(crate) passes: Passes,
-    /// The planner gives up beyond this number of expressions.
+    /// The number of expressions above which the planner gives up.
     pub(crate) most_expressions: usize,
 }
 
@@ -67,14 +67,14 @@ fn ranges(model: &Model) -> BTreeMap<usize, Limits> {
         .collect()
 }
 
-/// The unknowns that are found as unit vectors.
+/// The unknowns that are returned as unit vectors.
 fn directions(model: &Model) -> BTreeSet<usize> {
     (0..model.unknowns.len())
         .filter(|&unknown| model.unknowns[unknown].dimension == Dimension::Direction)
         .collect()
 }
 
-/// The number of scalar parameters, if sensitivities are requested.
+/// The number of scalar parameters if sensitivities are requested, otherwise zero.
 fn sensitive_parameters(model: &Model) -> usize {
     if !model.is_requested(Request::Sensitivities) {
         return 0;
@@ -85,7 +85,7 @@ fn sensitive_parameters(model: &Model) -> usize {
         .sum()
 }
 
-/// The names that the declaration gives, beside those that generated code needs for itself.
+/// The names in the declaration, and those that generated code needs for itself.
 fn names(model: &Model) -> Names {
     let mut names = Names::default();
     for own in OWN_NAMES {
@@ -105,7 +105,7 @@ fn names(model: &Model) -> Names {
     }
     let mut output_part = 0;
     for output in &model.outputs {
-        // the field of a pose bears the output's own name
+        // the field of a pose has the name of the output
         names.reserve(&output.name.to_string());
     }
     for own in &model.parameters {

@@ -1,15 +1,16 @@
 //! Telltales: the smallest set of rates whose finiteness proves that all rates are finite.
 //!
-//! A sum or a product of floating-point numbers is not finite if one of them is not: ∞ · 0 and ∞ - ∞ are NaN. (IEEE 754-2019, sections
-//! 6.1 and 6.2.) So a value that is not finite shows in everything that is computed from it by additions and multiplications, or by
-//! dividing it. P and Q of the highest rate of an angle are made of its lower rates, which therefore need no test of their own.
+//! A sum or a product of floating-point numbers is not finite if one of its operands is not: ∞ · 0 and ∞ - ∞ are NaN
+//! (IEEE 754-2019, sections 6.1 and 6.2). So a non-finite value makes every value non-finite that is computed from it
+//! by additions and multiplications, or by dividing it. P and Q of the highest rate of an angle are computed from lower
+//! rates of the angle, which therefore need no test of their own.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
 use crate::program::{Stage, Step};
 
-/// The rates of unknowns that show in no other rate, by unknown and order.
+/// The rates of unknowns whose non-finite values would not make another rate non-finite, by unknown and order.
 pub(crate) fn telltales(graph: &mut Graph, stages: &[Stage<Node>]) -> BTreeSet<(usize, usize)> {
     let steps = || stages.iter().flat_map(|stage| &stage.steps);
     let mut definitions = BTreeMap::new();
@@ -38,7 +39,7 @@ pub(crate) fn telltales(graph: &mut Graph, stages: &[Stage<Node>]) -> BTreeSet<(
     telltales
 }
 
-/// Adds a value, and all values that show in it.
+/// Adds a value, and all values that make it non-finite if they are.
 fn show(graph: &Graph, definitions: &BTreeMap<Node, Node>, value: Node, shown: &mut BTreeSet<Node>) {
     let mut open = vec![value];
     while let Some(node) = open.pop() {

@@ -19,7 +19,7 @@ fn four_bar(order: usize) -> TokenStream {
     }
 }
 
-/// The architecture shows what link vectors save for the four-bar linkage, from the position through each order.
+/// The table in the chapter on the architecture: the savings of link vectors for the four-bar linkage, order by order.
 #[test]
 fn the_table_of_link_vectors_is_up_to_date() {
     let book = include_str!("../../../docs/architecture.md");
@@ -45,7 +45,7 @@ fn the_table_of_link_vectors_is_up_to_date() {
     }
 }
 
-/// The equations are tried in both forms if these differ, and a form that is left out is not tried.
+/// Both forms of the equations are tried if they differ, and an excluded form is not tried.
 #[test]
 fn forms_are_tried_if_they_differ_and_are_included() {
     let same = sound(declarations::four_bar());
@@ -66,7 +66,7 @@ fn forms_are_tried_if_they_differ_and_are_included() {
     assert_eq!(tried(Passes::without(Pass::MultipliedOut)), both[1..]);
 }
 
-/// As many expressions as are allowed are derived, and not one more.
+/// Exactly as many expressions are derived as are allowed.
 #[test]
 fn the_limit_of_expressions_is_exact() {
     let declaration = four_bar(3);
@@ -88,12 +88,12 @@ fn the_limit_of_expressions_is_exact() {
     assert!(rates < all);
     assert_eq!(derived(all), Ok((rates, all)));
     assert_eq!(derived(all - 1), Err(TooLarge { order: 3 }));
-    // the rates fit, and the partial derivatives of the position do not
+    // the rates fit, but the partial derivatives of the position do not
     assert_eq!(derived(rates), Err(TooLarge { order: 0 }));
     assert_eq!(derived(rates - 1), Err(TooLarge { order: 3 }));
 }
 
-/// What a closed form returns and nothing needs has no name, so that the compiler does not warn of it.
+/// An unused result of a closed form has no name, so that the compiler does not warn about it.
 #[test]
 fn results_that_nothing_needs_have_no_name() {
     let declared = sound(four_bar(1));
@@ -103,13 +103,14 @@ fn results_that_nothing_needs_have_no_name() {
             Step::Solve { results, .. } => Some(results.clone()),
             _ => None,
         });
-        // both parts of a vector; and four times the area with its square, where the determinant is inverted by them
+        // both components of a vector; and four times the area with its square, which give the inverse of the
+        // determinant
         let named = results.expect("it has a closed form").iter().flatten().count();
         assert_eq!(named, names, "{passes:?}");
     }
 }
 
-/// A length that may be negative costs a change of its own sign, and of both parts of the vector that it turns round.
+/// A length that may be negative costs a change of its own sign, and of both components of the vector that it reverses.
 #[test]
 fn a_negative_length_turns_its_vector_round() {
     let position = |declaration: TokenStream| sound(declaration).solvers(Passes::ALL).motion.stages[0].cost;
@@ -123,7 +124,7 @@ fn a_negative_length_turns_its_vector_round() {
     assert_eq!(either.negations, positive.negations + 3);
 }
 
-/// Whether an equation was too large to be multiplied out is told.
+/// A form that was given up for size is recorded.
 #[test]
 fn forms_that_are_given_up_are_told() {
     let is_told = |declaration: TokenStream| sound(declaration).solvers(Passes::ALL).is_form_given_up;
@@ -137,7 +138,7 @@ fn forms_that_are_given_up_are_told() {
     }));
 }
 
-/// What later stages divide by and the position does not is tested there, unless it is known not to vanish.
+/// The position tests the divisors of later stages, unless they are known to be nonzero.
 #[test]
 fn divisors_of_later_stages_are_guarded_in_the_position() {
     let mut graph = Graph::new();
@@ -169,7 +170,7 @@ fn divisors_of_later_stages_are_guarded_in_the_position() {
         (vec![product], vec![d]),
         (vec![scaled], vec![d]),
         (vec![scaled, scaled_symbol], vec![]),
-        // a sum that does not vanish says nothing of its terms
+        // a nonzero sum says nothing about its terms
         (vec![sum], vec![b, c, d]),
     ] {
         assert_eq!(
