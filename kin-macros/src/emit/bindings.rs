@@ -1,8 +1,9 @@
 //! Local names, kept apart from the items around a declaration.
 //!
-//! A name in a pattern is a new variable, unless a constant, a static or a variant of an enumeration is called so where the macro is used:
-//! then it is that item, whatever hygiene says. A function of the same name does no harm, and the nearest item counts. So every local
-//! name is imported as one beforehand, within the scope of the expansion.
+//! A name in a pattern is a new variable, unless a constant, a static or a variant of an enumeration with this name is
+//! in scope where the macro is used. Then the name means that item, whatever hygiene says. A function of the same name
+//! does no harm, and the nearest item counts. So every local name is first imported as a function, within the scope of
+//! the expansion.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +13,7 @@ use quote::quote;
 use super::local;
 use crate::syntax::is_keyword;
 
-/// The import that makes every name in the patterns of some items a new variable.
+/// The import that makes every name in the patterns of `items` a new variable.
 pub(super) fn imports(items: TokenStream, runtime: &TokenStream) -> TokenStream {
     let mut names = BTreeSet::new();
     collect(items, Delimiter::None, &mut names);
@@ -22,7 +23,7 @@ pub(super) fn imports(items: TokenStream, runtime: &TokenStream) -> TokenStream 
     }
 }
 
-/// Adds the names that stand where a pattern may bind them: arguments and fields of expressions look the same, and do no harm.
+/// Adds the names that a pattern may bind. Arguments and fields of expressions look the same; adding them does no harm.
 fn collect(tokens: TokenStream, around: Delimiter, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let in_braces = around == Delimiter::Brace;
@@ -37,7 +38,7 @@ fn collect(tokens: TokenStream, around: Delimiter, names: &mut BTreeSet<String>)
                 let is_marked = matches!(before, Some(TokenTree::Ident(word)) if word == "let" || word == "mut");
                 let is_in_path = is_one_of(before, ":") && is_joint(place.checked_sub(2).map(|place| &tokens[place]))
                     || is_one_of(after, ":") && is_joint(after);
-                // a name with a colon behind it is that of a field within braces, and so is one with a colon before it elsewhere a type
+                // a name before a colon is a field within braces, and a name after a colon elsewhere is a type
                 let begins = is_marked || before.is_none() || is_one_of(before, if in_braces { ",|:&" } else { ",|&" });
                 let is_typed = is_marked || !in_braces || is_one_of(before, "|");
                 let ends = after.is_none() || is_one_of(after, if is_typed { ",=|:" } else { ",=|" });

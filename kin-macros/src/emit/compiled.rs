@@ -10,7 +10,7 @@ use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
 use crate::translate::vector_type;
 
-/// All that is known of a mechanism when it is written down.
+/// All facts about a mechanism that generated code needs.
 #[derive(Clone, Copy)]
 pub(super) struct Compiled<'a> {
     pub(super) declaration: &'a Declaration,
@@ -21,12 +21,12 @@ pub(super) struct Compiled<'a> {
     pub(super) runtime: &'a TokenStream,
 }
 
-/// A name in generated code that no name of the user's can capture.
+/// A name in generated code that no name of the user can capture.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
-/// Generated items may go unused, and are not to be judged by the lints of the crate that they land in.
+/// The attributes of generated items: they may be unused, and the lints of the user's crate do not apply to them.
 pub(super) fn attributes() -> TokenStream {
     quote!(#[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
@@ -56,7 +56,7 @@ impl Compiled<'_> {
         self.blocks.iter().flat_map(|block| &block.parts).collect()
     }
 
-    /// Whether a part is left to Newton's method, so that its assembly is told by values near by.
+    /// Whether Newton's method solves a part, so that guessed values choose the assembly.
     pub(super) fn is_coupled(&self) -> bool {
         self.blocks.iter().any(Block::is_coupled)
     }
@@ -86,12 +86,12 @@ impl Compiled<'_> {
         local(self.solvers.names().of(symbol))
     }
 
-    /// A name of the generated code's own, unlike any input or unknown.
+    /// A name for the generated code's own use, different from all inputs and unknowns.
     pub(super) fn own(&self, name: &str) -> Ident {
         local(&self.model.own_name(name))
     }
 
-    /// A type parameter of the generated code's own, unlike the mechanism.
+    /// A type parameter for the generated code's own use, different from the mechanism's name.
     pub(super) fn type_parameter(&self, name: &str) -> Ident {
         let underscore = if self.model.name == name { "_" } else { "" };
         local(&format!("{name}{underscore}"))
@@ -106,17 +106,18 @@ impl Compiled<'_> {
             .collect()
     }
 
-    /// Whether an unknown is handed out as a unit vector.
+    /// Whether an unknown is returned as a unit vector.
     pub(super) fn is_direction(&self, unknown: usize) -> bool {
         self.model.unknowns[unknown].dimension == Dimension::Direction
     }
 
-    /// Whether any is.
+    /// Whether an unknown is returned as a unit vector, for any unknown.
     pub(super) fn has_directions(&self) -> bool {
         (0..self.model.unknowns.len()).any(|unknown| self.is_direction(unknown))
     }
 
-    /// An unknown's value, from a pose of any order. That of a direction is calculated, if the pose does not keep it.
+    /// An unknown's value, from a pose of any order. The angle of a direction is calculated if the pose does not keep
+    /// it.
     pub(super) fn unknown_value(&self, unknown: usize) -> TokenStream {
         let name = &self.model.unknowns[unknown].name;
         match (self.is_direction(unknown), self.solvers.directions().angle(unknown)) {
@@ -129,7 +130,7 @@ impl Compiled<'_> {
         }
     }
 
-    /// The same on the turn nearest to a value, if it is calculated.
+    /// An unknown's value from a pose of any order. A calculated angle is on the turn nearest to a given value.
     pub(super) fn unknown_value_near(&self, unknown: usize, near: &TokenStream) -> TokenStream {
         let name = &self.model.unknowns[unknown].name;
         if self.is_direction(unknown) && self.solvers.directions().angle(unknown).is_none() {
@@ -139,7 +140,7 @@ impl Compiled<'_> {
         }
     }
 
-    /// What holds an unknown through an order: `Motion<T, 5>`, or `Direction<T, 4>`.
+    /// The type of an unknown through an order: `Motion<T, 5>` or `Direction<T, 4>`.
     pub(super) fn unknown_type(&self, unknown: usize, order: usize, number: &TokenStream) -> TokenStream {
         let runtime = self.runtime;
         if self.is_direction(unknown) {
@@ -151,7 +152,7 @@ impl Compiled<'_> {
         }
     }
 
-    /// For each output, its scalar parts' numbers.
+    /// The indices of the scalar parts of each output.
     pub(super) fn output_parts(&self) -> Vec<Vec<usize>> {
         let mut next = 0;
         self.model
@@ -166,7 +167,7 @@ impl Compiled<'_> {
             .collect()
     }
 
-    /// An output whose numbers are of a type `T`: `T`, `Plane<T>` or `Space<T>`.
+    /// The type of an output whose numbers have the type `T`: `T`, `Plane<T>` or `Space<T>`.
     pub(super) fn output_type(&self, shape: Shape, number: &TokenStream) -> TokenStream {
         let runtime = self.runtime;
         if let Some(vector) = vector_type(shape) {
@@ -176,7 +177,7 @@ impl Compiled<'_> {
         }
     }
 
-    /// The field of a scalar parameter by its number; nothing for a part of a vector.
+    /// The field of a scalar parameter by the parameter's index; `None` for a part of a vector.
     pub(super) fn scalar_field(&self, number: usize) -> Option<&Ident> {
         let mut next = 0;
         for parameter in &self.model.parameters {
@@ -189,7 +190,7 @@ impl Compiled<'_> {
         None
     }
 
-    /// Each scalar parameter: its name in messages, its place in the structure, its dimension and its field.
+    /// The scalar parameters. Each has its name in messages, its value in the structure, its dimension and its field.
     pub(super) fn scalar_parameters(&self) -> Vec<(String, TokenStream, Dimension, usize)> {
         let mut scalars = Vec::new();
         for (index, parameter) in self.model.parameters.iter().enumerate() {
@@ -227,13 +228,13 @@ impl Compiled<'_> {
                     .iter()
                     .map(|&unknown| self.model.unknowns[unknown].name.to_string())
                     .collect();
-                // `a_b` and `c` come to the same as `a` and `b_c`
+                // `a_b` and `c` give the same name as `a` and `b_c`
                 Ident::new(&names.unique(&unknowns.join("_")), self.model.name.span())
             })
             .collect()
     }
 
-    /// The type that says which assembly of the parts with a closed form: one choice, a structure of several, or nothing.
+    /// The type of the assembly of the parts with a closed form: one choice, a structure of several, or nothing.
     pub(super) fn assembly_type(&self) -> TokenStream {
         let runtime = self.runtime;
         match self.choices().len() {
@@ -246,7 +247,7 @@ impl Compiled<'_> {
         }
     }
 
-    /// The assembly as an argument, absent where there is nothing to choose.
+    /// The assembly as an argument; nothing if there is no choice.
     pub(super) fn assembly_argument(&self) -> TokenStream {
         if self.choices().is_empty() {
             return TokenStream::new();
@@ -255,7 +256,7 @@ impl Compiled<'_> {
         quote!(#assembly: #kind)
     }
 
-    /// The assembly where it is passed on.
+    /// The assembly as a value that is passed on.
     pub(super) fn assembly_value(&self) -> TokenStream {
         if self.choices().is_empty() {
             return TokenStream::new();

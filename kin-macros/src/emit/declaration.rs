@@ -1,4 +1,4 @@
-//! The struct of the parameters, as it was declared but generic over the numeric type.
+//! The struct of the parameters: as declared, but generic over the number type.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -8,7 +8,7 @@ use syn::{Attribute, Path, Token, Visibility};
 use crate::model::{Dimension, Model};
 use crate::translate::vector_type;
 
-/// A field: attributes, visibility, name and what it holds.
+/// A field: attributes, visibility, name and dimension.
 pub(crate) type Field<'a> = (&'a [Attribute], &'a Visibility, &'a Ident, Option<Dimension>);
 
 /// The struct of a model.
@@ -24,7 +24,7 @@ pub(crate) fn tokens(model: &Model, runtime: &TokenStream) -> TokenStream {
     structure(&model.attributes, &model.visibility, &model.name, fields, runtime)
 }
 
-/// The struct of whatever fields there are, for models and for declarations with mistakes.
+/// The struct of given fields, for models and for declarations with mistakes.
 pub(crate) fn structure<'a>(
     attributes: &[Attribute],
     visibility: &Visibility,
@@ -57,7 +57,7 @@ pub(crate) fn structure<'a>(
     }
 }
 
-/// The traits that parameters are expected to have, less those that were derived by hand.
+/// The traits that parameters should have, without those that the user derived.
 fn derives(attributes: &[Attribute]) -> TokenStream {
     let derived: Vec<String> = attributes
         .iter()
@@ -83,7 +83,7 @@ fn derives(attributes: &[Attribute]) -> TokenStream {
     if missing.is_empty() {
         return TokenStream::new();
     }
-    // two of them on a line
+    // two traits per line
     let missing = missing.chunks(2);
     quote_spanned!(Span::mixed_site()=> #(#[derive(#(#missing),*)])*)
 }

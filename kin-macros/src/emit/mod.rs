@@ -1,4 +1,4 @@
-//! Model and program to Rust. Nothing here can fail.
+//! Model and program to Rust. This pass cannot fail.
 
 mod bindings;
 mod compiled;
@@ -20,7 +20,7 @@ use items::{
     values,
 };
 
-/// Everything that a declaration expands to.
+/// The whole expansion of a declaration.
 pub(crate) fn tokens(
     declaration: &Declaration,
     model: &Model,
@@ -82,7 +82,7 @@ pub(crate) fn tokens(
 
         #(#further)*
     };
-    // test functions inside of other items do not run
+    // test functions inside other items do not run
     let test = if outside.is_requested(Request::Test) {
         test::tokens(outside)
     } else {
@@ -104,7 +104,7 @@ pub(crate) fn tokens(
     }
 }
 
-/// What the runtime is called within the expansion: anything but what the mechanism is called.
+/// The name of the runtime within the expansion, different from the name of the mechanism.
 fn alias(mechanism: &str) -> Ident {
     local(if mechanism == "kin" { "runtime" } else { "kin" })
 }

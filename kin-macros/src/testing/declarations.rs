@@ -1,4 +1,4 @@
-//! Declarations that several tests look at.
+//! Declarations that several tests use.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -34,7 +34,7 @@ pub(crate) fn inverted_slider_crank() -> TokenStream {
     }
 }
 
-/// A class III triad: four coupled unknowns, two of them left to Newton's method.
+/// A class III triad: four coupled unknowns, of which Newton's method finds two.
 pub(crate) fn triad() -> TokenStream {
     quote! {
         pub struct Triad {

@@ -1,4 +1,4 @@
-//! Every value of a program is computed before it is used.
+//! The tests that every value of a program is computed before it is used.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,8 @@ use crate::algebra::Symbol;
 use crate::expand::expand;
 use crate::program::{Expression, Solvers, Stage, Step};
 
-/// Asserts it of all programs of a mechanism. The tests of this crate do so for each declaration that they expand.
+/// Asserts that all programs of a mechanism compute values before their use. The tests of this crate call it for each
+/// declaration that they expand.
 pub(crate) fn assert_defined(solvers: &Solvers) {
     let stages = &solvers.motion.stages;
     for (order, stage) in stages.iter().enumerate() {
@@ -37,7 +38,7 @@ pub(crate) fn assert_defined(solvers: &Solvers) {
     }
 }
 
-/// A value that a stage uses is given to it, or defined by a step before.
+/// Asserts that each value used in a stage is given to the stage or defined by an earlier step.
 fn assert_of_stage(stage: &Stage<Expression>, is_given: impl Fn(Symbol) -> bool) {
     let mut defined = BTreeSet::new();
     for step in &stage.steps {
@@ -54,7 +55,7 @@ fn assert_of_stage(stage: &Stage<Expression>, is_given: impl Fn(Symbol) -> bool)
     }
 }
 
-/// Expands two equations and more for `u`, `w` and others.
+/// Expands a declaration with two given equations and others, for `u`, `w` and other unknowns.
 fn expand_equations(others: &TokenStream, equations: &TokenStream) {
     expand(quote! {
         struct Found { a: Length, b: Length }
@@ -64,7 +65,7 @@ fn expand_equations(others: &TokenStream, equations: &TokenStream) {
     });
 }
 
-/// An unknown in a quotient of the equation that it is taken from.
+/// An unknown occurs in a quotient of the equation from which it is taken out.
 #[test]
 fn what_is_taken_out_is_not_defined_by_itself() {
     expand_equations(
@@ -78,7 +79,7 @@ fn what_is_taken_out_is_not_defined_by_itself() {
     );
 }
 
-/// An unknown that cancels once an equation is multiplied out, at first or after another has been taken out.
+/// An unknown cancels when an equation is multiplied out, at first or after another unknown has been taken out.
 #[test]
 fn unknowns_that_cancel_are_not_waited_for() {
     expand_equations(
@@ -98,7 +99,7 @@ fn unknowns_that_cancel_are_not_waited_for() {
     );
 }
 
-/// An unknown in an angle of many terms.
+/// An unknown occurs in an angle of many terms.
 #[test]
 fn an_angle_of_many_terms_is_split() {
     let corners: Vec<Ident> = (0..32).map(|index| format_ident!("d{index}")).collect();

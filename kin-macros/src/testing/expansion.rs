@@ -1,4 +1,4 @@
-//! What declarations expand to, held in snapshots: whoever changes the generated code sees what changes for its readers.
+//! Snapshots of expansions. They show every change of the generated code as its readers see it.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -29,7 +29,7 @@ fn four_bar() -> TokenStream {
     }
 }
 
-/// What is alike for all mechanisms stands in `kin-core`, and not in every expansion.
+/// Code that is the same for all mechanisms belongs in `kin-core`, not in every expansion.
 #[test]
 fn an_expansion_is_short() {
     let lines = pretty(&four_bar()).lines().count();
@@ -51,7 +51,7 @@ fn geometric_four_bar() -> TokenStream {
     }
 }
 
-/// Two loops, one of them a polar form, with a point, a length and a looked-up range.
+/// Two loops, one of them a polar form, with a point, a length and a range that is checked at run time.
 fn quick_return() -> TokenStream {
     quote! {
         struct QuickReturn { pivot: Point, crank: Length, lever: Length, rod: Length, height: Length }
@@ -64,7 +64,8 @@ fn quick_return() -> TokenStream {
     }
 }
 
-/// A chain of directions: of two loops, of which one sees the other's, with a rack that asks for an angle.
+/// A chain of directions: two loops, one of which uses the direction found by the other, and a rack that needs an
+/// angle.
 fn directions() -> TokenStream {
     quote! {
         pub struct Press { r1: Length, r2: Length, r3: Length, r4: Length, rod: Length, pinion: Length }
@@ -111,7 +112,7 @@ fn sensitivities_expansion() {
     insta::assert_snapshot!(pretty(&declaration));
 }
 
-/// What no rule solves is factored once, for the rates of all orders and for the sensitivities to all parameters.
+/// A block that no rule solves is factored once, for the rates of all orders and the sensitivities to all parameters.
 #[test]
 fn factors_are_shared() {
     let ring = quote! {
@@ -148,7 +149,7 @@ fn expansion_is_deterministic() {
     }
 }
 
-/// Writes what every mechanism of the library expands to into a folder, so that two versions of the macro can be compared.
+/// Writes the expansions of all library mechanisms into a folder, so that two versions of the macro can be compared.
 #[test]
 #[ignore = "writes files: KIN_EXPANSIONS=folder"]
 fn expansions_of_the_library() {

@@ -1,4 +1,5 @@
-//! Families of declarations of any size, each of a kind that could make an expansion grow faster than the declaration.
+//! Families of declarations of any size. Each is of a kind that could make an expansion grow faster than the
+//! declaration.
 
 use std::fmt::Display;
 
@@ -112,7 +113,7 @@ pub(crate) fn linear_factors(count: usize) -> Member {
     )
 }
 
-/// A function of itself, again and again: `step` with `{}` for the argument.
+/// A function of itself, nested `count` times. `step` has `{}` for the argument.
 pub(crate) fn nested(count: usize, step: &str) -> Member {
     let formula = (0..count).fold("t".to_owned(), |inner, _| step.replace("{}", &inner));
     Member::new(
@@ -121,7 +122,7 @@ pub(crate) fn nested(count: usize, step: &str) -> Member {
     )
 }
 
-/// A sum with as many terms.
+/// A sum of `count` terms.
 pub(crate) fn terms(count: usize) -> Member {
     let sum = repeated(count, " + ", |index| format!("a * sin({index} * t)"));
     Member::new(
@@ -184,7 +185,7 @@ pub(crate) fn outputs(count: usize) -> Member {
     )
 }
 
-/// Four-bar linkages beside each other to the twelfth order, with sensitivities.
+/// Independent four-bar linkages to the twelfth order, with sensitivities.
 pub(crate) fn four_bars(count: usize) -> Member {
     let fields = repeated(count, ", ", |i| {
         format!("a{i}: Length, b{i}: Length, c{i}: Length, d{i}: Length")

@@ -1,4 +1,4 @@
-//! Which assemblies there are, and which of them a guess belongs to.
+//! The assemblies of a mechanism, and the assembly of a guess.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ use crate::emit::compiled::{Compiled, attributes};
 use crate::emit::text::Text;
 use crate::program::Step;
 
-/// Up to this many blocks with a choice, all assemblies are listed in a constant.
+/// The largest number of blocks with a choice for which a constant lists all assemblies.
 const LISTED: usize = 6;
 
 /// `solve_all` and `assembly_at`.
@@ -79,7 +79,7 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// An assembly from each block's choice.
+/// An assembly from the choice of each block.
 fn assembly(mechanism: &Compiled<'_>, choice: impl Fn(usize) -> TokenStream) -> TokenStream {
     let count = mechanism.choices().len();
     match count {
@@ -93,7 +93,7 @@ fn assembly(mechanism: &Compiled<'_>, choice: impl Fn(usize) -> TokenStream) -> 
     }
 }
 
-/// The assembly of a number, bit by bit; the first block's choice changes slowest.
+/// The assembly with an index, bit by bit. The choice of the first block changes slowest.
 pub(in crate::emit) fn by_number(mechanism: &Compiled<'_>, index: &TokenStream) -> TokenStream {
     let runtime = mechanism.runtime;
     let count = mechanism.choices().len();
@@ -141,7 +141,7 @@ pub(in crate::emit) fn list(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// `assembly_at`: the orientation of each block where the unknowns have given values.
+/// `assembly_at`: the orientation of each block for given values of the unknowns.
 fn finder(mechanism: &Compiled<'_>) -> TokenStream {
     let choices = mechanism.choices();
     if choices.is_empty() {
@@ -165,7 +165,7 @@ fn finder(mechanism: &Compiled<'_>) -> TokenStream {
         .filter(|(_, symbol)| !used.contains(symbol))
         .map(|(input, _)| input);
     let body = text.plain_steps(stage);
-    // abbreviations stand between the definitions of the orientations
+    // abbreviations may come between the definitions of the orientations
     let orientations: Vec<Ident> = mechanism
         .solvers
         .orientation_symbols

@@ -1,4 +1,4 @@
-//! Many poses in one call.
+//! The solution of many poses in one call.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -11,7 +11,7 @@ fn type_name(mechanism: &Compiled<'_>) -> Ident {
     format_ident!("{}Batch", mechanism.model.name, span = mechanism.model.name.span())
 }
 
-/// The motions of many poses, with a column in the place of each number.
+/// The motions of many poses, with a column for each number.
 pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let (structure, attributes, visibility) = (type_name(mechanism), attributes(), &model.visibility);
@@ -51,7 +51,7 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// `solve_batch`, for parameters that are the same for all poses and for columns of them, and how the structure is filled.
+/// `solve_batch`, for constant parameters and for columns of parameters, and the function that fills the structure.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let methods = methods(mechanism);
     let columns = columns(mechanism);
@@ -78,7 +78,7 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
         (quote!(#argument,), value, "solve")
     };
     let [column, value] = ["Column", "Value"].map(|name| mechanism.type_parameter(name));
-    // in double precision, as the structure is without an argument
+    // in double precision, because the structure is named without a type argument
     let same = name;
     let summary = format!(
         " Position and all time derivatives to {} of many poses.",

@@ -1,4 +1,4 @@
-//! What a mechanism costs, as constants.
+//! The cost of a mechanism, as constants.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -1,4 +1,4 @@
-//! The documentation of generated items: what the compiler decided, in the words of the field.
+//! The documentation of generated items: the decisions of the compiler, in the terms of kinematics.
 
 use crate::algebra::Symbol;
 use crate::emit::compiled::Compiled;
@@ -24,7 +24,7 @@ impl Compiled<'_> {
             .collect()
     }
 
-    /// Which form of the equations was differentiated, where a form was given up.
+    /// The note that some formulas are differentiated as typed only, if they were too large to be multiplied out.
     pub(in crate::emit) fn form_lines(&self) -> Vec<String> {
         if !self.solvers.is_form_given_up {
             return Vec::new();
@@ -34,7 +34,7 @@ impl Compiled<'_> {
         vec![String::new(), line.to_owned()]
     }
 
-    /// How a block is solved, part by part.
+    /// The solution of a block, part by part.
     pub(in crate::emit) fn solution(&self, block: &Block) -> String {
         if let [only] = block.parts.as_slice() {
             return self.solution_of_part(only);
@@ -47,7 +47,7 @@ impl Compiled<'_> {
         parts.join(", then ")
     }
 
-    /// How a part is solved.
+    /// The solution of a part.
     pub(in crate::emit) fn solution_of_part(&self, part: &Part) -> String {
         match &part.method {
             Method::Closed(form) => form.description(&self.solvers.graph),
@@ -58,7 +58,7 @@ impl Compiled<'_> {
         }
     }
 
-    /// What open and crossed mean for a part.
+    /// The meaning of open and crossed for a part.
     pub(in crate::emit) fn choice_documentation(&self, part: usize) -> Vec<String> {
         vec![
             format!(
@@ -71,7 +71,7 @@ impl Compiled<'_> {
         ]
     }
 
-    /// What the assembly decides, as a paragraph of its own; nothing if there is no choice.
+    /// The meaning of the assembly as a separate paragraph; nothing if there is no choice.
     pub(in crate::emit) fn assembly_lines(&self) -> Vec<String> {
         let lines: Vec<String> = self
             .choices()
@@ -87,7 +87,7 @@ impl Compiled<'_> {
             .collect()
     }
 
-    /// What is positive in a part's open assembly.
+    /// The condition that holds in a part's open assembly.
     fn criterion(&self, part: usize) -> String {
         let names = |symbol: Symbol| self.solvers.names().of(symbol).to_owned();
         self.solvers.choices[part].orientation.map_or_else(String::new, |node| {
@@ -95,7 +95,7 @@ impl Compiled<'_> {
         })
     }
 
-    /// What is known of an unknown.
+    /// The description of an unknown.
     pub(in crate::emit) fn unknown_line(&self, index: usize) -> String {
         let unknown = &self.model.unknowns[index];
         let part = self
@@ -125,7 +125,7 @@ impl Compiled<'_> {
         )
     }
 
-    /// The line that says what a solver costs.
+    /// The cost of a solver, as a line.
     pub(in crate::emit) fn cost_line(&self, order: usize) -> String {
         cost_line(self.solvers.orders()[order].cost)
     }
@@ -165,7 +165,7 @@ pub(in crate::emit) const fn unit(dimension: Dimension) -> &'static str {
     }
 }
 
-/// The line that says what something costs.
+/// A cost, as a line.
 pub(in crate::emit) fn cost_line(cost: Cost) -> String {
     format!(" Costs {}.", in_words(cost))
 }

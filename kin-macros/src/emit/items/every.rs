@@ -7,9 +7,9 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::Compiled;
 use crate::emit::text::Text;
 
-/// The method `assemblies_at`; nothing if there is no such way to find them, or far too many.
+/// The method `assemblies_at`; nothing if the equations are not algebraic, or if there are too many assemblies.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
-    /// A mechanism with more assemblies than this is assembled from a guess.
+    /// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
     const LARGEST: usize = 4096;
 
     let Some(program) = &mechanism.solvers.every else {

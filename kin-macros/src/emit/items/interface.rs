@@ -117,7 +117,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     } else {
         TokenStream::new()
     };
-    // The way of a batch, several poses at a time, is to be inlined from end to end.
+    // A batch solves several poses at a time, and its calls are inlined from end to end.
     let number = mechanism.type_parameter("Number");
     let in_lanes = quote!(#[inline(always)]);
     let complete = |position: TokenStream| {
@@ -236,7 +236,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// What a pose tells of unknowns that it holds as unit vectors.
+/// The methods of a pose for unknowns that it holds as unit vectors.
 fn directions(mechanism: &Compiled<'_>) -> TokenStream {
     if !mechanism.has_directions() {
         return TokenStream::new();

@@ -1,4 +1,5 @@
-//! The poses: a structure for each order, which holds all motions through that order and what later orders need.
+//! The poses: one structure for each order. It holds all motions through that order, and the values that later orders
+//! need.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -16,7 +17,7 @@ pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
         .collect()
 }
 
-/// The methods of each, among them the solver of the next order.
+/// The methods of each pose. One is the solver of the next order.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     (0..=mechanism.order())
@@ -36,7 +37,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         .collect()
 }
 
-/// A field's documentation: the user's own, then a line of ours.
+/// A field's documentation: the user's own, then a generated line.
 fn documented(own: &[Attribute], line: &str) -> TokenStream {
     let separator = if own.is_empty() {
         TokenStream::new()
@@ -109,7 +110,7 @@ fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
     }
 }
 
-/// `unknowns_near`: the angles of directions on the turns that are wanted.
+/// `unknowns_near`: the angles of directions on given turns.
 fn values_near(mechanism: &Compiled<'_>) -> TokenStream {
     if !mechanism.has_directions() {
         return TokenStream::new();

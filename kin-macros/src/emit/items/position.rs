@@ -60,7 +60,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         " As for `position`; and if an angle has turned so often that it tells no direction."
     };
     let is_coupled = mechanism.is_coupled();
-    // the way of a batch is inlined from end to end
+    // the calls of a batch are inlined from end to end
     let inline_near = if is_coupled {
         quote!(#[inline(always)])
     } else {
@@ -131,7 +131,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// The test that angles near by are on turns on which they tell directions.
+/// The test that guessed angles have not turned so often that they no longer give a direction.
 fn turns(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let near = mechanism.own("near");
@@ -150,7 +150,7 @@ fn turns(mechanism: &Compiled<'_>) -> TokenStream {
     quote!(let #near = #runtime::solve::within_turns(#near, [#(#angles),*]) #failed;)
 }
 
-/// The pose made of what has been computed.
+/// The pose, made of the computed values.
 fn result(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
@@ -187,7 +187,7 @@ fn result(mechanism: &Compiled<'_>) -> TokenStream {
     quote!(#pose { #(#inputs,)* #(#unknowns,)* #(#outputs,)* #(#carried,)* })
 }
 
-/// The outputs' derivatives of an order, each put together from its parts.
+/// The outputs' derivatives of an order, each combined from its parts.
 pub(super) fn output_values<'a>(mechanism: &Compiled<'a>, order: usize) -> Vec<(&'a Ident, TokenStream)> {
     let outputs = mechanism.model.outputs.iter().zip(mechanism.output_parts());
     outputs
@@ -195,7 +195,7 @@ pub(super) fn output_values<'a>(mechanism: &Compiled<'a>, order: usize) -> Vec<(
         .collect()
 }
 
-/// An output's derivative of an order from its parts.
+/// An output's derivative of an order, combined from its parts.
 fn output_value(mechanism: &Compiled<'_>, value: &Value, parts: &[usize], order: usize) -> TokenStream {
     let runtime = mechanism.runtime;
     let names: Vec<_> = parts

@@ -1,4 +1,4 @@
-//! The solvers of the time derivatives, each a method of the pose of the order below.
+//! The solvers of the time derivatives. Each is a method of the pose of the next lower order.
 
 use std::collections::BTreeSet;
 

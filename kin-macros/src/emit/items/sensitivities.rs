@@ -155,7 +155,7 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// The derivatives by one scalar parameter, put together.
+/// The derivatives by one scalar parameter, combined into a structure.
 fn by_parameter(mechanism: &Compiled<'_>, parameter: usize) -> TokenStream {
     let (runtime, model, partials) = (mechanism.runtime, mechanism.model, partials(mechanism));
     let orders = 0..=mechanism.order();

@@ -1,4 +1,4 @@
-//! Everything in one call, and the equations themselves.
+//! The solution in one call, and the equations themselves.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -64,7 +64,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// What `solve` and the position solvers share: the derivatives on top of a position, and the maker of errors.
+/// The code that `solve` and the position solvers share: the derivatives of a position, and the construction of errors.
 pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let order = mechanism.order();
@@ -78,7 +78,7 @@ pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
             quote!(.#method(#(#inputs.#method()),*))
         })
         .collect();
-    // one after the other, as they are found
+    // in the order in which they are found
     let mut telltales: Vec<(usize, usize)> = mechanism.solvers.telltales.iter().copied().collect();
     telltales.sort_by_key(|&(unknown, order)| (order, unknown));
     let rates = telltales.iter().map(|&(unknown, order)| {
@@ -110,9 +110,9 @@ pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
             -> ::core::result::Result<#pose<T>, #runtime::SolveError>
         {
             let #result = #position #steps;
-            // the other rates show in these: a value that is not finite makes no finite sum or product
+            // if another rate were not finite, one of these would not be finite either
             if !(#(#tests)&&*) {
-                // what is finite, and not the results by reference: they need no place in memory but where they are returned
+                // pass flags and not references: references would force the results into memory
                 return ::core::result::Result::Err(#runtime::culprit(
                     [#((#field_labels, #result.#fields.is_finite())),*],
                     [#((#labels, #inputs.is_finite())),*],

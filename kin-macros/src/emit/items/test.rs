@@ -1,16 +1,16 @@
-//! The test that `with test;` asks for: the mechanism, verified over random dimensions and motions.
+//! The test that `with test;` requests: it verifies the mechanism with random dimensions and motions.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::compiled::Compiled;
 
-/// The test, an item beside the mechanism's own: test functions inside of other items do not run.
+/// The test, as an item outside the mechanism's own scope: test functions inside other items do not run.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     function(&mechanism.model.name, mechanism.runtime)
 }
 
-/// The feature of the runtime may be missing; its macro says so.
+/// A call of a macro of the runtime, which reports a missing feature.
 fn function(mechanism: &Ident, runtime: &TokenStream) -> TokenStream {
     let name = format_ident!(
         "{}_verifies",
@@ -45,7 +45,7 @@ fn snake_case(name: &str) -> String {
             }
             Some(_) => false,
         };
-        // an underscore is never doubled, and stands in front only where the name has one
+        // an underscore is never doubled, and comes first only if it does in the name
         if starts_word && !snake.ends_with('_') {
             snake.push('_');
         }
@@ -81,7 +81,7 @@ mod tests {
         }
     }
 
-    /// What rustc's lint on names wants: no capital, no two underscores in a row.
+    /// rustc's lint on names allows no capital and no double underscore.
     #[test]
     fn no_name_meets_the_lint() {
         for name in ["FourBar", "A__B", "__A", "ABCd_E", "_", "__", "A_1__b2C"] {

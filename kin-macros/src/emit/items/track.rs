@@ -1,4 +1,4 @@
-//! From one pose to another, without leaving the assembly.
+//! The way from one pose to another within an assembly.
 
 use proc_macro2::TokenStream;
 use quote::quote;

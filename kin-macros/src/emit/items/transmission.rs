@@ -1,4 +1,4 @@
-//! The transmission angles of all dyads, on request.
+//! The transmission angles of all dyads, if they are requested.
 
 use std::collections::BTreeSet;
 

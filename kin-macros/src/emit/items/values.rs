@@ -1,4 +1,4 @@
-//! What a pose of any order says of its position.
+//! The methods by which a pose of any order returns its position.
 
 use std::collections::BTreeSet;
 
@@ -32,7 +32,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         .collect()
 }
 
-/// The argument that takes a pose of any order, and its name.
+/// The argument for a pose of any order, and its name.
 pub(in crate::emit) fn argument(mechanism: &Compiled<'_>) -> (Ident, TokenStream) {
     let runtime = mechanism.runtime;
     let pose = mechanism.own("pose");
@@ -40,7 +40,7 @@ pub(in crate::emit) fn argument(mechanism: &Compiled<'_>) -> (Ident, TokenStream
     (pose, argument)
 }
 
-/// `let` for those of some values in a row that are used, by their own names.
+/// `let` for the used values of a row, by their own names.
 pub(in crate::emit) fn bound(
     text: &Text<'_>,
     used: &BTreeSet<Symbol>,

@@ -1,7 +1,9 @@
-//! The terms of numbers that decide by their sign or by not being zero, for `kin_core::solve::decisive`.
+//! The terms of decisive numbers, for `kin_core::solve::decisive`. A number is decisive if its sign decides, or the
+//! test that it is nonzero.
 //!
-//! A closed form knows the terms of the number under its root. Some forms decide on a number that they are given: the coefficient of a linear
-//! equation, a determinant, the argument of a root. Only the expression of such a number tells how large its terms are.
+//! A closed form knows the terms of the number under its root. Some forms decide by a number that they are given: the
+//! coefficient of a linear equation, a determinant, the argument of a root. Only the expression of such a number tells
+//! how large its terms are.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -10,11 +12,11 @@ use super::Text;
 use crate::algebra::Symbol;
 use crate::program::{Expression, Step};
 
-/// A product of sums is multiplied out into so many terms at most.
+/// The largest number of terms of a product of sums that is multiplied out.
 const MOST_TERMS: usize = 12;
 
-/// A number that decides by its sign or by not being zero, of which the terms are those of its expression, or of the statement that
-/// defines it if that is one of some statements.
+/// A decisive number with its terms. They are the terms of its expression, or of the statement among `among` that
+/// defines it.
 pub(super) fn decisive(text: &Text<'_>, value: &Expression, among: &[&Step<Expression>]) -> TokenStream {
     let (runtime, own) = (text.mechanism.runtime, text.expression(value));
     let terms = terms(value, among);
@@ -25,7 +27,7 @@ pub(super) fn decisive(text: &Text<'_>, value: &Expression, among: &[&Step<Expre
     quote!(#runtime::solve::decisive(#own, || [#(#terms),*]))
 }
 
-/// The same for a vector that decides by not being zero.
+/// A vector with its terms. The test that the vector is nonzero decides.
 pub(super) fn decisive_vector(text: &Text<'_>, [x, y]: &[Expression; 2], among: &[&Step<Expression>]) -> TokenStream {
     let runtime = text.mechanism.runtime;
     let (own_x, own_y) = (text.expression(x), text.expression(y));
@@ -52,7 +54,7 @@ fn terms(value: &Expression, among: &[&Step<Expression>]) -> Vec<Expression> {
     }
 }
 
-/// The terms of an expression, without their signs where that is simpler.
+/// The terms of an expression. Their signs are left out if that is simpler.
 fn sum_of(value: &Expression) -> Vec<Expression> {
     let whole = || vec![value.clone()];
     match value {

@@ -1,4 +1,4 @@
-//! Expressions to Rust, with parentheses where they are needed and nowhere else.
+//! Expressions to Rust, with only the parentheses that are needed.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -18,7 +18,8 @@ fn precedence(expression: &Expression) -> Precedence {
     }
 }
 
-/// What a product is added to or subtracted from, by which method, and its factors: one rounding less where the machine can.
+/// A sum or difference with a product: the other term, the method, and the two factors. This saves a rounding on
+/// machines with a fused operation.
 fn sum_with_product<'a>(
     expression: &'a Expression,
 ) -> Option<(&'a Expression, &'static str, &'a Expression, &'a Expression)> {
@@ -96,7 +97,7 @@ impl Text<'_> {
         quote!(#a #operator #b)
     }
 
-    /// In parentheses if it holds together less tightly than its place requires.
+    /// An expression, in parentheses if its operator binds less tightly than its place requires.
     fn within(&self, expression: &Expression, place: Precedence) -> TokenStream {
         let inner = self.expression(expression);
         if precedence(expression).needs_parentheses(place) {

@@ -1,4 +1,4 @@
-//! Failures on the way to a position, with the block and the inputs.
+//! Failures while a position is solved, with the block and the inputs.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -6,12 +6,12 @@ use quote::quote;
 use super::super::compiled::Compiled;
 
 impl Compiled<'_> {
-    /// `.map_err(…)?` with the unknowns of a part and the inputs.
+    /// `.map_err(…)?` with the unknowns of a part, and the inputs.
     pub(in crate::emit) fn failed(&self, part: usize) -> TokenStream {
         self.failed_at(&self.part_name(part))
     }
 
-    /// The same with the names of all unknowns of a part's block: it is singular as a whole.
+    /// `.map_err(…)?` with all unknowns of a part's block, which is singular as a whole.
     pub(in crate::emit) fn failed_together(&self, part: usize) -> TokenStream {
         let mut before = 0;
         let block = self.blocks.iter().find(|block| {
@@ -24,7 +24,7 @@ impl Compiled<'_> {
         )
     }
 
-    /// The same with any names in the place of the block.
+    /// `.map_err(…)?` with given names instead of a block.
     pub(in crate::emit) fn failed_at(&self, place: &str) -> TokenStream {
         let inputs = self.input_names();
         let failure = self.own("failure");

@@ -1,4 +1,4 @@
-//! Newton's method, and the way through all solutions of a block.
+//! Newton's method, and the steps through all solutions of a block.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -11,7 +11,7 @@ use crate::program::{Expression, Step};
 use crate::structure::PolynomialSystem;
 
 impl Text<'_> {
-    /// Newton's method from the guess.
+    /// Newton's method, started from the guess.
     pub(super) fn newton(
         &self,
         part: usize,

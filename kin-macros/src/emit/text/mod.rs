@@ -1,4 +1,4 @@
-//! A program as text: the only place where symbols become names.
+//! A program as text. Symbols become names only here.
 
 mod doubt;
 mod expression;
@@ -18,12 +18,12 @@ use crate::program::{Expression, Names, Program, Stage, UnitPart, order_name};
 pub(super) struct Text<'a> {
     pub(super) mechanism: &'a Compiled<'a>,
     names: &'a Names,
-    /// Whether the steps go through all positions, and not to one of them.
+    /// Whether the steps go through all positions, and not to a single one.
     goes_through_all: bool,
 }
 
 impl<'a> Text<'a> {
-    /// Writes a program that goes to one position, or on from it.
+    /// The text of a program that leads to one position, or on from it.
     pub(super) fn of(mechanism: &'a Compiled<'a>, program: &'a Program<Expression>) -> Self {
         Self {
             mechanism,
@@ -32,7 +32,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// Writes the program that goes through all positions.
+    /// The text of the program that goes through all positions.
     pub(super) fn of_every(mechanism: &'a Compiled<'a>, program: &'a Program<Expression>) -> Self {
         Self {
             goes_through_all: true,
@@ -45,7 +45,8 @@ impl<'a> Text<'a> {
         local(self.names.of(symbol))
     }
 
-    /// `let` for the values of earlier stages, positions and rates that a stage reads; `given` are arguments already.
+    /// `let` for the values that a stage reads: values of earlier stages, positions and rates. `given` are arguments
+    /// already.
     pub(super) fn readings(&self, stage: &Stage<Expression>, given: &[Symbol]) -> TokenStream {
         let is_scalar = |index: usize| self.mechanism.scalar_field(index).is_some();
         let carried = stage.uses.iter().map(|carried| {
@@ -81,7 +82,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// The same from a pose that is not `self`, where parameters are those of `self`.
+    /// The same values, read from a pose that is not `self`. Parameters are read from `self`.
     pub(super) fn readings_from(&self, stage: &Stage<Expression>, pose: &TokenStream) -> TokenStream {
         let carried = stage.uses.iter().map(|carried| {
             let name = self.name(carried.symbol);

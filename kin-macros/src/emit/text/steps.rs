@@ -44,7 +44,7 @@ impl Text<'_> {
         tokens
     }
 
-    /// Steps of a part one after the other, two directions in a row as one.
+    /// The steps of a part, one after the other. Two directions in a row become one call.
     fn sequence<'s>(&self, steps: impl IntoIterator<Item = &'s Written>, part: usize) -> TokenStream {
         let mut tokens = TokenStream::new();
         let steps: Vec<&Written> = steps.into_iter().collect();
@@ -59,7 +59,7 @@ impl Text<'_> {
         tokens
     }
 
-    /// Two directions of the same kind.
+    /// Two directions of the same kind, as one call.
     fn directions(&self, first: &Written, second: &Written) -> Option<TokenStream> {
         let runtime = self.mechanism.runtime;
         let direction = |step: &Written| match step {
@@ -116,7 +116,7 @@ impl Text<'_> {
                 Some(quote!(#runtime::solve::#choose(#label, #first.#place, #second.#place, #low, #high)))
             })
             .collect();
-        // where one range holds both solutions, the next one is asked
+        // if one range contains both solutions, the next one decides
         let decided = self.mechanism.own("decided");
         let choice = choices.into_iter().rev().reduce(|after, before| {
             quote! {
@@ -141,7 +141,7 @@ impl Text<'_> {
         }
     }
 
-    /// A step; `among` are those that the definitions of what it reads may be found among.
+    /// A step. `among` are the steps that may define the values that it reads.
     pub(super) fn step(&self, step: &Written, part: Option<usize>, among: &[&Written]) -> TokenStream {
         let runtime = self.mechanism.runtime;
         match step {
@@ -178,7 +178,7 @@ impl Text<'_> {
             Step::Bound { unknown, turns, .. } => self.bound(*unknown, *turns, part),
             Step::Regular { value } => {
                 let failed = self.singular(part);
-                // under its own name again, so that whoever divides by it divides by what was tested
+                // the value keeps its name, so that later steps divide by the tested value
                 let name = match value {
                     Expression::Name(symbol) => self.pattern(Some(*symbol)),
                     _ => self.pattern(None),
@@ -224,7 +224,7 @@ impl Text<'_> {
         }
     }
 
-    /// The failure of a value that must not vanish.
+    /// The failure for a value that must not vanish.
     fn singular(&self, part: Option<usize>) -> TokenStream {
         match part {
             Some(part) => self.mechanism.failed_together(part),
@@ -244,7 +244,7 @@ impl Text<'_> {
         }
     }
 
-    /// A function that is not defined everywhere.
+    /// A checked call of a function that is not defined everywhere.
     fn check(
         &self,
         symbol: Symbol,
@@ -297,7 +297,8 @@ impl Text<'_> {
         quote!(let #result = #runtime::solve::#function(#(#arguments),*) #failed;)
     }
 
-    /// Outputs and unknowns that come from no closed form are tested for being finite; the label for messages.
+    /// The label in messages of an output, or of an unknown found without a closed form: these are tested for being
+    /// finite. Otherwise `None`.
     fn label(&self, symbol: Symbol) -> Option<String> {
         let model = self.mechanism.model;
         match symbol {
@@ -365,7 +366,7 @@ impl Text<'_> {
         }
     }
 
-    /// An unknown brought to the turn wanted, or into its range.
+    /// Moves an unknown to the requested turn, or into its range.
     fn bound(&self, unknown: usize, turns: bool, part: Option<usize>) -> TokenStream {
         let runtime = self.mechanism.runtime;
         let own = &self.mechanism.model.unknowns[unknown];
@@ -389,7 +390,7 @@ impl Text<'_> {
         TokenStream::new()
     }
 
-    /// A name in a pattern, or what stands for a value that nothing needs.
+    /// A name in a pattern, or `_` for an unused value.
     fn pattern(&self, symbol: Option<Symbol>) -> TokenStream {
         symbol.map_or_else(
             || quote!(_),
