@@ -68,7 +68,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     let residual_count = Literal::usize_unsuffixed(residuals.len());
     let order: Vec<String> = model.unknowns.iter().map(|unknown| unknown.name.to_string()).collect();
     let summary = format!(
-        "What is left of the equations, left side less right, where the unknowns are `[{}]`: zero at a position of the mechanism.",
+        "The residuals of the equations, left side minus right side, for the unknowns `[{}]`. All are zero at a position of the mechanism.",
         order.join(", ")
     );
     // the lines follow the summary in one paragraph each, as a doc comment would have them

@@ -55,7 +55,7 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     let attributes = attributes();
     let (name, fields) = (mechanism.assembly_structure(), mechanism.assembly_fields());
     let summary = format!(
-        " The ways to assemble a [`{}`]: a choice for each block that can be put together in two ways.",
+        " An assembly of [`{}`]: one choice for each block that can be assembled in two ways.",
         mechanism.model.name
     );
     let documentation = mechanism
@@ -130,9 +130,9 @@ pub(in crate::emit) fn list(mechanism: &Compiled<'_>) -> TokenStream {
         quote!([#(#all),*])
     };
     let summary = match count {
-        0 => " The one way to assemble it.".to_owned(),
-        1 => " The ways to assemble it.".to_owned(),
-        _ => " The ways to assemble it, all combinations of the blocks' own two.".to_owned(),
+        0 => " The only assembly.".to_owned(),
+        1 => " All assemblies.".to_owned(),
+        _ => " All assemblies: every combination of the two assemblies of each block.".to_owned(),
     };
     quote! {
             #[doc = #summary]
@@ -183,7 +183,7 @@ fn finder(mechanism: &Compiled<'_>) -> TokenStream {
         quote!(#name { #(#fields: #signs),* })
     };
     let summary = format!(
-        " The assembly of a mechanism whose unknowns are about `[{}]`: the side of the singular positions on which they lie.",
+        " The assembly of a pose with unknowns near `[{}]`: the side of the singular positions on which they lie.",
         mechanism.unknown_order()
     );
     let way = quote! {
@@ -200,7 +200,8 @@ fn finder(mechanism: &Compiled<'_>) -> TokenStream {
             }
 
             #[doc(hidden)]
-            /// The assembly, and the values near by: of several poses at once, those of the poses that are in the same one.
+            /// The assembly and the guess. If several poses are solved at once, the guess becomes NaN for poses in another
+            /// assembly than the first one.
             #[inline(always)]
             fn __side(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> (#kind, [T; #unknown_count]) {
                 #way

@@ -17,7 +17,7 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     let (structure, attributes, visibility) = (type_name(mechanism), attributes(), &model.visibility);
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
     let summary = format!(
-        " The motions of many poses of a [`{}`], with a column in the place of each number.",
+        " The motions of many poses of [`{}`], with a column instead of each number.",
         model.name
     );
     let inputs = model
@@ -117,10 +117,11 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
         impl<#value: #runtime::batch::Parameter> #name<#value> {
             #[doc = #summary]
             ///
-            /// Parameters and inputs are the same for all of them, or a column with one for each.
+            /// Each parameter and input is one number for all poses, or a column with one number for each pose.
             ///
             /// # Errors
-            /// If a column is not as long as there are outcomes. The outcome of a pose says what became of it.
+            /// Returns an error if the length of a column differs from the number of outcomes. The outcome of a pose
+            /// reports whether the pose was solved.
             #one
 
             #runtime::in_parallel! {
@@ -153,7 +154,7 @@ fn columns(mechanism: &Compiled<'_>) -> TokenStream {
         .flat_map(|(kind, count)| std::iter::repeat_n(local(kind), count));
     quote! {
         impl<Column> #structure<Column> {
-            /// The columns that a function returns: vectors for `solve_batch` to fill, or nothing for a number that is not wanted.
+            /// Columns made by a function: vectors that `solve_batch` fills, or nothing for numbers that are not needed.
             pub fn filled(mut #fill: impl ::core::ops::FnMut() -> Column) -> Self {
                 Self {
                     #(#fields: #runtime::batch::MotionColumns::filled(&mut #fill)),*

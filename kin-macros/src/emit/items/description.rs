@@ -12,7 +12,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let list = operations(mechanism);
     let size = Literal::usize_unsuffixed(mechanism.order() + 1);
     quote! {
-            /// What the solver of each order costs, position first, in the assembly that costs most.
+            /// The cost of the solver of each order, position first, in the assembly that costs most.
             pub const OPERATIONS: [#runtime::Operations; #size] = #list;
 
     }

@@ -30,7 +30,7 @@ impl Compiled<'_> {
             return Vec::new();
         }
         let line =
-            " Multiplied out, the equations or outputs would be too large: some are differentiated as typed only.";
+            " Some equations or outputs would be too large if multiplied out. They are differentiated only as typed.";
         vec![String::new(), line.to_owned()]
     }
 

@@ -46,20 +46,20 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             )
         });
     let order = format!(
-        " They are told by the values of the unknowns, `[{}]`, and each is to be handed to `position` or `solve`.",
+        " Each assembly is given by the values of the unknowns, `[{}]`. Pass it to `position` or `solve`.",
         mechanism.unknown_order()
     );
     quote! {
             /// All assemblies at given inputs: every regular position.
             ///
             #[doc = #order]
-            /// All solutions of the coupled equations are followed from those of a system whose solutions are known; see
-            /// the module `continuation` of the library for what that guarantees.
+            /// The search starts from a system whose solutions are known and follows each of them to a solution of the coupled
+            /// equations. The module `continuation` of the library says what this guarantees.
             ///
             #(#[doc = #lines])*
             ///
             /// # Errors
-            /// If a parameter or an input is not finite.
+            /// Returns an error if a parameter or an input is not finite.
             pub fn assemblies_at(&self, #(#inputs: ::core::primitive::f64),*)
                 -> ::core::result::Result<#runtime::Assemblies<#count, #capacity>, #runtime::SolveError>
             {

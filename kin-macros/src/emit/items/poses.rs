@@ -55,9 +55,9 @@ fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
     let name = mechanism.pose(order);
     let length = Literal::usize_unsuffixed(order + 1);
     let summary = match order {
-        0 => format!(" The position of a [`{}`].", model.name),
-        1 => format!(" Position and velocity of a [`{}`].", model.name),
-        _ => format!(" The motion of a [`{}`] through {}.", model.name, order_name(order)),
+        0 => format!(" The position of [`{}`].", model.name),
+        1 => format!(" Position and velocity of [`{}`].", model.name),
+        _ => format!(" The motion of [`{}`] through {}.", model.name, order_name(order)),
     };
     let inputs = model.inputs.iter().map(|input| {
         let name = &input.name;
@@ -123,7 +123,7 @@ fn values_near(mechanism: &Compiled<'_>) -> TokenStream {
         mechanism.unknown_value_near(index, &quote!(#near[#place]))
     });
     quote! {
-        /// As `unknowns`, the angles that are calculated from unit vectors on the turns nearest to given values of the unknowns.
+        /// Like `unknowns`, but angles calculated from unit vectors are on the turns nearest to given values.
         #[must_use]
         pub fn unknowns_near(&self, #near: [T; #count]) -> [T; #count] {
             [#(#values),*]

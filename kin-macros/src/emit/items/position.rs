@@ -50,14 +50,14 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         mechanism.cost_line(0),
     );
     let near_line = format!(
-        " The position nearest to given values of the unknowns, `[{}]`: in their assembly, and angles on their turn.",
+        " The position nearest to given values of the unknowns, `[{}]`: in the same assembly, with angles on the same turns.",
         mechanism.unknown_order()
     );
     let turns = turns(mechanism);
     let near_errors = if turns.is_empty() {
         " As for `position`."
     } else {
-        " As for `position`; and if an angle has turned so often that it tells no direction."
+        " As for `position`. Also if a given angle has turned so often that it no longer determines a direction."
     };
     let is_coupled = mechanism.is_coupled();
     // the calls of a batch are inlined from end to end
@@ -96,8 +96,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             #[doc = #cost]
             ///
             /// # Errors
-            /// If there is no position, if it is singular, or if a number is not finite; the error says where and by
-            /// how much.
+            /// Returns an error if there is no position, if it is singular, or if a number is not finite. The error reports
+            /// where this happened and by how much.
             #[inline]
             pub fn position(&self, #(#inputs: T,)* #choice)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>

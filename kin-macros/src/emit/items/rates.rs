@@ -54,7 +54,7 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>, order: usize) -> TokenSt
 
     let approach = format!(" Derived from {}.", mechanism.solvers.trials.kept);
     let summary = format!(
-        " Adds the {} to what is known, from the {} of the input{}.{}{}",
+        " Adds the {} to the pose, from the {} of the input{}.{}{}",
         order_name(order),
         order_name(order),
         if model.inputs.len() == 1 { "" } else { "s" },

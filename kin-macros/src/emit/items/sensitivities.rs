@@ -27,7 +27,7 @@ pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     };
     let parameters = model.parameters.iter().map(|parameter| {
         let field = &parameter.name;
-        let line = format!(" By `{field}`, a {}.", unit(parameter.dimension));
+        let line = format!(" By `{field}` ({}).", unit(parameter.dimension));
         let kind = if let Some(vector) = vector_type(parameter.dimension.shape()) {
             quote!(#runtime::#vector<#partials<T>>)
         } else {
@@ -40,7 +40,7 @@ pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     });
     let unknowns = model.unknowns.iter().map(|unknown| {
         let field = &unknown.name;
-        let line = format!(" Of the unknown `{field}`, in its unit by the parameter's.");
+        let line = format!(" Of the unknown `{field}`, in its unit per unit of the parameter.");
         quote! {
             #[doc = #line]
             pub #field: #runtime::Motion<T, #length>
@@ -49,7 +49,7 @@ pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     let outputs = model.outputs.iter().map(|output| {
         let field = &output.name;
         let kind = mechanism.output_type(output.value.shape(), &quote!(T));
-        let line = format!(" Of the output `{field}`, in its unit by the parameter's.");
+        let line = format!(" Of the output `{field}`, in its unit per unit of the parameter.");
         quote! {
             #[doc = #line]
             pub #field: #runtime::Motion<#kind, #length>
@@ -57,10 +57,9 @@ pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     });
     let highest = order_name(mechanism.order());
     let whole_line = format!(
-        " The partial derivatives of the motion of a [`{name}`], position to {highest}, with respect to each of its parameters."
+        " The partial derivatives of the motion of [`{name}`], position to {highest}, by each of its parameters."
     );
-    let partials_line =
-        format!(" The partial derivatives of the motion of a [`{name}`] with respect to one of its parameters.");
+    let partials_line = format!(" The partial derivatives of the motion of [`{name}`] by one of its parameters.");
     quote! {
         #[doc = #whole_line]
         #derives
@@ -87,7 +86,7 @@ pub(in crate::emit) fn cost(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let operations = description::operations_of(runtime, stage.cost);
     quote! {
-        /// What the partial derivatives with respect to all parameters cost, on top of the solvers.
+        /// The cost of the partial derivatives by all parameters, in addition to the solvers.
         pub const SENSITIVITY_OPERATIONS: #runtime::Operations = #operations;
     }
 }
@@ -140,10 +139,10 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>) -> TokenStream {
         .collect();
     let cost = cost_line(stage.cost);
     quote! {
-            /// The partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to
-            /// each parameter, while inputs and assembly are kept. The pose must be one of this mechanism's own.
+            /// The partial derivatives of unknowns and outputs, and of all their time derivatives, by each parameter, for
+            /// constant inputs and assembly. The pose must be a pose of this mechanism.
             ///
-            /// This cannot fail: they exist wherever the Jacobian is regular, and where it is not there is no pose.
+            /// This cannot fail: the derivatives exist where the Jacobian is regular, and elsewhere there is no pose.
             ///
             #[doc = #cost]
             #[must_use]

@@ -30,16 +30,16 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         order_name(order)
     );
     let near_line = format!(
-        " As `solve`, in the assembly and on the turns nearest to given values of the unknowns, `[{}]`.",
+        " Like `solve`, but in the assembly and on the turns nearest to given values of the unknowns, `[{}]`.",
         mechanism.unknown_order()
     );
     quote! {
             #[doc = #summary]
             ///
-            /// The same as `position` and the solvers of the derivatives after it, and a test that everything is finite.
+            /// Equivalent to `position` followed by the solvers of the derivatives, with a test that all results are finite.
             ///
             /// # Errors
-            /// As for `position`, and if a rate is not finite.
+            /// As for `position`. Also if a rate is not finite.
             #[inline]
             pub fn solve(&self, #(#inputs: #runtime::Motion<T, #length>,)* #assembly)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
@@ -103,7 +103,7 @@ pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
     let field_labels = fields.iter().map(ToString::to_string);
     let labels: Vec<String> = inputs.iter().map(ToString::to_string).collect();
     quote! {
-        /// All derivatives on top of a position.
+        /// Adds all derivatives to a position.
         #[doc(hidden)]
         #[inline(always)]
         fn __complete(&self, #position: #first_pose<T>, #(#inputs: #runtime::Motion<T, #length>),*)
@@ -122,7 +122,7 @@ pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
             ::core::result::Result::Ok(#result)
         }
 
-        /// An error with the place where it occurred, traced to the number that is to blame if one is not finite.
+        /// An error with the block and the inputs. If a parameter or an input is not finite, the error names it.
         #[doc(hidden)]
         #[cold]
         fn __failed(

@@ -14,11 +14,12 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (pose, argument) = values::argument(mechanism);
     let unknowns = mechanism.own("unknowns");
     quote! {
-            /// The position at other inputs that the mechanism reaches from a pose of any order, without leaving its assembly;
-            /// angles are carried along, turn after turn.
+            /// The position at other inputs that the mechanism reaches from a pose of any order without leaving its assembly.
+            /// Angles count whole turns on the way.
             ///
             /// # Errors
-            /// If a limit position or a change point is on the way, with its place; or if there is no position.
+            /// Returns an error if there is no position, or if a limit position or a change point is on the way. The error
+            /// reports its place.
             pub fn track(&self, #argument, #(#inputs: T),*)
                 -> ::core::result::Result<#position<T>, #runtime::TrackErrorOf<Self>>
             {
