@@ -1,4 +1,4 @@
-//! The net under an expansion: a panic becomes an error that asks for a report.
+//! The handling of panics: a panic during an expansion becomes an error that asks for a bug report.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -8,15 +8,15 @@ use crate::expand::{expand, runtime};
 use crate::mistakes::Mistakes;
 use crate::{fallback, syntax};
 
-/// The expansion. A panic is told as a bug, where the declaration stands.
+/// The expansion. A panic is reported as a bug, at the declaration.
 pub(crate) fn expand_or_tell(tokens: TokenStream) -> TokenStream {
     or_tell(tokens, expand)
 }
 
-/// Calls `expand`, and tells of its panic.
+/// Calls `expand`, and reports its panic.
 fn or_tell(tokens: TokenStream, expand: impl FnOnce(TokenStream) -> TokenStream) -> TokenStream {
     let copy = tokens.clone();
-    // nothing that a panic may have left half done outlives it
+    // no state survives that a panic may have left inconsistent
     catch_unwind(AssertUnwindSafe(|| expand(copy))).unwrap_or_else(|panic| {
         let words = panic.downcast_ref::<&str>().copied();
         let words = words.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
@@ -45,7 +45,7 @@ mod tests {
     use super::*;
     use crate::room::with_room;
 
-    /// What panics is told as a mistake of ours, and the structure stays.
+    /// A panic is reported as a bug of the macro, and the structure stays.
     #[test]
     fn a_panic_is_told_and_leaves_the_structure() {
         let declaration = quote! {
@@ -68,7 +68,7 @@ mod tests {
             );
             assert!(expansion.contains("pub struct Lever"), "{expansion}");
         }
-        // mistakes that are there as well are told beside it, and so is what leaves no structure
+        // mistakes in the declaration are reported too, even if it has no readable structure
         let expansion = or_tell(
             quote!(
                 struct Lever {

@@ -1,4 +1,4 @@
-//! The whole way from a declaration to its solvers, on one page.
+//! The whole expansion of a declaration, on one page.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
@@ -13,7 +13,8 @@ use crate::structure::Structure;
 use crate::syntax::Declaration;
 use crate::{emit, fallback, model, refuse, structure, syntax};
 
-/// Expands `(path::to::kin) declaration`. Each pass tells the mistakes that it finds; after the last check nothing can fail.
+/// Expands `(path::to::kin) declaration`. Each pass reports the mistakes that it finds. After the last check no pass
+/// can fail.
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let (runtime, tokens) = runtime(tokens);
     let mut mistakes = Mistakes::new();
@@ -28,7 +29,7 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     emit::tokens(&declaration, &model, &structure.blocks, &solvers, &runtime)
 }
 
-/// The passes between syntax and text; nothing if there are mistakes in the declaration.
+/// The passes between syntax and text; `None` if the declaration has mistakes.
 fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<(Model, Structure, Solvers)> {
     let model = model::build(declaration, mistakes)?;
     let structure = structure(declaration, &model, mistakes)?;
@@ -43,7 +44,7 @@ fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<(Model,
     None
 }
 
-/// The blocks of the equations, if they can be solved and everything that is requested exists.
+/// The blocks of the equations, if they can be solved and every requested item exists.
 pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut Mistakes) -> Option<Structure> {
     let (residuals, origins) = model.scalar_equations();
     let (graph, unknowns) = (model.graph.clone(), model.unknowns.len());
@@ -64,8 +65,8 @@ pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut
     mistakes.is_empty().then_some(structure)
 }
 
-/// The path to the items that generated code calls, and the declaration behind it. `mechanism!` passes its own crate, under the
-/// name by which the user knows it.
+/// The path to the items that generated code calls, and the declaration after it. `mechanism!` passes its own crate by
+/// the name under which the user knows it.
 pub(crate) fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
     let mut tokens = tokens.into_iter().peekable();
     let is_path =

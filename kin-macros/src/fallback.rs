@@ -1,9 +1,9 @@
-//! What stands in for a mechanism whose declaration holds mistakes.
+//! The replacement of a mechanism whose declaration contains mistakes.
 //!
-//! The struct remains, so that an editor goes on completing its fields. It dereferences to a type with a mistake inside, the first
-//! of the declaration: the compiler knows that it has told of it, and stays silent about every method that is sought there, whatever
-//! its arguments, and about all that is done with what it returns. (A macro that fails in the place of a type would leave `()` there;
-//! in the length of an array it leaves an error, and so does an associated type of that array.)
+//! The struct remains, so that an editor can complete its fields. It dereferences to a type that contains the first
+//! mistake. The compiler knows that it has reported this mistake. So it reports no further errors about methods that it
+//! looks up there, whatever their arguments, nor about uses of their results. (A failing macro in the place of a type
+//! would leave `()` there. In the length of an array it leaves an error, and so does an associated type of that array.)
 
 use std::collections::BTreeSet;
 
@@ -14,7 +14,7 @@ use crate::emit;
 use crate::mistakes::Mistakes;
 use crate::syntax::{Declaration, ParameterField};
 
-/// The mistakes, and the stand-in for as much as could be read.
+/// The mistakes, and a replacement for the readable part of the declaration.
 pub(crate) fn tokens(declaration: Option<&Declaration>, mistakes: Mistakes, runtime: &TokenStream) -> TokenStream {
     let Some(declaration) = declaration else {
         return mistakes.into_compile_errors();

@@ -34,20 +34,21 @@
 //!             | "dot" | "cross" | "norm"
 //! ```
 //!
-//! A request asks for further generated items; `with` remains usable as a name. Statements come in any order, but a `let` before
-//! its uses. Doc comments may stand before statements, and before each name of an
-//! `input` or `unknown`. A constant is an expression without names.
+//! A request asks for further generated items; `with` remains usable as a name. Statements may come in any order,
+//! except that a `let` comes before its uses. Doc comments may precede statements, and each name of an `input` or
+//! `unknown`. A constant is an expression without names.
 //!
 //! # Dimensions
 //!
-//! A formula is a scalar, a plane vector, a space vector or a rotation, and has a power of length. `+`, `-` and `==` join what
-//! has the same power; a literal zero fits everywhere. `Angle`, `Direction` and `Scalar` are plain numbers, so the product of a radius and an angle is a length. A
-//! `Direction`, which only an unknown can be, is an angle that is handed out as a unit vector. A scalar
-//! added to a vector lies along x, as a real number does among complex ones; an equation of a vector and a scalar is a mistake.
-//! The product of two plane vectors is that of complex numbers: `v * cis(a)` is v, turned by a.
+//! A formula is a scalar, a plane vector, a space vector or a rotation, and has a power of length. The operands of `+`,
+//! `-` and `==` have the same power; a literal zero fits every power. `Angle`, `Direction` and `Scalar` are plain
+//! numbers, so the product of a radius and an angle is a length. A `Direction`, which only an unknown can be, is an
+//! angle that is returned as a unit vector. A scalar added to a plane vector lies along x, as a real number does among
+//! complex ones. An equation between a vector and a scalar is a mistake. Two plane vectors are multiplied as complex
+//! numbers: `v * cis(a)` is v, turned by a.
 //!
-//! Plane and space do not mix, and no scalar is added to a space vector. A rotation is multiplied by the space vector that it turns, or
-//! by another rotation, and by nothing else.
+//! Plane vectors and space vectors do not mix, and a scalar cannot be added to a space vector. A rotation can only be
+//! multiplied by the space vector that it turns, or by another rotation.
 //!
 //! | function | arguments | result |
 //! |---|---|---|
@@ -65,7 +66,7 @@
 //! | `dot(a, b)`, `cross(a, b)` | two plane or two space vectors | scalar; `cross` in space a vector |
 //! | `norm(v)` | vector | scalar of the same dimension |
 //!
-//! All of them may be written as methods of their first argument: `theta.cis()`, `y.atan2(x)`.
+//! Each function may be written as a method of its first argument: `theta.cis()`, `y.atan2(x)`.
 
 mod algebra;
 mod assemble;
@@ -90,7 +91,7 @@ mod testing;
 mod translate;
 mod work;
 
-/// `mechanism!`, called with the path of the crate that it belongs to in parentheses before the declaration.
+/// Expands a declaration of `mechanism!`, after the path of `kin_core` in parentheses.
 #[doc(hidden)]
 #[proc_macro]
 pub fn mechanism_in(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {

@@ -1,15 +1,15 @@
-//! The mistakes of one declaration, collected so that all of them are shown at once.
+//! The mistakes of one declaration, collected so that all of them are reported at once.
 //!
-//! Every message has one voice: it begins in lower case with what is wrong and ends with what to write instead.
+//! Every message begins in lower case with the mistake and ends with the remedy.
 
 use std::fmt::Display;
 
 use proc_macro2::{Punct, Spacing, Span, TokenStream};
 use quote::{ToTokens, TokenStreamExt};
 
-/// Collected mistakes, each with the place it is shown at.
+/// Collected mistakes, each with its place in the source.
 ///
-/// Mistakes that have not been shown must not be dropped: they would go unseen, and a wrong declaration would compile.
+/// Mistakes must not be dropped before they are reported, because a wrong declaration would then compile.
 #[derive(Default)]
 pub(crate) struct Mistakes {
     errors: Vec<syn::Error>,
@@ -20,12 +20,12 @@ impl Mistakes {
         Self::default()
     }
 
-    /// A mistake underlined from the first to the last of `at`.
+    /// Adds a mistake that is underlined from the first to the last token of `at`.
     pub(crate) fn error(&mut self, at: impl ToTokens, message: impl Display) {
         self.push(syn::Error::new_spanned(at, message));
     }
 
-    /// A mistake at one place.
+    /// Adds a mistake at one place.
     pub(crate) fn error_at(&mut self, span: Span, message: impl Display) {
         self.push(syn::Error::new(span, message));
     }
@@ -43,7 +43,7 @@ impl Mistakes {
         self.into_each_compile_error().into_iter().collect()
     }
 
-    /// The same, apart from each other.
+    /// The same errors, one by one.
     pub(crate) fn into_each_compile_error(mut self) -> Vec<TokenStream> {
         std::mem::take(&mut self.errors)
             .into_iter()
@@ -96,7 +96,8 @@ impl Extent {
 }
 
 impl ToTokens for Extent {
-    /// Two tokens that exist only for their places: stable Rust offers no joined span, but an error spans from token to token.
+    /// Two tokens that exist only for their places. Stable Rust cannot join spans, but an error spans from its first
+    /// token to its last.
     fn to_tokens(&self, tokens: &mut TokenStream) {
         for span in [self.first, self.last] {
             let mut mark = Punct::new('.', Spacing::Alone);
@@ -106,7 +107,7 @@ impl ToTokens for Extent {
     }
 }
 
-/// The candidate that `word` was probably meant to be: the same but for case, or one or two letters away.
+/// The candidate that was probably meant by `word`: it differs in case only, or in one or two letters.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let allowed = if word.chars().count() < 4 { 1 } else { 2 };
     let mut best: Option<(usize, &str)> = None;
@@ -130,7 +131,7 @@ pub(crate) fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'
         .unwrap_or_default()
 }
 
-/// Letters inserted, removed, replaced or swapped with their neighbour.
+/// The number of letters inserted, removed, replaced, or swapped with a neighbour.
 fn edit_distance(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.chars().collect();
     let b: Vec<char> = b.chars().collect();

@@ -1,50 +1,52 @@
-//! What is done for no other reason than to make the generated program cheaper.
+//! The passes that only make the generated program cheaper.
 //!
-//! All of it is always done. That each part saves what it is there for is measured by leaving out one at a time, over the whole
-//! library: see `testing/optimiser.rs` and the chapter "The optimiser" of the book.
+//! All passes always run. Tests leave out one pass at a time to measure its savings over the whole library: see
+//! `testing/optimiser.rs` and the chapter "The optimiser" of the book.
 
-/// A pass, or a part of one, without which the same would be computed at greater expense.
+/// A pass, or a part of one. Without it the same values would be computed at greater cost.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Pass {
-    /// Numbers are added and multiplied when the declaration is compiled, and what is multiplied by zero is dropped.
+    /// Numbers are added and multiplied at compile time, and products with zero are dropped.
     ConstantFolding,
-    /// Equations are multiplied out before they are differentiated, if that is cheaper than as they were typed.
+    /// Equations are multiplied out before they are differentiated, if this is cheaper than the typed form.
     MultipliedOut,
-    /// Equations are differentiated as they were typed, if that is cheaper than multiplied out.
+    /// Equations are differentiated as typed, if this is cheaper than multiplying them out.
     AsTyped,
-    /// Everything that turns with one angle shares the P and Q of its rates.
+    /// All vectors that turn with one angle share the P and Q of its rates.
     LinkVectors,
-    /// A turning link is solved for its whole Q, from which lower rates are taken afterwards.
+    /// The equations are solved for the whole Q of a turning link, and the contributions of lower rates are subtracted
+    /// afterwards.
     WholeTurnings,
-    /// What rates add to other rates is collected in coefficients that depend on the position alone, if that is cheaper.
+    /// The influences of rates on other rates are collected in coefficients that depend on the position alone, if that
+    /// is cheaper.
     Influences,
     /// Coefficients that differ only by a number in front are one coefficient.
     CommonNumbers,
     /// A determinant or a coefficient of the form m cos² x + m sin² x is m.
     Radii,
-    /// A Jacobian of more than three equations is reduced as far as that cannot fail.
+    /// A Jacobian of more than three equations is reduced as far as no step can fail.
     ReducedJacobians,
-    /// Three equations are solved by Cramer's rule, and not by factors.
+    /// Three equations are solved by Cramer's rule instead of by factors.
     CramerOfThree,
     /// Sines and cosines of unknown angles are read off vectors that the closed forms return.
     UnitVectors,
     /// The sine and the cosine of an angle are one call.
     SineCosinePairs,
-    /// What is needed more than once is computed once.
+    /// A value that is needed more than once is computed once.
     CommonSubexpressions,
-    /// What a stage has computed is handed on to those after it.
+    /// A value that one stage has computed is handed to later stages.
     Carrying,
     /// Two factors, or two terms, that occur together more than once are multiplied, or added, once.
     SharedPairs,
     /// Terms with the same number in front are added before they are multiplied by it.
     SharedNumbers,
-    /// A factor of several terms of a sum is taken out, if that is cheaper.
+    /// A factor that several terms of a sum share is taken out, if that is cheaper.
     SharedFactors,
-    /// A factor of several terms of a sum stays in them, if that is cheaper.
+    /// A factor that several terms of a sum share stays in them, if that is cheaper.
     FactorsLeft,
-    /// What a closed form takes the root of is inverted beside the root.
+    /// The radicand of a closed form's root is inverted beside the root.
     InvertedRoots,
-    /// What is divided by more than once is inverted once.
+    /// A divisor that is used more than once is inverted once.
     SharedReciprocals,
 }
 
@@ -57,13 +59,13 @@ pub(crate) struct Passes {
 impl Passes {
     pub(crate) const ALL: Self = Self { without: None };
 
-    /// All but one.
+    /// All passes except one.
     #[cfg(test)]
     pub(crate) const fn without(pass: Pass) -> Self {
         Self { without: Some(pass) }
     }
 
-    /// Whether a pass is among them.
+    /// Whether a pass runs.
     pub(crate) fn include(self, pass: Pass) -> bool {
         self.without != Some(pass)
     }

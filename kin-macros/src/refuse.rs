@@ -1,4 +1,4 @@
-//! What the structure's faults are called, each at the place of its cause.
+//! The reports of faults in the structure, each at the place of its cause.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use crate::room::with_room;
 use crate::structure::{Block, Fault, Method, Structure, dyads};
 use crate::syntax::Declaration;
 
-/// Reports why a declaration cannot be solved.
+/// Reports the reasons why a declaration cannot be solved.
 pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistakes: &mut Mistakes) {
     let names = |unknowns: &[usize]| -> String {
         list(
@@ -97,7 +97,7 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
     }
 }
 
-/// Reports that a declaration is beyond what can be derived in reasonable time, and how to cut it.
+/// Reports that a declaration is too large to be derived in reasonable time, and how to make it smaller.
 pub(crate) fn size(declaration: &Declaration, order: usize, mistakes: &mut Mistakes) {
     mistakes.error(
         &declaration.name,
@@ -110,7 +110,8 @@ pub(crate) fn size(declaration: &Declaration, order: usize, mistakes: &mut Mista
     );
 }
 
-/// Reports a constant from which one follows that no number is: it is not to be told which, but the one farthest from 1 is to blame.
+/// Reports a constant of the equations that does not fit an `f64`. Its source is unknown, so the constant farthest from
+/// 1 is underlined.
 pub(crate) fn constants(declaration: &Declaration, model: &Model, misfit: Misfit, mistakes: &mut Mistakes) {
     let message =
         format!("constants that follow from this one are {misfit}: choose a unit in which the numbers are nearer to 1");
@@ -120,7 +121,7 @@ pub(crate) fn constants(declaration: &Declaration, model: &Model, misfit: Misfit
     }
 }
 
-/// A range chooses one of two solutions, and coupled equations may have any number of them.
+/// Reports ranges of coupled unknowns. A range chooses one of two solutions, but coupled equations may have any number.
 pub(crate) fn ranges(model: &Model, blocks: &[Block], mistakes: &mut Mistakes) {
     for part in blocks.iter().flat_map(|block| &block.parts) {
         if !matches!(part.method, Method::Newton { .. }) {
@@ -142,7 +143,7 @@ pub(crate) fn ranges(model: &Model, blocks: &[Block], mistakes: &mut Mistakes) {
     }
 }
 
-/// Reports what is requested of a mechanism that has nothing of the kind.
+/// Reports requests for items that the mechanism does not have.
 pub(crate) fn requests(model: &Model, structure: &Structure, mistakes: &mut Mistakes) {
     for requested in &model.requests {
         let has_dyads = || {
@@ -163,7 +164,7 @@ pub(crate) fn requests(model: &Model, structure: &Structure, mistakes: &mut Mist
     }
 }
 
-/// How many degrees of freedom the equations leave, and how many inputs drive them.
+/// The degrees of freedom that the equations leave, and the number of inputs that drive them.
 fn mobility(model: &Model, origins: &[Origin]) -> String {
     let (unknowns, inputs, equations) = (model.unknowns.len(), model.inputs.len(), origins.len());
     let left = (unknowns + inputs).checked_sub(equations).map_or_else(

@@ -1,19 +1,19 @@
-//! Room on the stack for what follows expressions by recursion.
+//! A large stack for passes that follow expressions by recursion.
 //!
-//! The depth of expressions is the user's: abbreviations of abbreviations lie within each other as deep as there are any, and a sum is
-//! worked off term by term. The stack of the compiler is not made for that, so these passes run on one of their own. What belongs to
-//! the compiler, tokens and their places, cannot go there; the types see to it.
+//! The depth of expressions is up to the user: abbreviations can be nested as deep as there are abbreviations, and a
+//! sum is processed term by term. The compiler's stack is too small for this, so these passes run on a stack of their
+//! own. Tokens and their places belong to the compiler and cannot be moved to another thread; the types enforce this.
 
 use std::panic::resume_unwind;
 use std::thread::{Builder, ScopedJoinHandle, scope};
 
 use crate::work;
 
-/// The size of the stack, in bytes. An eighth is enough for the longest declarations that are allowed, and without optimisation. It is address
-/// space only: memory is taken as far down as the stack is used.
+/// The size of the stack, in bytes. One eighth of it is enough for the longest allowed declarations, even without
+/// optimisation. The size is address space only: memory is used as far as the stack grows.
 const SIZE: usize = 256 << 20;
 
-/// Does some work where the stack is large; right here if there is no such place to be had.
+/// Runs `work` on a large stack, or on the current one if no thread can be started.
 pub(crate) fn with_room<Outcome: Send>(work: impl FnOnce() -> Outcome + Send) -> Outcome {
     let mut work = Some(work);
     let mut outcome = None;
@@ -27,7 +27,7 @@ pub(crate) fn with_room<Outcome: Send>(work: impl FnOnce() -> Outcome + Send) ->
     }
     match outcome {
         Some((outcome, done)) => {
-            // work is counted thread by thread
+            // work is counted by thread
             work::add(done);
             outcome
         }

@@ -1,8 +1,8 @@
-//! The work of an expansion, counted where it is done: the same numbers in every run, whatever the machine.
+//! The work of an expansion, counted where it is done. The numbers are the same in every run on every machine.
 
 use std::cell::Cell;
 
-/// What has been done.
+/// The work done so far.
 #[derive(Clone, Copy, Default, Debug)]
 pub(crate) struct Work {
     /// Expressions looked up in a graph.
@@ -15,7 +15,7 @@ thread_local! {
     static DONE: Cell<Work> = const { Cell::new(Work { look_ups: 0, turns: 0 }) };
 }
 
-/// So much work of one kind on one thread is taken to have no end.
+/// The amount of work of one kind on one thread that counts as endless.
 #[cfg(test)]
 pub(crate) const MOST: usize = 100_000_000;
 
@@ -41,7 +41,7 @@ pub(crate) fn turn() {
     });
 }
 
-/// The work of this thread that a function does.
+/// The result of a function, and the work that the function does on this thread.
 pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
     let before = DONE.get();
     let result = function();
@@ -53,7 +53,7 @@ pub(crate) fn of<T>(function: impl FnOnce() -> T) -> (T, Work) {
     (result, work)
 }
 
-/// Counts the work of another thread.
+/// Adds the work of another thread.
 pub(crate) fn add(work: Work) {
     let done = DONE.get();
     DONE.set(Work {

@@ -1,4 +1,4 @@
-//! The equations themselves, to be put to the proof.
+//! The residuals of the equations, for verification.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -71,7 +71,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
         "The residuals of the equations, left side minus right side, for the unknowns `[{}]`. All are zero at a position of the mechanism.",
         order.join(", ")
     );
-    // the lines follow the summary in one paragraph each, as a doc comment would have them
+    // the lines follow the summary, each as a paragraph, as in a doc comment
     let documentation = [summary, String::new()]
         .into_iter()
         .chain(lines)
@@ -96,7 +96,7 @@ mod tests {
     use crate::model;
     use crate::syntax;
 
-    /// The method behind its arguments.
+    /// The method after its arguments.
     fn body(statements: TokenStream) -> String {
         let method = method(statements);
         method[method.find("-> [").unwrap_or_default()..].to_owned()

@@ -1,4 +1,4 @@
-//! Formulas of the declaration in Rust, operator by operator.
+//! Formulas of the declaration as Rust, operator by operator.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::model::Shape;
 use crate::precedence::Precedence;
 use crate::syntax::{Callee, Formula, FormulaKind, Operand, Operator};
 
-/// So many operands stand in a row, each of which nests the formula deeper, before what they come to gets a name.
+/// The number of operands in a row after which the result gets a name. Each operand nests the formula one level deeper.
 const LONGEST: usize = 256;
 
 /// A formula in Rust.
@@ -42,7 +42,7 @@ impl Translated {
         Self::new(Shape::Plane, tokens)
     }
 
-    /// In parentheses if it holds together less tightly than its place requires.
+    /// The formula, in parentheses if its operator binds less tightly than its place requires.
     pub(super) fn within(self, place: Precedence) -> TokenStream {
         let tokens = self.tokens;
         if self.precedence.needs_parentheses(place) {
@@ -65,7 +65,7 @@ impl Translation<'_> {
             FormulaKind::Number { value, .. } => Translated::scalar(constant(*value)),
             FormulaKind::Degrees { value, .. } => Translated::scalar(constant(value / 180.0 * std::f64::consts::PI)),
             FormulaKind::Pi => Translated::scalar(quote_spanned!(site=> T::constant(::core::f64::consts::PI))),
-            // a name that is not there is a mistake that the model has reported
+            // the model has reported a name that does not exist
             FormulaKind::Name(name) => self
                 .names
                 .get(&name.to_string())
@@ -127,7 +127,7 @@ impl Translation<'_> {
         }
     }
 
-    /// As a vector; a scalar lies along x.
+    /// The formula as a vector; a scalar lies along x.
     pub(super) fn lifted(&self, of: Translated, shape: Shape) -> Translated {
         if of.shape != Shape::Scalar {
             return of;
@@ -149,7 +149,7 @@ impl Translation<'_> {
         let shape = left.shape;
         let (mut tokens, right) = (left.within(Precedence::Sum), right.within(Precedence::Product));
         let site = Span::mixed_site();
-        // the left side is not copied: it may be long
+        // the left side is not copied, because it may be long
         tokens.extend(if operator == Operator::Subtract {
             quote_spanned!(site=> - #right)
         } else {

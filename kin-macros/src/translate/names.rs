@@ -1,4 +1,4 @@
-//! What the names of a declaration are called in a translated method.
+//! The names of a declaration in a translated method.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ use super::formula::{Translated, Translation};
 use crate::model::Model;
 use crate::syntax::{Declaration, Formula, Statement};
 
-/// Binds the abbreviations that are used to local names, and adds them to the names.
+/// Binds the used abbreviations to local names, and adds them to the names.
 pub(super) fn bindings(
     declaration: &Declaration,
     runtime: &TokenStream,
@@ -31,7 +31,7 @@ pub(super) fn bindings(
     body
 }
 
-/// A pattern of names; a name that nothing uses is left out.
+/// A pattern of names, without the unused ones.
 pub(super) fn pattern<'a>(names: impl Iterator<Item = &'a Ident>, used: &BTreeSet<String>) -> TokenStream {
     let names = names.map(|name| {
         if used.contains(&name.to_string()) {
@@ -43,7 +43,7 @@ pub(super) fn pattern<'a>(names: impl Iterator<Item = &'a Ident>, used: &BTreeSe
     quote_spanned!(Span::mixed_site()=> [#(#names),*])
 }
 
-/// What the declared names are called in the method. Abbreviations are added as they are bound.
+/// The translations of the declared names. Abbreviations are added when they are bound.
 pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
     let site = Span::mixed_site();
     let mut names = BTreeMap::new();
@@ -63,7 +63,7 @@ pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
     names
 }
 
-/// The names that formulas use, directly or by way of abbreviations.
+/// The names that formulas use, directly or through abbreviations.
 pub(super) fn used_names<'a>(
     declaration: &'a Declaration,
     formulas: impl Iterator<Item = &'a Formula>,
@@ -74,7 +74,7 @@ pub(super) fn used_names<'a>(
             used.insert(name.to_string());
         });
     }
-    // an abbreviation stands after those that it uses
+    // an abbreviation comes after those that it uses
     for statement in declaration.statements.iter().rev() {
         if let Statement::Let(statement) = statement
             && used.contains(&statement.name.to_string())

@@ -1,7 +1,7 @@
 //! The picture: joints and links from the vector equations.
 //!
-//! Either side of such an equation is a chain of links that begins at the origin; the partial sums of its terms are the joints.
-//! Like the closure, the terms are translated from the syntax tree.
+//! Each side of such an equation is a chain of links that begins at the origin. The partial sums of its terms are the
+//! joints. Like the closure, the terms are translated from the syntax tree.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,7 +15,7 @@ use crate::model::{Dimension, Model, Shape};
 use crate::precedence::Precedence;
 use crate::syntax::{Declaration, Formula, FormulaKind, Operand, Operator, OutputStatement, Statement};
 
-/// So many abbreviations are written out on one side of an equation.
+/// The largest number of abbreviations that are written out on one side of an equation.
 const WRITTEN_OUT: usize = 256;
 
 /// One side of a vector equation.
@@ -32,9 +32,9 @@ struct Link<'a> {
     term: &'a Formula,
 }
 
-/// The method `skeleton`; nothing if there is nothing to see.
+/// The method `skeleton`; nothing if there is nothing to draw.
 ///
-/// `pose` is the name of the pose of any order that the method takes, `argument` the whole argument.
+/// `pose` is the name of the method's pose of any order, `argument` the whole argument.
 pub(crate) fn tokens(
     declaration: &Declaration,
     model: &Model,
@@ -56,7 +56,7 @@ pub(crate) fn tokens(
         return TokenStream::new();
     }
 
-    // a plane chain beside one of space lies in the plane of x and y
+    // a plane chain beside a chain in space lies in the plane of x and y
     let shape = if chains.iter().any(|chain| chain.shape == Shape::Space)
         || points.iter().any(|output| output.dimension == Dimension::Point3)
     {
@@ -111,7 +111,7 @@ pub(crate) fn tokens(
     });
     let lines = documentation(&chains, &points);
     let ignored = used.is_empty().then(|| quote!(let _ = #pose;));
-    // `self` is the one that the translation speaks of
+    // `self` must have the hygiene of the translation
     quote_spanned! {Span::mixed_site()=>
             /// The joints and links of a pose of any order, as polylines from the origin, and its points.
             ///
@@ -128,7 +128,7 @@ pub(crate) fn tokens(
     }
 }
 
-/// A term as a vector of the shape of the whole picture.
+/// A term as a vector of the picture's shape.
 fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translated {
     if (term.shape, shape) != (Shape::Plane, Shape::Space) {
         return translation.lifted(term, shape);
@@ -139,7 +139,7 @@ fn on(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translat
     Translated::new(shape, lifted)
 }
 
-/// `let` for the inputs and unknowns that are used.
+/// `let` for the used inputs and unknowns.
 fn values_of_pose(model: &Model, pose: &Ident, used: &BTreeSet<String>) -> TokenStream {
     let inputs: Vec<&Ident> = model.inputs.iter().map(|input| &input.name).collect();
     let unknowns: Vec<&Ident> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
@@ -153,14 +153,14 @@ fn values_of_pose(model: &Model, pose: &Ident, used: &BTreeSet<String>) -> Token
     body
 }
 
-/// What the method's documentation lists.
+/// The lines of the method's documentation.
 fn documentation(chains: &[Chain<'_>], points: &[&OutputStatement]) -> Vec<String> {
     let chains = chains.iter().map(|chain| format!(" - `{}`", chain.side));
     let points = points.iter().map(|output| format!(" - point `{}`", output.name));
     chains.chain(points).collect()
 }
 
-/// The sides of all vector equations, without those that are zero.
+/// The sides of all vector equations, except those that are zero.
 fn chains<'a>(declaration: &'a Declaration, model: &Model, runtime: &TokenStream) -> Vec<Chain<'a>> {
     let sums = sums(declaration, model, runtime);
     let equations = declaration.statements.iter().filter_map(|statement| match statement {
@@ -226,11 +226,11 @@ fn is_sum(formula: &Formula, sums: &BTreeMap<String, &Formula>) -> bool {
     }
 }
 
-/// The terms of a sum, however it is put in parentheses, negated and abbreviated.
+/// Collects the terms of a sum, through parentheses, signs and abbreviations.
 struct Terms<'a, 'b> {
     /// The abbreviations that are sums themselves.
     sums: &'b BTreeMap<String, &'a Formula>,
-    /// How many of them may still be written out: there are as many terms in them as two to the power of their number.
+    /// The number of abbreviations that may still be written out: the number of terms can double with each of them.
     left: usize,
     links: Vec<Link<'a>>,
 }
@@ -288,7 +288,7 @@ mod tests {
     use super::*;
     use crate::expand::expand;
 
-    /// The links of all chains, as they are named in the expansion.
+    /// The links of all chains, with the names in the expansion.
     fn links(statements: TokenStream) -> Vec<Vec<String>> {
         let expansion = expand(quote! {
             struct M { a: Length, b: Length, p: Point }
