@@ -1,4 +1,4 @@
-//! How the expansion grows: with the number of loops, and with the order.
+//! The growth of expansions, with the number of loops and with the order.
 
 use std::time::Instant;
 
@@ -63,7 +63,7 @@ fn coupled() -> TokenStream {
     }
 }
 
-/// Expressions looked up and tokens written for a chain of each length: both follow a straight line.
+/// The number of expressions looked up and the number of tokens written grow linearly with the length of a chain.
 #[test]
 fn a_chain_takes_work_in_proportion_to_its_loops() {
     let work: Vec<[usize; 2]> = (1..=16)
@@ -75,7 +75,7 @@ fn a_chain_takes_work_in_proportion_to_its_loops() {
     for (loops, [lookups, tokens]) in (1..).zip(&work) {
         println!("{loops:2} loops: {lookups:7} expressions looked up, {tokens:6} tokens");
     }
-    // the first loop is driven by an input, the others by an unknown; up to six choices all assemblies are listed
+    // an input drives the first loop, unknowns drive the others; with up to six choices all assemblies are listed
     for (kind, first) in [(0, 2), (1, 7)] {
         let each = work[first][kind] - work[first - 1][kind];
         for loops in first..16 {
@@ -89,7 +89,7 @@ fn a_chain_takes_work_in_proportion_to_its_loops() {
     }
 }
 
-/// One member of each family, of a size that a person might write.
+/// One member of each family, of a realistic size.
 fn members() -> Vec<Member> {
     let mut members = vec![
         families::arm(7, "with sensitivities;"),
@@ -123,7 +123,7 @@ fn members() -> Vec<Member> {
     members
 }
 
-/// Members that take long to be expanded without optimisation.
+/// Members whose expansion takes long without optimisation.
 fn large_members() -> Vec<Member> {
     vec![
         families::nested(200, "sin({})"),
@@ -135,13 +135,13 @@ fn large_members() -> Vec<Member> {
     ]
 }
 
-/// What an expansion takes.
+/// The work and the size of an expansion.
 struct Expanded {
     work: Work,
     seconds: f64,
     /// The tokens of the declaration.
     read: usize,
-    /// The operations from the position through the highest order, and those of all that was asked for beside it.
+    /// The operations from the position through the highest order, and those of all other requested programs.
     operations: usize,
 }
 
@@ -175,7 +175,8 @@ impl Expanded {
     }
 }
 
-/// A family is expanded on a thread whose stack is that of a compiler's thread, which tests do not have.
+/// Expands the members of a family on a thread with the stack of a compiler's thread, which is larger than that of a
+/// test.
 fn expanded(members: Vec<Member>) -> Vec<(String, Expanded)> {
     let expand_all = move || {
         let members = members.into_iter();
@@ -195,10 +196,10 @@ fn expanded(members: Vec<Member>) -> Vec<(String, Expanded)> {
         .expect("a family is expanded")
 }
 
-/// rustc runs macros with so much stack.
+/// The size of the stack on which rustc runs macros.
 const COMPILERS_STACK: usize = 8 << 20;
 
-/// No declaration takes more than a bounded number of steps for what is read and written.
+/// The number of steps is bounded by a multiple of the tokens read and operations written.
 #[test]
 fn work_follows_what_is_read_and_written() {
     for (name, expanded) in expanded(members()) {
@@ -212,7 +213,7 @@ fn work_follows_what_is_read_and_written() {
     }
 }
 
-/// What takes more expressions than are allowed is told at the order at which it does.
+/// A declaration that takes too many expressions is reported at the order at which it does.
 #[test]
 fn a_declaration_that_is_too_large_is_told() {
     let solvable = sound(families::arm(7, "with sensitivities;").tokens());
@@ -227,17 +228,17 @@ fn a_declaration_that_is_too_large_is_told() {
     assert_eq!(orders, [Some(2), Some(3), None]);
 }
 
-/// The processor time of this process, of which a part is spent on other threads, where the system tells it.
+/// The processor time of this process, including its other threads, if the system reports it.
 fn processor_seconds() -> f64 {
     let statistics = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     let behind_the_name = statistics.rsplit(')').next().unwrap_or_default();
-    // the user's and the system's share, in hundredths of a second
+    // the share of the user and that of the system, in hundredths of a second
     let shares = behind_the_name.split_whitespace().skip(11).take(2);
     let hundredths: Option<f64> = shares.map(|share| share.parse::<f64>().ok()).sum();
     hundredths.map_or(f64::NAN, |hundredths| hundredths / 100.0)
 }
 
-/// All tokens, those within groups included.
+/// The number of all tokens, including those within groups.
 fn count_tokens(tokens: TokenStream) -> usize {
     tokens
         .into_iter()
@@ -248,7 +249,7 @@ fn count_tokens(tokens: TokenStream) -> usize {
         .sum()
 }
 
-/// How long expansions take: `cargo test -p kin-macros times -- --ignored --nocapture`. Nothing is asserted of it.
+/// Prints the times of expansions: `cargo test -p kin-macros times -- --ignored --nocapture`. It asserts nothing.
 #[test]
 #[ignore = "prints times"]
 fn times() {

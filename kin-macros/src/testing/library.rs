@@ -1,4 +1,4 @@
-//! The mechanisms of the library, as they are declared.
+//! The mechanisms of the library, as declared.
 
 use std::fs;
 
@@ -34,7 +34,7 @@ impl Declared {
         self.sound.solvers(passes)
     }
 
-    /// From the position to the snap; of Newton's method, a single iteration.
+    /// The cost from the position to the snap, with a single iteration of Newton's method.
     pub(crate) fn cost(&self, passes: Passes) -> Cost {
         self.solvers(passes).motion.cost()
     }

@@ -1,11 +1,12 @@
-//! What is too large, too small, too deep or too long: it ends in an expansion or in a mistake that is told, and never in a panic.
+//! Declarations with too large or too small numbers, or that are too deep or too long. Each ends in an expansion or in
+//! a reported mistake, never in a panic.
 
 use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::expand::expand;
 
-/// The mistakes that an expansion tells of.
+/// The mistakes that an expansion reports.
 fn mistakes(declaration: TokenStream) -> Vec<String> {
     let mut found = Vec::new();
     let mut open = vec![expand(declaration).into_iter()];
@@ -26,7 +27,7 @@ fn mistakes(declaration: TokenStream) -> Vec<String> {
     found
 }
 
-/// Constants that no `f64` holds, as they are written, as they are folded, or as what is solved leads to them.
+/// Constants that do not fit an `f64`, as typed, after folding, or as a consequence of the solution.
 #[test]
 fn constants_fit_or_are_told_once() {
     for (equation, told) in [
@@ -70,7 +71,7 @@ fn constants_fit_or_are_told_once() {
     }
 }
 
-/// Constants as far from 1 as they may be.
+/// Constants as far from 1 as is allowed.
 #[test]
 fn extreme_constants_that_fit_are_no_mistakes() {
     for equation in [
@@ -90,7 +91,7 @@ fn extreme_constants_that_fit_are_no_mistakes() {
     }
 }
 
-/// A declaration that is long or deep by a number.
+/// A declaration whose length or depth is a number.
 type Family = fn(usize) -> TokenStream;
 
 fn sum(terms: usize) -> TokenStream {
@@ -189,7 +190,7 @@ fn parentheses(count: usize) -> TokenStream {
     }
 }
 
-/// Each part of a sum is the whole of the one before, in two places.
+/// Each part of a sum contains the whole previous sum in two places.
 fn doublings(count: usize) -> TokenStream {
     let names: Vec<_> = (0..count).map(|index| format_ident!("y{index}")).collect();
     let before: Vec<_> = [format_ident!("first")].into_iter().chain(names.clone()).collect();
@@ -210,7 +211,7 @@ fn told(family: Family, size: usize, order: usize) -> Vec<String> {
     mistakes(quote!(#declaration order = #order;))
 }
 
-/// On the stack of a test, which is a fourth of the compiler's.
+/// The declarations are expanded on the stack of a test, which is one fourth of the compiler's.
 #[test]
 fn what_is_long_or_as_deep_as_it_may_be_is_expanded() {
     let families: [(Family, usize); 10] = [
@@ -231,7 +232,7 @@ fn what_is_long_or_as_deep_as_it_may_be_is_expanded() {
     }
 }
 
-/// As the compiler takes them by itself, and longer: `cargo test -p kin-macros as_long -- --ignored`.
+/// Declarations as long as the compiler accepts, and longer: `cargo test -p kin-macros as_long -- --ignored`.
 #[test]
 #[ignore = "takes a minute"]
 fn what_is_as_long_as_the_compiler_takes_it_is_expanded() {

@@ -1,4 +1,4 @@
-//! The tests of the macro as a whole, and what tests of several rooms share.
+//! The tests of the whole macro, and code that tests of several rooms share.
 
 pub(crate) mod declarations;
 pub(crate) mod definitions;
@@ -26,7 +26,7 @@ pub(crate) struct Sound {
     structure: Structure,
 }
 
-/// Reads a declaration that is known to have no mistakes.
+/// Reads a declaration without mistakes.
 pub(crate) fn sound(declaration: TokenStream) -> Sound {
     let mut mistakes = Mistakes::new();
     let sound = syntax::parse(declaration, &mut mistakes).and_then(|declaration| {
@@ -39,7 +39,7 @@ pub(crate) fn sound(declaration: TokenStream) -> Sound {
 }
 
 impl Sound {
-    /// The task to plan its solvers.
+    /// The task of planning its solvers.
     pub(crate) fn task(&self, passes: Passes) -> Task<'_> {
         Task::new(&self.model, &self.structure, passes)
     }

@@ -1,4 +1,4 @@
-//! What each pass saves, over the whole library.
+//! The savings of each pass over the whole library.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::passes::{Pass, Passes};
 use crate::program::{Cost, Expression, Step};
 use crate::testing::library::library;
 
-/// What is left out in turn, and what the book calls it.
+/// The passes that are left out in turn, with their names in the book.
 const PASSES: [(Pass, &str); 20] = [
     (Pass::CommonSubexpressions, "common subexpressions"),
     (Pass::Carrying, "carrying from one order to the next"),
@@ -30,7 +30,7 @@ const PASSES: [(Pass, &str); 20] = [
     (Pass::CramerOfThree, "Cramer's rule of three"),
 ];
 
-/// What saves less than half a per cent of the operations, and why it stays.
+/// The passes that stay although they save less than half a per cent of the operations.
 const EXCEPTIONS: [(Pass, &str); 4] = [
     (
         Pass::InvertedRoots,
@@ -67,8 +67,8 @@ fn row(name: &str, cost: Cost, further: &str) -> String {
     )
 }
 
-/// Each pass but one saves at least half a percent of what the whole library costs. The book has the sums, the snapshot what each
-/// mechanism costs, and how much more without each pass.
+/// Each pass, except the exceptions, saves at least half a per cent of the cost of the whole library. The book lists
+/// the sums. The snapshot lists the cost of each mechanism, and the additional cost without each pass.
 #[test]
 fn every_pass_pays() {
     let library = library();
@@ -108,7 +108,7 @@ fn sum(costs: &[Cost]) -> Cost {
     costs.iter().fold(Cost::default(), |sum, &cost| sum + cost)
 }
 
-/// Lines of the book, or the ends of some.
+/// Asserts that the book contains these lines, or ends of lines.
 fn assert_in_book(lines: &[String]) {
     let book = include_str!("../../../docs/optimiser.md");
     let missing: Vec<&str> = lines
@@ -123,14 +123,14 @@ fn assert_in_book(lines: &[String]) {
     );
 }
 
-/// With one digit behind the point.
+/// A percentage with one decimal.
 fn percent(part: usize, whole: usize) -> String {
     let tenths = (1000 * part + whole / 2) / whole;
     format!("{}.{} %", tenths / 10, tenths % 10)
 }
 
-/// Products that are added or subtracted and used for nothing else: each is one operation with what it is added to, where the machine
-/// has it.
+/// The book states the number of products that are used only in one sum or difference. A machine with fused operations
+/// computes such a product and its sum in one operation.
 #[test]
 fn products_that_are_fused() {
     let mut additions = Additions::default();

@@ -1,4 +1,4 @@
-//! Many declarations, and what is found in them.
+//! A campaign: many declarations, and the defects that they show.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
@@ -11,7 +11,7 @@ use kin_declarations::{Kind, Scale, declaration};
 use super::shrink::shrink;
 use super::verdict::{Expansion, Fragments, NO_TOKENS, Subject, expansion};
 
-/// Which declarations are expanded.
+/// The declarations to expand.
 pub(super) struct Campaign {
     /// The first seed.
     pub(super) first: u64,
@@ -20,11 +20,11 @@ pub(super) struct Campaign {
     pub(super) threads: usize,
 }
 
-/// What came of them.
+/// The results of a campaign.
 #[derive(Default)]
 pub(super) struct Findings {
     kinds: BTreeMap<Kind, Tally>,
-    /// By cause: how often, and the first of them.
+    /// The defects by cause: their number, and the first of them.
     defects: BTreeMap<String, (usize, Defect)>,
 }
 
@@ -32,10 +32,11 @@ pub(super) struct Findings {
 struct Tally {
     accepted: usize,
     refused: usize,
-    /// What the compiler refuses by itself.
+    /// The number of texts that the compiler itself refuses.
     no_tokens: usize,
     defects: usize,
-    /// The most look-ups and the most turns of other loops for each token read and operation written, each with its seed.
+    /// The largest numbers of look-ups and of turns of other loops for each token read and operation written, each with
+    /// its seed.
     most: [(usize, u64); 2],
 }
 
@@ -44,10 +45,10 @@ struct Defect {
     message: String,
 }
 
-/// The tally is printed after so many declarations.
+/// The number of declarations after which the tally is printed.
 const REPORTED: usize = 10_000;
 
-/// How many of twenty-five declarations are of a kind. What is refused early costs little.
+/// The shares of the kinds, in twenty-fifths. Declarations that are refused early cost little.
 const fn shares(scale: Scale) -> [(Kind, u64); 4] {
     let [sound, well_typed, damaged, adversarial] = match scale {
         Scale::Small => [1, 3, 19, 2],
@@ -62,10 +63,10 @@ const fn shares(scale: Scale) -> [(Kind, u64); 4] {
 }
 
 impl Campaign {
-    /// Expands all of them.
+    /// Expands all declarations.
     ///
     /// # Panics
-    /// If there is a defect. Each is shown with a declaration that is as small as could be found.
+    /// Panics if there is a defect. Each is shown with a declaration that is as small as possible.
     pub(super) fn run(&self) -> Findings {
         let next = AtomicU64::new(self.first);
         let findings = Mutex::new(Findings::default());
@@ -107,7 +108,7 @@ impl Campaign {
         declaration(self.kind(seed), seed, self.scale)
     }
 
-    /// The expansion of a declaration, or what is wrong with it.
+    /// The expansion of a declaration, or its defect.
     fn verdict(&self, seed: u64, declaration: &str) -> Result<Expansion, String> {
         let kind = self.kind(seed);
         let subject = Subject {
@@ -135,7 +136,7 @@ impl Campaign {
                 let verdict = self.verdict(*seed, text);
                 verdict.is_err_and(|message| *cause == self::cause(&message))
             };
-            // to refuse a part of a sound declaration may be right, and to wait for each part takes long
+            // refusing a part of a sound declaration may be correct, and waiting for each part takes long
             let keeps = message.contains("it is sound") || message.contains("longer");
             let small = if keeps { text } else { shrink(&text, has_it) };
             let kind = self.kind(*seed).word();
@@ -146,7 +147,7 @@ impl Campaign {
 }
 
 impl Findings {
-    /// How many declarations there were.
+    /// The number of declarations.
     fn count(&self) -> usize {
         let tallies = self.kinds.values();
         let each = tallies.map(|tally| tally.accepted + tally.refused + tally.no_tokens + tally.defects);
@@ -178,7 +179,8 @@ impl Findings {
     }
 }
 
-/// What defects of one cause have in common: the first line of a panic is its place, and messages differ by names between quotes.
+/// The common part of the messages of one cause: the first line of a panic is its place, and messages differ in quoted
+/// names.
 fn cause(message: &str) -> String {
     let first = message.lines().next().unwrap_or_default();
     first.split('`').step_by(2).collect()

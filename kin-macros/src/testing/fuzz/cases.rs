@@ -3,11 +3,11 @@
 use super::verdict::{Fragments, Subject, expansion};
 
 const CASES: &[&str] = &[
-    // constants that overflow or vanish, as they are written or once they are multiplied out
+    // constants that overflow or vanish, as typed or after multiplying out
     "struct M { a: Length } input t: Angle; unknown x: Length; x * 1e-320 == a * t;",
     "struct M { k: Scalar } input t: Angle; unknown n: Scalar; (n) * 1e-320 == k * t;",
     "struct M { k: Scalar } input t: Angle; unknown n: Scalar; (n * n + 1e200) * (n * n - 1e200) == k * t;",
-    // an exponent that no integer holds
+    // an exponent that fits no integer type
     "struct M { k: Scalar } input t: Angle; unknown n: Scalar;
      n == t + powi(powi(powi(powi(powi(powi(powi(k + t, 51), 51), 51), 51), 51), 51), 51);",
     "struct M { k: Scalar } let order = 3; input t: Angle; unknown n: Scalar; n == k * t;",
@@ -36,7 +36,7 @@ fn what_was_found_stays_mended() {
     assert!(defects.is_empty(), "{}", defects.join("\n\n"));
 }
 
-/// Signs and nested functions on the stack that rustc gives, deeper than is allowed.
+/// Signs and nested functions that are deeper than allowed, on the stack that rustc gives.
 #[test]
 fn depth_is_refused_on_the_compilers_stack() {
     let nested = [

@@ -1,10 +1,10 @@
-//! Groups without delimiters, as fragments of other macros leave them.
+//! Groups without delimiters, which fragments of other macros leave.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use kin_declarations::Random;
 
-/// The same tokens, some runs of them in groups without delimiters, wherever these begin and end.
+/// The same tokens, with some runs of them in groups without delimiters, which may begin and end anywhere.
 pub(super) fn with_fragments(random: &mut Random, tokens: TokenStream) -> TokenStream {
     let mut tokens = tokens.into_iter().peekable();
     let mut grouped = TokenStream::new();
@@ -36,8 +36,8 @@ fn within(random: &mut Random, token: TokenTree) -> TokenTree {
     }
 }
 
-/// The same tokens, some of the numbers and of the formulas in parentheses in a group without delimiters, as a literal or an expression
-/// from another macro is: the declaration says the same.
+/// The same tokens, with some of the numbers and parenthesised formulas in groups without delimiters, like literals and
+/// expressions from other macros. The meaning of the declaration stays the same.
 pub(super) fn with_operands_as_fragments(random: &mut Random, tokens: TokenStream) -> TokenStream {
     let mut grouped = TokenStream::new();
     let mut is_called = false;
@@ -49,7 +49,7 @@ pub(super) fn with_operands_as_fragments(random: &mut Random, tokens: TokenStrea
         };
         is_called = matches!(token, TokenTree::Ident(_));
         let token = match token {
-            // an attribute is not the language's
+            // an attribute does not belong to the declaration language
             TokenTree::Group(group) if group.delimiter() != Delimiter::Bracket => {
                 let inner = with_operands_as_fragments(random, group.stream());
                 TokenTree::Group(Group::new(group.delimiter(), inner))

@@ -1,5 +1,5 @@
-//! Random declarations, sound and not, expanded: the macro ends within a bound of its work and without a panic, its output is a list of
-//! items, and each value of a solver is computed before its use.
+//! The expansion of random declarations, sound and unsound. The work of the macro is bounded, it does not panic, its
+//! output is a list of items, and each value of a solver is computed before its use.
 
 mod campaign;
 mod cases;
@@ -24,7 +24,8 @@ fn five_thousand_declarations() {
     println!("{}", campaign.run());
 }
 
-/// `.ci/fuzz` runs it optimised. The environment may name another first seed, `KIN_SEED`, and another count, `KIN_COUNT`.
+/// `.ci/fuzz` runs it optimised. The environment may set another first seed, `KIN_SEED`, and another number,
+/// `KIN_COUNT`.
 #[test]
 #[ignore = "takes long"]
 fn a_hundred_thousand_declarations() {

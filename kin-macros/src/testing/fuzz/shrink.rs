@@ -2,10 +2,11 @@
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-/// How many smaller declarations are tried.
+/// The number of smaller declarations that are tried.
 const TRIALS: usize = 400;
 
-/// A declaration from which nothing can be left out, statements first and then tokens, as far as trials go, without losing the defect.
+/// A smaller declaration with the same defect. First statements and then tokens are left out, until none can be left
+/// out or the trials are used up.
 pub(super) fn shrink(declaration: &str, has_defect: impl Fn(&str) -> bool) -> String {
     let Ok(tokens) = declaration.parse::<TokenStream>() else {
         return declaration.to_owned();
@@ -14,7 +15,7 @@ pub(super) fn shrink(declaration: &str, has_defect: impl Fn(&str) -> bool) -> St
     let mut least = tokens;
     for candidates in [without_a_statement, without_a_token] {
         let mut place = 0;
-        // what could not be left out at first may be without what was left out later: once more from the start
+        // start again, because an earlier token may be superfluous after a later one is left out
         let mut has_shrunk = false;
         loop {
             let smaller = candidates(&least, place);
@@ -36,7 +37,7 @@ pub(super) fn shrink(declaration: &str, has_defect: impl Fn(&str) -> bool) -> St
     least.to_string()
 }
 
-/// The declaration without what stands before its n-th semicolon, beginning at the one before or at the structure's end.
+/// The declaration without its n-th statement, counted by semicolons.
 fn without_a_statement(tokens: &TokenStream, n: usize) -> Option<TokenStream> {
     let is_end = |token: &TokenTree| match token {
         TokenTree::Punct(sign) => sign.as_char() == ';',
@@ -52,7 +53,7 @@ fn without_a_statement(tokens: &TokenStream, n: usize) -> Option<TokenStream> {
     Some(kept.flat_map(|(_, statement)| statement.iter().cloned()).collect())
 }
 
-/// The declaration without its n-th token, a group with all that is in it; or, from there on, with the contents of a group in its place.
+/// The declaration without its n-th token or whole group. Further indices replace a group by its contents.
 fn without_a_token(tokens: &TokenStream, n: usize) -> Option<TokenStream> {
     let mut countdown = n;
     changed(tokens, &mut countdown, &|_| Some(TokenStream::new())).or_else(|| {
@@ -63,7 +64,7 @@ fn without_a_token(tokens: &TokenStream, n: usize) -> Option<TokenStream> {
     })
 }
 
-/// The declaration with a replacement in the place of the token that is counted down to, among those that have one.
+/// The declaration with one token replaced, chosen by counting down those that have a replacement.
 fn changed(
     tokens: &TokenStream,
     countdown: &mut usize,

@@ -1,4 +1,4 @@
-//! What an expansion comes to: accepted or refused, at what work, or a defect of the macro.
+//! The result of an expansion: accepted or refused, with its work, or a defect of the macro.
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -15,19 +15,19 @@ use super::fragments::{with_fragments, with_operands_as_fragments};
 use crate::expand::expand;
 use crate::work::{self, Work};
 
-/// As much as rustc gives its own thread, on which macros run.
+/// The size of the stack of rustc's own threads, on which macros run.
 const STACK: usize = 8 << 20;
 
-/// An expansion that takes longer is taken to have no end. Work that is counted ends long before, by [`work::MOST`].
+/// The time after which an expansion counts as endless. Work that is counted ends long before, by [`work::MOST`].
 const PATIENCE: Duration = Duration::from_mins(10);
 
-/// The bound of look-ups, and of turns of other loops, for each token read and operation written. A declaration that is refused may have
-/// been worked on as far as one that is accepted, and no operation is written of it.
+/// The bounds of look-ups and of turns of other loops, for each token read and operation written. A refused declaration
+/// may take as much work as an accepted one, but has no operations.
 const fn bounds(is_refused: bool) -> [usize; 2] {
     if is_refused { [1_000, 2_000] } else { [100, 1_000] }
 }
 
-/// Which tokens are in groups without delimiters, by a seed.
+/// The tokens that are put into groups without delimiters, by a seed.
 #[derive(Clone, Copy)]
 pub(super) enum Fragments {
     None,
@@ -35,45 +35,46 @@ pub(super) enum Fragments {
     Any(u64),
 }
 
-/// What is expanded.
+/// A declaration and the way to expand it.
 #[derive(Clone, Copy)]
 pub(super) struct Subject<'a> {
-    /// For the message of an overflow of the stack.
+    /// The name in the message of a stack overflow.
     pub(super) name: &'a str,
     pub(super) declaration: &'a str,
-    /// How tokens are grouped as if they came from other macros.
+    /// The way to group tokens as if they came from other macros.
     pub(super) fragments: Fragments,
-    /// Whether it is expanded a second time, to see the same again.
+    /// Whether the declaration is expanded twice, to compare the results.
     pub(super) twice: bool,
 }
 
 /// An expansion without a defect.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion {
-    /// What was said of the declaration if it was refused.
+    /// The first message, if the declaration was refused.
     pub(super) refusal: Option<String>,
-    /// Tokens of the declaration.
+    /// The number of tokens of the declaration.
     pub(super) read: usize,
-    /// Operations of the solvers, sensitivities included.
+    /// The number of operations of the solvers, including sensitivities.
     pub(super) operations: usize,
     work: Work,
 }
 
 impl Expansion {
-    /// Look-ups, and turns of other loops, for each token read and each operation written.
+    /// The look-ups, and the turns of other loops, for each token read and each operation written.
     pub(super) fn rates(&self) -> [usize; 2] {
         let Work { look_ups, turns } = self.work;
         [look_ups, turns].map(|work| work / (self.read + self.operations).max(1))
     }
 }
 
-/// The places of panics, by what they say: a panic that is handed on from one thread to another has lost its place.
+/// The places of panics, by their messages. A panic that is passed from one thread to another loses its place.
 static PLACES: Mutex<BTreeMap<String, String>> = Mutex::new(BTreeMap::new());
 
-/// The beginning of the names of threads on which declarations are expanded, and the name of the one on which the macro does most of it.
+/// The prefixes of the names of two kinds of threads: those that expand declarations, and those on which the macro does
+/// most of its work.
 const THREADS: [&str; 2] = ["declaration", "kin"];
 
-/// Keeps the place of a panic during an expansion, and prints nothing of it.
+/// Records the place of a panic during an expansion without printing it.
 fn remember_panics() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -99,14 +100,14 @@ fn words(panic: &dyn Any) -> String {
     text.or_else(|| panic.downcast_ref().cloned()).unwrap_or_default()
 }
 
-/// What a panic says, and where.
+/// The message of a panic and its place.
 fn told(panic: &dyn Any) -> String {
     let words = words(panic);
     let places = PLACES.lock().expect("nothing panics");
     places.get(&words).cloned().unwrap_or(words)
 }
 
-/// What is said of text that the compiler itself refuses.
+/// The message about a text that the compiler itself refuses.
 pub(super) const NO_TOKENS: &str = "it is no sequence of tokens";
 
 /// Expands a declaration on a thread of its own. An error is a defect of the macro, or [`NO_TOKENS`].
@@ -126,7 +127,7 @@ pub(super) fn expansion(subject: Subject<'_>) -> Result<Expansion, String> {
         .spawn(move || {
             let caught = panic::catch_unwind(AssertUnwindSafe(|| expanded(&declaration, fragments, twice)));
             let verdict = caught.unwrap_or_else(|panic| Err(told(&*panic)));
-            // nobody waits for it any longer if it took too long
+            // the receiver is gone if the expansion took too long
             let _ = sender.send(verdict);
         })
         .expect("a thread can be started");
@@ -173,7 +174,7 @@ fn expanded(declaration: &str, fragments: Fragments, twice: bool) -> Result<Expa
     }
 }
 
-/// All tokens, those within groups included.
+/// The number of all tokens, including those within groups.
 fn count(tokens: &TokenStream) -> usize {
     tokens
         .clone()
@@ -199,7 +200,7 @@ fn message(tokens: &TokenStream) -> Option<String> {
     })
 }
 
-/// The numbers in the constants that say how many operations there are, added up.
+/// The sum of the numbers in the constants of operations.
 fn operations(tokens: &TokenStream) -> usize {
     let mut sum = 0;
     let mut tokens = tokens.clone().into_iter();
@@ -252,7 +253,7 @@ mod tests {
     fn what_is_published_is_counted() {
         let expansion = of("struct M { a: Length } input t: Angle; unknown u: Length; u == a * cos(t); order = 1;");
         let expansion = expansion.expect("there is no defect");
-        // u is a product after a cosine, its rate a product of rate, length and sine with a change of sign
+        // u is a product after a cosine; its rate is a product of rate, length and sine with a change of sign
         assert_eq!((expansion.refusal, expansion.read, expansion.operations), (None, 29, 5));
         assert!(expansion.work.look_ups > 0);
     }
