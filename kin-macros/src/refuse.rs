@@ -57,7 +57,7 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
                         whole(model, origin),
                         format_args!(
                             "too many equations: {} for {} ({}); this {} is one too many{}: remove it, or declare \
-                             what it determines as unknown ({}; a plane equation counts as two, one of space as three)",
+                             the quantity that it determines as an unknown ({}; a plane equation counts as two, an equation in space as three)",
                             count(equations.len(), "scalar equation"),
                             count(unknowns.len(), "unknown"),
                             names(unknowns),
@@ -76,8 +76,8 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
                 Some((first, second)) => mistakes.error(
                     whole(model, origins[second]),
                     format_args!(
-                        "this {} says the same as that of `{}`, so {} {} not determined; replace it by an \
-                         equation of its own",
+                        "this {} repeats that of `{}`, so {} {} not determined; replace it by an \
+                         independent equation",
                         origins[second].part,
                         model.equations[origins[first].equation].text,
                         names(unknowns),
@@ -88,7 +88,7 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
                     whole(model, origins[*equations.last().expect("a block has equations")]),
                     format_args!(
                         "the equations for {} depend on each other and do not determine them; replace this one by an \
-                         equation of its own",
+                         independent equation",
                         names(unknowns),
                     ),
                 ),
@@ -114,7 +114,7 @@ pub(crate) fn size(declaration: &Declaration, order: usize, mistakes: &mut Mista
 /// 1 is underlined.
 pub(crate) fn constants(declaration: &Declaration, model: &Model, misfit: Misfit, mistakes: &mut Mistakes) {
     let message =
-        format!("constants that follow from this one are {misfit}: choose a unit in which the numbers are nearer to 1");
+        format!("constants that follow from this one are {misfit}: choose a unit in which the numbers are closer to 1");
     match model.extreme_constant {
         Some(extent) => mistakes.error(extent, message),
         None => mistakes.error(&declaration.name, message),
@@ -133,7 +133,7 @@ pub(crate) fn ranges(model: &Model, blocks: &[Block], mistakes: &mut Mistakes) {
                 mistakes.error(
                     &own.name,
                     format_args!(
-                        "the range `{}` cannot choose the assembly of `{}`, which has no closed form: remove it, and tell \
+                        "the range `{}` cannot choose the assembly of `{}`, which has no closed form: remove it, and choose \
                          the assembly by values near the position, as in `position_near(.., [..])`",
                         range.text, own.name,
                     ),

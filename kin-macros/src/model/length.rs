@@ -34,7 +34,7 @@ impl Lengths {
             mistakes.error(
                 extent,
                 format!(
-                    "more than {LONGEST} operations wait for each other here: declare a part of this as an unknown with an equation \
+                    "this takes a chain of more than {LONGEST} operations: declare a part of it as an unknown with an equation \
                      of its own"
                 ),
             );

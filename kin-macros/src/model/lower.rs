@@ -86,7 +86,7 @@ impl Lowering<'_, '_> {
                 if of.value.shape() == Shape::Rotation {
                     self.mistakes.error_at(
                         formula.extent.first,
-                        "a rotation has no negative: write `-(rotation * vector)`, or turn back by the opposite angle",
+                        "a rotation cannot be negated: write `-(rotation * vector)`, or turn by the opposite angle",
                     );
                     return None;
                 }
@@ -161,7 +161,7 @@ impl Lowering<'_, '_> {
         if let Some(misfit) = self.graph.take_misfit() {
             self.mistakes.error(
                 extent,
-                format!("a constant of this is {misfit}: choose a unit in which the numbers are nearer to 1"),
+                format!("a constant in this formula is {misfit}: choose a unit in which the numbers are closer to 1"),
             );
             return None;
         }
@@ -174,7 +174,7 @@ impl Lowering<'_, '_> {
                 self.mistakes.error(
                     extent,
                     format!(
-                        "this is a power with the exponent {exponent}, and powers end at {LARGEST_POWER}: declare a lower one as an \
+                        "this is a power with the exponent {exponent}, and {LARGEST_POWER} is the largest: declare a lower power as an \
                          unknown with an equation of its own"
                     ),
                 );
@@ -292,19 +292,15 @@ impl Lowering<'_, '_> {
             }
             (left_shape, right_shape) => {
                 let remedy = match (left_shape, right_shape) {
-                    (Shape::Space, Shape::Space) => {
-                        "there are two products of space vectors, `dot(a, b)` and `cross(a, b)`"
-                    }
+                    (Shape::Space, Shape::Space) => "write `dot(a, b)` or `cross(a, b)` for a product of space vectors",
                     (Shape::Rotation, Shape::Plane) | (Shape::Plane, Shape::Rotation) => {
                         "write `vec3(v.x, v.y, 0)` for the vector, or `v * cis(angle)` to turn it in the plane"
                     }
-                    (Shape::Space, Shape::Rotation) => {
-                        "a rotation stands before what it turns, write `rotation * vector`"
-                    }
+                    (Shape::Space, Shape::Rotation) => "write `rotation * vector`, the rotation first",
                     (Shape::Plane | Shape::Space, _) => {
                         "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the product"
                     }
-                    _ => "a rotation only turns, write `s * (rotation * vector)` for a scalar s",
+                    _ => "write `s * (rotation * vector)` for a scalar s",
                 };
                 self.mistakes.error_at(
                     span,
@@ -326,20 +322,18 @@ impl Lowering<'_, '_> {
                 match right.value.shape() {
                     Shape::Space => "nothing can be divided by a space vector: divide by its length, `norm(v)`",
                     Shape::Rotation => {
-                        "nothing can be divided by a rotation: turn back by that of the opposite angle, as in `rot_z(-angle) * v`"
+                        "nothing can be divided by a rotation: turn by the opposite angle, as in `rot_z(-angle) * v`"
                     }
                     Shape::Scalar | Shape::Plane => {
-                        "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn back by an angle"
+                        "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn by the opposite angle"
                     }
                 },
             );
             return None;
         };
         if left.value.shape() == Shape::Rotation {
-            self.mistakes.error_at(
-                span,
-                "a rotation cannot be divided, it only turns: write `rotation * vector / s`",
-            );
+            self.mistakes
+                .error_at(span, "a rotation cannot be divided: write `rotation * vector / s`");
             return None;
         }
         if self.graph.constant_value(by) == Some(0.0) {
@@ -480,7 +474,7 @@ impl Lowering<'_, '_> {
         if self.graph.constant_value(length) == Some(0.0) {
             self.mistakes.error(
                 argument.extent,
-                "this axis is zero and has no direction: write a vector of any other length",
+                "this axis is zero and has no direction: write a nonzero vector",
             );
             return None;
         }
@@ -566,7 +560,7 @@ impl Lowering<'_, '_> {
             let extent = arguments[0].extent.to(arguments[arguments.len() - 1].extent);
             self.mistakes.error(
                 extent,
-                format!("this is outside of the domain of `{name}`, which {domain}"),
+                format!("this is outside the domain of `{name}`, which {domain}"),
             );
             return None;
         }
@@ -689,9 +683,9 @@ fn inner(graph: &mut Graph, a: &[Node], b: &[Node]) -> Node {
 /// vectors a scalar lies along x, as a real number does beside complex numbers. In space no direction is preferred.
 fn clash(left: Measure, right: Measure) -> Option<&'static str> {
     match (left.shape, right.shape) {
-        (Shape::Rotation, _) | (_, Shape::Rotation) => Some(
-            "a rotation only turns, write `rotation * vector` on both sides, or `a * b` for one rotation after another",
-        ),
+        (Shape::Rotation, _) | (_, Shape::Rotation) => {
+            Some("write `rotation * vector` on both sides, or `a * b` for one rotation after another")
+        }
         (Shape::Plane, Shape::Space) | (Shape::Space, Shape::Plane) => {
             Some("write `vec3(v.x, v.y, 0)` to place a plane vector v in space")
         }

@@ -27,7 +27,7 @@ pub(super) fn range(
             if name != unknown {
                 mistakes.error(
                     name,
-                    format!("the range of `{unknown}` speaks of `{unknown}` alone: write `where {unknown} > …`"),
+                    format!("the range of `{unknown}` can only compare `{unknown}`: write `where {unknown} > …`"),
                 );
                 return None;
             }
@@ -60,7 +60,7 @@ fn constant(bound: &Formula, declaration: &Declaration, mistakes: &mut Mistakes)
     if let Some(name) = first_name(bound) {
         mistakes.error(
             name,
-            format!("the end of a range is made of numbers and `PI`, and `{name}` is neither: write its value"),
+            format!("the end of a range contains only numbers and `PI`, not `{name}`: write its value"),
         );
         return None;
     }

@@ -24,7 +24,7 @@ pub(super) fn requests(declaration: &Declaration, mistakes: &mut Mistakes) -> Ve
             mistakes.error(
                 name,
                 format!(
-                    "`{word}` is nothing that can be generated: write `transmission_angles`, `sensitivities` or `test`{}",
+                    "`{word}` cannot be requested: write `transmission_angles`, `sensitivities` or `test`{}",
                     suggestion(&word, Request::ALL.map(Request::name))
                 ),
             );

@@ -134,7 +134,7 @@ impl<'a> Scope<'a> {
 
     fn unknown_name(&mut self, word: &str) -> String {
         if is_keyword(word) {
-            return format!("`{word}` is a keyword of Rust and names nothing here; choose another name");
+            return format!("`{word}` is a keyword of Rust and cannot be a name; choose another one");
         }
         if let Some(form) = form(word) {
             return format!("`{word}` is a function: write its arguments, as in `{form}`");

@@ -50,7 +50,7 @@ pub(super) fn unused_names(declaration: &Declaration, scope: &Scope<'_>, mistake
         }
         let complaint = match entry.role {
             Role::Parameter | Role::Input => format!(
-                "{} `{word}` is used by no equation and no output: use it, or remove it",
+                "{} `{word}` is not used in any equation or output: use it, or remove it",
                 entry.role.word()
             ),
             Role::Let => format!("`let {word}` is never used: use it, or remove it"),
@@ -106,11 +106,11 @@ pub(super) fn unknowns_in_equations(
                 }
             };
             let complaint = match graph.constant_value(*node) {
-                Some(0.0) => format!("{subject} is always true and says nothing: {remedy}"),
+                Some(0.0) => format!("{subject} is always true and determines nothing: {remedy}"),
                 Some(_) => {
                     format!("{subject} is never true, whatever the unknowns are: correct it")
                 }
-                None => format!("{subject} contains no unknown, so it can only restrict what is given: {remedy}"),
+                None => format!("{subject} contains no unknown, so it determines none: {remedy}"),
             };
             mistakes.error(&equation.tokens, complaint);
         }

@@ -4,7 +4,7 @@
 //!
 //! - An equation that is linear in an unknown, with a number as its coefficient, gives this unknown from the others.
 //! - A link whose angle occurs in one loop only is replaced by its length: |C|² = |A|² for A cis(θ) = C. Its direction
-//! is that of C.
+//!   is that of C.
 //!
 //! The remaining equations may fall into smaller parts, or have a closed form. (The word "tearing" is G. Kron's:
 //! "Diakoptics", 1963.)

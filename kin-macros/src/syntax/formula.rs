@@ -202,7 +202,7 @@ fn postfix(input: ParseStream<'_>) -> Result<Formula> {
             let dot = input.parse::<Token![.]>()?.span;
             of = member(input, dot, of)?;
         } else if input.peek(token::Bracket) {
-            return Err(input.error("nothing can be indexed here: give every quantity its own name"));
+            return Err(input.error("a formula has no indices: give every quantity its own name"));
         } else if input.peek(token::Paren) {
             return Err(input.error("only a function can be called: write `*` for a product"));
         } else if input.peek(Token![?]) {
@@ -255,7 +255,7 @@ fn member(input: ParseStream<'_>, dot: Span, of: Formula) -> Result<Formula> {
             return Err(syn::Error::new(
                 member.span(),
                 format!(
-                    "nothing here has a part `{word}`: a plane vector has `x` and `y`, a space vector `z` as well, and there are no others"
+                    "there is no part `{word}`: a plane vector has the parts `x` and `y`, a space vector `x`, `y` and `z`"
                 ),
             ));
         }
@@ -288,13 +288,13 @@ fn no_operand(input: ParseStream<'_>) -> &'static str {
     } else if input.peek(Token![|]) {
         "there are no closures here: write the formula itself"
     } else if input.peek(Token![!]) {
-        "there are no conditions here: an equation holds always"
+        "there are no conditions here: an equation always holds"
     } else if input.peek(Token![..]) {
         "a range belongs to an unknown: write `unknown x: Angle in 0..=PI`"
     } else if input.peek(Lifetime) {
         "there are no loops or labels here: write only formulas"
     } else if input.peek(Token![+]) {
-        "a number takes no `+` before it: write it alone"
+        "a number has no `+` in front of it: write the number alone"
     } else if input.peek(Token![*]) {
         "an operand is missing before this `*`; a power is written `powi(x, 2)`"
     } else if input.peek(Token![#]) {
@@ -332,13 +332,13 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
         Lit::Bool(_) => {
             return Err(syn::Error::new(
                 span,
-                "there are no conditions here: an equation holds always",
+                "there are no conditions here: an equation always holds",
             ));
         }
         _ => {
             return Err(syn::Error::new(
                 span,
-                "a formula is made of numbers: there is no text here",
+                "a formula contains no text: write numbers and names",
             ));
         }
     };
@@ -367,7 +367,7 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
         }
         Some(misfit) => Err(syn::Error::new(
             span,
-            format!("this number is {misfit}: choose a unit in which it is nearer to 1"),
+            format!("this number is {misfit}: choose a unit in which it is closer to 1"),
         )),
     }
 }
@@ -435,7 +435,7 @@ fn word(input: ParseStream<'_>) -> Result<Formula> {
 fn foreign(word: &str) -> Option<&'static str> {
     Some(match word {
         "if" | "else" | "match" => {
-            "a formula has no cases: write equations that hold always, and `where` or `in` after an unknown to choose its branch"
+            "a formula has no cases: write equations that always hold, and `where` or `in` after an unknown to choose its branch"
         }
         "for" | "while" | "loop" | "break" | "continue" => {
             "there are no loops here: write every equation out as a statement of its own"
@@ -444,7 +444,7 @@ fn foreign(word: &str) -> Option<&'static str> {
         "unsafe" => "a formula has no blocks: write `( … )` to group",
         "return" | "yield" => "nothing is returned here: write `output name: Length = …;` for a result",
         "let" => "a `let` is a statement of its own: write it before the formula that uses it",
-        "true" | "false" => "there are no conditions here: an equation holds always",
+        "true" | "false" => "there are no conditions here: an equation always holds",
         "fn" | "impl" | "trait" | "enum" | "use" | "mod" | "static" | "const" | "pub" | "struct" | "extern"
         | "macro" => "items cannot be declared here: write them outside of `mechanism!`",
         "_" => "a formula has no placeholders: write a name or a number",
@@ -486,9 +486,9 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
         "to_radians" => "; write `x * PI / 180`".to_owned(),
         "to_degrees" => "; write `x * 180 / PI`".to_owned(),
         "abs" | "signum" | "min" | "max" | "clamp" | "floor" | "ceil" | "round" | "rem_euclid" => {
-            "; a formula must have all its derivatives, and that one has not".to_owned()
+            "; a formula must be differentiable, and that function is not".to_owned()
         }
-        "sin_cos" => "; write `sin(x)` and `cos(x)`, they are computed together all the same".to_owned(),
+        "sin_cos" => "; write `sin(x)` and `cos(x)`, which are computed together".to_owned(),
         _ => {
             let near = suggestion(&word, function_names());
             if let Some(name) = without_arc(&word) {
@@ -503,7 +503,7 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
     syn::Error::new(
         name.span(),
         format!(
-            "`{word}` is no function of the declaration language, which has {}{instead}",
+            "`{word}` is not a function of the declaration language, which has {}{instead}",
             function_names().collect::<Vec<_>>().join(", ")
         ),
     )
@@ -563,7 +563,7 @@ fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Res
         return Err(syn::Error::new_spanned(
             Extent::at(name.span()).to(Extent::at(close)),
             format!(
-                "`{word}` takes {} and is given {given}{counted}: write `{form}`",
+                "`{word}` takes {}, but is given {given}{counted}: write `{form}`",
                 count(arity),
             ),
         ));
@@ -626,14 +626,14 @@ fn exponent(argument: &Formula) -> Result<i32> {
 fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
     if input.peek(Token![==]) {
         return input.error(match place {
-            Context::RightSide => "an equation has one `==`: write the second as an equation of its own",
+            Context::RightSide => "an equation has one `==`: write the second one as another equation",
             Context::Value => "a definition is not an equation: write the equation as a statement of its own",
-            _ => "an equation stands on its own: write it as a statement, not within a formula",
+            _ => "an equation is a statement: write it alone, not within a formula",
         });
     }
     if input.peek(Token![=]) && !input.peek(Token![=>]) {
         return input.error(if place == Context::LeftSide {
-            "nothing is assigned here: write `==` for an equation, or `let x = …;` for an abbreviation"
+            "a formula has no assignments: write `==` for an equation, or `let x = …;` for an abbreviation"
         } else {
             "unexpected `=` within a formula: write an equation or a `let` as a statement of its own"
         });
@@ -643,7 +643,7 @@ fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
         || input.peek(Token![*=])
         || input.peek(Token![/=])
     {
-        "nothing is assigned here, quantities do not change: write `==` for an equation"
+        "a quantity cannot be assigned, because it does not change: write `==` for an equation"
     } else if input.peek(Token![^]) {
         "there is no operator `^`: write `powi(x, 2)` for a power"
     } else if input.peek(Token![%]) {
@@ -652,13 +652,13 @@ fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
         "there are no bit operations here: write `* powi(2, n)`"
     } else if input.peek(Token![!=]) || input.peek(Token![<]) || input.peek(Token![>]) {
         if place == Context::RangeEnd {
-            "a range has one comparison: write `in 0..=PI` for one with two ends"
+            "a range has one comparison: write `in 0..=PI` for a range with two ends"
         } else {
             "there are no comparisons here: write `==` for an equation, and `where` after an unknown to choose its branch"
         }
     } else if input.peek(Token![&&]) || input.peek(Token![||]) {
         if place == Context::RangeEnd {
-            "a range has one comparison: write `in 0..=PI` for one with two ends"
+            "a range has one comparison: write `in 0..=PI` for a range with two ends"
         } else {
             "there are no conditions here: write each equation as a statement of its own"
         }

@@ -421,8 +421,8 @@ mod tests {
         for (body, told) in [
             (quote!(order = 0;), "`order = 1`"),
             (quote!(order = -1;), "never negative"),
-            (quote!(order = 13;), "no further than 12"),
-            (quote!(order = 99999999999999999999;), "no further than 12"),
+            (quote!(order = 13;), "the highest order is 12"),
+            (quote!(order = 99999999999999999999;), "the highest order is 12"),
             (quote!(order = 6.0;), "a whole number from 1 to 12"),
             (quote!(order = 6usize;), "write `order = 6`"),
             (quote!(order = x;), "a whole number from 1 to 12"),

@@ -94,7 +94,7 @@ mod tests {
             &mut mistakes,
         );
         let mut messages = mistakes.into_messages();
-        assert!(messages.pop().is_some_and(|last| last.contains("nothing is assigned")));
+        assert!(messages.pop().is_some_and(|last| last.contains("no assignments")));
         messages
     }
 

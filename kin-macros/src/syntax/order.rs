@@ -58,12 +58,11 @@ fn order(value: &TokenStream) -> std::result::Result<usize, String> {
     }
     match literal.base10_parse::<usize>() {
         Ok(0) => Err(
-            "an order of 0 leaves no derivative to solve for: write `order = 1` for the velocity alone, the position is always there"
-                .to_owned(),
+            "an order of 0 leaves no derivative to solve for: write `order = 1` for position and velocity".to_owned(),
         ),
         Ok(order) if order <= HIGHEST => Ok(order),
         _ => Err(format!(
-            "the order goes no further than {HIGHEST}: write a number from 1 to {HIGHEST}"
+            "the highest order is {HIGHEST}: write a number from 1 to {HIGHEST}"
         )),
     }
 }

@@ -104,7 +104,7 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     if alone && request::is_meant(&word, &second.to_string()) {
         return Err(syn::Error::new(
             first.span(),
-            format!("`{word}` begins no statement; did you mean `{}`?", request::WORD),
+            format!("`{word}` does not begin a statement; did you mean `{}`?", request::WORD),
         ));
     }
     if !ahead.peek(Token![:]) || ahead.peek(Token![::]) {
@@ -125,7 +125,7 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
         .unwrap_or_default();
     Err(syn::Error::new(
         first.span(),
-        format!("`{word}` begins no statement: write `input`, `unknown`, `let` or `output`{likely}"),
+        format!("`{word}` does not begin a statement: write `input`, `unknown`, `let` or `output`{likely}"),
     ))
 }
 
@@ -147,7 +147,7 @@ fn list<Item>(
         }
         if !input.peek(Token![,]) {
             return Err(input.error(format!(
-                "unexpected in a declaration of an {what}: write `,` before a further one, `;` at the end"
+                "unexpected in a declaration of an {what}: write `,` before another one, or `;` at the end"
             )));
         }
         input.parse::<Token![,]>()?;
@@ -195,10 +195,10 @@ fn quantity(input: ParseStream<'_>, documentation: Vec<Attribute>, what: &str, s
 fn input_item(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) -> Result<QuantityItem> {
     let item = quantity(input, documentation, "input", start)?;
     if input.peek(Token![where]) || input.peek(Token![in]) {
-        return Err(input.error("an input has no range: its value is given, it has no branches to choose from"));
+        return Err(input.error("an input has no range: its value is given, so there is no branch to choose"));
     }
     if input.peek(Token![=]) {
-        return Err(input.error("an input takes no value here: it is given to the solver"));
+        return Err(input.error("an input has no value here: pass its value to the solver"));
     }
     Ok(item)
 }
@@ -207,7 +207,7 @@ fn unknown_item(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Sp
     let quantity = quantity(input, documentation, "unknown", start)?;
     if input.peek(Token![=]) && !input.peek(Token![==]) {
         return Err(input.error(format!(
-            "an unknown takes no value: end the statement here, and write its equation as one of its own, `{} == …;`",
+            "an unknown has no value: end the statement here, and write its equation as another statement, `{} == …;`",
             quantity.name
         )));
     }
@@ -261,7 +261,7 @@ fn comparison(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Ra
         input.parse::<Token![>]>()?;
         Comparison::Greater
     } else {
-        let message = format!("a range compares by `<`, `<=`, `>` or `>=`: write `where {unknown} > 0`");
+        let message = format!("a range needs `<`, `<=`, `>` or `>=`: write `where {unknown} > 0`");
         return Err(if input.is_empty() {
             syn::Error::new(name.span(), message)
         } else {
@@ -287,7 +287,7 @@ fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Range
     let open = |at: Extent| {
         syn::Error::new_spanned(
             at,
-            format!("a range has two ends, `0..=PI`: write `where {unknown} > …` for one with a single end"),
+            format!("a range has two ends, `0..=PI`: write `where {unknown} > …` for a range with a single end"),
         )
     };
     if input.is_empty() {
@@ -348,7 +348,7 @@ fn definition(input: ParseStream<'_>, name: &Ident, form: &str) -> Result<crate:
     if input.is_empty() {
         return Err(syn::Error::new(
             name.span(),
-            format!("`{name}` is not given a value: write `{form}`"),
+            format!("`{name}` has no value: write `{form}`"),
         ));
     }
     if input.peek(Token![==]) || !input.peek(Token![=]) {

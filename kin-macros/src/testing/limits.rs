@@ -37,16 +37,25 @@ fn constants_fit_or_are_told_once() {
         (quote!(x == 1e400 * a * t), "this number is too large"),
         (
             quote!(x == 1e308 * a * t * 10 + 1e308 * a),
-            "a constant of this is too large",
+            "a constant in this formula is too large",
         ),
         (
             quote!(x == 1e308 * a * t + 1e308 * a * t),
-            "a constant of this is too large",
+            "a constant in this formula is too large",
         ),
-        (quote!(x == 1e-300 * a * t / 1e10), "a constant of this is too small"),
-        (quote!(x == powi(1e-200 * t, 2) * a), "a constant of this is too small"),
-        (quote!(x == exp(-1000) * a * t), "a constant of this is too small"),
-        (quote!(x == a * t * tan(PI / 2)), "outside of the domain of `tan`"),
+        (
+            quote!(x == 1e-300 * a * t / 1e10),
+            "a constant in this formula is too small",
+        ),
+        (
+            quote!(x == powi(1e-200 * t, 2) * a),
+            "a constant in this formula is too small",
+        ),
+        (
+            quote!(x == exp(-1000) * a * t),
+            "a constant in this formula is too small",
+        ),
+        (quote!(x == a * t * tan(PI / 2)), "outside the domain of `tan`"),
         (
             quote!(x * 1e-200 == a * t * 1e200),
             "constants that follow from this one are too large",
@@ -261,8 +270,8 @@ fn what_is_too_deep_or_too_long_is_told_once() {
         (signs, 5000, deep),
         (parentheses, 256, deep),
         (parentheses, 100_000, deep),
-        (power, 1100, "powers end at 1024"),
-        (abbreviations, 10_001, "more than 10000 operations wait for each other"),
+        (power, 1100, "1024 is the largest"),
+        (abbreviations, 10_001, "a chain of more than 10000 operations"),
     ];
     for (family, size, message) in families {
         let messages = told(family, size, 4);

@@ -11,7 +11,7 @@ pub(super) const ACOSH: Elementary = Elementary {
     gives: Gives::Number,
     domain: Domain::Part {
         contains: |x| x[0] >= 1.0,
-        text: "begins at 1",
+        text: "contains only numbers from 1 on",
     },
     guard: Some(&Checked {
         name: "area_hyperbolic_cosine",

@@ -10,7 +10,7 @@ pub(super) const ATAN2: Elementary = Elementary {
     gives: Gives::Angle,
     domain: Domain::Part {
         contains: |v| v[0] != 0.0 || v[1] != 0.0,
-        text: "leaves out the point (0, 0)",
+        text: "excludes the point (0, 0)",
     },
     guard: None,
     inverse: Inverse::None,

@@ -18,7 +18,7 @@ pub(super) const ATANH: Elementary = Elementary {
     gives: Gives::Number,
     domain: Domain::Part {
         contains: |x| x[0].abs() < 1.0,
-        text: "lies between -1 and 1, both left out",
+        text: "contains only numbers above -1 and below 1",
     },
     guard: Some(&AREA),
     inverse: Inverse::One(InverseFunction::Elementary(Function::Tanh)),

@@ -18,7 +18,7 @@ pub(super) const LN: Elementary = Elementary {
     gives: Gives::Number,
     domain: Domain::Part {
         contains: |x| x[0] > 0.0,
-        text: "begins above 0",
+        text: "contains only numbers above 0",
     },
     guard: Some(&LOGARITHM),
     inverse: Inverse::One(InverseFunction::Elementary(Function::Exp)),

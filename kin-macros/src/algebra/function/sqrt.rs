@@ -10,7 +10,7 @@ pub(super) const SQRT: Elementary = Elementary {
     gives: Gives::Root,
     domain: Domain::Part {
         contains: |x| x[0] >= 0.0,
-        text: "begins at 0",
+        text: "contains only numbers from 0 on",
     },
     guard: Some(&Checked {
         name: "square_root_of",

@@ -10,7 +10,7 @@ pub(super) const TAN: Elementary = Elementary {
     gives: Gives::Number,
     domain: Domain::Between {
         divisor: |graph, x| graph.cosine(x[0]),
-        text: "leaves out the odd quarter turns",
+        text: "excludes the odd quarter turns",
     },
     guard: None,
     inverse: Inverse::None,

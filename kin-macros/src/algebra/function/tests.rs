@@ -94,21 +94,24 @@ fn constants_outside_of_a_domain_are_found() {
     let (symbol, pi) = (graph.symbol(Symbol::Parameter(0)), graph.pi());
     let quarter = graph.scale(0.5, pi);
     let mut left = |function: Function, node: Node| function.left_domain(&mut graph, &[node]);
-    assert_eq!(left(Function::Tan, quarter), Some("leaves out the odd quarter turns"));
+    assert_eq!(left(Function::Tan, quarter), Some("excludes the odd quarter turns"));
     assert_eq!(left(Function::Asin, quarter), Some("goes from -1 to 1"));
     assert_eq!(
         left(Function::Atanh, quarter),
-        Some("lies between -1 and 1, both left out")
+        Some("contains only numbers above -1 and below 1")
     );
     assert_eq!(left(Function::Acosh, quarter), None);
     for &function in Function::ALL.iter().filter(|function| function.arity() == 1) {
         assert_eq!(left(function, symbol), None);
     }
     let zero = graph.zero();
-    assert_eq!(Function::Acosh.left_domain(&mut graph, &[zero]), Some("begins at 1"));
+    assert_eq!(
+        Function::Acosh.left_domain(&mut graph, &[zero]),
+        Some("contains only numbers from 1 on")
+    );
     assert_eq!(
         Function::Atan2.left_domain(&mut graph, &[zero, zero]),
-        Some("leaves out the point (0, 0)")
+        Some("excludes the point (0, 0)")
     );
 }
 

@@ -67,7 +67,10 @@ impl Compiled<'_> {
                 self.solution_of_part(self.parts()[part])
             ),
             String::new(),
-            format!(" Open where `{}`, crossed where it is negative.", self.criterion(part)),
+            format!(
+                " Open if `{}`, crossed if the expression is negative.",
+                self.criterion(part)
+            ),
         ]
     }
 
@@ -76,7 +79,7 @@ impl Compiled<'_> {
         let lines: Vec<String> = self
             .choices()
             .into_iter()
-            .map(|part| format!(" - `{}`: open where `{}`", self.part_name(part), self.criterion(part)))
+            .map(|part| format!(" - `{}`: open if `{}`", self.part_name(part), self.criterion(part)))
             .collect();
         if lines.is_empty() {
             return lines;
@@ -112,14 +115,14 @@ impl Compiled<'_> {
         let company = if with.is_empty() {
             String::new()
         } else {
-            format!(" together with {}", with.join(", "))
+            format!(", together with {}", with.join(", "))
         };
         let range = unknown
             .range
             .as_ref()
             .map_or_else(String::new, |range| format!(", `{}`", range.text));
         format!(
-            " Unknown {}{range}; {}{company}.",
+            " Unknown: {}{range}. Solution: {}{company}.",
             unit(unknown.dimension),
             self.solution_of_part(part)
         )
