@@ -135,8 +135,8 @@ impl Scalar for f32 {}
 impl<const N: usize> Scalar for Series<N> {}
 #[cfg(feature = "std")]
 impl Scalar for crate::number::count::Counted {
-    /// A sign that is copied is no operation, whichever sign it is.
+    /// The copy of a sign is no operation, whichever sign it is.
     fn times_sign_of(self, other: Self) -> Self {
-        Self(self.0.times_sign_of(other.0))
+        Self::new(self.real().times_sign_of(other.real()))
     }
 }

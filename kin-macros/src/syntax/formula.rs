@@ -376,7 +376,7 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
 fn about_suffix(digits: &str, suffix: &str) -> String {
     match suffix {
         "rad" | "radians" => format!("angles are in radians anyway: write `{digits}`"),
-        "degrees" | "degree" | "grad" | "gon" => {
+        "degrees" | "degree" => {
             format!("angles are in radians, or in degrees with `{DEGREES}`: write `{digits}{DEGREES}`")
         }
         "nm" | "um" | "mm" | "cm" | "dm" | "m" | "km" | "in" | "inch" | "ft" | "mil" | "thou" => {
