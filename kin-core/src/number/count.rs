@@ -1,4 +1,4 @@
-//! Counting the operations of a solver by running it.
+//! Operation counts of a solver, measured by running it.
 
 use core::cell::Cell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -21,7 +21,7 @@ enum Tallied {
     Other,
 }
 
-/// Adds one operation to what this thread has counted.
+/// Adds one operation to the count of this thread.
 fn note(kind: Tallied) {
     let mut tally = TALLY.get();
     *match kind {
@@ -37,7 +37,8 @@ fn note(kind: Tallied) {
     TALLY.set(tally);
 }
 
-/// The operations on [`Counted`] numbers that this thread carries out during `work`, the result of which is dropped.
+/// Returns the number of operations on [`Counted`] numbers that this thread carries out while it runs `work`. The
+/// result of `work` is dropped.
 ///
 /// ```
 /// use kin_core::count::{self, Counted};
@@ -52,7 +53,7 @@ pub fn of<R>(work: impl FnOnce() -> R) -> Operations {
     since(TALLY.get(), before)
 }
 
-/// What has been counted since an earlier tally of the same count.
+/// The operations counted since an earlier tally.
 const fn since(now: Operations, earlier: Operations) -> Operations {
     Operations {
         additions: now.additions - earlier.additions,
@@ -66,7 +67,7 @@ const fn since(now: Operations, earlier: Operations) -> Operations {
     }
 }
 
-/// A double-precision number that counts what is done to it; see [`of`].
+/// A double-precision number that counts the operations on it; see [`of`].
 ///
 /// Constants, comparisons and copies count nothing.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]

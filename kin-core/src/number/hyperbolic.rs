@@ -1,11 +1,12 @@
 //! The inverses of the hyperbolic cosine and tangent.
 //!
-//! The standard library takes the logarithm of a number near 1 where the argument of the first is near 1, and of one near 0 where that of the
-//! second is near -1, and loses the digits that the number has lost. The formulas here are those of the C library fdlibm.
+//! The standard library computes these functions by logarithms that lose digits: near 1 the inverse cosine takes the
+//! logarithm of a number near 1, and near -1 the inverse tangent takes the logarithm of a number near 0. The formulas
+//! here come from the C library fdlibm.
 
 use num_traits::Float;
 
-/// The number from 0 on with the hyperbolic cosine `x`; NaN for x < 1.
+/// The non-negative number whose hyperbolic cosine is `x`; NaN for x < 1.
 pub(super) fn area_hyperbolic_cosine<F: Float>(x: F) -> F {
     let one = F::one();
     let two = one + one;
@@ -13,17 +14,17 @@ pub(super) fn area_hyperbolic_cosine<F: Float>(x: F) -> F {
     if x < one {
         F::nan()
     } else if x < two {
-        // x - 1 is exact
+        // The difference x - 1 is exact.
         (beyond + (beyond * (x + one)).sqrt()).ln_1p()
     } else if x < one / F::epsilon() {
         (x + (beyond * (x + one)).sqrt()).ln()
     } else {
-        // 2 x might be infinite
+        // The product 2 x could overflow.
         x.ln() + two.ln()
     }
 }
 
-/// The number with the hyperbolic tangent `x`; NaN for |x| > 1.
+/// The number whose hyperbolic tangent is `x`; NaN for |x| > 1.
 pub(super) fn area_hyperbolic_tangent<F: Float>(x: F) -> F {
     let size = x.abs();
     let ratio = (size + size) / (F::one() - size);
@@ -34,7 +35,7 @@ pub(super) fn area_hyperbolic_tangent<F: Float>(x: F) -> F {
 mod tests {
     use super::{area_hyperbolic_cosine, area_hyperbolic_tangent};
 
-    /// Values of fifty digits, rounded.
+    /// The expected values were computed to fifty digits and rounded.
     #[test]
     fn digits_are_kept_near_the_ends() {
         for (x, expected) in [

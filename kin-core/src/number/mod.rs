@@ -18,14 +18,14 @@ pub(crate) use single::single;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number with the functions of kinematics: what a [`Scalar`](crate::Scalar) calculates with. How it decides is in that trait.
+/// A number with the functions that kinematics needs. The trait [`Scalar`](crate::Scalar) adds decisions.
 ///
 /// Implemented for `f32` and `f64`, for the truncated series of [`series`](crate::series), for
 /// the operation counter of `count` (feature `std`), and for the dual numbers of `num-dual` (feature `num-dual`).
 /// Angles are in radians.
 ///
-/// Functions follow IEEE 754: outside of their domain they return NaN. Whoever calls them with a
-/// value that might lie outside asks first, on the [real part](Number::real).
+/// Functions follow IEEE 754: outside their domain they return NaN. If an argument might lie outside, test its [real
+/// part](Number::real) first.
 ///
 /// ```
 /// use kin_core::Number;
@@ -50,31 +50,32 @@ pub trait Number:
     /// The distance from 1 to the next larger real part.
     const EPSILON: f64;
 
-    /// The smallest positive real part that is divided by. From it to its reciprocal, numbers and their reciprocals have full
-    /// precision.
-    // Twice the smallest number that has: a comparison with that one is taken for a test of bits, and done by integers, lane by lane.
+    /// The smallest positive real part that may be a divisor. From here up to its reciprocal, numbers and their
+    /// reciprocals have full precision.
+    // Twice `MIN_POSITIVE`: LLVM turns a comparison with `MIN_POSITIVE` itself into integer tests, lane by lane.
     const SMALLEST: f64 = 2.0 * f64::MIN_POSITIVE;
 
-    /// How many successive derivatives the number carries beside its real part: 0 for a plain number, n for a series
-    /// through the n-th power of time. An iteration goes on until the highest of them is right.
+    /// The number of successive derivatives that the number carries besides its real part: 0 for a plain number, n for
+    /// a series up to the n-th power of time. Iterations continue until the highest derivative is right.
     const ORDER: usize = 0;
 
-    /// The number with the given real part and no other part, rounded to the precision at hand.
+    /// The number with the given real part and nothing else, rounded to the precision of the type.
     #[must_use]
     fn constant(value: f64) -> Self;
 
-    /// The real part, which errors report and by which one pose decides; that of the first pose, where there are several.
+    /// The real part. Errors report it, and a single pose decides by it. A number that holds several poses returns the
+    /// real part of the first.
     #[must_use]
     fn real(self) -> f64;
 
     /// Whether every part of the number is finite, that is neither NaN nor infinite.
     ///
-    /// A number that stands for several poses leaves this to each of them, and is always: a pose that fails becomes NaN, and its caller
-    /// looks for it.
+    /// A number that holds several poses always returns true, because each pose is tested by itself: a pose that fails
+    /// becomes NaN, and the caller looks for NaN.
     #[must_use]
     fn is_finite(self) -> bool;
 
-    /// Whether every part of all of them is finite.
+    /// Whether every part of all these numbers is finite.
     #[must_use]
     #[inline(always)]
     fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
@@ -85,19 +86,19 @@ pub trait Number:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// Sine and cosine of an angle, in this order.
+    /// The sine and cosine of an angle, in this order.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// The angle in -π/2 ..= π/2 of which this is the sine.
+    /// The angle in -π/2 ..= π/2 whose sine is this number.
     #[must_use]
     fn asin(self) -> Self;
 
-    /// The angle in 0 ..= π of which this is the cosine.
+    /// The angle in 0 ..= π whose cosine is this number.
     #[must_use]
     fn acos(self) -> Self;
 
-    /// The angle between -π/2 and π/2 of which this is the tangent.
+    /// The angle between -π/2 and π/2 whose tangent is this number.
     #[must_use]
     fn atan(self) -> Self;
 
@@ -124,15 +125,15 @@ pub trait Number:
     #[must_use]
     fn tanh(self) -> Self;
 
-    /// The number of which this is the hyperbolic sine.
+    /// The number whose hyperbolic sine is this number.
     #[must_use]
     fn asinh(self) -> Self;
 
-    /// The number from 0 on of which this is the hyperbolic cosine.
+    /// The non-negative number whose hyperbolic cosine is this number.
     #[must_use]
     fn acosh(self) -> Self;
 
-    /// The number of which this is the hyperbolic tangent.
+    /// The number whose hyperbolic tangent is this number.
     #[must_use]
     fn atanh(self) -> Self;
 
@@ -172,14 +173,14 @@ pub trait Number:
         if exponent < 0 { one / product } else { product }
     }
 
-    /// This number and the product of two others: `self + a b`, rounded once instead of twice where the machine can.
+    /// The sum `self + a b`, rounded once instead of twice where the machine can.
     #[must_use]
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self) -> Self {
         self + a * b
     }
 
-    /// This number less the product of two others: `self - a b`, rounded once instead of twice where the machine can.
+    /// The difference `self - a b`, rounded once instead of twice where the machine can.
     #[must_use]
     #[inline(always)]
     fn minus_product(self, a: Self, b: Self) -> Self {

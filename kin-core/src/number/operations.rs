@@ -1,6 +1,6 @@
-//! How much arithmetic something takes.
+//! Operation counts.
 
-/// How many operations something takes, by kind.
+/// The number of operations of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Hash)]
 pub struct Operations {
     /// Additions and subtractions.

@@ -1,4 +1,4 @@
-//! The numbers of the machine.
+//! The primitive number types.
 
 use num_traits::Float;
 
@@ -32,8 +32,8 @@ macro_rules! primitive {
                 <$float>::is_finite(self)
             }
 
-            /// By their sum, which is not finite if one of them is not; the numbers themselves are looked at only if the sum is
-            /// not finite, which it may be by its size.
+            /// Tests the sum, which is not finite if one of the numbers is not. The numbers themselves are tested only
+            /// if the sum is not finite, because the sum alone may overflow.
             #[inline(always)]
             fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
                 let sum = numbers.into_iter().reduce(|sum, number| sum + number);
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn large_angles_are_reduced_exactly() {
-        // sin(10^6) and cos(10^6) to 20 digits.
+        // The expected values are sin(10^6) and cos(10^6) to 20 digits.
         let (sine, cosine) = Number::sin_cos(1.0e6_f64);
         assert!((sine - -0.349_993_502_171_292_95).abs() < 1e-16);
         assert!((cosine - 0.936_752_127_533_144_8).abs() < 2e-16);

@@ -2,12 +2,12 @@
 
 use core::ops::{Index, IndexMut};
 
-/// An array of one value for each of some quantities, read and written by the place of the quantity.
+/// An array with one value for each of some quantities, read and written by the index of the quantity.
 pub trait Row<V>: Copy + AsRef<[V]> + AsMut<[V]> + Index<usize, Output = V> + IndexMut<usize> {
-    /// How many there are.
+    /// The number of values.
     const LENGTH: usize;
 
-    /// The values of a function of the index.
+    /// The row of the values `function(index)`.
     fn from_fn(function: impl FnMut(usize) -> V) -> Self;
 }
 

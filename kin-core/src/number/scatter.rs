@@ -1,12 +1,12 @@
-//! Scattered numbers, the same in every run.
+//! Pseudorandom numbers, the same in every run.
 //!
-//! `SplitMix64` (G. Steele, D. Lea & C. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014, figure 17): the
-//! state grows by a constant, and each number is its state, mixed.
+//! The generator is `SplitMix64` (G. Steele, D. Lea & C. Flood, "Fast splittable pseudorandom number generators",
+//! OOPSLA 2014, figure 17): the state grows by a constant, and each number is a mixed state.
 
-/// By how much the state grows.
+/// The increment of the state.
 pub(crate) const INCREMENT: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// The 64 bits that belong to a state.
+/// The 64 random bits of a state.
 #[inline]
 pub(crate) fn mix(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -14,7 +14,7 @@ pub(crate) fn mix(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The number in `0..1` that belongs to a state.
+/// The random number in `0..1` of a state.
 #[inline]
 #[expect(clippy::cast_precision_loss, reason = "53 bits are kept, as many as there are")]
 pub(crate) fn fraction(state: u64) -> f64 {

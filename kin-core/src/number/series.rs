@@ -6,13 +6,11 @@ use crate::number::Number;
 
 /// A Taylor series in time, cut off after `N` terms: `c₀ + c₁ t + c₂ t² + …`.
 ///
-/// The coefficients are the derivatives divided by factorials. Every operation is exact up to rounding in the terms
-/// that are kept. When the motion of a mechanism is put back into its closure as such series, every coefficient of the
-/// residual must vanish: this checks derivatives of all orders at once, by a way that has nothing in
-/// common with the one they came from.
+/// Every operation is exact up to rounding in the terms that are kept. To check derivatives, put the motion of a
+/// mechanism into its closure as such series: every coefficient of the residual must vanish. This checks the
+/// derivatives of all orders at once, and it shares nothing with the method that computed them.
 ///
-/// The recurrences are those of A. Griewank and A. Walther, *Evaluating Derivatives*, 2nd edition, SIAM 2008,
-/// chapter 13.
+/// The recurrences come from A. Griewank and A. Walther, *Evaluating Derivatives*, 2nd edition, SIAM 2008, chapter 13.
 ///
 /// ```
 /// use kin_core::Number;
@@ -42,7 +40,7 @@ impl<const N: usize> Series<N> {
         self.coefficients
     }
 
-    /// The series of a function of which value and derivatives are known.
+    /// The series of a function, from its value and its derivatives.
     #[must_use]
     pub fn from_derivatives(mut derivatives: [f64; N]) -> Self {
         let mut factorial = 1.0;
@@ -65,8 +63,8 @@ impl<const N: usize> Series<N> {
         derivatives
     }
 
-    /// The series f with the given constant term and f' = derivative / denominator: the rule for every function
-    /// with an algebraic derivative.
+    /// The series f with the given constant term and f' = derivative / denominator. Every function with an algebraic
+    /// derivative follows this rule.
     fn integrate(constant: f64, derivative: Self, denominator: Self) -> Self {
         let d = denominator.coefficients;
         let mut f = [0.0; N];
@@ -81,7 +79,7 @@ impl<const N: usize> Series<N> {
         Self::from_coefficients(f)
     }
 
-    /// Hyperbolic sine and cosine: the derivative of each is the other one.
+    /// The hyperbolic sine and cosine: the derivative of each is the other.
     fn sinh_cosh(self) -> (Self, Self) {
         let a = self.coefficients;
         let (mut sine, mut cosine) = ([0.0; N], [0.0; N]);
@@ -96,7 +94,7 @@ impl<const N: usize> Series<N> {
         (Self::from_coefficients(sine), Self::from_coefficients(cosine))
     }
 
-    /// The derivative with respect to time; its last coefficient is not known and is given as zero.
+    /// The derivative with respect to time. Its last coefficient is unknown and is set to zero.
     fn differentiate(self) -> Self {
         let mut slope = [0.0; N];
         for k in 1..N {
@@ -262,7 +260,7 @@ impl<const N: usize> Number for Series<N> {
 
     fn tanh(self) -> Self {
         let a = self.coefficients;
-        // the slope, 1 - tanh², grows by one coefficient with the value
+        // The slope, 1 - tanh², gains one coefficient whenever the value does.
         let (mut value, mut slope) = ([0.0; N], [0.0; N]);
         value[0] = Number::tanh(a[0]);
         slope[0] = (1.0 - value[0]) * (1.0 + value[0]);
@@ -328,7 +326,7 @@ mod tests {
         }
     }
 
-    /// t + 0.3, and something less simple.
+    /// The series t + 0.3, and one with more terms.
     fn arguments() -> [Fifth; 2] {
         [
             Series::from_derivatives([0.3, 1.0, 0.0, 0.0, 0.0]),

@@ -1,8 +1,9 @@
 //! The angle of a point, by one division.
 //!
-//! Of the two coordinates' magnitudes, the fraction is the lesser by the greater up to a half, and beyond that of the point turned
-//! back by π/4, (lesser - greater) / (lesser + greater), where the difference is exact: in both cases at most a half. The angle is the
-//! corresponding multiple of π/4 and the arctangent of the fraction.
+//! The lesser and the greater magnitude of the two coordinates give a fraction of at most one half. If lesser / greater
+//! is at most one half, that is the fraction. Otherwise the point is turned back by π/4 and the fraction is (lesser -
+//! greater) / (lesser + greater), where the difference is exact. The angle is the corresponding multiple of π/4 plus
+//! the arctangent of the fraction.
 
 use core::f64::consts::FRAC_PI_4;
 
@@ -31,7 +32,7 @@ pub(super) const ARC_TANGENT: [f64; 12] = [
     -0.010_117_140_106_919_496,
 ];
 
-/// As [`ARC_TANGENT`], with a relative error of 2⁻³¹·⁸.
+/// The coefficients of [`ARC_TANGENT`] for single precision, with a relative error of 2⁻³¹·⁸.
 const ARC_TANGENT_SINGLE: [f64; 6] = [
     0.333_333_269_253_162_3,
     -0.199_994_898_356_003_5,
@@ -64,7 +65,8 @@ pub(crate) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> [f64; 2] {
     [arc_tangent(y[0], x[0]), arc_tangent(y[1], x[1])]
 }
 
-/// Points and angles as pairs, which stay in registers: arrays would be put into memory for this call, even where it is not made.
+/// The angles of two points, one after the other. Points and angles are pairs because pairs stay in registers; arrays
+/// would be stored to memory for this call, even when it is not made.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 #[cold]
 #[inline(never)]
@@ -72,10 +74,10 @@ fn one_by_one(first: (f64, f64), second: (f64, f64)) -> (f64, f64) {
     (arc_tangent(first.0, first.1), arc_tangent(second.0, second.1))
 }
 
-/// [`arc_tangent`] without a branch, and whether it holds for this point: not for the origin, for what is not finite, and for what is so
-/// far out that it is next to it.
+/// [`arc_tangent`] without a branch, and whether the result is valid. It is not valid for the origin, for coordinates
+/// that are not finite, and for coordinates whose sum overflows.
 ///
-/// With `SELECT` a condition selects, a sign is a bit, and the angle is NaN where it does not hold.
+/// With `SELECT` a condition selects, a sign is a bit, and an invalid angle is NaN.
 #[expect(clippy::eq_op, reason = "less itself, infinity is NaN")]
 #[inline(always)]
 pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool>(y: f64, x: f64) -> (f64, bool) {
@@ -85,7 +87,7 @@ pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool>(y: f64
     let z = fraction * fraction;
     let fraction = turned.sense.on(fraction);
     let low = if SELECT {
-        // Nothing is added, or NaN.
+        // The last operand is zero, or NaN if a coordinate is too large.
         multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[1], turned.along - turned.along)
     } else {
         turned.multiple * HALF_RIGHT_ANGLE[1]
@@ -121,13 +123,14 @@ fn beyond<T: Float>(y: T, x: T) -> T {
     y.atan2(x)
 }
 
-/// A point turned and mirrored to next to the positive x axis, and away from the origin by a factor that does not matter.
+/// A point that has been turned and mirrored close to the positive x axis. Its distance from the origin changes by a
+/// factor that does not matter.
 struct Turned<const SELECT: bool> {
     across: f64,
     along: f64,
     /// Whether the angle counts forwards or backwards.
     sense: Sign<SELECT>,
-    /// The multiple of π/4 from which it counts, if the point itself is above the x axis.
+    /// The multiple of π/4 from which the angle counts, if the point itself is above the x axis.
     multiple: f64,
 }
 
@@ -140,7 +143,7 @@ impl<const SELECT: bool> Turned<SELECT> {
         let slanting = Condition::<SELECT>::new(lesser > greater - lesser);
         let (side, steepness) = (Sign::of(x), Sign::of(width - height));
         let sense = side.times(steepness);
-        // 0, 2 or 4 from the nearest axis; and the diagonal before or after it
+        // The multiple is 0, 2 or 4 at the nearest axis, and 1 or 3 at a diagonal.
         let multiple = if SELECT {
             2.0 - side.on(1.0 + slanting.unless(steepness.on(1.0)))
         } else {
@@ -154,19 +157,19 @@ impl<const SELECT: bool> Turned<SELECT> {
         }
     }
 
-    /// Whether this fraction of the two is one: neither 0/0, nor of infinity.
+    /// Whether this fraction of the two coordinates is valid: neither 0/0 nor a fraction of infinities.
     #[inline(always)]
     fn has(&self, fraction: f64) -> bool {
         !(self.along * fraction).is_nan()
     }
 }
 
-/// Selects between numbers and zero: with `SELECT` as such, elsewhere by a factor, as a condition that selects several numbers would become a
-/// branch.
+/// A condition that selects between a number and zero. With `SELECT` it is a real selection. Otherwise it is a factor,
+/// because a condition that selects several numbers would become a branch.
 #[derive(Clone, Copy)]
 struct Condition<const SELECT: bool> {
     holds: bool,
-    /// 1 if it holds, 0 if it does not.
+    /// The factor 1 if the condition holds, 0 if it does not.
     factor: f64,
 }
 
@@ -200,8 +203,8 @@ impl<const SELECT: bool> Condition<SELECT> {
     }
 }
 
-/// A sign: with `SELECT` that of the number which it has, elsewhere that number is ±1, and a factor, as bits would be taken out of the registers
-/// of floating-point numbers and back.
+/// A sign. With `SELECT` it is the sign of the stored number. Otherwise the stored number is ±1 and serves as a factor,
+/// because bit operations would move numbers out of the floating-point registers and back.
 #[derive(Clone, Copy)]
 struct Sign<const SELECT: bool>(f64);
 
@@ -249,14 +252,14 @@ mod tests {
         })
     }
 
-    /// Points next to the axes and the diagonals, and next to where the fraction changes.
+    /// Points next to the axes, to the diagonals, and to the places where the fraction changes.
     fn near_the_axes() -> impl Iterator<Item = (f64, f64)> {
         (0..16).flat_map(|eighth| {
             fractions(5_000).flat_map(move |f| {
                 let off = f64::exp2(-80.0 * f);
                 [off, -off].map(|off| {
                     let (sine, cosine) = (f64::from(eighth) * FRAC_PI_4 / 2.0).sin_cos();
-                    // On the axes themselves, not the rounding error of π.
+                    // Points exactly on the axes, without the rounding error of π.
                     let exact = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
                     let (sine, cosine) = (exact(sine), exact(cosine));
                     (sine + off * cosine, cosine - off * sine)
@@ -301,7 +304,7 @@ mod tests {
         }
     }
 
-    /// Without fusion alone and in lanes, with fusion in lanes.
+    /// The results without fusion in scalar code, without fusion in lanes, and with fusion in lanes.
     fn all(y: f64, x: f64) -> [(f64, bool); 3] {
         [
             ordinary_arc_tangent::<false, false>(y, x),
@@ -416,7 +419,7 @@ mod tests {
         }
     }
 
-    /// Whatever its neighbour is, a point has its own angle, to the last bit.
+    /// The angle of each point is independent of the other point, to the last bit.
     #[test]
     fn each_of_two_points_has_its_own_angle() {
         let sizes = [0.0, f64::from_bits(1), 1.0, 3.0, f64::MAX, f64::INFINITY];

@@ -1,25 +1,27 @@
 //! Sine, cosine and arctangent as straight-line code.
 //!
-//! The functions of the libraries are calls, and cannot be computed for several poses at once. These are polynomials after a
-//! reduction of the argument, without branches, which a compiler can arrange for as many lanes as a machine has. What
-//! they do not hold for, they tell; it goes to the library.
+//! The functions of the standard libraries are calls, and a compiler cannot run a call for several poses at once. The
+//! functions here reduce the argument and evaluate a polynomial without branches, so a compiler can use as many lanes
+//! as the machine has. They report arguments outside their range, and the library functions handle those.
 //!
-//! In double precision the errors of sine and cosine are within 1⅓ units in the last place, those of the arctangent within 1½; in single
-//! precision all are within 0.6. More is to be had for more operations, but nothing that is solved with these functions is so
-//! well conditioned that it would be seen. [`Scalar`](crate::Scalar) takes all of them.
+//! In double precision the errors of sine and cosine are at most 1⅓ units in the last place, and those of the
+//! arctangent at most 1½. In single precision all errors are at most 0.6. More accuracy would cost more operations, and
+//! no problem solved with these functions is conditioned well enough to show it. [`Scalar`](crate::Scalar) uses all of
+//! them.
 //!
-//! Where a product and a sum are one instruction the caller may choose it: a constant, `FUSED`, is true for functions that are
-//! compiled for such a machine.
+//! The constant `FUSED` selects multiply-add as one instruction. It is true in functions that are compiled for a
+//! machine with that instruction.
 //!
-//! In wide vectors a condition selects between numbers, and a sign is a bit that is turned round. Alone it is products with 0 and ±1 that do
-//! it: one condition that selects several numbers would become a branch, and bits would be taken out of the registers of
-//! floating-point numbers. So it is in the narrowest vectors, which have no instruction to select. A constant, `SELECT`, says which.
+//! The constant `SELECT` says how a condition acts. In wide vectors, a condition selects between numbers, and a sign is
+//! flipped as a bit. In scalar code, both are products with 0 or ±1: a condition that selects several numbers would
+//! become a branch, and bit operations would move numbers out of the floating-point registers. The narrowest vectors
+//! have no instruction to select, so they use products too.
 //!
-//! What is computed alike for two numbers, the sine and the cosine of one angle or the arctangents of two points, goes through the two
-//! halves of one register on x86-64.
+//! On x86-64, pairs that need the same steps (the sine and cosine of one angle, or the arctangents of two points) share
+//! one register.
 //!
-//! The polynomials are minimax in the relative error of the function itself, found by Remez' exchange in 50 digits; each states
-//! its interval and its error. They were fitted for this crate.
+//! The polynomials are minimax in the relative error of the function itself. They were fitted for this crate by Remez'
+//! exchange in 50 digits. Each one states its interval and its error.
 
 mod arc_tangent;
 mod bits;

@@ -1,14 +1,15 @@
-//! Polynomials by pairs, which depend less on one another than one step after the other.
+//! Polynomials evaluated in pairs, so that fewer steps wait for each other.
 
-/// Whether a product and a sum are one instruction wherever the program runs: elsewhere the exact function is slow.
+/// Whether multiply-add is one instruction wherever the program runs. Elsewhere the exact function is slow.
 ///
-/// A function that is compiled for a machine with that instruction, and called there only, may say so where this is false.
+/// A function compiled for a machine with that instruction, and called only there, may choose fusion even where this is
+/// false.
 pub(crate) const FUSED: bool = cfg!(all(
     feature = "std",
     any(target_feature = "fma", target_arch = "aarch64")
 ));
 
-/// a b + c, rounded once if it is to be fused.
+/// The number a b + c, rounded once if `FUSED`.
 #[inline(always)]
 pub(super) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
     if FUSED {
@@ -18,9 +19,9 @@ pub(super) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
     }
 }
 
-/// The value at `z` of the polynomial with these coefficients, that of the lowest power first.
+/// The value at `z` of the polynomial with these coefficients, lowest power first.
 ///
-/// Estrin's scheme: neighbours are joined, then the pairs by z², then the fours by z⁴.
+/// Estrin's scheme joins neighbours first, then pairs by z², then fours by z⁴.
 #[inline(always)]
 pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
     if FUSED {
@@ -43,7 +44,8 @@ pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; 
     terms[0]
 }
 
-/// The even and the odd powers, each by Horner's scheme in z²: one instruction for each coefficient, where a product and a sum are one.
+/// The value computed from the even and the odd powers, each by Horner's scheme in z². This takes one instruction per
+/// coefficient where multiply-add is one instruction.
 #[inline(always)]
 fn by_halves<const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
     let square = z * z;
@@ -78,7 +80,7 @@ mod tests {
         }
     }
 
-    /// With small whole numbers nothing is rounded, whatever the order is in which terms are joined.
+    /// Small whole numbers are never rounded, so every order of evaluation must give the same result.
     #[test]
     fn all_orders_of_evaluation_agree() {
         is_exact::<1>();

@@ -1,20 +1,21 @@
-//! Sine, cosine and arctangent to some 30 digits, by series, as sums of two doubles; and the errors against them.
+//! Sine, cosine and arctangent to about 30 digits, by series in sums of two doubles, and the errors measured against
+//! them.
 
 use std::vec::Vec;
 
-/// The sum of two doubles, the second less than the last place of the first.
+/// A sum of two doubles. The second is smaller than the last place of the first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Double(pub(super) f64, pub(super) f64);
 
 impl Double {
-    /// a + b exactly (Knuth).
+    /// The exact sum a + b (Knuth).
     fn sum(a: f64, b: f64) -> Self {
         let s = a + b;
         let part = s - a;
         Self(s, (a - (s - part)) + (b - part))
     }
 
-    /// a b exactly.
+    /// The exact product a b.
     fn product(a: f64, b: f64) -> Self {
         let p = a * b;
         Self(p, f64::mul_add(a, b, -p))
@@ -43,7 +44,7 @@ impl Double {
     }
 }
 
-/// π/2 in four doubles.
+/// π/2 as a sum of four doubles.
 const RIGHT_ANGLE: [f64; 4] = [
     core::f64::consts::FRAC_PI_2,
     6.123_233_995_736_766e-17,
@@ -51,7 +52,7 @@ const RIGHT_ANGLE: [f64; 4] = [
     5.562_271_104_316_826e-50,
 ];
 
-/// Sine and cosine of an angle of up to 10⁶.
+/// The sine and cosine of an angle of up to 10⁶.
 pub(super) fn sine_cosine(angle: f64) -> [Double; 2] {
     let quarters = (angle / RIGHT_ANGLE[0]).round();
     let mut r = Double(angle, 0.0);
@@ -59,7 +60,7 @@ pub(super) fn sine_cosine(angle: f64) -> [Double; 2] {
         r = r.minus(Double::product(quarters, part));
     }
     let square = r.times(r);
-    // Every second term of the exponential series, from its n-th on.
+    // Every second term of the exponential series, from the n-th on.
     let series = |first: Double, n: u32| {
         let mut term = first;
         let mut terms = Vec::from([first]);
@@ -80,7 +81,8 @@ pub(super) fn sine_cosine(angle: f64) -> [Double; 2] {
     }
 }
 
-/// The angle of a point: the library's and one step of Newton's method, of which the error is the cube of the library's.
+/// The angle of a point: the library's result, improved by one step of Newton's method. The remaining error is the cube
+/// of the library's error.
 pub(super) fn arc_tangent(y: f64, x: f64) -> Double {
     let angle = y.atan2(x);
     let [sine, cosine] = sine_cosine(angle);
@@ -90,10 +92,10 @@ pub(super) fn arc_tangent(y: f64, x: f64) -> Double {
     Double(angle, 0.0).plus(across.over(along.0))
 }
 
-/// The error of `found` in units in the last place of a number with `digits` binary digits and no smaller unit than
+/// The error of `found` in units in the last place, for a number type with `digits` binary digits and the smallest unit
 /// `smallest`.
 pub(super) fn units(found: f64, expected: Double, digits: i32, smallest: f64) -> f64 {
-    // log2 may be off by one, next to a power of two.
+    // log2 may be off by one next to a power of two.
     let size = expected.0.abs().max(f64::MIN_POSITIVE);
     let mut power = size.log2().floor();
     power += f64::from(size >= f64::exp2(power + 1.0)) - f64::from(size < f64::exp2(power));
@@ -101,7 +103,7 @@ pub(super) fn units(found: f64, expected: Double, digits: i32, smallest: f64) ->
     ((found - expected.0) - expected.1).abs() / unit
 }
 
-/// Of so many samples one is taken: an interpreter is slower by as much.
+/// The divisor of sample counts. The Miri interpreter is slower by about this factor.
 pub(super) const THINNED: u32 = if cfg!(miri) { 1000 } else { 1 };
 
 /// Fractions that fill 0 .. 1 evenly.
@@ -114,7 +116,7 @@ pub(super) fn fractions(count: u32) -> impl Iterator<Item = f64> {
 mod tests {
     use super::{arc_tangent, sine_cosine};
 
-    /// The first two doubles of the numbers to 40 digits, by the multiple-precision package mpmath.
+    /// The expected values are the first two doubles of 40-digit results of the multiple-precision package mpmath.
     #[test]
     fn a_few_values_to_thirty_digits() {
         let [sine, cosine] = sine_cosine(1.0);

@@ -6,13 +6,14 @@ use super::bits::{ONE, SIGN, turned_round};
 use super::polynomial::{FUSED, multiply_add, polynomial};
 use crate::number::single;
 
-/// Up to here the multiple of π/2 has 16 bits, and its products with [`QUARTER_TURN`] are exact: 2¹⁶ π/2 = 102943.
+/// The largest angle reduced here. Up to it, the multiple of π/2 has 16 bits and its products with [`QUARTER_TURN`] are
+/// exact: 2¹⁶ π/2 = 102943.
 const LIMIT: f64 = 1e5;
 
-/// π/2 as a sum of 37, 37 and 53 bits: the reduction in parts of Cody and Waite, *Software Manual for the Elementary
-/// Functions* (1980).
+/// π/2 as a sum of 37, 37 and 53 bits, for the reduction in parts of Cody and Waite, *Software Manual for the
+/// Elementary Functions* (1980).
 ///
-/// No double up to [`LIMIT`] is nearer to a multiple of π/2 than 6·10⁻¹⁹, and there the reduced angle has a
+/// No double up to [`LIMIT`] is closer to a multiple of π/2 than 6·10⁻¹⁹. At that distance the reduced angle has a
 /// relative error of 2⁻⁶³.
 const QUARTER_TURN: [f64; 3] = [
     1.570_796_326_792_333_3,
@@ -20,7 +21,7 @@ const QUARTER_TURN: [f64; 3] = [
     1.056_299_906_698_742_8e-23,
 ];
 
-/// Adding it rounds to an integer, which then stands in the lowest bits.
+/// A number whose addition rounds to an integer and leaves that integer in the lowest bits.
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// (r - sin r) / r³ in powers of r², |r| ≤ π/4. The relative error of the sine is 2⁻⁵⁷·⁹.
@@ -43,7 +44,7 @@ pub(super) const COSINE: [f64; 6] = [
     -1.135_853_602_718_916_5e-11,
 ];
 
-/// As [`SINE`], with a relative error of 2⁻³⁷·⁵.
+/// The coefficients of [`SINE`] for single precision, with a relative error of 2⁻³⁷·⁵.
 const SINE_SINGLE: [f64; 4] = [
     0.166_666_666_407_964_6,
     -0.008_333_329_304_745_389,
@@ -51,14 +52,14 @@ const SINE_SINGLE: [f64; 4] = [
     -2.718_121_328_822_166e-6,
 ];
 
-/// As [`COSINE`], with a relative error of 2⁻³³.
+/// The coefficients of [`COSINE`] for single precision, with a relative error of 2⁻³³.
 const COSINE_SINGLE: [f64; 3] = [
     0.041_666_645_682_931_17,
     -0.001_388_731_625_073_425_1,
     2.443_315_653_731_113_7e-5,
 ];
 
-/// Sine and cosine of an angle in radians, in this order.
+/// The sine and cosine of an angle in radians, in this order.
 #[inline]
 pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
     if !is_near(angle) {
@@ -89,25 +90,26 @@ fn far<T: Float>(angle: T) -> (T, T) {
     angle.sin_cos()
 }
 
-/// Whether [`near_sine_cosine`] holds for this angle: it is finite and not large.
+/// Whether [`near_sine_cosine`] accepts this angle: the angle is finite and not large.
 #[inline(always)]
 pub(crate) fn is_near(angle: f64) -> bool {
     angle.abs() <= LIMIT
 }
 
-/// [`sine_cosine`] of an angle that [is near](is_near), without a branch, by products or with `SELECT`. Of what is not a number both are none.
+/// [`sine_cosine`] of an angle that [is near](is_near), without a branch: by products, or with `SELECT` by selection.
+/// Both results are NaN if the angle is NaN.
 #[inline(always)]
 pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool>(angle: f64) -> (f64, f64) {
     let Reduced { r, tail, shifted } = Reduced::new::<FUSED>(angle);
     let z = r * r;
-    // What is subtracted is a positive zero where the angle is zero: so the sine has the angle's sign there. The tail is less
-    // than half a unit in the last place of the angle, which the cosine does not feel.
+    // The subtracted number is a positive zero where the angle is zero, so the sine keeps the sign of the angle. The
+    // cosine can ignore the tail, which is less than half a unit in the last place of the angle.
     let sine = r - multiply_add::<FUSED>(r * z, polynomial::<FUSED, 6>(SINE, z), tail);
     let quartic = polynomial::<FUSED, 6>(COSINE, z);
     let cosine = if FUSED {
         multiply_add::<FUSED>(-z, multiply_add::<FUSED>(-z, quartic, 0.5), 1.0)
     } else {
-        // Half of the square is exact; its product with a difference would be rounded once more.
+        // Half of the square is exact. A product with a difference would be rounded once more.
         1.0 - (0.5 * z - z * z * quartic)
     };
     if SELECT {
@@ -117,10 +119,10 @@ pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool>(angle: f64
     }
 }
 
-/// An angle less the nearest number of quarter turns.
+/// An angle minus the nearest whole number of quarter turns.
 pub(super) struct Reduced {
     pub(super) r: f64,
-    /// What r is too large by.
+    /// The amount by which r is too large.
     pub(super) tail: f64,
     /// The number of quarter turns, in the lowest bits.
     pub(super) shifted: f64,
@@ -131,7 +133,7 @@ impl Reduced {
     pub(super) fn new<const FUSED: bool>(angle: f64) -> Self {
         let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
         let turns = shifted - ROUNDING;
-        // The first difference is exact, the second leaves what it loses to the tail.
+        // The first difference is exact. The tail receives what the second one loses.
         let first = multiply_add::<FUSED>(-turns, QUARTER_TURN[0], angle);
         let second = turns * QUARTER_TURN[1];
         let r = first - second;
@@ -151,16 +153,16 @@ fn near_single(angle: f64) -> (f64, f64) {
     in_quadrant::<FUSED>(shifted, sine, cosine)
 }
 
-/// Sine and cosine of the reduced angle, turned on by as many quarter turns as the lowest bits of `shifted` say.
+/// The sine and cosine of the reduced angle, turned by the number of quarter turns in the lowest bits of `shifted`.
 ///
-/// It is turned by a product with the sine and cosine of these quarter turns, 0 or ±1, so that nothing is rounded; exchanging the two
-/// would take them out of the registers of floating-point numbers and back.
+/// The turn is a product with the sine and cosine of these quarter turns, which are 0 or ±1, so nothing is rounded.
+/// Exchanging the two numbers would move them out of the floating-point registers and back.
 #[inline(always)]
 fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
     let quarters = shifted.to_bits();
     let odd = (quarters & 1).wrapping_neg();
     let along = f64::from_bits((!odd & ONE) | (quarters << 62 & SIGN));
-    // A negative zero where there is no turn: it leaves the sign of a sine that is zero.
+    // A negative zero if there is no turn, because that keeps the sign of a sine that is zero.
     let across = f64::from_bits((odd & ONE) | (quarters.wrapping_add(3) << 62 & SIGN));
     (
         multiply_add::<FUSED>(sine, along, cosine * across),
@@ -168,7 +170,7 @@ fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64,
     )
 }
 
-/// [`in_quadrant`] with `SELECT`: two numbers change places by selection and signs are bits.
+/// [`in_quadrant`] with `SELECT`: selection exchanges the two numbers, and signs are flipped as bits.
 #[inline(always)]
 fn in_quadrant_by_selection(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
     let quarters = shifted.to_bits();
@@ -216,10 +218,10 @@ mod tests {
         })
     }
 
-    /// The doubles next to every multiple of π/2 up to the limit, or to every `step`-th.
+    /// The doubles next to every multiple of π/2 up to the limit, or next to every `step`-th multiple.
     fn near_the_axes(step: usize) -> impl Iterator<Item = f64> {
         (1_u32..63_662).step_by(step * THINNED as usize).flat_map(|quarters| {
-            // The third part of π/2 does not change the nearest double.
+            // The third part of π/2 is too small to change the nearest double.
             let angle = f64::from(quarters) * FRAC_PI_2;
             [angle, angle.next_down(), angle.next_up(), -angle]
         })

@@ -1,8 +1,8 @@
-//! Two numbers in one register, for what is computed for two numbers alike: a sine and a cosine, two arctangents.
+//! Two numbers in one register, for pairs that need the same steps: a sine and a cosine, or two arctangents.
 //!
-//! What is done is what [`near_sine_cosine`](super::near_sine_cosine) and [`ordinary_arc_tangent`](super::ordinary_arc_tangent) do, step by
-//! step and to the last bit, in half as many instructions. A compiler finds some of the pairs, and puts them together and takes them
-//! apart again on the way.
+//! The steps are those of [`near_sine_cosine`](super::near_sine_cosine) and
+//! [`ordinary_arc_tangent`](super::ordinary_arc_tangent), to the last bit, in half as many instructions. A compiler
+//! finds only some of the pairs, and it joins and splits them along the way.
 #![expect(
     unsafe_code,
     reason = "every machine that this is compiled for has these instructions, but a function that uses them is safe only for one that says so"
@@ -21,17 +21,17 @@ use super::sine_cosine::{COSINE, Reduced, SINE};
 /// The sine and the cosine of an angle that [is near](super::is_near).
 #[inline(always)]
 pub(super) fn sine_cosine(angle: f64) -> (f64, f64) {
-    // SAFETY: `sine_beside_cosine` takes and returns numbers, reads no memory by an address, and has no precondition but its
-    // `target_feature`: the machine has to have SSE2. The module stands behind `cfg(target_feature = "sse2")`, so that the whole program is
-    // compiled for machines that have it.
+    // SAFETY: `sine_beside_cosine` takes and returns numbers and reads no memory by address. Its only precondition is
+    // its `target_feature`: the machine must have SSE2. This module is compiled only under `cfg(target_feature =
+    // "sse2")`, so the whole program is compiled for machines that have it.
     unsafe { sine_beside_cosine(Reduced::new::<false>(angle)) }
 }
 
-/// The arctangents of two points, and whether both are ordinary.
+/// The arctangents of two points, and whether both points are ordinary.
 #[inline(always)]
 pub(super) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
-    // SAFETY: as above: `arc_tangents_side_by_side` takes and returns numbers, and needs SSE2, which every machine has that the module is
-    // compiled for. All intrinsics that either function calls belong to SSE2 and work on registers alone.
+    // SAFETY: as above, `arc_tangents_side_by_side` takes and returns numbers and needs SSE2, which every machine has
+    // for which this module is compiled. Both functions call only SSE2 intrinsics that work on registers.
     unsafe { arc_tangents_side_by_side(y, x) }
 }
 
@@ -40,7 +40,7 @@ pub(super) fn arc_tangents(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
 fn sine_beside_cosine(Reduced { r, tail, shifted }: Reduced) -> (f64, f64) {
     let square = r * r;
     let z = _mm_set1_pd(square);
-    // The cosine's polynomial is subtracted where the sine's is added.
+    // The cosine's polynomial is subtracted, the sine's is added.
     let coefficient = |k: usize| _mm_set_pd(-COSINE[k], SINE[k]);
     let term = |k: usize| _mm_add_pd(coefficient(k), _mm_mul_pd(coefficient(k + 1), z));
     let z2 = _mm_mul_pd(z, z);
@@ -51,7 +51,7 @@ fn sine_beside_cosine(Reduced { r, tail, shifted }: Reduced) -> (f64, f64) {
     let subtrahend = plus_product(_mm_set_pd(0.5 * square, tail), factor, polynomial);
     let reduced = _mm_sub_pd(_mm_set_pd(1.0, r), subtrahend);
 
-    // After an odd number of quarter turns they change places.
+    // An odd number of quarter turns exchanges the sine and the cosine.
     let quarters = _mm_castpd_si128(_mm_set1_pd(shifted));
     let odd = _mm_sub_epi64(_mm_setzero_si128(), _mm_and_si128(quarters, _mm_set1_epi64x(1)));
     let places = selected(_mm_castsi128_pd(odd), _mm_shuffle_pd::<1>(reduced, reduced), reduced);
@@ -70,7 +70,7 @@ fn arc_tangents_side_by_side(y: [f64; 2], x: [f64; 2]) -> ([f64; 2], bool) {
     let sense = sign(_mm_xor_pd(x, _mm_sub_pd(width, height)));
     let one = _mm_set1_pd(1.0);
     let side = _mm_or_pd(sign(x), one);
-    // 0, 2 or 4 from the nearest axis; and the diagonal before or after it
+    // The multiple is 0, 2 or 4 at the nearest axis, and 1 or 3 at a diagonal.
     let multiple = _mm_sub_pd(
         _mm_sub_pd(_mm_set1_pd(2.0), side),
         _mm_andnot_pd(slanting, _mm_or_pd(sense, one)),
