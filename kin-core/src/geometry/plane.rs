@@ -1,13 +1,13 @@
-//! Vectors of the plane, which are complex numbers.
+//! Vectors in the plane, represented as complex numbers.
 
 use core::ops::{Add, Neg, Sub};
 
 use crate::number::Number;
 
-/// A vector of the plane, or the complex number `x + i y`.
+/// A vector in the plane, or the complex number `x + i y`.
 ///
-/// Both coordinates have the same unit. A direction is a vector of length 1, the cosine and the
-/// sine of its angle; [`times`](Plane::times) turns one vector by another.
+/// Both coordinates have the same unit. A direction is a vector of length 1: the cosine and sine of its angle.
+/// [`times`](Plane::times) turns one vector by another.
 ///
 /// ```
 /// use kin_core::Plane;
@@ -57,7 +57,7 @@ impl<T: Number> Plane<T> {
         Self::new(cosine, sine)
     }
 
-    /// The vector of a length at an angle, in radians.
+    /// The vector with a given length and angle, in radians.
     ///
     /// ```
     /// use kin_core::Plane;
@@ -71,22 +71,22 @@ impl<T: Number> Plane<T> {
         Self::cis(angle).scale(length)
     }
 
-    /// The scalar product `x₁ x₂ + y₁ y₂`, in the product of the units.
+    /// The scalar product `x₁ x₂ + y₁ y₂`. Its unit is the product of the units.
     #[inline(always)]
     #[must_use]
     pub fn dot(self, other: Self) -> T {
         self.x * other.x + self.y * other.y
     }
 
-    /// The vector product `x₁ y₂ - y₁ x₂`, a vector normal to the plane of which this is the
-    /// component out of it: positive when `other` is reached counter-clockwise.
+    /// The vector product `x₁ y₂ - y₁ x₂`: the component normal to the plane. It is positive if `other` lies
+    /// counter-clockwise from this vector.
     #[inline(always)]
     #[must_use]
     pub fn cross(self, other: Self) -> T {
         self.x * other.y - self.y * other.x
     }
 
-    /// The vector `factor` times as long.
+    /// This vector, multiplied by `factor`.
     #[inline(always)]
     #[must_use]
     pub fn scale(self, factor: T) -> Self {

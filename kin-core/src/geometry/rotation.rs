@@ -1,11 +1,11 @@
-//! Rotations of space.
+//! Rotations in space.
 
 use crate::geometry::Space;
 use crate::number::Number;
 
-/// A rotation of space about an axis through the origin, as a matrix.
+/// A rotation in space about an axis through the origin, as a matrix.
 ///
-/// Angles are in radians, and counter-clockwise for whoever looks against the axis.
+/// Angles are in radians, counter-clockwise when the axis points towards the viewer.
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
@@ -22,7 +22,7 @@ pub struct Rotation<T = f64> {
 }
 
 impl<T: Number> Rotation<T> {
-    /// About the x axis.
+    /// The rotation about the x axis.
     #[must_use]
     pub fn about_x(angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
@@ -36,7 +36,7 @@ impl<T: Number> Rotation<T> {
         }
     }
 
-    /// About the y axis.
+    /// The rotation about the y axis.
     #[must_use]
     pub fn about_y(angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
@@ -50,7 +50,7 @@ impl<T: Number> Rotation<T> {
         }
     }
 
-    /// About the z axis.
+    /// The rotation about the z axis.
     #[must_use]
     pub fn about_z(angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
@@ -64,10 +64,10 @@ impl<T: Number> Rotation<T> {
         }
     }
 
-    /// About any axis, of which only the direction counts: it may have any length but zero.
+    /// The rotation about any axis. Only the direction of the axis matters; its length may be anything but zero.
     ///
-    /// Rodrigues' formula: with the unit vector u of the axis, a vector v becomes
-    /// v cos θ + (u × v) sin θ + u (u · v) (1 - cos θ).
+    /// This is Rodrigues' formula: with the unit vector u of the axis, a vector v becomes v cos θ + (u × v) sin θ + u
+    /// (u · v) (1 - cos θ).
     #[must_use]
     pub fn about(axis: Space<T>, angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
@@ -96,14 +96,14 @@ impl<T: Number> Rotation<T> {
         }
     }
 
-    /// The vector, turned.
+    /// The turned vector.
     #[must_use]
     pub fn turn(self, vector: Space<T>) -> Space<T> {
         let [x, y, z] = self.rows.map(|row| row.dot(vector));
         Space::new(x, y, z)
     }
 
-    /// The product: first the other rotation, then this one.
+    /// The product: the other rotation comes first, then this one.
     #[must_use]
     pub fn times(self, other: Self) -> Self {
         let columns = other.transposed().rows;
@@ -115,7 +115,7 @@ impl<T: Number> Rotation<T> {
         }
     }
 
-    /// The rows of the matrix: the products of the turned vector with the axes.
+    /// The rows of the matrix. Their scalar products with a vector are the coordinates of the turned vector.
     #[must_use]
     pub const fn rows(&self) -> [Space<T>; 3] {
         self.rows
@@ -131,7 +131,7 @@ mod tests {
     const Y: Space = Space::new(0.0, 1.0, 0.0);
     const Z: Space = Space::new(0.0, 0.0, 1.0);
 
-    /// Each coordinate differs by a few roundings of the vector's length at most.
+    /// Each coordinate may differ by a few ε times the length of the vector.
     fn assert_near(found: Space, expected: Space) {
         let bound = 8.0 * f64::EPSILON * expected.norm().max(1.0);
         assert!((found - expected).norm() <= bound, "{found:?} instead of {expected:?}");
@@ -174,7 +174,7 @@ mod tests {
         assert_near(rotation.turn(axis), axis);
         let turned = rotation.turn(v);
         assert!((turned.norm() - v.norm()).abs() <= 8.0 * f64::EPSILON * v.norm());
-        // back again, and a third of a turn about the diagonal takes x to y
+        // The inverse rotation restores the vector, and a third of a turn about the diagonal takes x to y.
         assert_near(Rotation::about(axis, -0.7).turn(turned), v);
         let third = Rotation::about(Space::new(1.0, 1.0, 1.0), 2.0 * core::f64::consts::FRAC_PI_3);
         assert_near(third.turn(X), Y);

@@ -1,10 +1,10 @@
-//! Vectors of space.
+//! Vectors in space.
 
 use core::ops::{Add, Neg, Sub};
 
 use crate::number::Number;
 
-/// A vector of space, its coordinates along three axes at right angles, right-handed.
+/// A vector in space: its coordinates along the three axes of a right-handed frame.
 ///
 /// All coordinates have the same unit.
 ///
@@ -44,15 +44,15 @@ impl<T: Number> Space<T> {
         Self::new(T::constant(0.0), T::constant(0.0), T::constant(0.0))
     }
 
-    /// The scalar product `x₁ x₂ + y₁ y₂ + z₁ z₂`, in the product of the units.
+    /// The scalar product `x₁ x₂ + y₁ y₂ + z₁ z₂`. Its unit is the product of the units.
     #[inline]
     #[must_use]
     pub fn dot(self, other: Self) -> T {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// The vector product, at right angles to both factors: seen from its tip, the turn from the first factor to the
-    /// second is counter-clockwise. In the product of the units.
+    /// The vector product, at right angles to both factors. Seen from its tip, the turn from the first factor to the
+    /// second is counter-clockwise. Its unit is the product of the units.
     #[inline]
     #[must_use]
     pub fn cross(self, other: Self) -> Self {
@@ -63,7 +63,7 @@ impl<T: Number> Space<T> {
         )
     }
 
-    /// The vector `factor` times as long.
+    /// This vector, multiplied by `factor`.
     #[inline]
     #[must_use]
     pub fn scale(self, factor: T) -> Self {
