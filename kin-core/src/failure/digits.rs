@@ -1,4 +1,4 @@
-//! Numbers as they are shown in messages.
+//! The format of numbers in messages.
 
 use core::fmt;
 
@@ -6,7 +6,7 @@ use num_traits::Float;
 
 /// A number shown to seven significant figures, without trailing zeros.
 ///
-/// A message is read by people: `1.9547687622336491` says no more to them than `1.954769`.
+/// Messages are for people: `1.9547687622336491` tells them no more than `1.954769`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Digits(pub(crate) f64);
 
@@ -18,7 +18,7 @@ impl fmt::Display for Digits {
             return formatter.write_str("0");
         }
         if !(1e-4..1e7).contains(&size) {
-            // The rounding is that of the exponent form, its trailing zeros go with a round trip.
+            // The exponent form rounds; parsing the result again removes its trailing zeros.
             return if size.is_finite() {
                 write!(formatter, "{:e}", round_to_digits(value))
             } else {
@@ -29,15 +29,15 @@ impl fmt::Display for Digits {
     }
 }
 
-/// The nearest number of seven significant decimal figures.
+/// The nearest number with seven significant decimal figures.
 ///
-/// An integer divided by a power of ten is the double nearest to that decimal fraction, so that the shortest
-/// representation, which is the one that is printed, has no further figures.
+/// An integer divided by a power of ten is the double nearest to that decimal fraction. Printing uses the shortest
+/// representation, which then has no further figures.
 fn round_to_digits(value: f64) -> f64 {
     let exponent = 6.0 - Float::floor(Float::log10(value.abs()));
     let power = Float::powf(10.0, exponent.abs());
     if exponent >= 0.0 {
-        // Below the range of normal numbers the power overflows; such a number is shown as it is.
+        // Below the range of normal numbers the power overflows; such a number is shown unchanged.
         if power.is_finite() {
             Float::round(value * power) / power
         } else {

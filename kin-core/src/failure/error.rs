@@ -1,28 +1,29 @@
-//! Why a position could not be found.
+//! The failures of a solver, and where they occurred.
 
 use core::error::Error;
 use core::fmt;
 
 use crate::failure::{InputValues, digits::Digits};
 
-/// What is the matter.
+/// The reason why a solver found no position.
 ///
 /// Lengths are in the mechanism's own units, angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Failure {
-    /// The links do not reach: the closure has no solution.
+    /// The links do not reach: the loop closure has no solution.
     OutOfReach {
-        /// By how much, as a negative number in the unit of what is missing; it goes to zero at the limit of the range.
+        /// The missing length, as a negative number in the unit of the quantity that is missing. It goes to zero at the
+        /// limit of the range.
         margin: f64,
     },
-    /// The block's Jacobian is singular: a limit position or dead point, links on one line. A position may exist,
-    /// rates do not.
+    /// The Jacobian of the block is singular: a limit position or dead point, with links on one line. A position may
+    /// exist there; rates do not.
     Singular {
-        /// The determinant, zero up to rounding.
+        /// The determinant, which is zero up to rounding.
         determinant: f64,
     },
-    /// There is a solution, outside of the range declared for the unknown.
+    /// A solution exists, but it lies outside the range declared for the unknown.
     OutOfRange {
         /// The name of the unknown.
         unknown: &'static str,
@@ -39,44 +40,45 @@ pub enum Failure {
         unknown: &'static str,
         /// One solution.
         first: f64,
-        /// The other one.
+        /// The other solution.
         second: f64,
     },
-    /// An argument lies outside of the domain of a function in the declaration.
+    /// An argument lies outside the domain of a function in the declaration.
     OutsideDomain {
-        /// The function as it is written in a declaration.
+        /// The function, as written in a declaration.
         function: &'static str,
-        /// Its argument.
+        /// The argument of the function.
         argument: f64,
     },
-    /// The iteration for a block without closed form found no root from the guess it was given.
+    /// The iteration for a block without closed form found no root from its guess.
     NotConverged {
-        /// The largest residual where it gave up, in the unit of its equation.
+        /// The largest residual where the iteration gave up, in the unit of its equation.
         residual: f64,
-        /// How many steps were taken.
+        /// The number of steps taken.
         iterations: u32,
-        /// The condition number of the Jacobian where it gave up, in the maximum norm after scaling.
+        /// The condition number of the Jacobian where the iteration gave up, in the maximum norm after scaling.
         condition: f64,
     },
-    /// The guess for an angle is on a turn where numbers lie more than a degree apart, so that no angle there is a solution.
+    /// The guess for an angle has so many turns that neighbouring numbers are more than a degree apart. No angle of
+    /// that size is a solution.
     TooManyTurns {
         /// The name of the unknown.
         unknown: &'static str,
-        /// The value near which it is sought.
+        /// The guess near which the unknown was to be solved.
         guess: f64,
-        /// How far apart numbers of this size are.
+        /// The distance between neighbouring numbers of this size.
         spacing: f64,
     },
     /// A parameter, an input or a result is not finite: NaN, infinite, or beyond the range of the number type.
     NotFinite {
-        /// What it is that is not finite, in a few words.
+        /// The quantity that is not finite, in a few words.
         quantity: &'static str,
     },
 }
 
 impl Failure {
-    /// The same failure with the place where it occurred: the unknowns that were sought, separated by
-    /// commas, and the inputs they were sought for.
+    /// The failure with the place where it occurred: the unknowns of the block, separated by commas, and the inputs of
+    /// the solver.
     #[cold]
     #[must_use]
     pub fn at(self, block: &'static str, inputs: InputValues) -> SolveError {
@@ -87,8 +89,8 @@ impl Failure {
         }
     }
 
-    /// The same failure, unless one of the given quantities is not finite: then that is the cause, and the first such
-    /// quantity is named.
+    /// The failure, unless one of the given quantities is not finite. That quantity is then the cause, and the first
+    /// such quantity is named.
     ///
     /// ```
     /// use kin_core::Failure;
@@ -183,7 +185,7 @@ impl fmt::Display for Failure {
 
 impl Error for Failure {}
 
-/// Why a position could not be found, and where.
+/// The reason why a solver found no position, and where.
 ///
 /// ```
 /// use kin_core::{Failure, InputValues};
@@ -197,17 +199,17 @@ impl Error for Failure {}
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolveError {
-    /// What is the matter.
+    /// The reason.
     pub failure: Failure,
-    /// The unknowns that were sought, separated by commas.
+    /// The unknowns of the block, separated by commas.
     pub block: &'static str,
-    /// The inputs they were sought for.
+    /// The inputs of the solver.
     pub inputs: InputValues,
 }
 
 impl SolveError {
-    /// By how much the mechanism is out of reach, as a negative number in its own units; zero in a singular position.
-    /// `None` if the failure is of another kind.
+    /// The missing length when the mechanism is out of reach, as a negative number in its own units; zero in a singular
+    /// position. `None` if the failure is of another kind.
     #[must_use]
     pub fn margin(&self) -> Option<f64> {
         match self.failure {
@@ -230,7 +232,7 @@ impl fmt::Display for SolveError {
 
 impl Error for SolveError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
-        // The message already holds that of the failure.
+        // The message already contains the message of the failure.
         None
     }
 }
@@ -243,7 +245,7 @@ mod tests {
 
     #[test]
     fn a_result_stays_small_enough_to_return() {
-        // Above 128 bytes, the usual lints warn users of every function that returns the error.
+        // Above 128 bytes, common lints warn users of every function that returns the error.
         assert!(size_of::<SolveError>() < 128);
     }
 

@@ -1,10 +1,10 @@
-//! The inputs at which a solver was called.
+//! The inputs of a solver that failed.
 
 use core::fmt;
 
 use crate::failure::digits::Digits;
 
-/// The first few inputs of a mechanism with their names: where an error occurred.
+/// The first few inputs of a mechanism with their names. They tell where an error occurred.
 ///
 /// ```
 /// use kin_core::InputValues;
@@ -15,18 +15,18 @@ use crate::failure::digits::Digits;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputValues {
-    // As long as there are values, and no longer.
+    // The names are cut to the number of values.
     names: &'static [&'static str],
     values: [f64; Self::CAPACITY],
 }
 
 impl InputValues {
-    /// How many inputs are kept. A mechanism has one or two as a rule; a larger record would make every
-    /// result of a solver larger.
+    /// The number of inputs that are kept. A mechanism usually has one or two, and a larger record would enlarge every
+    /// result of a solver.
     pub const CAPACITY: usize = 5;
 
-    /// Names and values in the same order. What has no partner is left out, and so is what
-    /// exceeds the [capacity](Self::CAPACITY).
+    /// The inputs with these names and values, in the same order. Names without a value, values without a name, and
+    /// inputs beyond the [capacity](Self::CAPACITY) are left out.
     #[must_use]
     pub fn new(names: &'static [&'static str], values: &[f64]) -> Self {
         let count = names.len().min(values.len()).min(Self::CAPACITY);
@@ -40,7 +40,7 @@ impl InputValues {
         }
     }
 
-    /// Each name with its value, in the units of the input: radians for an angle.
+    /// An iterator over each name and its value, in the unit of the input: radians for an angle.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
         self.names.iter().copied().zip(self.values)
     }

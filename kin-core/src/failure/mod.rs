@@ -1,4 +1,4 @@
-//! Why a position could not be found, in numbers and words.
+//! The failures of a solver, in numbers and words.
 
 pub(crate) mod digits;
 mod error;
