@@ -1,4 +1,4 @@
-//! The two ways of putting a dyad together.
+//! The two assemblies of a dyad.
 
 mod near;
 
@@ -6,13 +6,13 @@ pub use near::{Guess, Near};
 
 use core::fmt;
 
-/// The two ways in which a dyad, two links and the joint between them, can be put together.
+/// The two ways to assemble a dyad, which consists of two links and the joint between them.
 ///
-/// Given the two ends, the joint between the links can lie on either side of the line that joins
-/// the ends: the two positions are mirror images. Which one it is, the *orientation* of the dyad,
-/// is the sign of the determinant of its Jacobian; a mechanism cannot go over from one to the other without
-/// passing through a singular position, where the links lie on one line. So the assembly is chosen once, when the
-/// mechanism is put together, and kept for the whole of its motion.
+/// Given its two ends, a dyad has two positions, which are mirror images: the joint lies on either side of the line
+/// between the ends. Textbooks call them branches, circuits or configurations. The *orientation* of the dyad tells them
+/// apart: it is the sign of the determinant of the Jacobian. A mechanism can change from one to the other only through
+/// a singular position, where the links lie on one line. So the assembly is chosen once, when the mechanism is built,
+/// and stays the same for the whole motion.
 ///
 /// | closure | `Open` |
 /// |---|---|
@@ -34,7 +34,7 @@ use core::fmt;
 pub enum Assembly {
     /// The assembly in which an ordinary four-bar linkage above its ground link does not cross itself.
     Open,
-    /// Its mirror image.
+    /// The mirror image of [`Open`](Self::Open).
     Crossed,
 }
 
@@ -42,7 +42,7 @@ impl Assembly {
     /// Both assemblies.
     pub const BOTH: [Self; 2] = [Self::Open, Self::Crossed];
 
-    /// The other one.
+    /// The other assembly.
     #[inline]
     #[must_use]
     pub const fn mirrored(self) -> Self {
@@ -52,7 +52,8 @@ impl Assembly {
         }
     }
 
-    /// [`Open`](Self::Open) if `x` is positive or zero, [`Crossed`](Self::Crossed) if it is not.
+    /// The assembly of the sign of `x`: [`Open`](Self::Open) if `x` is positive or zero, otherwise
+    /// [`Crossed`](Self::Crossed).
     #[inline]
     #[must_use]
     pub fn from_sign(x: f64) -> Self {
@@ -60,12 +61,12 @@ impl Assembly {
     }
 }
 
-/// What a function gives for both assemblies, the open one first.
+/// The results of a function for both assemblies, the open one first.
 ///
-/// It is called in one place, so that it can become a part of its caller.
+/// The function is called in one place only, so that the compiler can inline it.
 ///
 /// # Errors
-/// Its own.
+/// The error of the function.
 ///
 /// ```
 /// use kin_core::{Assembly, Failure, solve};

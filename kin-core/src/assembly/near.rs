@@ -2,8 +2,8 @@
 
 use crate::number::Number;
 
-/// Which assembly, told by values of the unknowns near it: a block of coupled equations has as many assemblies as its
-/// dimensions and inputs allow, and no names for them.
+/// The assembly of a block of coupled equations, chosen by values of the unknowns close to it. The number of assemblies
+/// of a coupled block depends on the dimensions and inputs, so they have no names.
 ///
 /// ```
 /// use kin_core::Near;
@@ -17,7 +17,7 @@ pub struct Near<const N: usize>(
     pub [f64; N],
 );
 
-/// Values of `N` unknowns near the position that is wanted.
+/// The values of `N` unknowns near the wanted position.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not tell the assembly of coupled equations, which have no closed form",
     label = "give values of the unknowns near the position, as in `Near([..])` or `position_near(.., [..])`",
