@@ -1,12 +1,13 @@
-//! The angle of a vector that was found with its length.
+//! The angle of a vector whose length is known.
 
 use crate::solve::Scalar;
 
-/// The angle of the unit vector u, given the vector `(x, y)` = `length` u: as `atan2(y, x)`, in -π ..= π.
+/// The angle of the unit vector u with `(x, y)` = `length` u: the same as `atan2(y, x)`, in -π ..= π, for a positive
+/// length.
 ///
-/// The length may be negative, as that of a slide in the crossed assembly; u then points against the vector. A vector
-/// along u of any other positive multiple will do, as the arctangent needs no unit vector. Lengths have any one unit,
-/// the angle is in radians.
+/// The length may be negative, like that of a slide in the crossed assembly; u then points against the vector. Any
+/// positive multiple of the vector gives the same angle, because the arctangent needs no unit vector. Lengths may have
+/// any common unit; the angle is in radians.
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
@@ -20,7 +21,7 @@ pub fn direction<T: Scalar>(y: T, x: T, length: T) -> T {
     y.times_sign_of(length).atan2(x.times_sign_of(length))
 }
 
-/// [`direction`] of two vectors, which costs less than twice as much.
+/// [`direction`] of two vectors, for less than twice the cost.
 #[inline(always)]
 pub fn directions<T: Scalar>(y: [T; 2], x: [T; 2], length: [T; 2]) -> [T; 2] {
     let upright = |part: [T; 2]| [part[0].times_sign_of(length[0]), part[1].times_sign_of(length[1])];

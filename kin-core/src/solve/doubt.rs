@@ -1,11 +1,12 @@
-//! Numbers too near to zero for several poses at once to decide about.
+//! Numbers that are too close to zero for several poses at once to decide by their sign.
 
 use crate::geometry::Plane;
 use crate::solve::Scalar;
 use crate::solve::check::{Negative, SumOfSizes, Told};
 
-/// A number whose sign decides, and the terms that it is the sum of. Of a number that stands for several poses, those become NaN that are
-/// smaller than [a part](Scalar::DOUBT) of their terms; any other number is returned as it is, and the terms are not asked for.
+/// A number whose sign decides, checked against the terms of which it is the sum. If the number holds several poses,
+/// each pose that is smaller than [a part](Scalar::DOUBT) of its terms becomes NaN. Any other number is returned
+/// unchanged, and the terms are not computed.
 ///
 /// ```
 /// use kin_core::solve;
@@ -21,7 +22,7 @@ pub fn decisive<T: Scalar, const N: usize>(number: T, terms: impl FnOnce() -> [T
     kept(number, number, size)
 }
 
-/// [`decisive`] for a vector that decides by being there at all.
+/// [`decisive`] for a vector that decides by being different from zero.
 #[inline(always)]
 pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl FnOnce() -> [T; N]) -> Plane<T> {
     if T::DOUBT == 0.0 {
@@ -32,8 +33,8 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
     Plane::new(kept(vector.x, own, size), kept(vector.y, own, size))
 }
 
-/// The least positive number that decides, where it is a sum of terms of the given size: for one pose [the smallest](Number::SMALLEST) that
-/// is divided by.
+/// The smallest positive number that decides, if it is a sum of terms of the given size. For one pose this is [the
+/// smallest](Number::SMALLEST) divisor.
 #[inline(always)]
 pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
     let smallest = T::constant(T::SMALLEST);
@@ -43,7 +44,7 @@ pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
     smallest.plus_product(T::constant(T::DOUBT), size())
 }
 
-/// Whether a number is told from an end of its range, where numbers of the given size are rounded.
+/// Whether a number differs clearly from one end of its range, where `size` is the size of the rounded numbers.
 #[inline(always)]
 pub(super) fn is_told_from<T: Scalar>(end: f64, number: f64, size: f64) -> bool {
     T::DOUBT == 0.0 || end.is_infinite() || (number - end).abs() >= T::DOUBT * size
@@ -102,7 +103,8 @@ mod tests {
         assert_eq!((x.0[3], y.0[3]), (1.0, 0.0));
     }
 
-    /// A form is given a number that is well inside, inside by parts of 10⁻¹⁴ and 10⁻⁹ of it, and well inside.
+    /// A form with a number well inside its range, inside it by relative margins of 10⁻¹⁴ and 10⁻⁹, and well inside
+    /// again. Only the second is left to the solver for one pose.
     fn leaves_the_second<R>(inside: f64, limit: f64, form: impl Fn(Four) -> R, result: impl Fn(R) -> Four) {
         let towards = |part: f64| limit + (inside - limit) * part;
         let Lanes(found) = result(form(Lanes([inside, towards(1e-14), towards(1e-9), towards(0.5)])));
@@ -110,7 +112,7 @@ mod tests {
         assert_eq!(finite, [true, false, true, true], "{inside} {limit}: {found:?}");
     }
 
-    /// Whatever the unit of length is.
+    /// The unit of length makes no difference.
     #[test]
     fn every_form_leaves_to_others_what_rounding_decides() {
         for unit in [1.0, 1.0 / 1_073_741_824.0, 1_073_741_824.0] {
@@ -201,7 +203,8 @@ mod tests {
         );
     }
 
-    /// What is nearer to an end of a range than a part of the range's size is left to others, and nothing else is.
+    /// A number close to an end of a range, relative to the size of the range, is left to the solver for one pose;
+    /// other numbers are not.
     #[test]
     fn an_end_of_a_range_is_told_beyond_a_part_of_its_size() {
         let nearer = |part: f64| 1.0 + part * 3.0 * Four::DOUBT;

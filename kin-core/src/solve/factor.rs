@@ -1,4 +1,4 @@
-//! A small square matrix as a product of two triangular ones.
+//! The triangular factors of a small square matrix.
 
 use super::doubt::decisive;
 use crate::failure::Failure;
@@ -8,25 +8,26 @@ use crate::solve::check::{LargestSize, Multiplier};
 
 const QUANTITY: &str = "Jacobian of a block without closed form";
 
-/// A matrix in triangular factors, ready for any number of right-hand sides.
+/// The triangular factors of a matrix, ready for any number of right-hand sides.
 ///
-/// Rows and columns are scaled by powers of two, which rounds nothing, until the largest entry of each lies between 1
-/// and 2; then rows are exchanged so that each pivot is the largest of its column. So the result does not depend on
-/// the units of equations and unknowns. This is Gaussian elimination with partial pivoting (N. J. Higham, *Accuracy
-/// and Stability of Numerical Algorithms*, 2nd edition, SIAM 2002, chapters 7 and 9).
+/// Rows and columns are scaled by powers of two, which is exact, until the largest entry of each lies between 1 and 2.
+/// Then rows are exchanged so that each pivot is the largest of its column. The result therefore does not depend on the
+/// units of equations and unknowns. This is Gaussian elimination with partial pivoting (N. J. Higham, *Accuracy and
+/// Stability of Numerical Algorithms*, 2nd edition, SIAM 2002, chapters 7 and 9).
 ///
-/// The factors are ours, and not those of a library for linear algebra, because their entries are any [`Scalar`]: the
-/// derivatives that dual numbers and series carry go through, while pivots are chosen on real parts. nalgebra's
-/// factorisation takes real and complex fields only, and would be a heavy dependency for a default build.
+/// We do not use a library for linear algebra, because entries may be any [`Scalar`]: the derivatives of dual numbers
+/// and series pass through, while real parts choose the pivots. nalgebra factorises only matrices over real and complex
+/// fields, and it would be a heavy dependency for a default build.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factors<T, const N: usize> {
-    /// Row by row: below the diagonal the multipliers, from the diagonal on the pivots and what is right of them.
+    /// The entries row by row: multipliers below the diagonal, pivots on the diagonal, the remaining entries to the
+    /// right.
     entries: [[T; N]; N],
-    /// Which row of the matrix each row came from.
+    /// The row of the matrix from which each row came.
     origins: [usize; N],
     /// The powers of two by which the rows of the matrix were multiplied.
     row_exponents: [i32; N],
-    /// The same for the columns.
+    /// The powers of two by which the columns were multiplied.
     column_exponents: [i32; N],
     /// Whether an odd number of pairs of rows was exchanged.
     odd: bool,
@@ -34,14 +35,14 @@ pub struct Factors<T, const N: usize> {
     norm: f64,
 }
 
-/// The triangular factors of a matrix, given row by row.
+/// Factorises a matrix, given row by row, into triangular factors.
 ///
-/// About N³/3 multiplications and as many additions.
+/// The cost is about N³/3 multiplications and as many additions.
 ///
 /// # Errors
-/// [`Failure::Singular`] if a pivot of the scaled matrix is not larger than 2 N ε times its largest entry, where ε is
-/// the distance from 1 to the next number: rounding the entries alone can make such a pivot zero;
-/// [`Failure::NotFinite`].
+/// [`Failure::Singular`] if a pivot of the scaled matrix is at most 2 N ε times its largest entry, where ε is the
+/// distance from 1 to the next number: rounding of the entries alone can make such a pivot zero. [`Failure::NotFinite`]
+/// if an entry is not finite.
 ///
 /// ```
 /// use kin_core::solve;
@@ -59,7 +60,7 @@ pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<
     factor_here(matrix, T::EPSILON)
 }
 
-/// [`factor`] for entries that are known to a relative `epsilon`, which may be less than their type could hold.
+/// [`factor`] for entries with a relative error of `epsilon`, which may be less than the precision of their type.
 pub(super) fn factor_to<T: Scalar, const N: usize>(
     entries: [[T; N]; N],
     epsilon: f64,
@@ -97,7 +98,7 @@ fn factor_here<T: Scalar, const N: usize>(mut entries: [[T; N]; N], epsilon: f64
 
 /// Multiplies rows and then columns by powers of two until the largest entry of each lies between 1 and 2.
 ///
-/// As everything below, of a square matrix: as many leading columns as there are rows.
+/// This function and those below take `rows.len()` leading columns of each row: the matrix is square.
 #[inline(always)]
 pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i32], column_exponents: &mut [i32]) {
     let count = rows.len();
@@ -117,7 +118,7 @@ pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i
     }
 }
 
-/// What is known of a matrix after its elimination.
+/// The properties of a matrix that its elimination shows.
 pub(crate) struct Elimination {
     /// Whether an odd number of pairs of rows was exchanged.
     pub(crate) odd: bool,
@@ -125,8 +126,8 @@ pub(crate) struct Elimination {
     pub(crate) singular: bool,
 }
 
-/// Makes a levelled matrix into its triangular factors, and notes which row each row came from. If a pivot is exactly
-/// zero, the elimination ends there.
+/// Transforms a levelled matrix into its triangular factors, and records the row from which each row came. The
+/// elimination stops at a pivot that is exactly zero.
 #[inline(always)]
 pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
     let count = rows.len();
@@ -134,7 +135,8 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
         *origin = row;
     }
     let mut largest = largest_of(rows.iter().flat_map(|row| &row.as_ref()[..count]));
-    // The entries of one pose are known to be level; those of others are where their dimensions are alike.
+    // The entries of one pose are levelled. The entries of other poses are levelled only if their dimensions are
+    // similar.
     let mut levels = T::constant(0.0);
     if T::DOUBT > 0.0 {
         for entry in rows.iter().flat_map(|row| &row.as_ref()[..count]) {
@@ -175,7 +177,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
     Elimination { odd, singular }
 }
 
-/// The solution for a right-hand side in the order of the original rows.
+/// The solution for a right-hand side given in the order of the original rows.
 #[inline(always)]
 pub(crate) fn substitute<T: Scalar, R: Row<T>>(
     rows: &[R],
@@ -208,9 +210,10 @@ pub(crate) fn substitute<T: Scalar, R: Row<T>>(
 }
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
-    /// The solution of `matrix · x = right`: N² + N multiplications, 2 N of them by powers of two, N² - N additions and N divisions.
+    /// The solution of `matrix · x = right`. It takes N² + N multiplications, 2 N of them by powers of two, N² - N
+    /// additions and N divisions.
     ///
-    /// Not finite if `right` is not, or if the solution is beyond the range of the number type.
+    /// The solution is not finite if `right` is not, or if it exceeds the range of the number type.
     #[inline(always)]
     #[must_use]
     pub fn solve(&self, right: [T; N]) -> [T; N] {
@@ -226,12 +229,12 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         solution
     }
 
-    /// The determinant of the matrix. Infinite or zero if it is beyond the range of the number type.
+    /// The determinant of the matrix. It is infinite or zero if it exceeds the range of the number type.
     #[must_use]
     pub fn determinant(&self) -> T {
         let mut exponent = self.exponent();
         let mut product = self.pivots();
-        // In steps that are numbers of the type, so that only a determinant out of range overflows.
+        // Multiply in steps that the type can represent, so that only a determinant out of range overflows.
         while exponent != 0 {
             let step = exponent.clamp(-range::<T>(), range::<T>());
             product = product * power_of_two(step);
@@ -240,10 +243,10 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         product
     }
 
-    /// The condition number of the scaled matrix in the maximum norm: by how much a relative change of its entries is
-    /// magnified in the solution. 1 at best; the reciprocal of ε and above, and nothing is left of the solution.
+    /// The condition number of the scaled matrix in the maximum norm: the factor by which a relative change of its
+    /// entries is magnified in the solution. The best value is 1. From 1/ε on, no digit of the solution is right.
     ///
-    /// Formed from the inverse of the real parts, with N³ multiplications.
+    /// It is computed from the inverse of the real parts, with N³ multiplications.
     #[must_use]
     pub fn condition(&self) -> f64 {
         let mut sums = [0.0; N];
@@ -263,21 +266,21 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         self.norm * sums.into_iter().fold(0.0, f64::max)
     }
 
-    /// The product of the pivots, with the sign of the exchanges: the determinant of the scaled matrix.
+    /// The product of the pivots with the sign of the row exchanges, which is the determinant of the scaled matrix.
     #[inline(always)]
     fn pivots(&self) -> T {
         let sign = T::constant(if self.odd { -1.0 } else { 1.0 });
         (0..N).fold(sign, |product, step| product * self.entries[step][step])
     }
 
-    /// The power of two that makes the determinant of it.
+    /// The exponent of the power of two that turns that product into the determinant.
     fn exponent(&self) -> i32 {
         -(self.row_exponents.iter().sum::<i32>() + self.column_exponents.iter().sum::<i32>())
     }
 }
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
-    /// The determinant as a multiple of that of another matrix, without overflow on the way.
+    /// The determinant divided by that of another matrix, without overflow in between.
     #[inline(always)]
     pub(crate) fn determinant_relative_to(&self, other: &Self) -> T {
         let exponent = (self.exponent() - other.exponent()).clamp(-range::<T>(), range::<T>());
@@ -286,8 +289,8 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 }
 
 impl<const N: usize> Factors<f64, N> {
-    /// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: by how much relative rounding errors of
-    /// each equation's terms are magnified in the solution, in the units of the unknowns as they stand. The
+    /// Skeel's condition number, the largest row sum of |matrix⁻¹| · |matrix|: the factor by which relative rounding
+    /// errors in the terms of each equation are magnified in the solution, in the given units of the unknowns. The
     /// units of the equations do not matter. (R. D. Skeel, Scaling for numerical stability in Gaussian elimination,
     /// Journal of the ACM 26, 1979, 494-526.)
     pub(super) fn amplification(&self, matrix: &[[f64; N]; N]) -> f64 {
@@ -317,7 +320,7 @@ fn row_norm<T: Scalar, const N: usize>(matrix: &[[T; N]; N]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The exponent of the power of two that brings the largest of the entries between 1 and 2.
+/// The exponent of the power of two that scales the largest entry to between 1 and 2.
 fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
     let largest = largest_of(entries);
     if largest == 0.0 {
@@ -326,7 +329,7 @@ fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
     (-exponent_of(largest)).clamp(-range::<T>(), range::<T>())
 }
 
-/// The largest exponent for which the power of two and its reciprocal are numbers of the type with full precision.
+/// The largest exponent for which both the power of two and its reciprocal have full precision in the type.
 fn range<T: Scalar>() -> i32 {
     -exponent_of(T::SMALLEST) - 6
 }
@@ -368,7 +371,7 @@ mod tests {
         proptest::collection::vec(-1.0..1.0_f64, N).prop_map(|entries| core::array::from_fn(|row| entries[row]))
     }
 
-    /// Right-hand side of a known solution, then that solution from ours and from nalgebra's factors.
+    /// Compares a known solution with ours and with that of nalgebra's factors.
     fn agrees<const N: usize>(a: [[f64; N]; N], x: [f64; N]) -> TestCaseResult
     where
         nalgebra::Const<N>: nalgebra::DimMin<nalgebra::Const<N>, Output = nalgebra::Const<N>>,
@@ -376,7 +379,8 @@ mod tests {
         let theirs = SMatrix::<f64, N, N>::from_fn(|row, column| a[row][column]);
         let right = theirs * SVector::<f64, N>::from(x);
         let Ok(factors) = factor(a) else {
-            // Refused: then their triangular factors of a matrix with level rows must have a small pivot as well.
+            // If we refuse the matrix, the triangular factors of the matrix with level rows must have a small pivot
+            // too.
             let rows = SMatrix::<f64, N, N>::from_fn(|row, column| {
                 a[row][column] / a[row].iter().fold(0.0, |size: f64, entry| entry.abs().max(size))
             });
@@ -387,13 +391,13 @@ mod tests {
             return Ok(());
         };
         let solution = factors.solve(right.into());
-        // Backward error: what is left over is rounding of the terms, whatever the condition.
+        // The backward error: the residual is rounding of the terms, whatever the condition.
         let residual = right - theirs * SVector::<f64, N>::from(solution);
         for row in 0..N {
             let terms: f64 = (0..N).map(|column| (a[row][column] * solution[column]).abs()).sum();
             let growth: f64 = (0..N)
                 .map(|other| {
-                    // Rows of other units do not mix: compare after the scaling of rows.
+                    // Rows with different units do not mix, so compare after scaling the rows.
                     let scale = |row: usize| a[row].iter().fold(0.0, |size: f64, entry| entry.abs().max(size));
                     let terms: f64 = (0..N).map(|column| (a[other][column] * solution[column]).abs()).sum();
                     terms / scale(other) * scale(row)
@@ -404,7 +408,7 @@ mod tests {
         }
         let condition = factors.condition();
         prop_assert!(condition >= 1.0);
-        // In the scaled unknowns, the two solutions differ by rounding times condition.
+        // In the scaled unknowns, the two solutions differ by ε times the condition.
         let scaled = |entry: f64, column: usize| entry * 2.0_f64.powi(-factors.column_exponents[column]);
         let size = (0..N).map(|column| scaled(x[column], column).abs()).fold(0.0, f64::max);
         let tolerance = 16.0 * f64::EPSILON * super::number(N * N) * condition * size;
@@ -412,7 +416,7 @@ mod tests {
             let error = scaled(solution[column] - x[column], column).abs();
             prop_assert!(error <= tolerance, "{error} > {tolerance}");
         }
-        // nalgebra does not scale: its determinant is compared on the scaled matrix.
+        // nalgebra does not scale, so compare its determinant on the scaled matrix.
         let levelled = SMatrix::<f64, N, N>::from_fn(|row, column| {
             a[row][column] * 2.0_f64.powi(factors.row_exponents[row] + factors.column_exponents[column])
         });
@@ -445,7 +449,7 @@ mod tests {
                     let is_singular = matches!(failure, Failure::Singular { .. });
                     prop_assert!(is_singular, "{}", failure);
                 }
-                // Where the sum cancels, its rounding is large against what is left of it.
+                // Where the sum cancels, its rounding error is large compared with the rest.
                 Ok(factors) => prop_assert!(factors.condition() >= 1e10),
             }
         }
@@ -466,7 +470,7 @@ mod tests {
             let columns = plain.map(|row| [row[0], row[1], row[2] * unit]);
             assert_eq!(factor(columns).unwrap().condition(), expected.condition());
         }
-        // A determinant within the range of numbers, though the product of two pivots is not.
+        // The determinant is within the range of numbers, but the product of two pivots is not.
         let extreme = factor([[1e300_f64, 0.0, 0.0], [0.0, 1e300, 0.0], [0.0, 0.0, 1e-300]]).unwrap();
         assert!((extreme.determinant() / 1e300 - 1.0).abs() < 1e-15);
         let single = factor([[1e-38_f32, 0.0], [0.0, 1e38]]).unwrap();
@@ -507,7 +511,7 @@ mod tests {
         assert!(factor([[1.0_f64, 1.0], [1.0, 1.0 + f64::from(f32::EPSILON)]]).is_ok());
     }
 
-    /// A pivot of two rows decides if it is larger than 4 ε times the largest entry; with entries of 7/4, than 7 ε.
+    /// A pivot of two rows must exceed 4 ε times the largest entry; with entries of 7/4 that is 7 ε.
     #[test]
     fn rounding_of_the_largest_entry_is_what_a_pivot_must_exceed() {
         let with_pivot = |units: f64| factor([[1.75, 1.75], [1.75, 1.75 + units * f64::EPSILON]]);

@@ -3,37 +3,36 @@
 //! | block | function | additions, multiplications, divisions, square roots |
 //! |---|---|---|
 //! | two links of known length | [`circle_circle`] | 8, 12, 1, 1 and a change of sign if crossed |
-//! | the same by the squares of the lengths | [`circle_circle_squared`] | 6, 11, 1, 1 and a change of sign if crossed |
+//! | the same from the squares of the lengths | [`circle_circle_squared`] | 6, 11, 1, 1 and a change of sign if crossed |
 //! | a link and a slide | [`circle_line`] | 7, 10, 1, 1 |
 //! | the same along an axis | [`circle_line_x`], [`circle_line_y`] | 2, 1, 0, 1 and a change of sign if open |
 //! | a length and its direction | [`polar`] | 1, 2, 0, 1 and a change of sign if crossed |
 //! | the same with an offset | [`polar_offset`] | 5, 9, 1, 1 and a change of sign if crossed |
-//! | one angle by its cosine and sine | [`cosine_sine`] | 4, 9, 1, 1 |
-//! | one angle by one of them | [`inverse_cosine`], [`inverse_sine`] | 2, 1, 0, 1 and a change of sign if crossed |
-//! | one number by its hyperbolic cosine | [`inverse_hyperbolic_cosine`] | a function of the number library, and a change of sign if crossed |
+//! | one angle from its cosine and sine | [`cosine_sine`] | 4, 9, 1, 1 |
+//! | one angle from one of them | [`inverse_cosine`], [`inverse_sine`] | 2, 1, 0, 1 and a change of sign if crossed |
+//! | one number from its hyperbolic cosine | [`inverse_hyperbolic_cosine`] | a function of the number library, and a change of sign if crossed |
 //! | one unknown | [`linear`] | 0, 0, 1, 0 |
 //! | two unknowns in two linear equations | [`linear_pair`] | 3, 8, 1, 0 |
 //! | one unknown and its square | [`quadratic`] | 2, 3, 1, 1 |
 //! | the square of an unknown | [`square_root`] | 0, 0, 0, 1 and a change of sign if crossed |
 //!
-//! A block that none of them fits is left to [`newton`], with the triangular factors of [`factor`] for any number of
+//! If none of them fits a block, [`newton`] solves it, with the triangular factors of [`factor`] for any number of
 //! unknowns.
 //!
-//! The counts are those of the tests, which run the functions on numbers that count what is done to them.
-//! Declared ranges are looked after by [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`];
-//! functions that are not defined everywhere by [`square_root_of`], [`arc_sine`] and their like. [`direction`] makes an
-//! angle of a vector, [`directions`] of two, [`on_turn`] puts it on the turn that is asked for, [`regular`] and [`finite`] say whether there is
-//! a way on. Each decision is a [`Check`] with a name, operands and a margin. [`decisive`] and [`decisive_vector`] are for several poses at once.
+//! The tests measure these counts by running the functions on numbers that count operations. The functions
+//! [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`] handle declared ranges. [`square_root_of`],
+//! [`arc_sine`] and similar functions check the domains of functions that are not defined everywhere. [`direction`]
+//! computes the angle of a vector, [`directions`] those of two, and [`on_turn`] moves an angle to the requested turn.
+//! [`regular`] and [`finite`] say whether a solver can continue. Each decision is a [`Check`] with a name, operands and
+//! a margin. [`decisive`] and [`decisive_vector`] serve several poses at once.
 //!
-//! Where rates are divided by a square root, it comes with its square, as [`Root`].
+//! Where rates are divided by a square root, the root comes with its square, as a [`Root`].
 //!
-//! Angles are represented by unit vectors, their cosine and sine, so that no half-angle runs to infinity and no
-//! trigonometric function of an unknown is evaluated. Where there are two solutions, an
-//! [`Assembly`](crate::Assembly) says which one.
+//! Unit vectors represent angles by their cosine and sine, so no half-angle goes to infinity and no trigonometric
+//! function of an unknown is evaluated. Where there are two solutions, an [`Assembly`](crate::Assembly) says which one.
 //!
-//! The way to a solution is straight: it is decided once, on the real part of the number under the square root,
-//! whether there is one. If there is not, the diagnosis is made out of line, in double precision. What is returned
-//! as `Ok` is finite.
+//! Each closed form decides once whether a solution exists, by the real part of the number under the square root. If
+//! there is none, the diagnosis is made out of line, in double precision. A result in `Ok` is finite.
 
 mod check;
 mod diagnosis;

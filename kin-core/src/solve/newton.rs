@@ -1,4 +1,4 @@
-//! Unknowns that no closed form gives: Newton's method.
+//! Newton's method, for unknowns without a closed form.
 
 use super::factor::{Factors, factor, factor_to};
 use crate::failure::Failure;
@@ -8,36 +8,36 @@ use crate::solve::Scalar;
 const QUANTITY: &str = "guess, size of an unknown, or residual or Jacobian there";
 const SOLUTION: &str = "solution of a block without closed form, or its derivatives";
 
-/// Steps after which the guess is given up. From a good guess it takes about five.
+/// The number of steps after which the solver gives up. A good guess takes about five.
 const ITERATIONS: u32 = 64;
-/// The first step is not longer than this, in the sizes of the unknowns: half a radian for an angle.
+/// The limit of the first step, in the sizes of the unknowns: half a radian for an angle.
 pub(crate) const FIRST_STEP: f64 = 0.5;
-/// Equations are linear over a step of which the square is less than this many ε.
+/// The square of a step over which the equations are linear, in units of ε.
 pub(crate) const LINEAR_STEP: f64 = 4096.0;
-/// How often a step is shortened, to half or less each time, before the guess is given up.
+/// The number of times a step is shortened, to half or less each time, before the solver gives up.
 const TRIALS: u32 = 20;
 /// The smallest part of a correction that a forecast may ask for.
 const SMALLEST_PART: f64 = 1e-5;
 
-/// The root of as many equations as unknowns near a guess, by Newton's method.
+/// The root of as many equations as unknowns near a guess, found by Newton's method.
 ///
-/// `sizes` says how large each unknown is by nature: 1 for an angle, a characteristic length for a length. `evaluate`
+/// `sizes` gives the natural size of each unknown: 1 for an angle, a characteristic length for a length. `evaluate`
 /// gives the residuals of the equations and their Jacobian, one row of partial derivatives for each equation.
 ///
-/// A step is shortened until the correction that would follow with the same Jacobian is smaller: the residual must
-/// fall, measured by the unknowns and not by the units of the equations. This is the natural monotonicity test with
-/// the damping strategy of P. Deuflhard, *Newton Methods for Nonlinear Problems*, Springer 2004, section 3.3.3,
-/// algorithm NLEQ-ERR. The first step is limited to half a radian or half the size of a length. The iteration goes on
-/// until the correction is lost in rounding: below ε times the unknown or its size, or no longer falling where
-/// rounding, magnified by the condition of the Jacobian, explains it. It takes at most 64 steps, each of which is shortened
-/// at most 20 times.
+/// A step is shortened until the next correction, computed with the same Jacobian, is smaller. So the residual must
+/// fall, measured in the unknowns and not in the units of the equations. This is the natural monotonicity test with the
+/// damping strategy of P. Deuflhard, *Newton Methods for Nonlinear Problems*, Springer 2004, section 3.3.3, algorithm
+/// NLEQ-ERR. The first step is limited to half a radian or half the size of a length. The iteration ends when the
+/// correction disappears in rounding: it is below ε times the unknown or its size, or it no longer falls and rounding,
+/// magnified by the condition of the Jacobian, explains it. The method takes at most 64 steps, and shortens each at
+/// most 20 times.
 ///
-/// All this is decided, and calculated, on real parts. A number that carries derivatives through order n then gets them
-/// by log₂(n + 1) plain steps, each of which doubles the orders that are right.
+/// All decisions and calculations so far use real parts. If the number carries derivatives up to order n, log₂(n + 1)
+/// plain steps then add them: each step doubles the number of correct orders.
 ///
 /// # Errors
-/// [`Failure::NotConverged`] if the guess leads nowhere, [`Failure::Singular`] if the Jacobian becomes singular, or
-/// the root is so near to a second one that rounding does not tell them apart, [`Failure::NotFinite`].
+/// [`Failure::NotConverged`] if the guess leads to no root, [`Failure::Singular`] if the Jacobian becomes singular or
+/// the root is too close to a second one for rounding to separate them, [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::solve;
@@ -58,14 +58,14 @@ pub fn newton<T: Scalar, const N: usize>(
     T::root(guess, sizes, evaluate)
 }
 
-/// [`newton`] for a number that stands for one pose.
+/// [`newton`] for a number that holds one pose.
 pub(crate) fn damped_root<T: Scalar, const N: usize>(
     guess: [T; N],
     sizes: [T; N],
     mut evaluate: impl FnMut([T; N]) -> ([T; N], [[T; N]; N]),
 ) -> Result<[T; N], Failure> {
     let mut solution = real_root(guess, sizes.map(T::real), &mut evaluate)?;
-    // ⌈log₂(order + 1)⌉, as an integer.
+    // The loop runs ⌈log₂(order + 1)⌉ times, computed in integers.
     for _ in 0..usize::BITS - T::ORDER.leading_zeros() {
         let (residuals, jacobian) = evaluate(solution);
         let correction = factor(jacobian)?.solve(residuals);
@@ -80,7 +80,7 @@ pub(crate) fn damped_root<T: Scalar, const N: usize>(
     }
 }
 
-/// A point on the way, with what is needed to go on from it. All in sizes of the unknowns.
+/// A point on the way, with everything needed to continue from it. All numbers are in sizes of the unknowns.
 #[derive(Clone, Copy)]
 struct Iterate<T, const N: usize> {
     unknowns: [T; N],
@@ -89,7 +89,7 @@ struct Iterate<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Iterate<T, N> {
-    /// `None` if residuals or Jacobian are not finite.
+    /// The point at these unknowns, or `None` if residuals or Jacobian are not finite.
     fn new(
         unknowns: [T; N],
         sizes: &[f64; N],
@@ -128,7 +128,7 @@ fn real_root<T: Scalar, const N: usize>(
     let mut point = Iterate::new(start, &sizes, evaluate).ok_or(nothing)?;
     let mut factors = factor_to(point.jacobian, T::EPSILON)?;
     let mut limit = FIRST_STEP;
-    // Of the step before: its length, its damping, the correction foreseen after it, and the factors it was taken with.
+    // The previous step: its length, its damping, the correction expected after it, and the factors it was taken with.
     let mut before: Option<(f64, f64, [f64; N], Factors<f64, N>)> = None;
 
     for iteration in 0..ITERATIONS {
@@ -153,7 +153,7 @@ fn real_root<T: Scalar, const N: usize>(
         let foreseen = before.map_or(1.0, |(previous, part, expected, _)| {
             part * previous * largest(&expected) / (distance(&expected, &correction) * length)
         });
-        // A quotient of zero by zero is a perfect forecast.
+        // A quotient of zero by zero means a perfect forecast.
         let foreseen = if foreseen < 1.0 {
             foreseen.max(SMALLEST_PART)
         } else {
@@ -178,7 +178,7 @@ fn real_root<T: Scalar, const N: usize>(
                 }
                 let undamped = correction.map(|entry| (1.0 - part) * entry);
                 let estimate = 0.5 * length * part * part / distance(&expected, &undamped);
-                // Not less than a tenth: the estimate is rough where the step was much too long.
+                // Shorten to a tenth at most: the estimate is rough if the step was much too long.
                 if estimate < advice {
                     advice = estimate.max(0.1 * part);
                 }
@@ -188,7 +188,7 @@ fn real_root<T: Scalar, const N: usize>(
         let Some((next, expected)) = accepted else {
             return Err(point.not_converged(iteration, &factors));
         };
-        // Where the equations are nearly linear over a step, the next may be longer.
+        // If the equations are nearly linear over a step, the next step may be longer.
         let undamped = correction.map(|entry| (1.0 - part) * entry);
         if distance(&expected, &undamped) <= 0.25 * part * length {
             limit *= 2.0;
@@ -200,11 +200,11 @@ fn real_root<T: Scalar, const N: usize>(
     Err(point.not_converged(ITERATIONS, &factors))
 }
 
-/// Whether a correction that does not fall may be a matter of rounding.
+/// Whether rounding may explain a correction that does not fall.
 ///
-/// The residuals are known to a few ε of what each unknown contributes, and those errors are magnified by the
-/// condition. Large terms without unknowns are not seen in the Jacobian; but below a few √ε the equations are linear
-/// over the step, which [`distinct`] makes sure of, and only rounding can hold up what should fall at once.
+/// The residuals have errors of a few ε of the contribution of each unknown, and the condition magnifies these errors.
+/// Large terms without unknowns do not appear in the Jacobian. Below a few √ε, however, the equations are linear over
+/// the step, which [`distinct`] ensures, so a correction that does not fall at once can only be due to rounding.
 fn is_rounding<T: Scalar, const N: usize>(
     length: f64,
     point: &Iterate<T, N>,
@@ -219,8 +219,8 @@ fn is_rounding<T: Scalar, const N: usize>(
     length <= 16.0 * T::EPSILON * size * factors.amplification(&point.jacobian)
 }
 
-/// The root, unless a change of the size of rounding errors alters the determinant by a quarter of itself: then a
-/// double root, at which it is zero, is as near as can be told.
+/// The root, unless a change of the size of rounding errors alters the determinant by a quarter of itself. In that case
+/// a double root, where the determinant is zero, is too close to be ruled out.
 fn distinct<T, const N: usize>(
     root: [T; N],
     previous: Option<&Factors<f64, N>>,
@@ -242,7 +242,7 @@ fn moved<T: Scalar, const N: usize>(from: &[T; N], correction: &[f64; N], part: 
     core::array::from_fn(|index| T::constant(from[index].real() + part * correction[index] * sizes[index]))
 }
 
-/// The largest magnitude; NaN if there is a NaN.
+/// The largest magnitude, or NaN if an entry is NaN.
 fn largest<const N: usize>(vector: &[f64; N]) -> f64 {
     vector.iter().fold(0.0, |largest, entry| {
         let size = entry.abs();
@@ -277,7 +277,7 @@ mod tests {
         strategies::{angle, dimension},
     };
 
-    /// The loop of a four-bar linkage for its coupler and rocker angles, which has a closed form to compare with.
+    /// The loop of a four-bar linkage for its coupler and rocker angles. A closed form exists for comparison.
     fn four_bar<T: Scalar>(links: [f64; 4], crank: T) -> impl FnMut([T; 2]) -> ([T; 2], [[T; 2]; 2]) {
         let [r1, r2, r3, r4] = links.map(T::constant);
         let (s2, c2) = crank.sin_cos();
@@ -333,7 +333,7 @@ mod tests {
             match newton(guess, [1.0; 2], four_bar(links, crank)) {
                 Ok(root) => {
                     let (residuals, _) = four_bar(links, crank)(root);
-                    // The angles themselves are rounded.
+                    // The angles themselves are rounded, so the tolerance grows with their size.
                     let size = root.into_iter().fold(1.0, |size: f64, angle| size.max(angle.abs()));
                     for residual in residuals {
                         prop_assert!(residual.abs() <= 16.0 * f64::EPSILON * size * condition(links, root).max(1.0));
@@ -361,7 +361,7 @@ mod tests {
             .unwrap();
             let tolerance = 16.0 * f64::EPSILON * (x.abs() + y.abs() + unit) / determinant.abs();
             prop_assert!((u - x).abs() <= tolerance && (v - y).abs() <= tolerance);
-            // The first steps are limited.
+            // The first steps are limited, which costs a few calls.
             prop_assert!(calls.get() <= 8, "{}", calls.get());
         }
     }
@@ -393,7 +393,7 @@ mod tests {
 
     #[test]
     fn lengths_of_any_unit() {
-        // The ladder of length 5 that leans against a wall, over a box: x² + y² = 25, x y = 12.
+        // A ladder of length 5 leans against a wall over a box: x² + y² = 25, x y = 12.
         for unit in [1e-150, 1e-6, 1.0, 1e6, 1e150] {
             let root = newton([2.0 * unit, 5.0 * unit], [unit; 2], |[x, y]: [f64; 2]| {
                 (
@@ -410,7 +410,7 @@ mod tests {
 
     #[test]
     fn rounding_of_large_constant_terms_is_not_a_failure() {
-        // The difference of two inputs near 10⁶ is known to 10⁻¹⁰ only, and the Jacobian does not know of it.
+        // The difference of two inputs near 10⁶ is known only to 10⁻¹⁰, and this error does not appear in the Jacobian.
         let large = 1e6 + 0.1;
         let root = newton([0.3], [1.0], |[x]: [f64; 1]| {
             let (s, c) = x.sin_cos();
@@ -445,7 +445,7 @@ mod tests {
             }
             let crank = Series::from_coefficients(motion);
             let expected = closed_form(GRASHOF, crank, Assembly::Open).unwrap();
-            // The guess brings derivatives of its own, which must not matter.
+            // The guess has derivatives of its own, which must not matter.
             let guess = expected.map(|angle| Series::from_coefficients([angle.real() + 0.3; N]));
             let root = newton(guess, [Number::constant(1.0); 2], four_bar(GRASHOF, crank)).unwrap();
             for (actual, expected) in root.into_iter().zip(expected) {
@@ -467,8 +467,8 @@ mod tests {
         through::<9>();
     }
 
-    /// A double root, all terms of which are of the given size, is pulled apart to a distance of the root of their
-    /// rounding.
+    /// Rounding splits a double root whose terms have the given size into two roots; their distance is the root of the
+    /// rounding error.
     fn is_double<const N: usize>(result: Result<[f64; N], Failure>, root: [f64; N], size: f64) -> bool {
         let distance = (8.0 * f64::EPSILON * size).sqrt();
         match result {
@@ -486,11 +486,11 @@ mod tests {
                 });
                 assert!(is_double(result, [root], root * root), "{guess} {root} {result:?}");
             }
-            // Without rounding there is no way around it.
+            // Without rounding, the root is exactly double.
             let result = newton([guess], [1.0], |[x]: [f64; 1]| ([x * x], [[2.0 * x]]));
             assert!(matches!(result, Err(Failure::Singular { .. })), "{guess} {result:?}");
         }
-        // The four-bar stretched: crank, coupler and rocker on one line with the ground.
+        // The stretched four-bar: crank, coupler and rocker lie on one line with the ground.
         let links = [4.0, 1.0, 2.0, 1.0];
         for off in [0.1, 0.01, 1e-4, 1e-6, 0.0] {
             let result = newton([off, PI + 1.5 * off], [1.0; 2], four_bar(links, 0.0));
@@ -528,7 +528,7 @@ mod tests {
 
     #[test]
     fn a_far_guess_on_a_steep_function_converges() {
-        // The plain method runs away from guesses beyond 1.39.
+        // The plain method diverges from guesses beyond 1.39.
         for guess in [2.0, 10.0, -50.0] {
             let root = newton([guess], [1.0], |[x]: [f64; 1]| ([x.atan()], [[1.0 / (1.0 + x * x)]])).unwrap();
             assert!(root[0].abs() <= f64::EPSILON);
@@ -548,7 +548,7 @@ mod tests {
                     Err(Failure::NotFinite { .. })
                 ));
             }
-            // A function that ends in the middle of the way.
+            // A function that is undefined from the middle of the path on.
             let results: Vec<_> = [0.9, 0.5, 0.1]
                 .into_iter()
                 .map(|end| {

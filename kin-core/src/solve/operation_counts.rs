@@ -18,7 +18,8 @@ fn vector(x: f64, y: f64) -> Plane<Counted> {
     Plane::new(number(x), number(y))
 }
 
-/// Additions, multiplications, divisions, negations and square roots in this order, and that there are no others.
+/// The counts of additions, multiplications, divisions, negations and square roots, in this order. The function asserts
+/// that there are no other operations.
 fn counted<R, E: core::fmt::Debug>(solve: impl Fn(Assembly) -> Result<R, E>) -> [String; 2] {
     Assembly::BOTH.map(|assembly| {
         let tally = count::of(|| solve(assembly).map(drop).unwrap());

@@ -1,4 +1,4 @@
-//! How a number decides.
+//! The decisions of a number.
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -7,12 +7,12 @@ use crate::number::{Number, Row};
 use crate::solve::check::{Check, Choose, Measure, Negative};
 use crate::solve::newton::damped_root;
 
-/// A number that a mechanism can be solved with: a [`Number`], and how it decides.
+/// A number with which a mechanism can be solved: a [`Number`] that can also decide.
 ///
-/// A solver decides on the way: whether links reach, which pivot is the largest, which of two solutions lies in a range. A plain
-/// number, and one that carries derivatives, decides by its real part, as the provided methods do.
+/// A solver makes decisions: whether links reach, which pivot is the largest, which of two solutions lies in a range. A
+/// plain number, and a number that carries derivatives, decides by its real part, as the provided methods do.
 ///
-/// Implemented for all numbers of this crate; a number type of your own needs no more than `impl Scalar for Own {}`.
+/// The trait is implemented for all numbers of this crate. Your own number type needs only `impl Scalar for Own {}`.
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -27,24 +27,24 @@ use crate::solve::newton::damped_root;
 /// assert!(rocker(&linkage, 1.0).is_some());
 /// ```
 pub trait Scalar: Number {
-    /// The part of its terms that a sum must exceed for its sign to decide anything: zero for a number that stands for one pose, which
-    /// always decides.
+    /// The part of its terms that a sum must exceed for its sign to decide anything. It is zero for a number that holds
+    /// one pose, which always decides.
     ///
-    /// Several poses at once are rounded differently from one pose alone, so that a sum near zero may have another sign there. Such a sum
-    /// makes its pose NaN, and the solver of one pose decides about it.
+    /// Several poses at once are rounded differently from one pose alone, so a sum close to zero may have another sign
+    /// there. Such a sum makes its pose NaN, and the solver for one pose decides about it.
     const DOUBT: f64 = 0.0;
 
-    /// The number itself if a check holds, and none if it does not.
+    /// The number itself if a check holds, otherwise `None`.
     ///
-    /// This and what follows are how a solver decides. A number that stands for several poses at once, as in a
-    /// [batch](crate::batch), decides for each: it keeps the poses that pass, and makes the others NaN.
+    /// A solver decides by this method and those below. A number that holds several poses, as in a
+    /// [batch](crate::batch), decides for each of them: it keeps the poses that pass, and makes the others NaN.
     #[inline(always)]
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
         let conditions = check.holds(check.operands().map(Self::real));
         conditions.iter().all(|holds| *holds).then_some(self)
     }
 
-    /// One value if a check holds, the other one if it does not.
+    /// One value if a check holds, otherwise the other value.
     #[inline(always)]
     fn either<const N: usize>(
         check: impl Check<Self, N, 1>,
@@ -55,21 +55,22 @@ pub trait Scalar: Number {
         if holds { one() } else { other() }
     }
 
-    /// This number, or its negative if the real part of the other is negative; either if that is zero.
+    /// This number, or its negative if the real part of `other` is negative. If that part is zero, either may be
+    /// returned.
     #[must_use]
     #[inline(always)]
     fn times_sign_of(self, other: Self) -> Self {
         Self::either(Negative(other), || -self, || self)
     }
 
-    /// This number in the open assembly, its negative in the crossed one.
+    /// This number in the open assembly, its negative in the crossed assembly.
     #[must_use]
     #[inline(always)]
     fn signed(self, assembly: Assembly) -> Self {
         Self::assembled(assembly, || self, || -self)
     }
 
-    /// One value in the open assembly, the other one in the crossed assembly.
+    /// One value in the open assembly, the other in the crossed assembly.
     #[inline(always)]
     fn assembled(assembly: Assembly, open: impl FnOnce() -> Self, crossed: impl FnOnce() -> Self) -> Self {
         match assembly {
@@ -85,24 +86,25 @@ pub trait Scalar: Number {
         Self::constant(measure.measure(measure.operands().map(Self::real)))
     }
 
-    /// A choice for the whole of the number. A number that stands for several poses fails if they do not agree.
+    /// A choice for the whole number. A number that holds several poses fails if they do not agree.
     ///
     /// # Errors
-    /// Those of the choice.
+    /// Returns the error of the choice.
     #[inline(always)]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         choice.choose(choice.operands().map(Self::real))
     }
 
-    /// The real part of the pose that leads where all poses go one way: in the order of pivots, and in powers of two by which rows are
-    /// scaled. A check tells which of the others can follow.
+    /// The real part of the leading pose. It decides where all poses must go one way: the order of pivots, and the
+    /// powers of two by which rows are scaled. A check then says which of the other poses can follow.
     #[must_use]
     #[inline(always)]
     fn leading(self) -> f64 {
         self.real()
     }
 
-    /// The row of the pivot of a step of the elimination: of the largest number from the diagonal down, the first if there are several.
+    /// The pivot row of one step of the elimination: the row of the largest entry from the diagonal down, or the first
+    /// of several.
     #[must_use]
     #[inline(always)]
     fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
@@ -116,10 +118,10 @@ pub trait Scalar: Number {
         best
     }
 
-    /// The root that [`solve::newton`](crate::solve::newton()) finds; the arguments are its own.
+    /// The root that [`solve::newton`](crate::solve::newton()) finds, with the same arguments.
     ///
     /// # Errors
-    /// Those of the method.
+    /// Returns the errors of that method.
     #[inline]
     fn root<const N: usize>(
         guess: [Self; N],

@@ -1,9 +1,9 @@
-//! How large things are.
+//! The size of a mechanism.
 
 use crate::solve::Scalar;
 use crate::solve::check::LargestLength;
 
-/// The largest magnitude of some lengths: what a length of the mechanism is compared with. 1 if all of them are zero.
+/// The largest magnitude of some lengths, or 1 if all of them are zero. Lengths of the mechanism are compared with it.
 ///
 /// ```
 /// use kin_core::solve;

@@ -6,34 +6,34 @@ use crate::solve::Scalar;
 use crate::solve::check::Check;
 use crate::solve::doubt::{is_told_from, size};
 
-/// Where a function is defined.
+/// The domain of a function.
 #[derive(Clone, Copy)]
 pub(in crate::solve) enum Ends {
-    /// From zero on.
+    /// Numbers ≥ 0.
     NotNegative,
-    /// Above zero.
+    /// Numbers > 0.
     Positive,
-    /// From -1 to 1.
+    /// Numbers from -1 to 1.
     Unit,
-    /// Between -1 and 1.
+    /// Numbers between -1 and 1, without the ends.
     WithinUnit,
-    /// From 1 on.
+    /// Numbers ≥ 1.
     FromOne,
-    /// From -π/2 to π/2, up to rounding.
+    /// Angles from -π/2 to π/2, up to rounding.
     RightAngles,
-    /// From 0 to π, up to rounding.
+    /// Angles from 0 to π, up to rounding.
     HalfTurn,
-    /// Between -π/2 and π/2.
+    /// Angles between -π/2 and π/2, without the ends.
     WithinRightAngles,
 }
 
-/// Whether an argument lies in the domain of a function, and its value is finite.
+/// Whether an argument lies in the domain of a function, and the value there is finite.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct Domain<T> {
     pub(in crate::solve) argument: T,
     pub(in crate::solve) result: T,
     pub(in crate::solve) ends: Ends,
-    /// The function, as it is written in a declaration.
+    /// The function, as written in a declaration.
     pub(in crate::solve) function: &'static str,
 }
 
@@ -55,7 +55,7 @@ impl<T: Scalar> Domain<T> {
         }
     }
 
-    /// Whether an argument is told from the ends that are of the size of 1.
+    /// Whether an argument is clearly inside or outside the ends whose size is about 1.
     #[inline(always)]
     fn is_told(&self, x: f64) -> bool {
         let told = |low, high| is_told_from::<T>(low, x, 1.0) && is_told_from::<T>(high, x, 1.0);
@@ -81,7 +81,8 @@ impl<T: Scalar> Check<T, 2, 3> for Domain<T> {
 
     #[inline(always)]
     fn holds(&self, [argument, result]: [f64; 2]) -> [bool; 3] {
-        // Of several poses, each has to be asked here: an infinite value is lost in what is divided by it.
+        // Each of several poses needs the test for a finite value here, because a later division by an infinite value
+        // hides it.
         [self.is_inside(argument), self.is_told(argument), result.is_finite()]
     }
 

@@ -1,9 +1,9 @@
-//! Whether a number can be worked with further.
+//! The check that numbers are finite.
 
 use crate::solve::Scalar;
 use crate::solve::check::Check;
 
-/// Whether the real parts of some numbers are finite.
+/// Whether the real parts of some numbers are all finite.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct Finite<T, const N: usize>(pub(in crate::solve) [T; N]);
 
@@ -22,7 +22,7 @@ impl<T: Scalar, const N: usize> Check<T, N, N> for Finite<T, N> {
         numbers.map(f64::is_finite)
     }
 
-    /// Infinite, or not a number.
+    /// The margin is infinite or NaN.
     fn margin(&self) -> T {
         let sum = self
             .0

@@ -1,7 +1,8 @@
-//! What a solver decides on the way: named checks with their operands.
+//! The decisions of a solver: named checks with their operands.
 //!
-//! A number decides about a check by [`Scalar`](crate::Scalar): a plain number by its real part, several poses at once each for
-//! itself. The check knows what it is called, what it compares, and how far it is from another outcome.
+//! A number decides about a check by [`Scalar`](crate::Scalar): a plain number decides by its real part, and a number
+//! that holds several poses decides for each. A check knows its name, what it compares, and its distance from another
+//! outcome.
 
 mod domain;
 mod finite;
@@ -32,49 +33,51 @@ pub(super) use turns::{NearestTurns, TellsDirection, TurnsInto};
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 
-/// A condition on numbers, on which the way to a solution depends: `K` conditions on `N` operands, all of which must hold.
+/// A check on which the path to a solution depends: `K` conditions on `N` operands, all of which must hold.
 pub trait Check<T, const N: usize, const K: usize>: Copy {
-    /// What is checked, in a few words.
+    /// The subject of the check, in a few words.
     fn name(&self) -> &'static str;
 
-    /// The numbers that are compared.
+    /// The numbers that the check compares.
     fn operands(&self) -> [T; N];
 
-    /// Whether the conditions hold for one pose, of which these are the operands. None of them holds by NaN.
+    /// Whether the conditions hold for one pose with these operands. No condition holds if its operand is NaN.
     fn holds(&self, operands: [f64; N]) -> [bool; K];
 
-    /// How far the check is from failing, in the unit of what is compared: negative where it fails for want of it.
+    /// The distance of the check from failing, in the unit of its operands. It is negative if the operands are too
+    /// small or too large for the check to hold.
     ///
-    /// It is calculated in the number type, so that several poses have a margin each. A solver does not ask for it.
+    /// The margin is calculated in the number type, so that each of several poses has its own. Solvers do not ask for
+    /// it.
     fn margin(&self) -> T;
 }
 
 /// A choice between two solutions.
 pub trait Choose<T, const N: usize>: Copy {
-    /// What is chosen by, in a few words.
+    /// The criterion of the choice, in a few words.
     fn name(&self) -> &'static str;
 
-    /// The numbers that are compared.
+    /// The numbers that the choice compares.
     fn operands(&self) -> [T; N];
 
-    /// The solution for one pose, of which these are the operands: open for the first, crossed for the second.
+    /// The solution for one pose with these operands: open for the first solution, crossed for the second.
     ///
     /// # Errors
-    /// If neither can be taken, or both.
+    /// Fails if neither solution is valid, or both are.
     fn choose(&self, operands: [f64; N]) -> Result<Assembly, Failure>;
 
-    /// How far the choice is from another outcome, in the unit of the solutions.
+    /// The distance of the choice from another outcome, in the unit of the solutions.
     fn margin(&self) -> T;
 }
 
-/// A constant that depends on the real parts of numbers, as a count of whole turns does.
+/// A constant that depends on the real parts of numbers, for example a count of whole turns.
 pub trait Measure<T, const N: usize>: Copy {
-    /// What is measured, in a few words.
+    /// The measured quantity, in a few words.
     fn name(&self) -> &'static str;
 
-    /// The numbers that it depends on.
+    /// The numbers on which the constant depends.
     fn operands(&self) -> [T; N];
 
-    /// The constant for one pose, of which these are the operands.
+    /// The constant for one pose with these operands.
     fn measure(&self, operands: [f64; N]) -> f64;
 }

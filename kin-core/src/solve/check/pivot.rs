@@ -1,14 +1,15 @@
-//! Whether a pivot serves.
+//! The check that a pivot is large enough.
 
 use crate::solve::Scalar;
 use crate::solve::check::Check;
 use crate::solve::doubt;
 
-/// Multipliers are at most 1, as the pivot is the largest of its column. A number that stands for several poses has the pivots of
-/// one of them; the others go along as long as that does not cost them more than a digit or so.
+/// The largest multiplier. One pose has multipliers of at most 1, because each pivot is the largest entry of its
+/// column. A number that holds several poses takes the pivots of one of them; the others follow as long as this costs
+/// them little more than a digit.
 const LARGEST_MULTIPLIER: f64 = 16.0;
 
-/// Whether a pivot is not much smaller than the entry below it: the multiplier of a row is small.
+/// Whether the multiplier of a row is small, that is, whether the pivot is not much smaller than the entry below it.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct Multiplier<T>(pub(in crate::solve) T);
 

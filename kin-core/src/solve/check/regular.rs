@@ -1,4 +1,4 @@
-//! Whether one may divide by a determinant.
+//! The check that a determinant may be a divisor.
 
 use crate::solve::Scalar;
 use crate::solve::check::Check;

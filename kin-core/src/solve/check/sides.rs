@@ -1,14 +1,14 @@
-//! On which sides of the singular positions values of the unknowns lie.
+//! The check that values of the unknowns lie on the same sides of the singular positions.
 
 use crate::solve::Scalar;
 use crate::solve::check::Check;
 use crate::solve::doubt;
 
-/// Whether the orientations of a pose are told, and are those of the pose that leads.
+/// Whether the orientations of a pose are certain and equal those of the leading pose.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct SameSides<T, const K: usize> {
     pub(in crate::solve) orientations: [T; K],
-    /// Whether those of the leading pose are positive or zero.
+    /// Whether each orientation of the leading pose is positive or zero.
     pub(in crate::solve) leading: [bool; K],
 }
 
@@ -31,7 +31,7 @@ impl<T: Scalar, const K: usize> Check<T, K, 2> for SameSides<T, K> {
         ]
     }
 
-    /// The smallest of the orientations.
+    /// The smallest orientation.
     fn margin(&self) -> T {
         let own = self.orientations.into_iter().zip(self.leading);
         let own = own.map(|(orientation, is_positive)| if is_positive { orientation } else { -orientation });

@@ -1,4 +1,4 @@
-//! The sign of a number.
+//! The checks of the sign of a number.
 
 use crate::solve::Scalar;
 use crate::solve::check::Check;

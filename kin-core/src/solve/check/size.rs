@@ -1,9 +1,9 @@
-//! How large numbers are.
+//! The sizes of numbers.
 
 use crate::solve::Scalar;
 use crate::solve::check::Measure;
 
-/// The magnitudes of some terms together.
+/// The sum of the magnitudes of some terms.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct SumOfSizes<T, const N: usize>(pub(in crate::solve) [T; N]);
 
@@ -27,7 +27,7 @@ impl<T: Scalar, const N: usize> Measure<T, N> for SumOfSizes<T, N> {
     }
 }
 
-/// The larger of a size and that of a number.
+/// The larger of a given size and the magnitude of a number.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct LargestSize<T> {
     pub(in crate::solve) size: T,
@@ -51,7 +51,7 @@ impl<T: Scalar> Measure<T, 2> for LargestSize<T> {
     }
 }
 
-/// The largest magnitude of some lengths, 1 if all of them are zero.
+/// The largest magnitude of some lengths, or 1 if all of them are zero.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct LargestLength<T, const N: usize>(pub(in crate::solve) [T; N]);
 

@@ -10,13 +10,13 @@ use crate::solve::Scalar;
 use crate::solve::check::{Check, Choose, TurnsInto};
 use crate::solve::doubt::{is_told_from, size, smaller};
 
-/// Units of rounding by which a solution may lie outside of its range.
+/// The tolerance for solutions outside the range, in units of ε times the size of the numbers.
 const TOLERANCE: f64 = 8.0;
 
-/// The failure of a choice that several poses must leave to the solver of one pose.
+/// The failure of a choice that several poses must leave to the solver for one pose.
 const IN_DOUBT: Failure = Failure::NotFinite { quantity: "lanes" };
 
-/// The ends of a range belong to it, and what lies beyond them by no more than rounding does too.
+/// A range. It contains its ends, and also values that lie beyond them by no more than rounding.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct Span {
     pub(in crate::solve) low: f64,
@@ -25,7 +25,7 @@ pub(in crate::solve) struct Span {
 }
 
 impl Span {
-    /// `value` is any value of the size of those that will be asked for.
+    /// The range from `low` to `high`. The tolerance suits values of the size of `value`.
     pub(in crate::solve) fn new(low: f64, high: f64, value: f64, epsilon: f64) -> Self {
         let finite = |end: f64| if end.is_finite() { end.abs() } else { 0.0 };
         let size = finite(low).max(finite(high)).max(finite(value));
@@ -44,13 +44,14 @@ impl Span {
         value >= self.low - self.tolerance && value <= self.high + self.tolerance
     }
 
-    /// Whether a value is told from both ends: beyond [doubt](Scalar::DOUBT) where it stands for several poses.
+    /// Whether a value is clearly on one side of each end. Several poses need a distance of more than their
+    /// [doubt](Scalar::DOUBT).
     fn tells<T: Scalar>(self, value: f64) -> bool {
         let size = self.tolerance / TOLERANCE / T::EPSILON;
         is_told_from::<T>(self.low, value, size) && is_told_from::<T>(self.high, value, size)
     }
 
-    /// The same for an angle that may have been brought to the range by whole turns.
+    /// [`tells`](Self::tells) for an angle that whole turns may have brought into the range.
     fn tells_angle<T: Scalar>(self, angle: f64) -> bool {
         let size = angle.abs().max(TAU);
         let ends = [self.low, self.low + TAU, self.high, self.high - TAU];
@@ -61,7 +62,7 @@ impl Span {
         (self.low - value).max(value - self.high).max(0.0)
     }
 
-    /// How many turns have to be added to an angle to have it in the range, or next to it: as few as possible.
+    /// The smallest number of turns that brings an angle into the range, or next to it.
     pub(in crate::solve) fn turns(self, angle: f64) -> f64 {
         let turns = if angle < self.low {
             Float::ceil((self.low - self.tolerance - angle) / TAU)
@@ -73,13 +74,13 @@ impl Span {
         if turns == 0.0 { 0.0 } else { turns }
     }
 
-    /// The representative of an angle that is in the range, or that comes nearest to it.
+    /// The representative of an angle that lies in the range, or comes closest to it.
     pub(in crate::solve) fn representative(self, angle: f64) -> f64 {
         let inside = angle + TAU * self.turns(angle);
         if self.holds(inside) {
             return inside;
         }
-        // A range of less than a turn can be missed on either side.
+        // An angle can miss a range of less than a turn on either side.
         [inside - TAU, inside + TAU].into_iter().fold(inside, |nearest, other| {
             if self.distance(other) < self.distance(nearest) {
                 other
@@ -176,7 +177,7 @@ impl<T: Scalar> AngleInRange<T> {
     }
 }
 
-/// How far a value is from the ends of its range, counted positive inside.
+/// The distance of a value from the nearer end of its range, positive inside the range.
 fn inside<T: Scalar>(value: T, low: f64, high: f64) -> T {
     smaller(value - T::constant(low), T::constant(high) - value)
 }
@@ -188,7 +189,7 @@ pub(in crate::solve) struct SolutionInRange<T> {
     pub(in crate::solve) solutions: [T; 2],
     pub(in crate::solve) low: f64,
     pub(in crate::solve) high: f64,
-    /// Whether whole turns make no difference.
+    /// Whether the solutions are angles, which whole turns do not change.
     pub(in crate::solve) is_angle: bool,
 }
 
@@ -223,7 +224,7 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
         }
     }
 
-    /// The smaller of the distances to the ends.
+    /// The smaller of the distances to the two ends.
     fn margin(&self) -> T {
         let [first, second] = self.solutions.map(|solution| {
             let (low, high) = (self.low, self.high);
@@ -246,7 +247,7 @@ fn choose(unknown: &'static str, first: f64, second: f64, span: Span) -> Result<
     if (first - second).abs() <= span.tolerance && span.holds(first) && span.holds(second) {
         return Ok(Assembly::Open);
     }
-    // Rounding is allowed for only where there would be no solution otherwise.
+    // Rounding counts only if there would be no solution otherwise.
     for inside in [Span::holds_strictly, Span::holds] {
         match (inside(span, first), inside(span, second)) {
             (true, false) => return Ok(Assembly::Open),

@@ -1,4 +1,4 @@
-//! A number that records what is decided about it.
+//! A number that records the decisions about it, and tests of those decisions.
 
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -13,7 +13,7 @@ use crate::number::Number;
 use crate::solve::check::Regular;
 use crate::solve::{self, Scalar};
 
-/// A number in double precision that notes the names and margins of all checks.
+/// A double-precision number that records the names and margins of all checks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Recorded(f64);
 
@@ -21,7 +21,7 @@ std::thread_local! {
     static NOTES: RefCell<Vec<(&'static str, f64)>> = const { RefCell::new(Vec::new()) };
 }
 
-/// What is noted during some work, and its result.
+/// The records made while `work` runs, and its result.
 fn notes_of<R>(work: impl FnOnce() -> R) -> (R, Vec<(&'static str, f64)>) {
     NOTES.take();
     let result = work();
@@ -110,10 +110,10 @@ fn vector([x, y]: [f64; 2]) -> Plane<Recorded> {
     Plane::new(Recorded(x), Recorded(y))
 }
 
-/// A result, and the checks on the way to it with their margins.
+/// A result, and the checks made for it with their margins.
 type Noted = (Result<(), Failure>, Vec<(&'static str, f64)>);
 
-/// Where a closed form refuses for want of reach, its check is called by its name and has the margin of the failure.
+/// Where a closed form is out of reach, its check has the name and the margin of the failure.
 #[test]
 fn checks_know_the_margins_of_the_failures() {
     let (r, assembly) = (Recorded, Assembly::Open);
@@ -177,7 +177,7 @@ fn checks_know_the_margins_of_the_failures() {
     }
 }
 
-/// What is solved has passed its checks with room.
+/// All checks of a solvable problem hold with a positive margin.
 #[test]
 fn margins_are_positive_where_checks_hold() {
     let (solved, notes) = notes_of(|| {
@@ -199,7 +199,7 @@ fn margins_are_positive_where_checks_hold() {
     }
 }
 
-/// Several poses have a margin each.
+/// Each of several poses has its own margin.
 #[test]
 fn lanes_have_margins() {
     let determinants = Lanes::<4, false>([0.5, -2.0, 0.0, f64::NAN]);

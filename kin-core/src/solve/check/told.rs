@@ -1,14 +1,14 @@
-//! Whether a number is told from zero.
+//! The check that a number differs clearly from zero.
 
 use crate::solve::Scalar;
 use crate::solve::check::Check;
 use crate::solve::doubt;
 
-/// Whether a number is larger than [a part](Scalar::DOUBT) of the terms that it is the sum of.
+/// Whether a sum is larger than [a part](Scalar::DOUBT) of its terms.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct Told<T> {
     pub(in crate::solve) number: T,
-    /// The sizes of the terms together.
+    /// The sum of the magnitudes of the terms.
     pub(in crate::solve) size: T,
 }
 

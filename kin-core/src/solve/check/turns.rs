@@ -7,7 +7,7 @@ use num_traits::Float;
 use crate::solve::Scalar;
 use crate::solve::check::{Check, Measure, Span};
 
-/// The turns that bring an angle next to a guess, in radians.
+/// The turns that bring an angle closest to a guess, in radians.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct NearestTurns<T> {
     pub(in crate::solve) angle: T,
@@ -27,7 +27,7 @@ impl<T: Scalar> Measure<T, 2> for NearestTurns<T> {
     #[inline(always)]
     fn measure(&self, [angle, guess]: [f64; 2]) -> f64 {
         let turns = Float::round((guess - angle) / TAU);
-        // A guess that is not finite is none.
+        // A guess that is not finite does not move the angle.
         let turns = if turns.is_finite() { turns } else { 0.0 };
         turns * TAU
     }
@@ -63,10 +63,10 @@ impl<T: Scalar> Measure<T, 1> for TurnsInto<T> {
     }
 }
 
-/// Whether numbers of the size of some angles lie near enough to each other to tell a direction. An angle that is not a number passes.
+/// Whether angles of this size are spaced closely enough to define a direction. NaN passes.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct TellsDirection<T> {
-    /// The sizes of the angles together.
+    /// The sum of the magnitudes of the angles.
     pub(in crate::solve) size: T,
     pub(in crate::solve) limit: f64,
 }

@@ -11,20 +11,21 @@ use crate::solve::doubt::{least, size, smaller};
 
 const QUANTITY: &str = "link lengths or the distance they span";
 
-/// The first of two vectors of known length with a known sum: `v₁ + v₂ = c`, `|v₁| = |a|`, `|v₂| = |b|`.
+/// The first of two vectors with known lengths and a known sum: `v₁ + v₂ = c`, `|v₁| = |a|`, `|v₂| = |b|`.
 ///
-/// This is the dyad with three revolute joints. Lengths and `c` have one and the same unit; a negative length
-/// stands for its magnitude. [`Assembly::Open`] is the solution with v₁ × v₂ < 0, in which the second vector turns
-/// clockwise from the first. The second vector is `c - v₁`; whoever needs it forms it, with the sign that it needs.
+/// This is the dyad with three revolute joints. The lengths and `c` share one unit; a negative length stands for its
+/// magnitude. [`Assembly::Open`] is the solution with v₁ × v₂ < 0, in which the second vector turns clockwise from the
+/// first. The second vector is `c - v₁`; the caller forms it if needed, with the sign it needs.
 ///
-/// With d = |c|, the foot of the joint on the line of `c` lies at p = (d² + (a + b)(a - b)) / 2d² and the joint beside
-/// it at q, 4 q² d⁴ = ((a + b)² - d²)(d² - (a - b)²) (Heron's formula for the triangle, in factors that
-/// do not cancel at the limits), so that v₁ = c (p ± i q).
+/// With d = |c|, the foot of the joint on the line of `c` lies at p = (d² + (a + b)(a - b)) / 2d². The joint lies
+/// beside it at q, where 4 q² d⁴ = ((a + b)² - d²)(d² - (a - b)²). This is Heron's formula for the triangle, in factors
+/// that do not cancel at the limits. So v₁ = c (p ± i q).
 ///
-/// With the vector comes 2 c × v₁ = ± 2 q d², the root: four times the area of the triangle, counted positive in the open assembly.
-/// Rates are divided by v₁ × v₂, which is minus half of it.
+/// The second result is the root, 2 c × v₁ = ± 2 q d²: four times the area of the triangle, positive in the open
+/// assembly. The divisor of rates, v₁ × v₂, is minus half of it.
 ///
-/// 22 operations: 8 additions, 12 multiplications, 1 division, 1 square root; a change of sign more in the crossed assembly.
+/// It takes 22 operations: 8 additions, 12 multiplications, 1 division, 1 square root; and one change of sign in the
+/// crossed assembly.
 ///
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin min(|a| + |b| - d, d - ||a| - |b||), [`Failure::Singular`] if the three
@@ -47,9 +48,9 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     let sum = a + b;
     let difference = a - b;
     let twice_p = d2 + sum * difference;
-    // The product is the same if one of the lengths is negative and sum and difference change places.
+    // The product stays the same if one length is negative, because sum and difference then change places.
     let four_q2 = (sum * sum - d2) * (d2 - difference * difference);
-    // One of the two squares is that of both lengths together, whatever their signs.
+    // One of the two squares belongs to the sum of both lengths, whatever their signs.
     let reach2 = || sum * sum + difference * difference;
     let reach = Reach {
         lengths: [a, b],
@@ -71,14 +72,13 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
     Ok((beside(c, twice_p * half, root.value * half), root))
 }
 
-/// [`circle_circle`] for links of which the squares of the lengths are known, `a2` = |v₁|² and `b2` = |v₂|², as it is
-/// with ternary links.
+/// [`circle_circle`] for links whose squared lengths are known, `a2` = |v₁|² and `b2` = |v₂|², as for ternary links.
 ///
-/// 4 q² d⁴ = 4 a² d² - (d² + a² - b²)². 19 operations: 6 additions, 11 multiplications, 1 division, 1 square root; a change of sign
-/// more in the crossed assembly.
+/// 4 q² d⁴ = 4 a² d² - (d² + a² - b²)². It takes 19 operations: 6 additions, 11 multiplications, 1 division, 1 square
+/// root; and one change of sign in the crossed assembly.
 ///
 /// # Errors
-/// As for [`circle_circle`]; a negative square is out of reach by its root.
+/// As for [`circle_circle`]. If a square is negative, the links are out of reach by the root of its magnitude.
 #[inline(always)]
 pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let d2 = c.norm_squared();
@@ -107,7 +107,7 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
     Ok(beside(c, twice_p * half, four_q2.sqrt().signed(assembly) * half))
 }
 
-/// Whether two links of given lengths span a distance.
+/// Whether two links of given lengths can span a distance.
 #[derive(Clone, Copy)]
 struct Reach<T> {
     lengths: [T; 2],
@@ -138,7 +138,7 @@ impl<T: Scalar> Check<T, 4, 3> for Reach<T> {
     }
 }
 
-/// Whether two links span a distance, by the squares of their lengths.
+/// Whether two links can span a distance, given the squares of their lengths.
 #[derive(Clone, Copy)]
 struct ReachOfSquares<T> {
     squares: [T; 2],
@@ -169,14 +169,14 @@ impl<T: Scalar> Check<T, 4, 3> for ReachOfSquares<T> {
     }
 }
 
-/// By how much two links reach, or by how much they fail to: the smaller of |a| + |b| - d and d - ||a| - |b||.
+/// The reach of two links, negative if they do not reach: the smaller of |a| + |b| - d and d - ||a| - |b||.
 fn margin<T: Scalar>(lengths: [T; 2], d2: T) -> T {
     let [a, b] = lengths.map(size);
     let d = d2.sqrt();
     smaller(a + b - d, d - size(a - b))
 }
 
-/// `c (p + i q)`.
+/// The vector `c (p + i q)`.
 #[inline(always)]
 fn beside<T: Scalar>(c: Plane<T>, p: T, q: T) -> Plane<T> {
     Plane::new(c.x * p - c.y * q, c.y * p + c.x * q)
@@ -187,7 +187,7 @@ fn beside<T: Scalar>(c: Plane<T>, p: T, q: T) -> Plane<T> {
 fn lengths_do_not_close(a: f64, b: f64, c: Plane, epsilon: f64) -> Failure {
     let (a, b, d) = (a.abs(), b.abs(), length(c.x, c.y));
     let reach = a + b;
-    // A minimum or maximum passes over NaN; the scale does not.
+    // Minimum and maximum ignore NaN; the scale does not.
     let margin = (reach - d).min(d - (a - b).abs());
     refusal(margin, reach + d, epsilon, 0.0, QUANTITY)
 }
@@ -223,13 +223,13 @@ mod tests {
             let scale = a + b;
             let (cross, d) = (u.cross(v).abs(), norm(c));
             let condition = scale / f64::min(scale - d, d - (a - b).abs());
-            // Or else rounding of the distance may carry it over the limit.
+            // Otherwise rounding of the distance may carry it over the limit.
             if !(0.0..1e10).contains(&condition) {
                 return Ok(());
             }
             let tolerance = 16.0 * f64::EPSILON * (cross / d * condition + scale);
             for assembly in Assembly::BOTH {
-                // The squares of the lengths cancel: rounding in d² + a² - b² is felt by the square of q.
+                // The squares of the lengths cancel, so rounding in d² + a² - b² reaches q through its square.
                 let noise = 2.0 * f64::EPSILON * a * scale.powi(3) / (cross * cross);
                 if noise < 1e-2 {
                     let first = circle_circle_squared(a * a, b * b, c, assembly).unwrap();
@@ -309,7 +309,7 @@ mod tests {
 
     #[test]
     fn coinciding_ends_have_no_direction() {
-        // A parallelogram folded up: the joint may lie anywhere.
+        // A folded parallelogram, in which the joint may lie anywhere.
         for d in [0.0, 1e-200, 1e-160, 1e-155] {
             let c = Plane::new(d, 0.0);
             assert!(matches!(

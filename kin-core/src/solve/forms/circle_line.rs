@@ -11,13 +11,14 @@ use crate::solve::doubt::{least, size};
 
 const QUANTITY: &str = "link length, direction of the slide or distance spanned";
 
-/// A vector of known length and a travel along a known direction: `v + s direction = c`, `|v|² = a2`.
+/// A vector of known length and a travel in a known direction: `v + s direction = c`, `|v|² = a2`.
 ///
-/// This is the dyad with two revolute joints and a slide. `a2` is the square of the length in the units of `c`. The direction
-/// need not be a unit vector; `s` is in its multiples. [`Assembly::Open`] is the larger `s`, in which
-/// the link leans back against the direction: v · direction < 0.
+/// This is the dyad with two revolute joints and a slide. `a2` is the square of the length, in the units of `c`. The
+/// direction need not be a unit vector; `s` counts its multiples. [`Assembly::Open`] is the larger `s`, in which the
+/// link leans back against the direction: v · direction < 0.
 ///
-/// s = (c · u ± √(a² u² - (u × c)²)) / u². 19 operations: 7 additions, 10 multiplications, 1 division, 1 square root.
+/// s = (c · u ± √(a² u² - (u × c)²)) / u². It takes 19 operations: 7 additions, 10 multiplications, 1 division, 1
+/// square root.
 ///
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin |a| - distance from the centre of the circle to the line,
@@ -64,9 +65,10 @@ pub fn circle_line<T: Scalar>(
     Ok((c - direction.scale(travel), travel))
 }
 
-/// [`circle_line`] along the x axis: `v + (s, 0) = c`. It returns v.x and s; v.y is c.y.
+/// [`circle_line`] along the x axis: `v + (s, 0) = c`. The results are v.x and s; v.y is c.y.
 ///
-/// 5 operations at most: 2 additions, 1 multiplication, 1 square root, and a change of sign in the open assembly.
+/// It takes 5 operations at most: 2 additions, 1 multiplication, 1 square root, and one change of sign in the open
+/// assembly.
 ///
 /// # Errors
 /// As for [`circle_line`].
@@ -87,9 +89,10 @@ pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
     Ok((leg, c.x - leg.value))
 }
 
-/// [`circle_line`] along the y axis: `v + (0, s) = c`. It returns v.y and s; v.x is c.x.
+/// [`circle_line`] along the y axis: `v + (0, s) = c`. The results are v.y and s; v.x is c.x.
 ///
-/// 5 operations at most: 2 additions, 1 multiplication, 1 square root, and a change of sign in the open assembly.
+/// It takes 5 operations at most: 2 additions, 1 multiplication, 1 square root, and one change of sign in the open
+/// assembly.
 ///
 /// # Errors
 /// As for [`circle_line`].
@@ -98,7 +101,7 @@ pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
     circle_line_x(a2, Plane::new(c.y, c.x), assembly)
 }
 
-/// Whether a link reaches a line. `a2` is the square of its length, `u2` that of the direction of the line.
+/// Whether a link reaches a line. `a2` is the square of its length, and `u2` that of the direction of the line.
 #[derive(Clone, Copy)]
 struct Reach<T> {
     q2: T,
@@ -128,7 +131,7 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 }
 
-/// Whether a link reaches a line along an axis, from a place on it.
+/// Whether a link reaches a line parallel to an axis, from a point on the axis.
 #[derive(Clone, Copy)]
 struct ReachAlongX<T> {
     q2: T,
@@ -158,7 +161,8 @@ impl<T: Scalar> Check<T, 3, 3> for ReachAlongX<T> {
     }
 }
 
-/// By how much a link is longer than the distance of the line, where `q2` is the difference of their squares.
+/// The difference between the length of a link and the distance of the line, where `q2` is the difference of their
+/// squares.
 fn margin<T: Scalar>(a2: T, q2: T) -> T {
     size(a2).sqrt() - size(a2 - q2).sqrt()
 }
@@ -186,7 +190,7 @@ fn diagnose(a2: f64, direction: Plane, c: Plane, epsilon: f64) -> Failure {
         return Failure::Singular { determinant: 0.0 };
     }
     let distance = (c.y * (direction.x / norm) - c.x * (direction.y / norm)).abs();
-    // The square of a length that is not real is missing by its root.
+    // A negative square has no real length; the missing length is the root of its magnitude.
     let reach = if a2 < 0.0 { -radius } else { radius };
     refusal(reach - distance, scale, epsilon, 0.0, QUANTITY)
 }
@@ -271,7 +275,7 @@ mod tests {
         ] {
             assert_eq!(result, Err(Failure::OutOfReach { margin: -0.5 }));
         }
-        // (5, 3.5) is 5 · 0.8 - 3.5 · 0.6 = 1.9 beside a slide in the direction (3, 4)
+        // The point (5, 3.5) is 5 · 0.8 - 3.5 · 0.6 = 1.9 away from a slide in the direction (3, 4).
         let slanted = circle_line(0.81, Plane::new(3.0, 4.0), c, Assembly::Open);
         assert!(
             matches!(slanted, Err(Failure::OutOfReach { margin }) if (margin + 1.0).abs() < 1e-15),

@@ -1,4 +1,4 @@
-//! One angle by its cosine and sine together.
+//! One angle from an equation in its cosine and sine.
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -12,14 +12,14 @@ const QUANTITY: &str = "coefficients of the cosine and the sine";
 
 /// The unit vector `u` = (cos x, sin x) with `a cos x + b sin x = c`.
 ///
-/// The coefficients have one and the same unit. [`Assembly::Open`] is x = atan2(b, a) + acos(c / ρ), ρ² = a² + b²,
-/// the crossed solution has the minus sign.
+/// The coefficients share one unit. [`Assembly::Open`] is x = atan2(b, a) + acos(c / ρ), with ρ² = a² + b²; the crossed
+/// solution has the minus sign.
 ///
-/// 15 operations: 4 additions, 9 multiplications, 1 division, 1 square root.
+/// It takes 15 operations: 4 additions, 9 multiplications, 1 division, 1 square root.
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin ρ - |c|, [`Failure::Singular`] if that is zero or if `a` and `b` are both zero,
-/// [`Failure::NotFinite`].
+/// [`Failure::OutOfReach`] with the margin ρ - |c|, [`Failure::Singular`] if the margin is zero or if `a` and `b` are
+/// both zero, [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::{Assembly, solve};

@@ -1,4 +1,4 @@
-//! One angle by its cosine or its sine.
+//! One angle from its cosine or its sine.
 
 use super::root::Root;
 use crate::assembly::Assembly;
@@ -10,12 +10,13 @@ use crate::solve::doubt::{least, size};
 
 /// The height of a link of the given radius and width: y of (x, y) = `radius` (cos φ, sin φ), given x.
 ///
-/// All have one and the same unit. [`Assembly::Open`] has a positive sine, and so a height of the sign of the radius.
+/// All lengths share one unit. [`Assembly::Open`] has a positive sine, so the height has the sign of the radius.
 ///
-/// 4 operations: 2 additions, 1 multiplication, 1 square root; a change of sign more in the crossed assembly.
+/// It takes 4 operations: 2 additions, 1 multiplication, 1 square root; and one change of sign in the crossed assembly.
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin |radius| - |width|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
+/// [`Failure::OutOfReach`] with the margin |radius| - |width|, [`Failure::Singular`] if the margin is zero,
+/// [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::{Assembly, solve};
@@ -31,21 +32,22 @@ pub fn inverse_cosine<T: Scalar>(width: T, radius: T, assembly: Assembly) -> Res
 
 /// The width of a link of the given radius and height: x of (x, y) = `radius` (cos φ, sin φ), given y.
 ///
-/// All have one and the same unit. [`Assembly::Open`] has a positive cosine, and so a width of the sign of the radius.
+/// All lengths share one unit. [`Assembly::Open`] has a positive cosine, so the width has the sign of the radius.
 ///
-/// 4 operations, as for [`inverse_cosine`].
+/// It takes 4 operations, as [`inverse_cosine`] does.
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin |radius| - |height|, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
+/// [`Failure::OutOfReach`] with the margin |radius| - |height|, [`Failure::Singular`] if the margin is zero,
+/// [`Failure::NotFinite`].
 #[inline(always)]
 pub fn inverse_sine<T: Scalar>(height: T, radius: T, assembly: Assembly) -> Result<Root<T>, Failure> {
     other(height, radius, assembly, "length of a link or its given height")
 }
 
-/// The other leg of the right-angled triangle over the radius.
+/// The other leg of the right-angled triangle whose hypotenuse is the radius.
 #[inline(always)]
 fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static str) -> Result<Root<T>, Failure> {
-    // In factors, for the sake of the angles near which the known leg is as long as the radius.
+    // The factors keep precision at angles where the known leg is almost as long as the radius.
     let square = (radius - known) * (radius + known);
     let reach = Reach {
         square,

@@ -1,4 +1,4 @@
-//! One number by its hyperbolic cosine.
+//! One number from its hyperbolic cosine.
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -7,15 +7,17 @@ use crate::solve::check::Check;
 use crate::solve::diagnosis::refusal;
 use crate::solve::doubt::is_told_from;
 
-/// The number a of cosh a = `value`. In [`Assembly::Open`] it has the sign of `growth`, in the crossed one the opposite sign.
+/// The number a with cosh a = `value`. In [`Assembly::Open`] it has the sign of `growth`, in the crossed assembly the
+/// opposite sign.
 ///
-/// If a is the multiple of an unknown and something constant, and the growth has the sign of the factor, then the open assembly has the
-/// larger unknown of the two.
+/// If a is a multiple of an unknown plus a constant, and `growth` has the sign of the factor, then the open assembly
+/// has the larger of the two unknowns.
 ///
-/// A function of the number library; a change of sign more in the crossed assembly.
+/// It takes one function of the number library, and one change of sign in the crossed assembly.
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin `value` - 1, [`Failure::Singular`] if that is zero, [`Failure::NotFinite`].
+/// [`Failure::OutOfReach`] with the margin `value` - 1, [`Failure::Singular`] if the margin is zero,
+/// [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::{Assembly, solve};
@@ -33,7 +35,7 @@ pub fn inverse_hyperbolic_cosine<T: Scalar>(value: T, growth: T, assembly: Assem
     }
 }
 
-/// Whether a number is a hyperbolic cosine of two numbers.
+/// Whether a number is the hyperbolic cosine of two different numbers.
 #[derive(Clone, Copy)]
 struct AboveOne<T> {
     value: T,

@@ -7,10 +7,10 @@ use crate::solve::doubt::{decisive, size};
 
 const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 
-/// The solution of `a x = b`. 1 operation, a division.
+/// The solution of `a x = b`. It takes 1 operation, a division.
 ///
 /// # Errors
-/// [`Failure::Singular`] with the determinant `a` if that is zero, or so small that the solution overflows;
+/// [`Failure::Singular`] with the determinant `a` if it is zero, or so small that the solution overflows;
 /// [`Failure::NotFinite`].
 ///
 /// ```
@@ -22,14 +22,14 @@ const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 #[inline(always)]
 pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
     let x = b / a;
-    // Division by an infinite coefficient gives zero and passes for a solution.
+    // Check the coefficient too: division by an infinite coefficient gives zero, which would pass as a solution.
     x.provided(Finite([x, a]))
         .ok_or_else(|| no_solution(a.real(), b.real().is_finite()))
 }
 
 /// The solution of two linear equations, `a[i][0] x + a[i][1] y = b[i]`, by Cramer's rule.
 ///
-/// 12 operations: 3 additions, 8 multiplications, 1 division.
+/// It takes 12 operations: 3 additions, 8 multiplications, 1 division.
 ///
 /// # Errors
 /// [`Failure::Singular`] if the determinant is zero up to the rounding of its two products; [`Failure::NotFinite`].
@@ -54,7 +54,7 @@ pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failu
         y,
     };
     let (Some(x), Some(y)) = (x.provided(meet), y.provided(meet)) else {
-        // Solutions that overflow although the lines are not parallel are not the fault of the determinant.
+        // Solutions can overflow although the lines are not parallel; then the determinant is not at fault.
         let parallel = determinant.real().abs() <= noise::<T>(product.real());
         let right = parallel && b[0].real().is_finite() && b[1].real().is_finite();
         return Err(no_solution(determinant.real(), right));
@@ -62,7 +62,7 @@ pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failu
     Ok((x, y))
 }
 
-/// Whether two lines meet at a point. `product` is that of the diagonal of their determinant.
+/// Whether two lines meet at a point. `product` is the product along the diagonal of their determinant.
 #[derive(Clone, Copy)]
 struct Meet<T> {
     determinant: T,
@@ -97,7 +97,8 @@ impl<T: Scalar> Check<T, 4, 4> for Meet<T> {
     }
 }
 
-/// Parallel lines have a determinant of the size of the rounding errors, and would seem to meet far away.
+/// The size of rounding errors in the determinant. The determinant of parallel lines is of this size, so the lines
+/// would seem to meet far away.
 #[inline(always)]
 fn noise<T: Scalar>(product: f64) -> f64 {
     2.0 * T::EPSILON * product.abs()
@@ -133,7 +134,7 @@ mod tests {
             }
             let (u, v) = linear_pair([[p, q], [r, s]], [p * x + q * y, r * x + s * y]).unwrap();
             let tolerance = 32.0 * f64::EPSILON * condition;
-            // Each numerator cancels as far as the products in it do.
+            // Each numerator cancels as far as its products do.
             let size_x = ((p * x).abs() + (q * y).abs()) * s.abs() + ((r * x).abs() + (s * y).abs()) * q.abs();
             let size_y = ((p * x).abs() + (q * y).abs()) * r.abs() + ((r * x).abs() + (s * y).abs()) * p.abs();
             prop_assert!((u - x).abs() <= tolerance * size_x / determinant.abs());
@@ -151,7 +152,7 @@ mod tests {
 
     #[test]
     fn parallel_lines_do_not_meet_far_away() {
-        // 0.1 * 0.6 and 0.2 * 0.3 differ in the last place.
+        // The products 0.1 * 0.6 and 0.2 * 0.3 differ in the last place.
         let a = [[0.1, 0.2], [0.3, 0.6]];
         for b in [[1.0, 1.0], [0.0, 0.0]] {
             assert!(matches!(linear_pair(a, b), Err(Failure::Singular { .. })));

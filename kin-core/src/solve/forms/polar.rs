@@ -1,4 +1,4 @@
-//! A length along a direction, both sought: a slide on a link that turns.
+//! A length along an unknown direction: a slide on a link that turns.
 
 use super::root::Root;
 use crate::assembly::Assembly;
@@ -13,11 +13,11 @@ const QUANTITY: &str = "offset of the slide or distance spanned";
 
 /// The length of a known vector, with a sign: `s u = c`, `|u| = 1`.
 ///
-/// This is the dyad of two revolute joints and a slide between them, as in the inverted slider-crank.
-/// [`Assembly::Open`] is the solution with s > 0. `s` has the unit of `c`. The direction is c / s; whoever needs it
-/// forms it.
+/// This is the dyad with two revolute joints and a slide between them, as in the inverted slider-crank.
+/// [`Assembly::Open`] is the solution with s > 0. `s` has the unit of `c`. The direction is c / s; the caller forms it
+/// if needed.
 ///
-/// 4 operations: 1 addition, 2 multiplications, 1 square root; a change of sign more in the crossed assembly.
+/// It takes 4 operations: 1 addition, 2 multiplications, 1 square root; and one change of sign in the crossed assembly.
 ///
 /// # Errors
 /// [`Failure::Singular`] if `c` is zero, [`Failure::NotFinite`].
@@ -39,15 +39,17 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Fail
     Ok(Root::of(d2, assembly))
 }
 
-/// Length and direction of [`polar`] with a slide that passes by the joint: `(s + offset) u = c` as complex numbers, `|u| = 1`.
+/// The length and direction of [`polar`] with an offset slide, which passes beside the joint: `(s + offset) u = c` as
+/// complex numbers, `|u| = 1`.
 ///
-/// The offset is fixed to the turning link: its x component along the slide, its y component across.
-/// s + offset.x = ± √(|c|² - offset.y²), the upper sign in [`Assembly::Open`].
+/// The offset is fixed to the turning link: its x component lies along the slide, its y component across. s + offset.x
+/// = ± √(|c|² - offset.y²), with the plus sign in [`Assembly::Open`].
 ///
-/// 16 operations: 5 additions, 9 multiplications, 1 division, 1 square root; a change of sign more in the crossed assembly.
+/// It takes 16 operations: 5 additions, 9 multiplications, 1 division, 1 square root; and one change of sign in the
+/// crossed assembly.
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin |c| - |offset.y|, [`Failure::Singular`] if that is zero,
+/// [`Failure::OutOfReach`] with the margin |c| - |offset.y|, [`Failure::Singular`] if the margin is zero,
 /// [`Failure::NotFinite`].
 #[inline(always)]
 pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly) -> Result<(T, Plane<T>), Failure> {
@@ -76,7 +78,7 @@ pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly
     Ok((along - offset.x, u))
 }
 
-/// Whether two points lie apart, `d2` being the square of their distance.
+/// Whether two points are apart. `d2` is the square of their distance.
 #[derive(Clone, Copy)]
 struct Apart<T> {
     d2: T,
@@ -102,7 +104,7 @@ impl<T: Scalar> Check<T, 1, 2> for Apart<T> {
     }
 }
 
-/// Whether a slide passes a point at its offset.
+/// Whether a slide can pass a point at its offset.
 #[derive(Clone, Copy)]
 struct Reach<T> {
     q2: T,
@@ -209,7 +211,7 @@ mod tests {
             polar_offset(Plane::new(1.0, 5.0), c, Assembly::Open),
             Err(Failure::Singular { determinant: 0.0 })
         );
-        // by rounding alone
+        // The excess is rounding alone.
         assert_eq!(
             polar_offset(Plane::new(1.0, 5.0 * (1.0 + 4.0 * f64::EPSILON)), c, Assembly::Open),
             Err(Failure::Singular { determinant: 0.0 })

@@ -1,4 +1,4 @@
-//! One unknown of which the square occurs.
+//! One unknown in a quadratic equation.
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -11,14 +11,15 @@ const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
 
 /// A root of `a x² + b x + c = 0`. [`Assembly::Open`] is the larger one, whatever the sign of `a`.
 ///
-/// Of the two ways to write a root, (g ± q) / a and c / (g ∓ q) with g = -b / 2 and q² = g² - a c, the one is taken in which
-/// nothing cancels (G. E. Forsythe, *How do you solve a quadratic equation?*, Stanford 1966).
+/// A root can be written as (g ± q) / a or as c / (g ∓ q), with g = -b / 2 and q² = g² - a c. The function takes the
+/// form in which nothing cancels (G. E. Forsythe, *How do you solve a quadratic equation?*, Stanford 1966).
 ///
-/// 7 operations: 2 additions, 3 multiplications, 1 division, 1 square root.
+/// It takes 7 operations: 2 additions, 3 multiplications, 1 division, 1 square root.
 ///
 /// # Errors
-/// [`Failure::OutOfReach`] with the margin -√(4 a c - b²) / 2|a|, the imaginary part of the roots with its sign reversed,
-/// in the unit of `x`; [`Failure::Singular`] for a double root, or if `a` is zero; [`Failure::NotFinite`].
+/// [`Failure::OutOfReach`] with the margin -√(4 a c - b²) / 2|a|, which is the imaginary part of the roots with its
+/// sign reversed, in the unit of `x`; [`Failure::Singular`] for a double root, or if `a` is zero;
+/// [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::{Assembly, solve};
@@ -31,7 +32,7 @@ const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
 pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, Failure> {
     let g = b * T::constant(-0.5);
     let q2 = g * g - a * c;
-    // What cancels is no larger.
+    // Cancelling numbers are no larger than this.
     let reach = Reach {
         q2,
         least: least(|| g * g),
@@ -40,9 +41,9 @@ pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, F
     let fails = || no_root(a.real(), b.real(), c.real(), T::EPSILON);
     let q2 = q2.provided(reach).ok_or_else(fails)?;
     let q = q2.sqrt();
-    // g and q are added with the same sign, and the root is that sum by a, or c by it.
+    // g and q are added with the same sign. The root is that sum divided by a, or c divided by it.
     let sum = T::either(NotNegative(g), || g + q, || g - q);
-    // The sign of the root in (g ± q) / a: dividing by a negative number reverses the order.
+    // In (g ± q) / a, a negative divisor reverses the order of the roots.
     let direct = IsSum { a, g, assembly };
     let above = T::either(direct, || sum, || c);
     let below = T::either(direct, || a, || sum);
@@ -50,7 +51,7 @@ pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, F
     x.provided(Finite([x])).ok_or_else(fails)
 }
 
-/// Whether the parabola reaches zero, `q2` being the quarter of its discriminant.
+/// Whether the parabola reaches zero. `q2` is a quarter of its discriminant.
 #[derive(Clone, Copy)]
 struct Reach<T> {
     q2: T,
@@ -75,13 +76,13 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 
     fn margin(&self) -> T {
-        // As a length: the root of what is missing, by the leading coefficient.
+        // As a length: the root of the missing square, divided by the leading coefficient.
         size(self.q2).sqrt().times_sign_of(self.q2) / size(self.a)
     }
 }
 
-/// Whether a root is the sum of half the middle coefficient and a root, by the leading coefficient; otherwise it is the last by that
-/// sum.
+/// Whether the wanted root is the sum g ± q divided by the leading coefficient; otherwise it is the last coefficient
+/// divided by that sum.
 #[derive(Clone, Copy)]
 struct IsSum<T> {
     a: T,
@@ -105,7 +106,7 @@ impl<T: Scalar> Check<T, 2, 1> for IsSum<T> {
         [plus == (g >= 0.0)]
     }
 
-    /// The smaller of both coefficients.
+    /// The smaller of the magnitudes of the two coefficients.
     fn margin(&self) -> T {
         smaller(size(self.a), size(self.g))
     }
@@ -152,7 +153,7 @@ mod tests {
             }
             for (assembly, root) in [(Assembly::Open, high), (Assembly::Crossed, low)] {
                 let x = quadratic(a, -a * (r + s), a * r * s, assembly).unwrap();
-                // The coefficients themselves are rounded; each root feels it by the condition.
+                // The coefficients themselves are rounded, and the condition carries this into each root.
                 prop_assert!((x - root).abs() <= 32.0 * f64::EPSILON * condition * condition * root.abs());
             }
         }
@@ -174,7 +175,7 @@ mod tests {
         assert_eq!(solve(1.0, -2.0, 1.0), singular);
         assert_eq!(solve(0.0, 2.0, 1.0), singular);
         assert_eq!(solve(0.1, -0.2, 0.1), singular);
-        // x² - 2 x + 5 has the roots 1 ± 2i.
+        // The equation x² - 2 x + 5 = 0 has the roots 1 ± 2i.
         assert_eq!(solve(1.0, -2.0, 5.0), Err(Failure::OutOfReach { margin: -2.0 }));
         assert_eq!(solve(-2.0, 4.0, -10.0), Err(Failure::OutOfReach { margin: -2.0 }));
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -189,7 +190,7 @@ mod tests {
         ));
     }
 
-    /// A multiple of an equation has the same roots, or none for the same reason.
+    /// A multiple of an equation has the same roots, or no roots for the same reason.
     #[test]
     fn a_multiple_of_an_equation_says_the_same() {
         let beyond = |rounding: f64| 1.0 + rounding;
@@ -198,7 +199,7 @@ mod tests {
             assert!(
                 matches!(solve(beyond(1e-9)), Err(Failure::OutOfReach { margin }) if (margin + 1e-9_f64.sqrt()).abs() < 1e-10)
             );
-            // eight units of rounding of g² and of a c
+            // The tolerance is 8 ε of g² and of a c.
             assert_eq!(
                 solve(beyond(12.0 * f64::EPSILON)),
                 Err(Failure::Singular { determinant: 0.0 })

@@ -1,17 +1,18 @@
-//! A square root, and what it is the root of.
+//! A square root together with its square.
 
 use crate::assembly::Assembly;
 use crate::solve::Scalar;
 
 /// A square root with a sign, and its square.
 ///
-/// Rates are divided by roots. `value / square` is the reciprocal of a root, where `1 / square` need not wait for it: a root and a
-/// division take a processor some thirty cycles one after the other, and twenty beside each other.
+/// Rates are divided by roots. `value / square` equals the reciprocal of the root, and `1 / square` can be computed
+/// without waiting for it: a root followed by a division takes a processor some thirty cycles, both side by side take
+/// twenty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Root<T = f64> {
     /// The root.
     pub value: T,
-    /// Its square, from which it was taken: it and its reciprocal have full precision.
+    /// The square from which the root was taken. It and its reciprocal have full precision.
     pub square: T,
 }
 

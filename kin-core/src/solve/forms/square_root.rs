@@ -1,4 +1,4 @@
-//! One unknown that is known by its square.
+//! One unknown from its square.
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use crate::solve::doubt::size;
 
 /// A root of `x² = w`. [`Assembly::Open`] is the positive one.
 ///
-/// 1 operation, a square root; a change of sign more in the crossed assembly.
+/// It takes 1 operation, a square root; and one change of sign in the crossed assembly.
 ///
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin -√-w, [`Failure::Singular`] if `w` is zero, [`Failure::NotFinite`].
@@ -27,7 +27,7 @@ pub fn square_root<T: Scalar>(w: T, assembly: Assembly) -> Result<T, Failure> {
     }
 }
 
-/// Whether a square has a root that is not zero.
+/// Whether a square has a root other than zero.
 #[derive(Clone, Copy)]
 struct Positive<T> {
     square: T,

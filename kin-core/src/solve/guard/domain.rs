@@ -1,14 +1,13 @@
 //! Functions that are not defined everywhere, and their inverses.
 //!
-//! A declaration may contain them anywhere. Their arguments are checked, so that no NaN comes of them; the ends
-//! of a domain belong to it where the function has a value there, as long as the derivatives that the number type
-//! carries exist as well.
+//! A declaration may contain these functions anywhere. Their arguments are checked, so that they never give NaN. An end
+//! of a domain is allowed if the function has a value there and the derivatives that the number type carries exist.
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
 use crate::solve::check::{Domain, Ends};
 
-/// √x for x ≥ 0.
+/// The square root √x for x ≥ 0.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -24,7 +23,7 @@ pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::NotNegative, x, x.sqrt(), "sqrt")
 }
 
-/// The angle in -π/2 ..= π/2 with the sine `x`, for |x| ≤ 1.
+/// The angle in -π/2 ..= π/2 whose sine is `x`, for |x| ≤ 1.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -33,7 +32,7 @@ pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::Unit, x, x.asin(), "asin")
 }
 
-/// The angle in 0 ..= π with the cosine `x`, for |x| ≤ 1.
+/// The angle in 0 ..= π whose cosine is `x`, for |x| ≤ 1.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -42,7 +41,7 @@ pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::Unit, x, x.acos(), "acos")
 }
 
-/// The number from 0 on with the hyperbolic cosine `x`, for x ≥ 1.
+/// The non-negative number whose hyperbolic cosine is `x`, for x ≥ 1.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -51,7 +50,7 @@ pub fn area_hyperbolic_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::FromOne, x, x.acosh(), "acosh")
 }
 
-/// The number with the hyperbolic tangent `x`, for |x| < 1.
+/// The number whose hyperbolic tangent is `x`, for |x| < 1.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -60,7 +59,7 @@ pub fn area_hyperbolic_tangent<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::WithinUnit, x, x.atanh(), "atanh")
 }
 
-/// ln x for x > 0.
+/// The natural logarithm ln x for x > 0.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -69,7 +68,7 @@ pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::Positive, x, x.ln(), "ln")
 }
 
-/// The solution of asin(x) = v, sin v, for |v| ≤ π/2.
+/// The solution x of asin(x) = v, which is sin v, for |v| ≤ π/2.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -78,7 +77,7 @@ pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::RightAngles, v, v.sin_cos().0, "the inverse of asin")
 }
 
-/// The solution of acos(x) = v, cos v, for 0 ≤ v ≤ π.
+/// The solution x of acos(x) = v, which is cos v, for 0 ≤ v ≤ π.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -87,7 +86,7 @@ pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::HalfTurn, v, v.sin_cos().1, "the inverse of acos")
 }
 
-/// The solution of atan(x) = v, tan v, for |v| < π/2.
+/// The solution x of atan(x) = v, which is tan v, for |v| < π/2.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -97,7 +96,7 @@ pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::WithinRightAngles, v, sine / cosine, "the inverse of atan")
 }
 
-/// The solution of acosh(x) = v, cosh v, for v ≥ 0.
+/// The solution x of acosh(x) = v, which is cosh v, for v ≥ 0.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -106,7 +105,7 @@ pub fn hyperbolic_cosine_of_area<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::NotNegative, v, v.cosh(), "the inverse of acosh")
 }
 
-/// The solution of sqrt(x) = v, v², for v ≥ 0.
+/// The solution x of sqrt(x) = v, which is v², for v ≥ 0.
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
@@ -115,7 +114,7 @@ pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::NotNegative, v, v * v, "the inverse of sqrt")
 }
 
-/// The result if its argument is inside of the domain, and the result and its rates are finite.
+/// The result, if its argument is inside the domain and the result and its rates are finite.
 #[inline(always)]
 fn within<T: Scalar>(ends: Ends, argument: T, result: T, function: &'static str) -> Result<T, Failure> {
     let domain = Domain {

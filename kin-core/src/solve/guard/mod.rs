@@ -1,4 +1,4 @@
-//! What is tested before a solver goes on: domains of functions, declared ranges, determinants, whole turns.
+//! Tests before a solver continues: domains of functions, declared ranges, determinants, whole turns.
 
 mod domain;
 mod range;

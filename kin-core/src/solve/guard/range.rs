@@ -6,13 +6,15 @@ use crate::solve::Scalar;
 use crate::solve::check::{AngleInRange, SolutionInRange, Span, ValueInRange, out_of_range};
 use crate::solve::guard::turn::turned;
 
-/// Which of two solutions lies in `low..=high`: [`Assembly::Open`] for the first, [`Assembly::Crossed`] for the second.
+/// The choice between two solutions by a range `low..=high`: [`Assembly::Open`] for the first, [`Assembly::Crossed`]
+/// for the second.
 ///
-/// A range without end has an infinite one. An end is overstepped by no more than rounding. Two solutions that coincide are one, the first.
+/// A range without an end has an infinite end. Solutions may lie beyond an end by no more than rounding. Two solutions
+/// that coincide count as one, the first.
 ///
 /// # Errors
-/// [`Failure::OutOfRange`] with the solution that comes nearest if neither lies in the range, [`Failure::Ambiguous`] if both do,
-/// [`Failure::NotFinite`].
+/// [`Failure::OutOfRange`] with the solution closest to the range if neither lies in it, [`Failure::Ambiguous`] if both
+/// do, [`Failure::NotFinite`].
 ///
 /// ```
 /// use kin_core::{Assembly, solve};
@@ -36,7 +38,7 @@ pub fn choose_value<T: Scalar>(
     })
 }
 
-/// [`choose_value`] for angles: a solution lies in the range if it does so after some whole turns.
+/// [`choose_value`] for angles: a solution lies in the range if whole turns can bring it there.
 ///
 /// # Errors
 /// As for [`choose_value`].
@@ -64,7 +66,7 @@ pub fn choose_angle<T: Scalar>(
     })
 }
 
-/// The value itself if it lies in `low..=high`, up to rounding.
+/// The value itself, if it lies in `low..=high` up to rounding.
 ///
 /// # Errors
 /// [`Failure::OutOfRange`], [`Failure::NotFinite`].
@@ -87,10 +89,10 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
     })
 }
 
-/// The angle that lies in `low..=high`, up to rounding, and differs from `value` by whole turns: by as few as possible.
+/// The angle that lies in `low..=high`, up to rounding, and differs from `value` by as few whole turns as possible.
 ///
 /// # Errors
-/// [`Failure::OutOfRange`] with the representative nearest to the range, [`Failure::NotFinite`].
+/// [`Failure::OutOfRange`] with the representative closest to the range, [`Failure::NotFinite`].
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -166,7 +168,7 @@ mod tests {
             choose(-0.5, -0.6),
             Err(Failure::OutOfRange { value, .. }) if value == -0.5
         ));
-        // Where two solutions meet, at either end of the range.
+        // Two solutions meet at either end of the range.
         assert_eq!(choose(0.0, -0.0), Ok(Assembly::Open));
         assert_eq!(choose(-1e-17, 1e-17), Ok(Assembly::Open));
         assert!(choose(PI, -PI).is_ok());

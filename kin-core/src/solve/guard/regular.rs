@@ -1,14 +1,14 @@
-//! Whether a number can be worked with further.
+//! Tests that a number can be used further.
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
 use crate::solve::check::Regular;
 
-/// The determinant itself if one may divide by it: if its magnitude is neither zero, nor so small that it has lost digits,
+/// The determinant itself, if it may be a divisor: its magnitude is neither zero, nor so small that it has lost digits,
 /// nor too large to have a reciprocal with all digits.
 ///
 /// # Errors
-/// [`Failure::Singular`] if it is zero or too small, [`Failure::NotFinite`] if it is too large or no number.
+/// [`Failure::Singular`] if it is zero or too small, [`Failure::NotFinite`] if it is too large or NaN.
 ///
 /// ```
 /// use kin_core::{Failure, solve};
@@ -23,10 +23,11 @@ pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
         .ok_or_else(|| irregular(determinant.real()))
 }
 
-/// The value itself if it is finite, in all its parts if it is a dual number. `quantity` says in a few words what it is.
+/// The value itself, if it is finite; all parts of a dual number must be finite. `quantity` names the value in a few
+/// words.
 ///
 /// # Errors
-/// [`Failure::NotFinite`] if it is too large or no number.
+/// [`Failure::NotFinite`] if it is too large or NaN.
 ///
 /// ```
 /// use kin_core::{Failure, solve};

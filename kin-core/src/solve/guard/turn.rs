@@ -1,13 +1,13 @@
-//! Which of the angles that differ by whole turns.
+//! The choice among angles that differ by whole turns.
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
 use crate::solve::check::{NearestTurns, SameSides, SumOfSizes, TellsDirection, Zero};
 
-/// Numbers that lie further apart than this, about a degree, tell no direction.
+/// The largest useful spacing of numbers, about a degree. Angles with a larger spacing define no direction.
 const COARSEST: f64 = 1.0 / 64.0;
 
-/// The angle nearest to `guess` that differs from `angle` by whole turns.
+/// The angle closest to `guess` that differs from `angle` by whole turns.
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -20,8 +20,8 @@ pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
     turned(angle, T::measured(NearestTurns { angle, guess }))
 }
 
-/// [`nearest_turn`] to the guess with the given index. Without guesses, or without one of that index, the angle stays
-/// as it is.
+/// [`nearest_turn`] to the guess with the given index. Without guesses, or without a guess of that index, the angle
+/// stays unchanged.
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -38,8 +38,9 @@ pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index:
     }
 }
 
-/// Values of unknowns near a position, unless an angle among them is on a turn where numbers lie more than a degree apart: no angle on
-/// such a turn is a solution. `angles` are the names and places of the angles. A value that is not finite is no guess, and passes.
+/// The values of unknowns near a position, unless an angle among them is so large that neighbouring numbers are more
+/// than a degree apart: no angle of that size is a solution. `angles` are the names and indices of the angles. A value
+/// that is not finite is not a guess, and it passes.
 ///
 /// # Errors
 /// [`Failure::TooManyTurns`].
@@ -91,19 +92,19 @@ fn each_within<T: Scalar, const N: usize>(
     Ok(near)
 }
 
-/// Values of unknowns near a position, and the orientations that tell its assembly there. Of a number that stands for several poses,
-/// those whose assembly is not that of the first become NaN, and those with an orientation that is NaN; any other number is returned as
-/// it is.
+/// The values of unknowns near a position, checked by the orientations that identify the assembly there. If a number
+/// holds several poses, each pose becomes NaN whose assembly differs from that of the first pose, or which has a NaN
+/// orientation. Any other number is returned unchanged.
 #[inline(always)]
 pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orientations: [T; K]) -> [T; N] {
     let leading = orientations.map(|orientation| orientation.leading() >= 0.0);
     near.map(|value| value.provided(SameSides { orientations, leading }).unwrap_or(value))
 }
 
-/// An angle after whole turns, given in radians.
+/// An angle plus whole turns, given in radians.
 #[inline(always)]
 pub(super) fn turned<T: Scalar>(angle: T, turns: T) -> T {
-    // A sum with zero would take the sign of a negative zero.
+    // Adding zero would remove the sign of a negative zero.
     T::either(Zero(turns), || angle, || angle + turns)
 }
 
@@ -148,7 +149,8 @@ mod tests {
         assert_eq!(agreeing([0.2], [f64::NAN]), [0.2]);
     }
 
-    /// Only angles are looked at, and the first that is too far is told; what is not finite is no guess.
+    /// Only angles are tested, and the first one that is too large is reported. A value that is not finite is not a
+    /// guess.
     #[test]
     fn a_guess_where_numbers_are_a_degree_apart_is_refused() {
         let angles = [("first", 2), ("second", 0)];
@@ -173,12 +175,12 @@ mod tests {
         );
         let [kept, ..] = within_turns([1.0, 0.0, f64::NAN], angles).unwrap();
         assert_eq!(kept, 1.0);
-        // a number of single precision is as coarse as this much earlier
+        // Numbers in single precision reach this spacing much earlier.
         let spacing = f64::from(1e6_f32.next_up() - 1e6);
         assert_eq!(within_turns([1e6_f32], [("x", 0)]), Err(refused("x", 1e6, spacing)));
     }
 
-    /// Those poses go on that are in the assembly of the first one.
+    /// Only poses in the assembly of the first one continue.
     #[test]
     fn poses_of_another_assembly_are_left() {
         let near = [Lanes::<4, false>([1.0, 2.0, 3.0, 4.0])];
