@@ -1,28 +1,28 @@
-//! The path of a moving point: how fast it is run through, where it points, and how it bends.
+//! The path of a moving point: speed, tangent and curvature.
 
 use crate::geometry::Plane;
 use crate::motion::Motion;
 use crate::solve::{self, Scalar};
 
-/// Properties of the path that a point describes.
+/// Properties of the path of a point.
 ///
-/// They are those of the curve and not of the law by which it is run through: the curvature of a coupler curve is
-/// the same whatever the speed of the crank. With velocity **v**, acceleration **a** and jerk **j**, and **e** = **v** / |**v**|,
+/// They belong to the curve and not to the motion along it: the curvature of a coupler curve is the same at any speed
+/// of the crank. With velocity **v**, acceleration **a** and jerk **j**, and **e** = **v** / |**v**|,
 ///
 /// - curvature κ = (**v** × **a**) / |**v**|³ = (**e** × **a**) / |**v**|²,
 /// - its rate over the arc length s, dκ/ds = ((**e** × **j**) / |**v**| - 3 κ **e** · **a**) / |**v**|²,
 ///
-/// positive where the path bends to the left of the direction of travel, that is counter-clockwise. See
-/// M. P. do Carmo, *Differential Geometry of Curves and Surfaces*, Prentice-Hall 1976, section 1-5, and for mechanisms
-/// R. S. Hartenberg and J. Denavit, *Kinematic Synthesis of Linkages*, McGraw-Hill 1964.
+/// both positive where the path bends to the left of the direction of travel, that is counter-clockwise. See M. P. do
+/// Carmo, *Differential Geometry of Curves and Surfaces*, Prentice-Hall 1976, section 1-5, and for mechanisms R. S.
+/// Hartenberg and J. Denavit, *Kinematic Synthesis of Linkages*, McGraw-Hill 1964.
 ///
-/// Where the point rests, its path may have a cusp, and there is neither a direction nor a curvature: the result is
-/// `None`, as it is where a number is not finite, or too large or too small to be squared. Near to a rest, the
-/// curvature is as uncertain as the velocity is.
+/// Where the point rests, its path may have a cusp, so there is no direction and no curvature. The result is then
+/// `None`, and also if a number is not finite, or too large or too small to be squared. Close to a rest, the curvature
+/// is as uncertain as the velocity.
 impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
-    /// The speed along the path, in the unit of length divided by that of time; `None` where the point rests.
+    /// The speed along the path, in units of length per time; `None` where the point rests.
     ///
-    /// The velocity itself says that a point rests. The speed has a kink there, and no derivative.
+    /// The speed has a kink at a rest, and no derivative there. The velocity itself shows that a point rests.
     ///
     /// ```
     /// use kin_core::{Motion, Plane};
@@ -53,7 +53,7 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     }
 
     /// The curvature of the path, in the reciprocal unit of length, positive to the left of the direction of travel;
-    /// `None` where the point rests. Needs the acceleration.
+    /// `None` where the point rests. It needs the acceleration.
     ///
     /// ```
     /// use kin_core::{Motion, Plane};
@@ -70,8 +70,8 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
         finite(tangent.cross(self.rate::<2>()) / (speed * speed))
     }
 
-    /// The radius of curvature, the reciprocal of the [curvature](Self::curvature) with its sign; `None` where
-    /// the point rests, and where the path is straight.
+    /// The radius of curvature, which is the reciprocal of the [curvature](Self::curvature), with its sign; `None`
+    /// where the point rests or the path is straight.
     #[must_use]
     pub fn radius_of_curvature(&self) -> Option<T> {
         let curvature = self.curvature()?;
@@ -79,8 +79,8 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
         finite(T::constant(1.0) / curvature)
     }
 
-    /// The centre of curvature: the point about which the path turns; `None` where the point rests, and where the path is
-    /// straight. The evolute of the path is the curve of its centres.
+    /// The centre of curvature, which is the point about which the path turns; `None` where the point rests or the path
+    /// is straight. The evolute of the path is the curve of its centres.
     ///
     /// ```
     /// use kin_core::{Motion, Plane};
@@ -96,11 +96,11 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
         finite_vector(self.rate::<0>() + quarter_turn(tangent).scale(radius))
     }
 
-    /// The rate at which the curvature changes along the path, dκ/ds, in the reciprocal of the square of the unit of
-    /// length; `None` where the point rests. Needs the jerk.
+    /// The rate of change of the curvature along the path, dκ/ds, in the reciprocal square of the unit of length;
+    /// `None` where the point rests. It needs the jerk.
     ///
-    /// It is zero at a vertex of the path. A stretch in which both it and the deviation from a wanted curvature vanish
-    /// is a good approximation of a circle, which is what dwell mechanisms are built on.
+    /// The rate is zero at a vertex of the path. A stretch of path where both this rate and the deviation from a wanted
+    /// curvature are zero approximates a circle well; dwell mechanisms use such stretches.
     ///
     /// ```
     /// use kin_core::{Motion, Plane};
@@ -121,14 +121,14 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
         finite((turning - stretching) / (speed * speed))
     }
 
-    /// Tangent and speed.
+    /// The tangent and the speed.
     fn direction(&self) -> Option<(Plane<T>, T)> {
         let speed = self.speed()?;
         let tangent = self.rate::<1>().scale(T::constant(1.0) / speed);
         Some((finite_vector(tangent)?, speed))
     }
 
-    /// The derivative of an order that the motion has to have; to ask for one that is not there does not compile.
+    /// The derivative of a given order. The code does not compile if the motion has no such derivative.
     pub(crate) fn rate<const ORDER: usize>(&self) -> Plane<T> {
         const {
             assert!(
@@ -140,7 +140,7 @@ impl<T: Scalar, const N: usize> Motion<Plane<T>, N> {
     }
 }
 
-/// A vector turned by a quarter, to its left.
+/// The vector turned a quarter turn to its left.
 pub(crate) fn quarter_turn<T: Scalar>(vector: Plane<T>) -> Plane<T> {
     Plane::new(-vector.y, vector.x)
 }
@@ -168,13 +168,13 @@ mod tests {
         Motion::from_coordinates((roll - sine).scale(radius), (one - cosine).scale(radius))
     }
 
-    /// What a relative rounding of velocity and acceleration does to the curvature.
+    /// The change of the curvature per relative rounding of velocity and acceleration.
     fn sensitivity<const N: usize>(point: Motion<Plane, N>) -> f64 {
         let square = point.rate::<1>().norm_squared();
         Number::sqrt(point.rate::<2>().norm_squared()) / square
     }
 
-    /// What a relative rounding of velocity, acceleration and jerk does to its rate.
+    /// The change of the curvature rate per relative rounding of velocity, acceleration and jerk.
     fn rate_sensitivity<const N: usize>(point: Motion<Plane, N>) -> f64 {
         let [square, acceleration, jerk] =
             [point.rate::<1>(), point.rate::<2>(), point.rate::<3>()].map(Plane::norm_squared);
@@ -183,13 +183,13 @@ mod tests {
 
     #[test]
     fn a_cycloid_bends_as_known() {
-        // radius of curvature 4 R sin(φ/2), and with the arc length s from the apex, ρ² + s² = (4 R)²
+        // The radius of curvature is 4 R sin(φ/2); with the arc length s from the apex, ρ² + s² = (4 R)².
         let radius = 0.3;
         for degrees in [5.0_f64, 60.0, 130.0, 180.0, 250.0, 350.0] {
             let roll = Motion::from([degrees.to_radians(), 2.0, -7.0, 5.0]);
             let point = cycloid(radius, roll);
             let (half_sine, half_cosine) = Number::sin_cos(roll.value() / 2.0);
-            // the velocity loses digits towards the cusp, as 1 - cos φ does
+            // The velocity loses digits towards the cusp, as 1 - cos φ does.
             let lost = 1.0 / (half_sine * half_sine);
             let curvature = -1.0 / (4.0 * radius * half_sine);
             let error = (point.curvature().unwrap() - curvature).abs();
@@ -248,11 +248,11 @@ mod tests {
             let curvature = turn * a * b / (square * Number::sqrt(square));
             let error = (point.curvature().unwrap() - curvature).abs();
             assert!(error <= 4.0 * EPSILON * sensitivity(point), "{speed}: {error}");
-            // dκ/ds = dκ/dφ / |dr/dφ|, and twice the sense of travel
+            // dκ/ds = dκ/dφ / |dr/dφ|, and the sense of travel counts twice.
             let rate = -3.0 * a * b * (a * a - b * b) * s * c / square.powi(3);
             let error = (point.curvature_rate().unwrap() - rate).abs();
             assert!(error <= 8.0 * EPSILON * rate_sensitivity(point), "{speed}: {error}");
-            // the evolute: ((a² - b²)/a cos³, (b² - a²)/b sin³)
+            // The evolute is ((a² - b²)/a cos³, (b² - a²)/b sin³).
             let centre = point.centre_of_curvature().unwrap();
             let evolute = Plane::new((a * a - b * b) / a * c.powi(3), (b * b - a * a) / b * s.powi(3));
             let allowed = 8.0 * EPSILON * (a + sensitivity(point) / curvature.powi(2));

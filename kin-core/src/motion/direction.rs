@@ -6,15 +6,15 @@ use crate::geometry::Plane;
 use crate::motion::Motion;
 use crate::solve::{self, Scalar};
 
-/// The direction of a link as a unit vector, the cosine and the sine of its angle, and the first `N` time derivatives of the
-/// angle.
+/// The direction of a link as a unit vector, which holds the cosine and sine of its angle, and the first `N` time
+/// derivatives of the angle.
 ///
-/// This is how an unknown that is declared a `Direction` is found: the closed forms arrive at cosine and sine, and the angle
-/// would be an arctangent more. Whoever goes on with cosine and sine, as all vectors of the link do, need not pay for it;
-/// [`angle`](Direction::angle) calculates it where it is asked for. In the declaration, the name stands for the angle all the same.
+/// An unknown declared as a `Direction` has this type. The closed forms give the cosine and sine; the angle would cost
+/// an arctangent. If you only need the cosine and sine, as for all vectors of the link, that saves the arctangent;
+/// [`angle`](Direction::angle) calculates it on request. In the declaration, the name still denotes the angle.
 ///
-/// The vector has the length 1 up to rounding. The derivatives are in radians per power of the unit of time, the plain ones,
-/// not divided by factorials. A position has none of them, a pose through snap four.
+/// The vector has length 1 up to rounding. The derivatives are in radians per power of the unit of time, not divided by
+/// factorials. A position has no derivatives, and a pose up to snap has four.
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -52,14 +52,15 @@ impl<T, const N: usize> Direction<T, N> {
     /// The highest order of derivative.
     pub const ORDER: usize = N;
 
-    /// The direction of a unit vector, cosine and sine, and the time derivatives of its angle in ascending order, from the first on.
+    /// The direction with the given unit vector (cosine and sine) and the time derivatives of its angle in ascending
+    /// order, from the first on.
     #[inline]
     #[must_use]
     pub const fn new(unit: Plane<T>, rates: [T; N]) -> Self {
         Self { unit, rates }
     }
 
-    /// What it is made of: the unit vector, and the derivatives from the first on.
+    /// The parts of the direction: the unit vector, and the derivatives from the first on.
     ///
     /// In a batch these are the columns.
     #[inline]
@@ -68,7 +69,7 @@ impl<T, const N: usize> Direction<T, N> {
         (&self.unit, &self.rates)
     }
 
-    /// The same, to be changed: to say which columns of a batch are wanted, for instance.
+    /// The parts of the direction as mutable references, for example to choose the columns of a batch.
     ///
     /// ```
     /// use kin_core::{Direction, Plane};
@@ -114,7 +115,7 @@ impl<T: Copy, const N: usize> Direction<T, N> {
         self.rates
     }
 
-    /// The same direction with the first `M` derivatives only. It is an error at compile time to ask for more than there are.
+    /// This direction with the first `M` derivatives only. Asking for more than it has is an error at compile time.
     ///
     /// ```
     /// use kin_core::{Direction, Plane};
@@ -131,7 +132,7 @@ impl<T: Copy, const N: usize> Direction<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Direction<T, N> {
-    /// The angle in radians, -π ..= π: an arctangent, calculated at each call.
+    /// The angle in radians, in -π ..= π. Each call calculates an arctangent.
     ///
     /// ```
     /// use core::f64::consts::FRAC_PI_2;
@@ -145,7 +146,7 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
         self.unit.y.atan2(self.unit.x)
     }
 
-    /// The angle that is nearest to a given one, in radians, on whatever turn that is: an arctangent, calculated at each call.
+    /// The angle closest to a given one in radians, on any turn. Each call calculates an arctangent.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -159,7 +160,7 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
         solve::nearest_turn(self.angle(), near)
     }
 
-    /// The time derivative of the angle of the given order, if there is one; that of order 0 is the [`angle`](Self::angle).
+    /// The time derivative of the angle of the given order, if there is one. Order 0 is the [`angle`](Self::angle).
     #[inline]
     #[must_use]
     pub fn derivative(&self, order: usize) -> Option<T> {
@@ -185,7 +186,8 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
     }
 }
 
-/// An accessor for each number of derivatives that has it, so that asking for one that is not there does not compile.
+/// Defines an accessor for each number of derivatives that contains the derivative, so asking for a missing one does
+/// not compile.
 macro_rules! accessor {
     ($doc:literal $name:ident = $index:literal, for $($length:literal)+) => {
         $(
@@ -226,12 +228,12 @@ accessor!("The angle's derivative of order 11."
 accessor!("The angle's derivative of order 12."
     derivative_12 = 11, for 12);
 
-/// What changes the number of derivatives, or counts the angle among them.
+/// Defines the methods that change the number of derivatives, or include the angle among them.
 macro_rules! lengths {
     ($($length:literal -> $longer:literal: $($entry:ident)*;)+) => {
         $(
             impl<T> Direction<T, $length> {
-                /// The same direction with the next derivative of its angle appended.
+                /// This direction with the next derivative of its angle appended.
                 #[inline]
                 #[must_use]
                 pub fn and(self, next: T) -> Direction<T, $longer> {
@@ -244,7 +246,7 @@ macro_rules! lengths {
     (motions $($length:literal -> $longer:literal: $($entry:ident)*;)+) => {
         $(
             impl<T: Copy> Direction<T, $length> {
-                /// The motion of the angle, where its value is known: on whatever turn that is.
+                /// The motion of the angle with a known value, on any turn.
                 #[inline(always)]
                 #[must_use]
                 pub fn motion_from(&self, angle: T) -> Motion<T, $longer> {
@@ -254,7 +256,7 @@ macro_rules! lengths {
             }
 
             impl<T: Scalar> Direction<T, $length> {
-                /// The motion of the angle, its value in -π ..= π: an arctangent, calculated at each call.
+                /// The motion of the angle, with its value in -π ..= π. Each call calculates an arctangent.
                 #[inline]
                 #[must_use]
                 pub fn motion(&self) -> Motion<T, $longer> {
@@ -350,7 +352,7 @@ mod tests {
         assert_eq!(back.angle(), PI);
         assert_eq!(back.angle_near(-2.0), -PI);
         assert_eq!(back.motion_from(back.angle_near(9.0)), Motion::from([PI + TAU, 2.0]));
-        // a guess that is none
+        // NaN is not a guess.
         assert_eq!(back.angle_near(f64::NAN), PI);
     }
 

@@ -1,19 +1,19 @@
-//! The motion of a link in its plane: instant centre, acceleration pole and inflection circle.
+//! The plane motion of a link: instant centre, acceleration pole and inflection circle.
 
 use crate::geometry::Plane;
 use crate::motion::Motion;
 use crate::motion::curve::{finite, finite_vector, quarter_turn};
 use crate::solve::{self, Scalar};
 
-/// The motion of a link, from that of one of its points and that of its angle.
+/// The motion of a link, given by the motion of one of its points and of its angle.
 ///
-/// Any point of the link and any line in it will do. As complex numbers, with the point A, its velocity **v** and
-/// acceleration **a**, and the link's angular velocity ω and acceleration α, the point X of the link has the velocity
-/// **v** + i ω (X - A) and the acceleration **a** + (i α - ω²) (X - A). All that follows is found from these two; see
-/// R. S. Hartenberg and J. Denavit, *Kinematic Synthesis of Linkages*, McGraw-Hill 1964, and K. H. Hunt, *Kinematic Geometry
-/// of Mechanisms*, Oxford 1978.
+/// Any point of the link and any line in it will do. In complex numbers, let A be the point, **v** its velocity, **a**
+/// its acceleration, and ω and α the angular velocity and acceleration of the link. A point X of the link then has the
+/// velocity **v** + i ω (X - A) and the acceleration **a** + (i α - ω²) (X - A). Everything else follows from these
+/// two; see R. S. Hartenberg and J. Denavit, *Kinematic Synthesis of Linkages*, McGraw-Hill 1964, and K. H. Hunt,
+/// *Kinematic Geometry of Mechanisms*, Oxford 1978.
 ///
-/// Lengths have any one unit, angles are in radians.
+/// Lengths share any one unit; angles are in radians.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -51,16 +51,16 @@ pub struct LinkMotion<T = f64, const N: usize = 5> {
 }
 
 impl<T: Scalar, const N: usize> LinkMotion<T, N> {
-    /// The motion of a link of which a point and an angle are known.
+    /// The motion of a link, from a point and an angle.
     #[inline]
     #[must_use]
     pub const fn new(point: Motion<Plane<T>, N>, angle: Motion<T, N>) -> Self {
         Self { point, angle }
     }
 
-    /// The motion of that point of the link which is now at the given place.
+    /// The motion of the point of the link that is now at the given place.
     ///
-    /// A + (X - A) cis(θ - θ now), differentiated to every order.
+    /// The motion is A + (X - A) cis(θ - θ now), differentiated to every order.
     ///
     /// ```
     /// use kin_core::{LinkMotion, Motion, Plane};
@@ -82,10 +82,11 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
             )
     }
 
-    /// The instant centre, or velocity pole: the point of the link's plane that rests, A + i **v** / ω. All points move
-    /// at right angles to their lines to it, as fast as they are far.
+    /// The instant centre, or velocity pole: the point of the link's plane that is at rest, A + i **v** / ω. Every
+    /// point moves at right angles to its line to the instant centre, at a speed proportional to its distance.
     ///
-    /// `None` where the link does not turn: then it has none, or all of its points rest. Needs the velocity.
+    /// The result is `None` where the link does not turn: then there is no centre, or all points rest. It needs the
+    /// velocity.
     ///
     /// ```
     /// use kin_core::{LinkMotion, Motion, Plane};
@@ -104,9 +105,10 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
         finite_vector(self.point.value() + arm)
     }
 
-    /// The acceleration pole: the point of the link's plane that is not accelerated, A + **a** / (ω² - i α).
+    /// The acceleration pole: the point of the link's plane without acceleration, A + **a** / (ω² - i α).
     ///
-    /// `None` where the link has neither angular velocity nor angular acceleration. Needs the acceleration.
+    /// The result is `None` where the link has neither angular velocity nor angular acceleration. It needs the
+    /// acceleration.
     ///
     /// ```
     /// use kin_core::{LinkMotion, Motion, Plane};
@@ -130,10 +132,11 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
         finite_vector(self.point.value() + arm)
     }
 
-    /// The inflection pole: opposite to the instant centre on the [inflection circle](Self::inflection_diameter).
+    /// The inflection pole, which lies opposite the instant centre on the [inflection
+    /// circle](Self::inflection_diameter).
     ///
-    /// P + **a**ₚ / ω², where **a**ₚ is the acceleration of that point of the link which is now at the instant centre P.
-    /// `None` where the link does not turn. Needs the acceleration.
+    /// The pole is P + **a**ₚ / ω², where **a**ₚ is the acceleration of the point of the link that is now at the
+    /// instant centre P. The result is `None` where the link does not turn. It needs the acceleration.
     ///
     /// ```
     /// use kin_core::{LinkMotion, Motion, Plane};
@@ -150,28 +153,28 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
         finite_vector(self.instant_centre()? + self.inflection_arm()?)
     }
 
-    /// The diameter of the inflection circle, the circle of all points of the link's plane whose paths are now straight to
-    /// second order.
+    /// The diameter of the inflection circle, which consists of all points of the link's plane whose paths are now
+    /// straight to second order.
     ///
-    /// |**a**ₚ| / ω², which is the velocity with which the instant centre shifts, divided by ω. By the equation of Euler
-    /// and Savary, it gives the centre of curvature of every other path: with the distance r of a point from the
-    /// instant centre and the distance w of the inflection circle on the same ray, the radius of curvature is
-    /// r² / |r - w|. It is zero where **a**ₚ is; all paths then have the instant centre as their centre of curvature, as
-    /// those of a link that turns about a fixed point.
+    /// The diameter is |**a**ₚ| / ω², which is the speed at which the instant centre shifts, divided by ω. By the
+    /// equation of Euler and Savary, it gives the centre of curvature of every other path: if a point has the distance
+    /// r from the instant centre, and the inflection circle has the distance w on the same ray, the radius of curvature
+    /// is r² / |r - w|. The diameter is zero where **a**ₚ is zero. All paths then have the instant centre as their
+    /// centre of curvature, as for a link that turns about a fixed point.
     ///
-    /// `None` where the link does not turn. Needs the acceleration.
+    /// The result is `None` where the link does not turn. It needs the acceleration.
     #[must_use]
     pub fn inflection_diameter(&self) -> Option<T> {
         let square = self.inflection_arm()?.norm_squared();
         if square.real() == 0.0 {
-            // the square root has no derivative here
+            // The square root has no derivative here.
             return Some(T::constant(0.0));
         }
         solve::regular(square).ok()?;
         finite(square.sqrt())
     }
 
-    /// From the instant centre to the inflection pole.
+    /// The vector from the instant centre to the inflection pole.
     fn inflection_arm(&self) -> Option<Plane<T>> {
         let arm = self.instant_centre()? - self.point.value();
         let (speed, acceleration) = (self.turning::<1>(), self.turning::<2>());
@@ -181,7 +184,7 @@ impl<T: Scalar, const N: usize> LinkMotion<T, N> {
         Some(resting.scale(T::constant(1.0) / square))
     }
 
-    /// The derivative of the angle of an order that the motion has to have.
+    /// The derivative of the angle of a given order. The code does not compile if the motion has no such derivative.
     fn turning<const ORDER: usize>(&self) -> T {
         const {
             assert!(
@@ -206,7 +209,7 @@ mod tests {
         Number::sqrt(vector.norm_squared())
     }
 
-    /// A link with nothing special about it.
+    /// A link without special properties.
     fn link() -> LinkMotion<f64, 4> {
         LinkMotion::new(
             Motion::from([
@@ -224,7 +227,7 @@ mod tests {
         let link = link();
         let centre = link.carried(link.instant_centre().unwrap());
         assert!(size(centre.velocity()) <= 4.0 * EPSILON * size(link.point.velocity()));
-        // another point of the same link and another line give the same
+        // Another point and another line of the same link give the same results.
         let other = LinkMotion::new(link.carried(Plane::new(5.0, 5.0)), link.angle + Motion::constant(1.0));
         let distance = size(other.instant_centre().unwrap() - centre.value());
         assert!(distance <= 16.0 * EPSILON * size(centre.value() - Plane::new(5.0, 5.0)));
@@ -294,7 +297,7 @@ mod tests {
     fn derivatives_pass_through() {
         use crate::number::{Number, series::Series};
 
-        // the instant centre of the ladder runs on a circle about the corner: its shift, by a truncated series
+        // The instant centre of the ladder runs on a circle about the corner; a truncated series gives its shift.
         let angle = Motion::<f64, 4>::from([-0.9, 0.6, 0.0, 0.0]);
         let carry = |order: usize, motion: Motion<f64, 4>| -> Series<2> {
             let entries = motion.derivatives();

@@ -15,9 +15,8 @@ use crate::number::{Number, Row};
 
 /// A value and its first `N - 1` derivatives with respect to time.
 ///
-/// The derivative of order `n` has the unit of the value divided by the `n`-th power of the unit of time: radians,
-/// radians per second, radians per second squared and so on for an angle. The derivatives are the plain ones, not
-/// divided by factorials.
+/// The derivative of order `n` has the unit of the value divided by the `n`-th power of the unit of time: for an angle,
+/// radians, radians per second, radians per second squared and so on. The derivatives are not divided by factorials.
 ///
 /// ```
 /// use kin_core::Motion;
@@ -61,7 +60,7 @@ impl<T, const N: usize> Motion<T, N> {
 
     /// The motion with `function` applied to the value and to each derivative.
     ///
-    /// This is right for what is linear, such as a change of units.
+    /// Use it for linear functions, such as a change of units.
     #[inline]
     #[must_use]
     pub fn map<U>(self, function: impl FnMut(T) -> U) -> Motion<U, N> {
@@ -94,7 +93,7 @@ impl<T: Copy, const N: usize> Motion<T, N> {
         self.derivatives
     }
 
-    /// The same motion with the first `M` entries only. It is an error at compile time to ask for more than there are.
+    /// This motion with the first `M` entries only. Asking for more than it has is an error at compile time.
     ///
     /// ```
     /// use kin_core::Motion;
@@ -118,7 +117,7 @@ impl<T: Copy, const N: usize> Motion<T, N> {
 }
 
 impl<T: Number, const N: usize> Motion<T, N> {
-    /// A value that does not change: every derivative is zero.
+    /// A constant value: every derivative is zero.
     #[inline]
     #[must_use]
     pub fn constant(value: T) -> Self {
@@ -136,10 +135,10 @@ impl<T: Number, const N: usize> Motion<T, N> {
         }))
     }
 
-    /// The polynomial `c₀ + c₁ t + c₂ t² + …` and its derivatives at the given time, as motion laws of cams and
-    /// servo drives are stated. No coefficient at all is the polynomial zero.
+    /// The polynomial `c₀ + c₁ t + c₂ t² + …` and its derivatives at the given time. Motion laws of cams and servo
+    /// drives have this form. Without coefficients, the polynomial is zero.
     ///
-    /// Horner's scheme, repeated for the derivatives.
+    /// The method is Horner's scheme, repeated for the derivatives.
     ///
     /// ```
     /// use kin_core::Motion;
@@ -150,7 +149,7 @@ impl<T: Number, const N: usize> Motion<T, N> {
     /// ```
     #[must_use]
     pub fn polynomial(coefficients: &[T], time: T) -> Self {
-        // Entry n is the n-th derivative divided by n factorial until the end.
+        // Until the end, entry n is the n-th derivative divided by n factorial.
         let mut derivatives = [T::constant(0.0); N];
         for coefficient in coefficients.iter().rev() {
             let mut carried = *coefficient;
@@ -184,16 +183,16 @@ impl<T: Number, const N: usize> Motion<T, N> {
         self.derivatives.iter().all(|entry| entry.is_finite())
     }
 
-    /// The motion `factor` times as large.
+    /// This motion, multiplied by `factor`.
     #[inline]
     #[must_use]
     pub fn scale(self, factor: T) -> Self {
         self.map(|entry| entry * factor)
     }
 
-    /// Sine and cosine of an angle in motion, in this order.
+    /// The sine and cosine of an angle in motion, in this order.
     ///
-    /// Each follows from the derivatives of the other: s' = θ' c, c' = -θ' s, differentiated by Leibniz's rule.
+    /// Each follows from the derivatives of the other: Leibniz's rule differentiates s' = θ' c and c' = -θ' s.
     ///
     /// ```
     /// use kin_core::Motion;
@@ -216,8 +215,8 @@ impl<T: Number, const N: usize> Motion<T, N> {
     }
 }
 
-/// The highest derivative of a product of which both factors are given to that order:
-/// the sum of the binomial coefficients times `first[k]` times `second[n - k]`.
+/// The highest derivative of a product, given both factors up to that order: the sum of the binomial coefficients times
+/// `first[k]` times `second[n - k]`.
 fn leibniz<T: Number>(first: &[T], second: &[T]) -> T {
     let mut sum = T::constant(0.0);
     let mut binomial = 1.0;
@@ -237,7 +236,7 @@ fn count(number: usize) -> f64 {
     number as f64
 }
 
-/// Value and derivatives; the index is the order.
+/// The value and its derivatives; the index is the order.
 impl<T, const N: usize> AsRef<[T]> for Motion<T, N> {
     #[inline]
     fn as_ref(&self) -> &[T] {
@@ -245,7 +244,7 @@ impl<T, const N: usize> AsRef<[T]> for Motion<T, N> {
     }
 }
 
-/// Value and derivatives; the index is the order.
+/// The value and its derivatives; the index is the order.
 impl<T, const N: usize> AsMut<[T]> for Motion<T, N> {
     #[inline]
     fn as_mut(&mut self) -> &mut [T] {
@@ -253,7 +252,7 @@ impl<T, const N: usize> AsMut<[T]> for Motion<T, N> {
     }
 }
 
-/// The derivative of an order. Panics if there is none, as an index beyond an array does.
+/// The derivative of the given order. Panics if there is none, like an array index out of bounds.
 impl<T, const N: usize> Index<usize> for Motion<T, N> {
     type Output = T;
 
@@ -263,7 +262,7 @@ impl<T, const N: usize> Index<usize> for Motion<T, N> {
     }
 }
 
-/// The derivative of an order. Panics if there is none, as an index beyond an array does.
+/// The derivative of the given order. Panics if there is none, like an array index out of bounds.
 impl<T, const N: usize> IndexMut<usize> for Motion<T, N> {
     #[inline]
     fn index_mut(&mut self, order: usize) -> &mut T {
@@ -314,8 +313,8 @@ from_tuple!(5: value, velocity, acceleration, jerk, snap);
 from_tuple!(6: value, velocity, acceleration, jerk, snap, crackle);
 from_tuple!(7: value, velocity, acceleration, jerk, snap, crackle, pop);
 
-/// An accessor for each length of motion that has the entry, so that asking for a derivative that is not there
-/// does not compile.
+/// Defines an accessor for each length of motion that contains the entry, so asking for a missing derivative does not
+/// compile.
 macro_rules! accessor {
     ($doc:literal $name:ident = $order:literal, for $($length:literal)+) => {
         $(
@@ -362,7 +361,7 @@ macro_rules! and {
     ($($length:literal -> $longer:literal: $($entry:ident)+;)+) => {
         $(
             impl<T> Motion<T, $length> {
-                /// The same motion with the next derivative appended.
+                /// This motion with the next derivative appended.
                 #[inline]
                 #[must_use]
                 pub fn and(self, next: T) -> Motion<T, $longer> {
@@ -390,7 +389,7 @@ and! {
 }
 
 impl<T: Copy, const N: usize> Motion<Plane<T>, N> {
-    /// The motion of a point of which both coordinates are known.
+    /// The motion of a point in the plane, from its coordinates.
     #[inline]
     #[must_use]
     pub fn from_coordinates(x: Motion<T, N>, y: Motion<T, N>) -> Self {
@@ -426,7 +425,7 @@ impl<T: Number, const N: usize> Motion<Plane<T>, N> {
 }
 
 impl<T: Copy, const N: usize> Motion<Space<T>, N> {
-    /// The motion of a point of space of which all coordinates are known.
+    /// The motion of a point in space, from its coordinates.
     #[inline]
     #[must_use]
     pub fn from_three_coordinates(x: Motion<T, N>, y: Motion<T, N>, z: Motion<T, N>) -> Self {
@@ -577,7 +576,7 @@ mod tests {
             let expected: f64 = if order == 0 { 1.0 } else { 0.0 };
             assert!((entry - expected).abs() < 1e-13 * size * 30.0, "order {order}");
         }
-        // Second derivative of the sine of an angle at constant speed.
+        // The second derivative of the sine of an angle at constant speed.
         let (sine, _) = Motion::<f64, 3>::at_constant_speed(0.7, 2.0).sin_cos();
         assert!((sine.acceleration() + 4.0 * sine.value()).abs() < 1e-15);
     }
