@@ -1,13 +1,13 @@
-//! How sharply a position is determined by the numbers that it was found from.
+//! The condition of a position: how strongly it depends on rounding of the numbers it was found from.
 
 use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::number::{Number, Row, series::Series};
 
-/// A value and its change.
+/// A value and its first-order change.
 type Change = Series<2>;
 
-/// A quantity that is changed, by its place.
+/// The quantity that changes, by its index.
 #[derive(Clone, Copy, PartialEq)]
 enum Changed {
     Parameter(usize),
@@ -15,7 +15,7 @@ enum Changed {
     Unknown(usize),
 }
 
-/// See [`PoseOf::conditions`](crate::PoseOf::conditions).
+/// Computes [`PoseOf::conditions`](crate::PoseOf::conditions).
 pub(crate) fn conditions<M: Mechanism>(
     mechanism: &M,
     inputs: &M::Inputs<M::Scalar>,
@@ -23,7 +23,7 @@ pub(crate) fn conditions<M: Mechanism>(
 ) -> M::Unknowns<f64> {
     let parameters = mechanism.parameters();
     let values = |row: &[M::Scalar], index: usize| row[index].real();
-    // How each equation changes with a quantity, times a number.
+    // The change of each equation with a quantity, times a number.
     let response = |quantity: Changed, by: f64| {
         let series = |own: Changed, value: f64| {
             let change = if own == quantity { by } else { 0.0 };
@@ -43,7 +43,7 @@ pub(crate) fn conditions<M: Mechanism>(
     let mut terms: M::Unknowns<f64> = Row::from_fn(|_| 0.0);
     for (index, quantity) in M::DESCRIPTION.unknowns.iter().enumerate() {
         let column = response(Changed::Unknown(index), 1.0);
-        // The direction of a link is rounded, and not its angle.
+        // The direction of a link is rounded, not its angle.
         let size = match quantity.dimension {
             Dimension::Angle => 1.0,
             _ => values(unknowns.as_ref(), index).abs(),
@@ -83,7 +83,7 @@ pub(crate) fn conditions<M: Mechanism>(
     })
 }
 
-/// See [`PoseOf::condition`](crate::PoseOf::condition).
+/// Computes [`PoseOf::condition`](crate::PoseOf::condition).
 pub(crate) fn condition<M: Mechanism>(
     mechanism: &M,
     inputs: &M::Inputs<M::Scalar>,

@@ -1,38 +1,38 @@
-//! What a mechanism says of itself.
+//! The description of a mechanism.
 
 use crate::number::Operations;
 
-/// What a mechanism says of itself.
+/// The description of a mechanism: its quantities, equations, blocks and costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Description {
     /// The name of the structure.
     pub name: &'static str,
-    /// Parameters, scalar by scalar.
+    /// The scalar parameters; a point counts as its coordinates.
     pub parameters: &'static [Quantity],
-    /// Inputs.
+    /// The inputs.
     pub inputs: &'static [Quantity],
-    /// Unknowns.
+    /// The unknowns.
     pub unknowns: &'static [Quantity],
-    /// Outputs, scalar by scalar.
+    /// The scalar outputs; a point counts as its coordinates.
     pub outputs: &'static [Quantity],
-    /// The equations as they were declared.
+    /// The equations as declared.
     pub equations: &'static [&'static str],
     /// The blocks in the order in which they are solved.
     pub blocks: &'static [Block],
     /// The highest time derivative.
     pub order: usize,
-    /// What each order costs, position first, in the assembly that costs most.
+    /// The cost of each order, position first, in the most expensive assembly.
     pub operations: &'static [Operations],
 }
 
 /// A named quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    /// Its name; the parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`.
+    /// The name of the quantity; the parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`.
     pub name: &'static str,
-    /// What it measures.
+    /// The dimension of the quantity.
     pub dimension: Dimension,
-    /// The first paragraph of its documentation, empty if it has none.
+    /// The first paragraph of its documentation, or an empty string.
     pub description: &'static str,
 }
 
@@ -68,7 +68,7 @@ impl Quantity {
     }
 }
 
-/// What a quantity measures.
+/// The dimension of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dimension {
     /// A length, in the mechanism's own unit.
@@ -79,15 +79,16 @@ pub enum Dimension {
     Scalar,
 }
 
-/// Unknowns that are solved together.
+/// A block: unknowns that are solved together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Block {
-    /// Their names, separated by commas.
+    /// The names of the unknowns, separated by commas.
     pub unknowns: &'static str,
-    /// How they are found: the closed form, or Newton's method.
+    /// The method of solution: the closed form, or Newton's method.
     pub solution: &'static str,
-    /// Their places among the mechanism's unknowns, ascending.
+    /// The indices of these unknowns among the unknowns of the mechanism, in ascending order.
     pub members: &'static [usize],
-    /// The places of the scalar equations that determine them, as many, ascending.
+    /// The indices of the scalar equations that determine them, in ascending order. There are as many equations as
+    /// unknowns.
     pub equations: &'static [usize],
 }

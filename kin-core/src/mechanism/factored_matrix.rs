@@ -1,4 +1,4 @@
-//! Linear systems of as many equations as a mechanism, or one of its blocks, has unknowns.
+//! Linear systems with one equation per unknown of a mechanism, or of one of its blocks.
 
 use num_traits::Float;
 
@@ -16,12 +16,12 @@ pub(crate) struct Orientation {
 }
 
 impl Orientation {
-    /// Whether the determinant has the sign of another, and between half and twice its size.
+    /// Whether the determinant has the sign of another, and between half and twice its magnitude.
     pub(crate) fn is_near(self, other: Self) -> bool {
         self.sign == other.sign && (self.logarithm - other.logarithm).abs() <= 1.0
     }
 
-    /// Whether the determinant has lost the sign of another, or half of its size.
+    /// Whether the determinant differs from another in sign, or has less than half of its magnitude.
     pub(crate) fn shrinks_from(self, other: Self) -> bool {
         self.sign != other.sign || self.logarithm < other.logarithm - 1.0
     }
@@ -38,7 +38,7 @@ pub(crate) struct FactoredMatrix<M: Mechanism> {
 }
 
 impl<M: Mechanism> FactoredMatrix<M> {
-    /// The matrix of `count` rows and columns with the entries given by row and column.
+    /// The matrix with `count` rows and columns and the entries given by row and column.
     pub(crate) fn new(count: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let mut system = Self {
             rows: M::Unknowns::from_fn(|row| {
@@ -63,7 +63,7 @@ impl<M: Mechanism> FactoredMatrix<M> {
         system
     }
 
-    /// The solution of as many equations as the mechanism has; not finite if the matrix is singular.
+    /// The solution of the system; not finite if the matrix is singular.
     pub(crate) fn solve(&self, right: &M::Unknowns<f64>) -> M::Unknowns<f64> {
         let mut solution = *right;
         substitute(

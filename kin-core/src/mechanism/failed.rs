@@ -4,7 +4,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 
-/// The error of a solver at given inputs. If a parameter or an input is not finite, the failure names it.
+/// The error of a solver at the given inputs. If a parameter or an input is not finite, the failure names it.
 #[cold]
 pub fn failed<M: Mechanism>(
     mechanism: &M,
@@ -28,7 +28,7 @@ pub fn failed<M: Mechanism>(
     failure.at(block, InputValues::new(names, &kept))
 }
 
-/// The error of the first result that is not finite. It names the first input that made it so, or the result.
+/// The error of the first result that is not finite. It names the first input that is not finite, or else the result.
 #[cold]
 #[inline(never)]
 pub fn culprit<const RESULTS: usize, const INPUTS: usize>(

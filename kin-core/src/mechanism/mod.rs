@@ -1,4 +1,4 @@
-//! What every mechanism has in common, so that sweeps, tables and verification are written once.
+//! The common interface of all mechanisms, so that sweeps, tables and verification are written once.
 
 mod condition;
 mod description;
@@ -21,8 +21,8 @@ use crate::solve::Scalar;
 
 /// A declared mechanism, as the `mechanism!` macro implements it.
 ///
-/// The associated rows are arrays; their lengths are the numbers of parameters, inputs, unknowns and scalar equations.
-/// Points of the plane count as two scalars, x and y, those of space as three.
+/// The associated rows are arrays. Their lengths are the numbers of scalar parameters, inputs, unknowns and scalar
+/// equations. A point in the plane counts as two scalars, x and y, a point in space as three.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -51,12 +51,13 @@ pub trait Mechanism: Copy + Debug {
     type Scalar: Scalar;
     /// The same mechanism with another number type.
     type With<S: Scalar>: Mechanism<Scalar = S, Assembly = Self::Assembly, Motion<S> = Self::Motion<S>>;
-    /// Which of several solutions: [`Assembly`](crate::Assembly), a structure of them, `()` if there is but one, or
-    /// [`Near`](crate::Near) values of the unknowns, where a block of coupled equations has no closed form.
+    /// The choice among several solutions: [`Assembly`](crate::Assembly), a structure of assemblies, `()` if there is
+    /// only one solution, or [`Near`](crate::Near) values of the unknowns if a block of coupled equations has no closed
+    /// form.
     type Assembly: Copy + Debug + PartialEq + 'static;
-    /// A value with all its time derivatives to the mechanism's order, [`Motion<V, 5>`](crate::Motion) through snap.
+    /// A value with all its time derivatives up to the mechanism's order, [`Motion<V, 5>`](crate::Motion) up to snap.
     type Motion<V: Copy>: Row<V>;
-    /// Position and all time derivatives to the mechanism's order.
+    /// The position and all time derivatives up to the mechanism's order.
     type Pose: Pose<
             Scalar = Self::Scalar,
             Motion = Self::Motion<Self::Scalar>,
@@ -71,80 +72,81 @@ pub trait Mechanism: Copy + Debug {
     /// A value for each scalar equation.
     type Residuals<V: Copy>: Row<V>;
 
-    /// Names, dimensions, equations and how they are solved.
+    /// The names, dimensions and equations, and the methods that solve them.
     const DESCRIPTION: Description;
-    /// How many assemblies there are whatever the dimensions, zero if that depends on them.
+    /// The number of assemblies, or zero if it depends on the dimensions.
     const ASSEMBLY_COUNT: usize;
 
-    /// The assembly of a number, if it is below [`ASSEMBLY_COUNT`](Self::ASSEMBLY_COUNT).
+    /// The assembly with a given index, if the index is below [`ASSEMBLY_COUNT`](Self::ASSEMBLY_COUNT).
     fn assembly(index: usize) -> Option<Self::Assembly>;
 
-    /// The assembly to which values of the unknowns belong.
+    /// The assembly to which the given values of the unknowns belong.
     fn assembly_near(&self, inputs: Self::Inputs<Self::Scalar>, near: Self::Unknowns<Self::Scalar>) -> Self::Assembly;
 
-    /// A mechanism of given parameters.
+    /// The mechanism with the given parameters.
     fn from_parameters(parameters: Self::Parameters<Self::Scalar>) -> Self;
 
-    /// Its parameters.
+    /// The parameters of this mechanism.
     fn parameters(&self) -> Self::Parameters<Self::Scalar>;
 
-    /// The same mechanism with its parameters converted, to dual numbers for instance.
+    /// This mechanism with its parameters converted, for example to dual numbers.
     fn convert<S: Scalar>(&self, convert: impl FnMut(Self::Scalar) -> S) -> Self::With<S>;
 
-    /// Position and all time derivatives, as the inherent `solve` gives them.
+    /// The position and all time derivatives, as the inherent method `solve` returns them.
     ///
     /// # Errors
-    /// As the inherent method.
+    /// Returns the errors of the inherent method.
     fn solve_motion(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         assembly: Self::Assembly,
     ) -> Result<Self::Pose, SolveError>;
 
-    /// Position and all time derivatives nearest to values of the unknowns, as the inherent `solve_near` gives them.
+    /// The position and all time derivatives closest to values of the unknowns, as the inherent method `solve_near`
+    /// returns them.
     ///
     /// # Errors
-    /// As the inherent method.
+    /// Returns the errors of the inherent method.
     fn solve_motion_near(
         &self,
         inputs: Self::Inputs<Self::Motion<Self::Scalar>>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Pose, SolveError>;
 
-    /// The position alone, as the inherent `position` gives it: the values of the unknowns.
+    /// The position alone, as the inherent method `position` returns it: the values of the unknowns.
     ///
     /// # Errors
-    /// As the inherent method.
+    /// Returns the errors of the inherent method.
     fn solve_position(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         assembly: Self::Assembly,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
-    /// The position nearest to values of the unknowns, as the inherent `position_near` gives it.
+    /// The position closest to values of the unknowns, as the inherent method `position_near` returns it.
     ///
     /// # Errors
-    /// As the inherent method.
+    /// Returns the errors of the inherent method.
     fn solve_position_near(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         near: Self::Unknowns<Self::Scalar>,
     ) -> Result<Self::Unknowns<Self::Scalar>, SolveError>;
 
-    /// What is left of each scalar equation, left side less right, for any values of inputs and unknowns.
+    /// The residual of each scalar equation, left side minus right side, for any values of inputs and unknowns.
     fn residuals(
         &self,
         inputs: Self::Inputs<Self::Scalar>,
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
 
-    /// Every assembly, none if they depend on the dimensions.
+    /// All assemblies; none if their number depends on the dimensions.
     fn assemblies() -> impl Iterator<Item = Self::Assembly> {
         (0..Self::ASSEMBLY_COUNT).filter_map(Self::assembly)
     }
 }
 
-/// The motion of a mechanism through all its orders.
+/// The motion of a mechanism in all its orders.
 pub trait Pose: Copy + Debug {
     /// The number type.
     type Scalar: Scalar;
@@ -155,31 +157,32 @@ pub trait Pose: Copy + Debug {
     /// A value for each scalar output.
     type Outputs<V: Copy>: Row<V>;
 
-    /// The unknowns, in the order in which they were declared.
+    /// The motions of the unknowns, in the order in which they were declared.
     ///
-    /// The angle of a [`Direction`](crate::Direction) is calculated here, in -π ..= π, unless something else in the mechanism
-    /// asked for it.
+    /// The angle of a [`Direction`](crate::Direction) is calculated here, in -π ..= π, unless another part of the
+    /// mechanism has needed it.
     fn unknown_motions(&self) -> Self::Unknowns<Self::Motion>;
 
-    /// The same, with the angles that are calculated here on the turns nearest to given values of the unknowns: where
-    /// [`solve_motion_near`](Mechanism::solve_motion_near) brings all others.
+    /// The motions of the unknowns, with the angles that are calculated here on the turns closest to the given values.
+    /// [`solve_motion_near`](Mechanism::solve_motion_near) puts all other angles there.
     fn unknown_motions_near(&self, near: Self::Unknowns<Self::Scalar>) -> Self::Unknowns<Self::Motion> {
         let _ = near;
         self.unknown_motions()
     }
 
-    /// The unknowns as the pose holds them: where one is a direction, its cosine stands in the place of its angle.
+    /// The unknowns as the pose stores them: a direction has its cosine instead of its angle.
     #[inline(always)]
     fn unknown_columns(&self) -> Self::Unknowns<Self::Motion> {
         self.unknown_motions()
     }
 
-    /// The sines of those unknowns that are directions.
+    /// The sines of the unknowns that are directions.
     #[inline(always)]
     fn unknown_sines(&self) -> Self::Unknowns<Option<Self::Scalar>> {
         Row::from_fn(|_| None)
     }
 
-    /// The outputs, in the order in which they were declared; a point is its x, its y and, in space, its z.
+    /// The motions of the outputs, in the order in which they were declared. A point is its x, its y and, in space, its
+    /// z.
     fn output_motions(&self) -> Self::Outputs<Self::Motion>;
 }

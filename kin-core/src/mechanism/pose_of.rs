@@ -1,13 +1,13 @@
-//! What all poses of a mechanism have in common, whatever their order.
+//! The common interface of all poses of a mechanism, whatever their order.
 
 use core::fmt::Debug;
 
 use crate::mechanism::{Mechanism, condition};
 
-/// A pose of the mechanism `M` through any order: the position at least, with as many derivatives as were solved for.
+/// A pose of the mechanism `M` of any order: the position, with as many derivatives as were solved for.
 ///
-/// Every structure that the solvers of `M` return is one, from its position to its snap. What depends on the position
-/// alone takes any of them.
+/// Every structure that a solver of `M` returns implements this trait, from position to snap. Functions that need only
+/// the position accept any of them.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -30,21 +30,24 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
         self.values().0
     }
 
-    /// The values of the unknowns, in the order in which they were declared: as `position_near` and `solve_near` take them.
+    /// The values of the unknowns, in the order in which they were declared. `position_near` and `solve_near` take them
+    /// in this form.
     fn unknowns(&self) -> M::Unknowns<M::Scalar> {
         self.values().1
     }
 
-    /// The condition of each unknown's value, in the unit of the unknown: rounding changes the value by about this times ε, the
+    /// The condition of each unknown, in the unit of the unknown: rounding changes its value by about this times ε, the
     /// [distance](crate::Number::EPSILON) from 1 to the next number.
     ///
-    /// It is the sum of the changes to first order that the following make of the unknown, each changed by a part ε of itself and alone:
-    /// every parameter and every input; the term of every unknown in every equation, where an angle's term is that of a radian; and
-    /// the unknown itself. It is calculated in double precision, for any number type, from the closure at the position and its derivatives
-    /// alone. This takes as many evaluations of the closure as there are parameters, inputs and unknowns, and the factors of a matrix.
+    /// The condition is the sum of the first-order changes of the unknown that are caused by changing each of the
+    /// following alone by a part ε of itself: every parameter and every input; the term of every unknown in every
+    /// equation, where the term of an angle is the term of one radian; and the unknown itself. It is calculated in
+    /// double precision for any number type, from the closure at the position and its derivatives alone. This takes one
+    /// evaluation of the closure per parameter, input and unknown, and the factors of a matrix.
     ///
-    /// It is infinite if the Jacobian is singular to all digits. It is no more than a warning where ε times its square is not small, as the
-    /// first order does not suffice there: above some 10⁷ in double precision, next to a limit position, half of the digits are left.
+    /// The condition is infinite if the Jacobian is singular to all digits. If ε times its square is not small, it is
+    /// only a warning, because the first order is not sufficient there: above about 10⁷ in double precision, next to a
+    /// limit position, only half of the digits are right.
     ///
     /// ```
     /// use kin_core::library::FourBar;
@@ -65,9 +68,9 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
         condition::conditions(mechanism, &self.input_values(), &self.unknowns())
     }
 
-    /// The largest of the [conditions](Self::conditions), where angles are measured in radians, lengths in the longest length of the
-    /// mechanism, and plain numbers by their own size if that is larger than 1. If it reaches the reciprocal of ε, no digit of the position
-    /// can be relied on.
+    /// The largest of the [conditions](Self::conditions), with angles measured in radians, lengths relative to the
+    /// longest length of the mechanism, and plain numbers relative to their own size if that is larger than 1. From 1/ε
+    /// on, no digit of the position is reliable.
     fn condition(&self, mechanism: &M) -> f64 {
         condition::condition(mechanism, &self.input_values(), &self.unknowns())
     }

@@ -1,11 +1,11 @@
-//! What mechanisms that know the partial derivatives of their motion have in common.
+//! The common interface of mechanisms with sensitivities.
 
 use core::fmt::Debug;
 
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Operations, Row};
 
-/// A mechanism that knows how its motion depends on its parameters: one declared `with sensitivities;`.
+/// A mechanism that knows how its motion depends on its parameters: one that is declared `with sensitivities;`.
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -44,16 +44,16 @@ pub trait Sensitive: Mechanism {
             Outputs<Self::Motion<Self::Scalar>> = <Self::Pose as Pose>::Outputs<Self::Motion<Self::Scalar>>,
         >;
 
-    /// What the derivatives with respect to all parameters cost, on top of the solvers.
+    /// The cost of the derivatives with respect to all parameters, on top of the solvers.
     const SENSITIVITY_OPERATIONS: Operations;
 
-    /// The derivatives with respect to each scalar parameter, as the inherent `sensitivities` gives them. The pose must be one
-    /// of this mechanism's own.
+    /// The derivatives with respect to each scalar parameter, as the inherent method `sensitivities` returns them. The
+    /// pose must be one of this mechanism's own.
     fn sensitivities_of(&self, pose: &Self::Pose) -> Self::Parameters<Self::Partials>;
 }
 
-/// The partial derivatives of a motion with respect to one parameter, through all its orders: that of order n is the
-/// derivative of the n-th time derivative.
+/// The partial derivatives of a motion with respect to one parameter, in all its orders. Entry n is the derivative of
+/// the n-th time derivative.
 pub trait Partials: Copy + Debug {
     /// A value with its time derivatives.
     type Motion: Copy;
@@ -62,9 +62,9 @@ pub trait Partials: Copy + Debug {
     /// A value for each scalar output.
     type Outputs<V: Copy>: Row<V>;
 
-    /// Those of the unknowns, in the order in which they were declared.
+    /// The partial derivatives of the unknowns, in the order in which they were declared.
     fn unknown_partials(&self) -> Self::Unknowns<Self::Motion>;
 
-    /// Those of the outputs, in the order in which they were declared; a point is its x, then its y.
+    /// The partial derivatives of the outputs, in the order in which they were declared. A point is its x, then its y.
     fn output_partials(&self) -> Self::Outputs<Self::Motion>;
 }
