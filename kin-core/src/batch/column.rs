@@ -1,6 +1,6 @@
-//! What goes into a batch.
+//! The columns of parameters and inputs of a batch.
 
-/// A number of each pose of a batch.
+/// One number for each pose of a batch.
 ///
 /// ```
 /// use kin_core::batch::Column;
@@ -11,9 +11,9 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Column<'a> {
-    /// One and the same for all.
+    /// The same number for all poses.
     Same(f64),
-    /// One for each, as many as there are poses.
+    /// One number for each pose, as many as there are poses.
     Each(&'a [f64]),
 }
 
@@ -48,7 +48,7 @@ impl Column<'_> {
         }
     }
 
-    /// How many there are, if that is fixed.
+    /// The length of the column, if it is fixed.
     pub(super) fn length(&self) -> Option<usize> {
         match self {
             Self::Same(_) => None,
@@ -56,7 +56,7 @@ impl Column<'_> {
         }
     }
 
-    /// The part of a column for some of the poses.
+    /// The part of a column for a range of poses.
     #[cfg(feature = "rayon")]
     pub(super) fn part(self, range: core::ops::Range<usize>) -> Self {
         match self {

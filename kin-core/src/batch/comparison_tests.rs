@@ -1,4 +1,4 @@
-//! A batch finds what one pose after the other finds. Many mechanisms are solved in batches in the package of tests.
+//! A batch finds the same poses as one call per pose. The package of tests solves many mechanisms in batches.
 
 use std::vec;
 use std::vec::Vec;
@@ -36,7 +36,7 @@ fn turning(angles: &[f64]) -> [Motion<Column<'_>, 5>; 1] {
     ])]
 }
 
-/// Crank angles over more than the linkage reaches.
+/// Crank angles over more than the range of the linkage.
 fn angles(count: u32) -> Vec<f64> {
     (0..count)
         .map(|index| 4.0 * f64::from(index) / f64::from(count.max(1)) - 2.0)
@@ -56,7 +56,7 @@ fn vectors() -> impl Iterator<Item = Vectors> {
         .filter(|vectors| vectors.are_there())
 }
 
-/// Holds a batch to the poses one by one.
+/// Compares a batch with the poses solved one by one.
 fn compare(angles: &[f64], poses: &Poses, outcomes: &[Outcome], summary: Summary) {
     let (mut failed, mut first_failure) = (0, None);
     for (index, angle) in angles.iter().enumerate() {
@@ -64,7 +64,7 @@ fn compare(angles: &[f64], poses: &Poses, outcomes: &[Outcome], summary: Summary
         match LINKAGE.solve(crank, Assembly::Open) {
             Ok(pose) => {
                 assert_eq!(outcomes[index], Outcome::Solved, "{index}");
-                // near its limits the linkage magnifies rounding, and each order more
+                // Near its limits the linkage magnifies rounding, more with each order.
                 let margin = (pose.theta3.position() - pose.theta4.position()).sin().abs();
                 for order in 0..5 {
                     for (found, expected) in [
@@ -111,14 +111,14 @@ fn batches_of_any_size_in_all_vectors() {
             .unwrap();
             compare(&angles, &poses, &outcomes, summary);
             if count == 100 {
-                // those that failed as well: what is solved in lanes is not solved alone
+                // This includes the poses that failed: poses solved in lanes are not solved alone.
                 assert!(summary.failed > 10 && summary.alone < 5, "{summary:?}");
             }
         }
     }
 }
 
-/// Values near each position lead to the assembly that they are of.
+/// Values near each position select the assembly to which they belong.
 #[test]
 fn values_near_by_tell_the_assembly() {
     let angles = angles(50);
@@ -127,7 +127,7 @@ fn values_near_by_tell_the_assembly() {
             .iter()
             .map(|angle| LINKAGE.position(*angle, assembly).ok().map(|pose| pose.unknowns()))
             .collect();
-        // those out of reach get values of this assembly as well
+        // Poses out of reach get values of this assembly too.
         let reachable = expected[25].unwrap();
         let beside = |unknown: usize, shift: f64| -> Vec<f64> {
             let poses = expected.iter().map(|pose| pose.unwrap_or(reachable));
@@ -152,7 +152,7 @@ fn values_near_by_tell_the_assembly() {
                 solved += 1;
                 for (found, expected) in [(&poses.theta3, theta3), (&poses.theta4, theta4)] {
                     let error = (found[0][index] - expected).abs();
-                    // near its limits the linkage magnifies rounding
+                    // Near its limits the linkage magnifies rounding.
                     assert!(error * (theta3 - theta4).sin().abs() <= 1e-13, "{index}: {error}");
                 }
             }
@@ -162,7 +162,7 @@ fn values_near_by_tell_the_assembly() {
     }
 }
 
-/// The last piece is shorter than the others, and longer than lanes.
+/// The last piece is shorter than the others, and longer than the lanes.
 #[cfg(feature = "rayon")]
 #[test]
 fn all_cores_find_what_one_finds() {
@@ -185,7 +185,7 @@ fn all_cores_find_what_one_finds() {
             compare(&angles, &poses, &outcomes, summary);
         }
     }
-    // the first failure is found behind the first piece
+    // The first failure lies behind the first piece.
     let angles: Vec<f64> = (0..2000).map(|index| 0.001 * f64::from(index)).collect();
     let (mut poses, mut outcomes) = targets(2000);
     let crank = turning(&angles);
@@ -303,7 +303,7 @@ fn targets_are_what_they_hold() {
     assert_eq!(read(None::<Vec<f64>>.slice()), None);
 }
 
-/// The places that are visited, and what is there.
+/// The visited places, and their contents.
 struct Seen(Vec<(Place, f64)>);
 
 impl<'a> Visitor<'a, f64> for Seen {
@@ -312,7 +312,7 @@ impl<'a> Visitor<'a, f64> for Seen {
     }
 }
 
-/// The scalars of a point in space count one after the other, each with all its orders.
+/// The coordinates of a point in space count one after the other, each with all its orders.
 #[test]
 fn the_parts_of_a_point_have_places_of_their_own() {
     let mut number = 0.0;

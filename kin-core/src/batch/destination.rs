@@ -1,4 +1,4 @@
-//! Where a batch puts its numbers, looked up once.
+//! The places where a batch stores its numbers, looked up once.
 
 use core::cell::Cell;
 
@@ -8,7 +8,8 @@ use crate::batch::lanes::Lanes;
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
 
-/// A place for one number of each pose, empty if the number is not wanted; of cells, as rows are copied.
+/// The place for one number of each pose, empty if the number is not wanted. It consists of cells because rows are
+/// copied.
 type Entries<'t> = &'t [Cell<f64>];
 
 type Inputs<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
@@ -19,13 +20,13 @@ type Outputs<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>:
 pub(super) struct Destination<'t, M: Mechanism> {
     inputs: Inputs<M, Entries<'t>>,
     unknowns: Unknowns<M, Entries<'t>>,
-    /// Of those unknowns that are directions.
+    /// The places of the sines of unknowns that are directions.
     sines: M::Unknowns<Entries<'t>>,
     outputs: Outputs<M, Entries<'t>>,
 }
 
 impl<'t, M: Mechanism> Destination<'t, M> {
-    /// That of a pose of which nothing is wanted.
+    /// The destination of a pose of which nothing is wanted.
     pub(super) fn nowhere() -> Self {
         let nowhere = |_| -> M::Motion<Entries<'t>> { Row::from_fn(|_| -> Entries<'t> { &[] }) };
         Self {
@@ -36,10 +37,10 @@ impl<'t, M: Mechanism> Destination<'t, M> {
         }
     }
 
-    /// Looks up what is wanted.
+    /// Looks up the places of all wanted numbers.
     ///
     /// # Errors
-    /// If a place is not as long as there are poses.
+    /// Fails if the length of a place differs from the number of poses.
     pub(super) fn find<P: Columns<C>, C: Target + 't>(
         &mut self,
         poses: &'t mut P,
@@ -66,7 +67,7 @@ impl<'t, M: Mechanism> Destination<'t, M> {
         })
     }
 
-    /// Stores motions from a pose on.
+    /// Stores motions, starting at a given pose.
     #[inline(always)]
     pub(super) fn store<V: Stored, R: Row<V>>(
         &self,
@@ -96,9 +97,9 @@ fn store_all<'t, V: Stored, R: Row<V>>(start: usize, motions: &[R], places: &[im
     }
 }
 
-/// What is stored of a number of one pose, or of several.
+/// The stored form of a number: one pose or several.
 pub(super) trait Stored: Copy {
-    /// Stores it from a pose on, unless it is not wanted.
+    /// Stores the number, starting at a given pose, unless it is not wanted.
     fn store(self, entries: Entries<'_>, start: usize);
 }
 
@@ -113,7 +114,7 @@ impl Stored for f64 {
 impl<const W: usize, const FUSED: bool> Stored for Lanes<W, FUSED> {
     #[inline(always)]
     fn store(self, entries: Entries<'_>, start: usize) {
-        // There are as many if it is wanted, and the compiler does not know.
+        // A wanted place is always long enough, but the compiler does not know it.
         if let Some(entries) = entries.get(start..start + W) {
             for (entry, number) in entries.iter().zip(self.0) {
                 entry.set(number);
@@ -125,7 +126,7 @@ impl<const W: usize, const FUSED: bool> Stored for Lanes<W, FUSED> {
 struct ColumnSearch<'s, 't, M: Mechanism> {
     found: &'s mut Destination<'t, M>,
     count: usize,
-    /// The first place that is not as long, and its length.
+    /// The first place with a wrong length, and that length.
     mismatch: Option<(Place, usize)>,
 }
 

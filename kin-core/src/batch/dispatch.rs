@@ -7,23 +7,23 @@
     )
 )]
 
-/// As many lanes as there are with the widest vectors.
+/// The number of lanes of the widest vectors.
 #[cfg(any(feature = "rayon", all(feature = "std", target_arch = "x86_64")))]
 pub(super) const MOST_LANES: usize = 16;
 
-/// Which vector instructions a batch is calculated with.
+/// The vector instructions for a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Vectors {
-    /// Those that the program was compiled for.
+    /// The instructions for which the program was compiled.
     Compiled,
-    /// AVX2 and fused multiplication and addition: four numbers each.
+    /// AVX2 with fused multiply-add: four numbers per instruction.
     Avx2,
-    /// AVX-512: eight numbers each.
+    /// AVX-512: eight numbers per instruction.
     Avx512,
 }
 
 impl Vectors {
-    /// The widest that this machine has.
+    /// The widest vectors of this machine.
     #[inline]
     #[must_use]
     pub fn widest() -> Self {
@@ -33,7 +33,7 @@ impl Vectors {
             .unwrap_or(Self::Compiled)
     }
 
-    /// Whether this machine has them.
+    /// Whether this machine has these instructions.
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[inline]
     #[must_use]
@@ -46,7 +46,7 @@ impl Vectors {
         }
     }
 
-    /// Whether this machine has them.
+    /// Whether this machine has these instructions.
     #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
     #[inline]
     #[must_use]
@@ -54,18 +54,18 @@ impl Vectors {
         self == Self::Compiled
     }
 
-    /// Runs a kernel with these instructions, or with those that the program was compiled for if this machine does not have them.
+    /// Runs a kernel with these instructions, or with the compiled ones if this machine does not have them.
     pub(super) fn run<K: Kernel>(self, kernel: K) -> K::Result {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         if self.are_there() {
             match self {
                 Self::Compiled => {}
-                // SAFETY: `avx2` is an ordinary function of Rust but for its `target_feature`: all that it asks of its caller is a machine
-                // with AVX2 and FMA. `are_there` has just asked this machine for both, and an operating system that saves their
-                // registers. Neither can go away while the program runs.
+                // SAFETY: `avx2` is an ordinary Rust function except for its `target_feature`: all it requires from its
+                // caller is a machine with AVX2 and FMA. `are_there` has just tested this machine for both, and for an
+                // operating system that saves their registers. Neither can disappear while the program runs.
                 Self::Avx2 => return unsafe { avx2(kernel) },
-                // SAFETY: as above, with AVX-512 F, DQ and VL, AVX2 and FMA: the five that `avx512` is compiled for, and that
-                // `are_there` has just asked this machine for.
+                // SAFETY: as above, with AVX-512 F, DQ and VL, AVX2 and FMA: the five features for which `avx512` is
+                // compiled, and for which `are_there` has just tested this machine.
                 Self::Avx512 => return unsafe { avx512(kernel) },
             }
         }
@@ -75,15 +75,17 @@ impl Vectors {
     }
 }
 
-/// What is compiled once for each kind of vectors, whatever it calls with it, if only that is inlined.
+/// Code that is compiled once for each kind of vectors. Everything it calls must be inlined, or it is compiled for the
+/// narrowest vectors.
 pub(super) trait Kernel {
     type Result;
 
-    /// Runs in so many lanes.
+    /// Runs the kernel in `W` lanes.
     fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
 }
 
-/// Not inlined: without optimisation its stack, on which every result has a place of its own, would lie below that of the others.
+/// Not inlined: without optimisation every result has its own place on the stack, and this stack would be added to that
+/// of the others.
 #[inline(never)]
 fn compiled<K: Kernel>(kernel: K) -> K::Result {
     kernel.run::<4, false>()

@@ -1,10 +1,11 @@
-//! Many poses in one call: columns of inputs, and of parameters, to columns of motions.
+//! Many poses in one call: columns of parameters and inputs give columns of motions.
 //!
-//! `solve_batch`, which every mechanism has, takes a [`Column`] for each number that `solve` takes, the same value for all poses or one
-//! for each, and fills a pose of [targets](Target), vectors or slices, with the motions. It calculates several poses at once, in
-//! as wide vectors as the machine has; which these are is found out at run time (feature `std`, on x86), so that no flag of the
-//! compiler is needed. What it finds are the poses that `solve` finds, up to rounding, and where it fails, it fails with the same
-//! [outcome](Outcome): a pose that is out of reach disturbs no other one. With the feature `rayon` there is `solve_batch_in_parallel`, which does
+//! Every mechanism has a method `solve_batch`. It takes a [`Column`] for each number that `solve` takes: one value for
+//! all poses, or one value per pose. It stores the motions in a pose of [targets](Target), which are vectors or slices.
+//! It calculates several poses at once, in the widest vectors of the machine, which it detects at run time (feature
+//! `std`, on x86), so no compiler flag is needed. It finds the poses that `solve` finds, up to rounding. Where it
+//! fails, it reports the same [outcome](Outcome): a pose out of reach does not affect the others. With the feature
+//! `rayon`, `solve_batch_in_parallel` does the same on all cores.
 //! the same on all cores.
 //!
 //! ```

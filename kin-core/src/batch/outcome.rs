@@ -1,26 +1,26 @@
-//! What becomes of the poses of a batch.
+//! The outcomes of a batch.
 
 use core::error::Error;
 use core::fmt;
 
 use crate::failure::{Failure, SolveError};
 
-/// What has become of one pose.
+/// The outcome of one pose.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Outcome {
-    /// Nobody has asked for it yet.
+    /// The pose has not been solved yet.
     #[default]
     Unsolved,
-    /// It is found, and all of its numbers are finite.
+    /// The pose is found, and all its numbers are finite.
     Solved,
-    /// The mechanism does not close. Its numbers are NaN.
+    /// The mechanism does not close. The numbers of the pose are NaN.
     OutOfReach {
-        /// By how much, a negative length: that of [`Failure::OutOfReach`].
+        /// The missing length as a negative number, as in [`Failure::OutOfReach`].
         margin: f64,
     },
-    /// The position is singular, as a limit position is. Its numbers are NaN.
+    /// The position is singular, for example a limit position. The numbers of the pose are NaN.
     Singular,
-    /// There is no pose for another reason, which `solve` tells. Its numbers are NaN.
+    /// There is no pose for another reason, which `solve` reports. The numbers of the pose are NaN.
     Failed,
 }
 
@@ -32,7 +32,7 @@ impl Outcome {
         matches!(self, Self::Solved)
     }
 
-    /// By how much the mechanism does not close, if it does not.
+    /// The missing length as a negative number, if the mechanism does not close.
     #[inline]
     #[must_use]
     pub const fn margin(&self) -> Option<f64> {
@@ -53,23 +53,23 @@ impl From<&SolveError> for Outcome {
     }
 }
 
-/// What has become of a batch.
+/// The outcome of a whole batch.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Summary {
-    /// How many poses were found.
+    /// The number of poses found.
     pub solved: usize,
-    /// How many of these were not found together with others but by themselves, as the solver of single poses goes further than
-    /// the one of several at once: where an angle is huge, an iteration must be damped, or rounding decides. If they are many, a batch
-    /// saves little.
+    /// The number of found poses that had to be solved alone instead of together with others. The solver for one pose
+    /// goes further than the solver for several at once: it handles huge angles, damped iterations and decisions close
+    /// to rounding. If this number is large, a batch saves little.
     pub alone: usize,
-    /// How many were not found.
+    /// The number of poses not found.
     pub failed: usize,
-    /// The first of those, by its index, and what `solve` says of it.
+    /// The failed pose with the lowest index, and the error of `solve` for it.
     pub first_failure: Option<(usize, SolveError)>,
 }
 
 impl Summary {
-    /// That of two parts of a batch.
+    /// The summary of two parts of a batch.
     #[cfg(feature = "rayon")]
     pub(super) fn and(self, other: Self) -> Self {
         let first_failure = match (self.first_failure, other.first_failure) {
@@ -84,7 +84,7 @@ impl Summary {
         }
     }
 
-    /// Notes what became of a pose that was solved alone, and had been taken for solved.
+    /// Records the outcome of a pose that was solved alone, and that was counted as solved before.
     pub(super) fn note(&mut self, index: usize, result: Result<(), SolveError>) -> Outcome {
         let Err(error) = result else {
             self.alone += 1;
@@ -100,14 +100,14 @@ impl Summary {
     }
 }
 
-/// A column that is not as long as there are poses.
+/// The error for a column whose length differs from the number of poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
-    /// The quantity that it belongs to.
+    /// The quantity of the column.
     pub quantity: &'static str,
-    /// How many poses there are, which is how many outcomes were given.
+    /// The number of poses, which is the number of outcomes given.
     pub poses: usize,
-    /// How long the column is.
+    /// The length of the column.
     pub length: usize,
 }
 
@@ -139,7 +139,7 @@ mod tests {
     const OUT_OF_REACH: Failure = Failure::OutOfReach { margin: -0.25 };
     const SINGULAR: Failure = Failure::Singular { determinant: 0.0 };
 
-    /// An error of `solve` becomes the outcome of the same cause, and only a loop that does not close has a margin.
+    /// An error of `solve` becomes the outcome with the same cause. Only a loop that does not close has a margin.
     #[test]
     fn an_outcome_tells_the_cause_of_its_error() {
         let outcome = |failure| Outcome::from(&error(failure));
@@ -153,7 +153,7 @@ mod tests {
         }
     }
 
-    /// A pose counts either as solved or as failed, and the failure of the lowest index is kept, in whatever order they come.
+    /// A pose counts either as solved or as failed. The failure with the lowest index is kept, in any order of arrival.
     #[test]
     fn notes_keep_the_failure_of_the_lowest_index() {
         let mut summary = Summary {
@@ -173,7 +173,7 @@ mod tests {
         assert_eq!(summary.first_failure, Some((3, error(OUT_OF_REACH))));
     }
 
-    /// The summaries of two parts add up, and the failure of the lower index is the first, whichever part it lies in.
+    /// The summaries of two parts add up. The first failure is the one with the lower index, in whichever part it lies.
     #[cfg(feature = "rayon")]
     #[test]
     fn summaries_of_parts_add_up() {

@@ -14,7 +14,7 @@ use super::target::{Columns, Place, Target, Visitor};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 
-/// Poses that are solved in one go: long enough to hand over, short enough for the first of the caches.
+/// The number of poses solved in one go: enough to be worth handing over, and few enough for the first-level cache.
 const PIECE: usize = 512;
 
 /// [`solve`](super::solve) on all cores, in the thread pool of rayon.
@@ -92,7 +92,7 @@ where
     let (mut rest, mut pieces) = (outcomes, Vec::new());
     let mut start = 0;
     while !rest.is_empty() {
-        // No piece has fewer poses than lanes: they would be solved one by one, and rounded in another way.
+        // No piece has fewer poses than lanes: they would be solved one by one and rounded differently.
         let count = if rest.len() < PIECE + MOST_LANES {
             rest.len()
         } else {
@@ -115,7 +115,7 @@ where
         .try_reduce(Summary::default, |one, other| Ok(one.and(other)))
 }
 
-/// The targets that are wanted, one after the other.
+/// The wanted targets, one after the other.
 struct Targets<'a>(Vec<(Place, &'a mut [f64])>);
 
 impl<'a, C: Target> Visitor<'a, C> for Targets<'a> {
@@ -127,7 +127,7 @@ impl<'a, C: Target> Visitor<'a, C> for Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// Takes away the places for the next poses.
+    /// Splits off the places for the next poses.
     fn split_off(&mut self, count: usize) -> Self {
         let split = |(place, slice): &mut (Place, &'a mut [f64])| {
             let (next, rest) = core::mem::take(slice).split_at_mut(count);
@@ -151,7 +151,7 @@ impl<'a> Columns<&'a mut [f64]> for Targets<'a> {
 }
 
 impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
-    /// The columns of some of the poses.
+    /// The columns of a range of poses.
     fn part(&self, range: Range<usize>) -> Problem<'a, M, G> {
         let (parameters, inputs) = (self.parameters.as_ref(), self.inputs.as_ref());
         Problem {

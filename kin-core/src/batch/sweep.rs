@@ -1,4 +1,4 @@
-//! Chunk by chunk through a batch.
+//! The solution of a batch, chunk by chunk.
 
 use super::Column;
 use super::destination::Destination;
@@ -11,10 +11,12 @@ use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 
-/// What `solve_batch` of a mechanism does, by the places of its parameters, inputs, unknowns and outputs.
+/// Solves a batch, as the method `solve_batch` of a mechanism does. Columns are given by the indices of parameters,
+/// inputs, unknowns and outputs.
 ///
 /// # Errors
-/// [`LengthMismatch`] if a column or a target is not as long as the outcomes; nothing is solved then.
+/// [`LengthMismatch`] if the length of a column or a target differs from the number of outcomes. Nothing is solved
+/// then.
 pub fn solve<'a, M, P, C>(
     parameters: M::Parameters<Column<'a>>,
     inputs: M::Inputs<M::Motion<Column<'a>>>,
@@ -61,26 +63,26 @@ where
     problem.solve(poses, outcomes, vectors)
 }
 
-/// The columns of a batch, by index.
+/// The columns of a batch, in rows.
 pub(super) struct Problem<'a, M: Mechanism, G> {
     pub(super) parameters: M::Parameters<Column<'a>>,
     pub(super) inputs: M::Inputs<M::Motion<Column<'a>>>,
     pub(super) guide: G,
 }
 
-/// Which of several positions of each pose.
+/// The choice among several positions, for each pose.
 pub(super) trait Guide<'a, M: Mechanism>: Copy {
-    /// Whether values near each pose are what tells.
+    /// Whether values near each pose make the choice.
     const IS_NEAR: bool;
 
-    /// Values near each pose, if they are what tells.
+    /// The values near each pose, if they make the choice.
     fn near(self) -> M::Unknowns<Column<'a>>;
 
-    /// That of some of the poses.
+    /// The guide restricted to a range of poses.
     #[cfg(feature = "rayon")]
     fn part(self, range: core::ops::Range<usize>) -> Self;
 
-    /// The pose, or several.
+    /// Solves one pose, or several.
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
@@ -89,11 +91,11 @@ pub(super) trait Guide<'a, M: Mechanism>: Copy {
     ) -> Result<T::Pose, SolveError>;
 }
 
-/// That of an assembly.
+/// A guide that chooses positions by assembly.
 #[derive(Clone, Copy)]
 pub(super) struct InAssembly<A>(pub(super) A);
 
-/// That next to values of the unknowns.
+/// A guide that chooses the positions closest to values of the unknowns.
 #[derive(Clone, Copy)]
 pub(super) struct Nearest<C>(pub(super) C);
 
@@ -154,7 +156,7 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
         self.sweep(poses, outcomes, vectors)
     }
 
-    /// [`solve`](Self::solve) where the columns that go in are known to be of one length.
+    /// [`solve`](Self::solve) with input columns whose lengths have been checked.
     pub(super) fn sweep<P: Columns<C>, C: Target>(
         &self,
         poses: &mut P,
@@ -205,7 +207,7 @@ struct Sweep<'p, 'a, M: Mechanism<Scalar = f64>, G> {
 }
 
 impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Sweep<'_, 'a, M, G> {
-    /// Solves a pose by itself, and stores it.
+    /// Solves a pose alone and stores it.
     #[cold]
     #[inline(never)]
     fn settle(&self, index: usize) -> Result<(), SolveError> {
@@ -250,7 +252,8 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M
             solved: count,
             ..Summary::default()
         };
-        // Those that are not will say so. Copied in chunks, as one by one it would be done with the narrowest instructions.
+        // Assume every pose is solved; failures overwrite this below. Copy in chunks, because single stores would use
+        // the narrowest instructions.
         let (chunks, rest) = self.outcomes.as_chunks_mut::<W>();
         for chunk in chunks {
             chunk.copy_from_slice(const { &[Outcome::Solved; W] });
@@ -283,9 +286,9 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M
         let mut motions: <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>> =
             Row::from_fn(|_| Row::from_fn(|_| zero));
         let mut next = 0;
-        // Fewer than there are lanes are solved one by one.
+        // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
-            // The last poses of all go with some that have been solved before, and come to the same once more.
+            // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
             let start = next.min(count - W);
             gather(&mut dimensions, parameters.as_ref(), start);
             if G::IS_NEAR {
@@ -299,8 +302,8 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M
             if let Ok(pose) = problem.guide.solve(&mechanism, motions, guess) {
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
-                // Finite if, and only if, all of them are, unless the sum itself goes beyond the range. A negative zero adds nothing, for
-                // the compiler either.
+                // The sum is finite if and only if all numbers are, unless the sum itself overflows. Start with a
+                // negative zero: the compiler knows that adding it changes nothing.
                 sum = Lanes::constant(-0.0);
                 for motion in unknowns.as_ref() {
                     for entry in motion.as_ref() {

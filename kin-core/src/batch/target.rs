@@ -1,11 +1,11 @@
-//! Where the motions of a batch go.
+//! The places for the motions of a batch.
 
 use crate::geometry::{Plane, Space};
 use crate::motion::{Direction, Motion};
 
-/// A place for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
+/// The place for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
 pub trait Target {
-    /// The place, as long as there are poses; nothing if the number is not wanted.
+    /// The place, with one entry for each pose, or `None` if the number is not wanted.
     fn slice(&mut self) -> Option<&mut [f64]>;
 }
 
@@ -38,41 +38,42 @@ impl<C: Target> Target for Option<C> {
     }
 }
 
-/// Which number of a pose.
+/// The position of a number in a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// The derivative of an order of an input.
+    /// The derivative of an input: its index and its order.
     Input(usize, usize),
-    /// The derivative of an order of an unknown; of a direction, the cosine at order 0.
+    /// The derivative of an unknown: its index and its order. Order 0 of a direction is its cosine.
     Unknown(usize, usize),
-    /// The sine of an unknown that is a direction.
+    /// The sine of an unknown that is a direction: its index.
     Sine(usize),
-    /// The derivative of an order of a scalar output.
+    /// The derivative of a scalar output: its index and its order.
     Output(usize, usize),
 }
 
-/// A pose with something of type `C` in the place of each number, as its structure is generic. Implemented by the `mechanism!` macro.
+/// A pose with a `C` instead of each number. The structures of poses are generic for this; the `mechanism!` macro
+/// implements it.
 pub trait Columns<C> {
-    /// Has each place visited.
+    /// Calls the visitor for each place.
     fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a;
 }
 
-/// Who visits the places of a pose, one after the other.
+/// A visitor of the places of a pose, one after the other.
 ///
-/// Not a function, as a closure cannot be told to be inlined.
+/// This is a trait and not a closure, because closures cannot be marked for inlining.
 pub trait Visitor<'a, C> {
-    /// Sees a place, and what is there.
+    /// Visits a place and its content.
     fn visit(&mut self, place: Place, there: &'a mut C);
 }
 
-/// A motion with something in the place of each number.
+/// A motion with a `C` instead of each number.
 pub trait MotionColumns<C> {
-    /// With what a function gives for each.
+    /// A motion filled by a function, which is called once per number.
     fn filled(fill: &mut impl FnMut() -> C) -> Self;
 
-    /// Has each place visited. The scalar quantities that make it up count from `first`.
+    /// Calls the visitor for each place. The scalar quantities of this motion count from `first`.
     fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a;
@@ -94,7 +95,7 @@ impl<C, const N: usize> MotionColumns<C> for Motion<C, N> {
     }
 }
 
-/// Directions are of unknowns alone, which count as one each.
+/// Only unknowns are directions, and each counts as one quantity.
 impl<C, const N: usize> MotionColumns<C> for Direction<C, N> {
     fn filled(fill: &mut impl FnMut() -> C) -> Self {
         Self::new(Plane::new(fill(), fill()), core::array::from_fn(|_| fill()))

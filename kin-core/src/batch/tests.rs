@@ -1,5 +1,5 @@
-//! Batches in every kind of vectors, of so few poses that an interpreter solves them too: whole chunks, a last one that overlaps the one before,
-//! fewer poses than lanes, poses that fail, and places that are not wanted.
+//! Tests of batches with every kind of vectors, small enough for an interpreter: whole chunks, a last chunk that
+//! overlaps the one before, fewer poses than lanes, poses that fail, and numbers that are not wanted.
 
 use std::vec;
 use std::vec::Vec;
@@ -10,7 +10,7 @@ use super::{Column, Outcome, Vectors, solve, solve_near};
 use crate::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch};
 use crate::prelude::*;
 
-/// Two chunks of the most lanes there are, and some more.
+/// Two chunks of the most lanes, and some more.
 const POSES: usize = 37;
 
 fn vectors() -> impl Iterator<Item = Vectors> {
@@ -19,7 +19,7 @@ fn vectors() -> impl Iterator<Item = Vectors> {
         .filter(|vectors| vectors.are_there())
 }
 
-/// Columns of so many poses, some of which are out of reach, far away, or no numbers.
+/// Columns of `count` poses. Some poses are out of reach, far away, or NaN.
 fn inputs(count: usize) -> [Vec<f64>; 2] {
     let fraction = |index: usize| f64::from(u32::try_from(index).unwrap()) / 37.0;
     let angles = (0..count).map(|index| match index % 7 {
@@ -34,7 +34,7 @@ fn inputs(count: usize) -> [Vec<f64>; 2] {
     ]
 }
 
-/// ε times the condition of the poses above, with something to spare.
+/// The tolerance is ε times the condition of the poses above, with some room.
 fn agree(found: f64, expected: f64) -> bool {
     (found - expected).abs() <= 1e-11 * expected.abs().max(1.0) || (found.is_nan() && expected.is_nan())
 }
@@ -45,7 +45,7 @@ fn four_bars_of_as_many_poses_as_you_like() {
         for count in [0, 1, 3, 4, 8, 16, 17, POSES] {
             let [angles, couplers] = inputs(count);
             let mut poses = FourBarBatch::filled(|| Some(vec![0.0; count]));
-            // what is not wanted is left out
+            // A number that is not wanted is left out.
             poses.theta3[2] = None;
             let mut outcomes = vec![Outcome::Unsolved; count];
             let parameters = [
@@ -88,7 +88,7 @@ fn four_bars_of_as_many_poses_as_you_like() {
     }
 }
 
-/// More poses than one core is given at once, the last ones of them fewer than there are lanes.
+/// More poses than one core gets at once. The last piece has fewer poses than there are lanes.
 #[cfg(feature = "rayon")]
 #[test]
 fn all_cores_write_what_one_writes() {
@@ -134,7 +134,7 @@ fn triads_by_iteration() {
     let fraction = |index: usize| f64::from(u32::try_from(index).unwrap()) / 19.0;
     let count = 19;
     let legs: Vec<f64> = (0..count).map(|index| 1.9 + 0.3 * fraction(index)).collect();
-    // some guesses from which no iteration leads anywhere
+    // From some of these guesses no iteration converges.
     let start = [0.9, 2.1, -1.9, 0.2];
     let guesses: Vec<f64> = (0..count)
         .map(|index| if index == 11 { f64::NAN } else { start[0] })

@@ -1,18 +1,19 @@
-//! Columns as lanes read them.
+//! Columns in the form in which lanes read them.
 
 use super::Column;
 use crate::batch::lanes::Lanes;
 use crate::number::Row;
 
-/// A column of which each chunk is read in the same way, by one comparison: the next numbers, or the same ones every time.
+/// A column whose chunks are all read in the same way, with one comparison: either the next numbers, or the same
+/// numbers every time.
 #[derive(Clone, Copy, Default)]
 pub(super) struct View<'v> {
     numbers: &'v [f64],
-    /// Which bits of a place count: all, or none.
+    /// The mask of the bits of an index that count: all bits, or none.
     mask: usize,
 }
 
-/// Fills in what is read in every chunk of columns that are the same for all poses.
+/// Fills in the lanes of columns that are the same for all poses.
 #[inline(always)]
 pub(super) fn repeat<const W: usize, const FUSED: bool>(same: &mut [Lanes<W, FUSED>], columns: &[Column<'_>]) {
     for (lanes, column) in same.iter_mut().zip(columns) {
@@ -24,9 +25,9 @@ pub(super) fn repeat<const W: usize, const FUSED: bool>(same: &mut [Lanes<W, FUS
     }
 }
 
-/// Views of some columns, with what is the [same](repeat) in each.
+/// Views of some columns, with the [repeated](repeat) lanes of each.
 ///
-/// By itself: where the compiler sees that a mask is one of two, it chooses between them in every chunk.
+/// This is a separate function: if the compiler sees that a mask is one of two, it tests it in every chunk.
 #[inline(never)]
 pub(super) fn look<'v, const W: usize, const FUSED: bool>(
     views: &mut [View<'v>],
@@ -47,7 +48,7 @@ pub(super) fn look<'v, const W: usize, const FUSED: bool>(
     }
 }
 
-/// Fills in the numbers of some columns from a pose on.
+/// Fills in the numbers of some columns, starting at a given pose.
 #[inline(always)]
 pub(super) fn gather<R: Row<Lanes<W, FUSED>>, const W: usize, const FUSED: bool>(
     numbers: &mut R,
@@ -56,7 +57,7 @@ pub(super) fn gather<R: Row<Lanes<W, FUSED>>, const W: usize, const FUSED: bool>
 ) {
     for (lanes, view) in numbers.as_mut().iter_mut().zip(views) {
         let start = start & view.mask;
-        // All columns are long enough, and the compiler does not know.
+        // All columns are long enough, but the compiler does not know it.
         let chunk = &view.numbers[start..start + W];
         for (entry, number) in lanes.0.iter_mut().zip(chunk) {
             *entry = *number;

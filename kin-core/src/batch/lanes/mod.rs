@@ -1,12 +1,12 @@
-//! Several numbers in one, for several poses at once.
+//! A number type that holds several numbers, for several poses at once.
 //!
-//! Every operation is a short loop over an array, without a branch, which a compiler turns into the instructions of the widest
-//! vectors that the function around it may use. There are no intrinsics.
+//! Every operation is a short loop over an array, without a branch. A compiler turns it into the widest vector
+//! instructions that the calling function may use. There are no intrinsics.
 //!
-//! Each lane decides for itself: where a solver would go no further with one of the numbers, that lane becomes NaN, and stays it
-//! in whatever is calculated with it, while the others go on. So a lane that is finite to the end has passed every test. What
-//! the lanes cannot do (huge angles, an iteration that must be damped) and what [rounding](Scalar::DOUBT) would decide makes NaN of them as
-//! well; whoever solves in lanes asks the ordinary solver about these poses.
+//! Each lane decides for itself: where a solver would stop for one of the numbers, that lane becomes NaN and stays NaN,
+//! while the other lanes continue. So a lane that is finite at the end has passed every test. A lane also becomes NaN
+//! where lanes cannot solve a pose (huge angles, an iteration that must be damped) or where [rounding](Scalar::DOUBT)
+//! would decide. The caller must then ask the ordinary solver about these poses.
 
 mod newton;
 
@@ -20,7 +20,7 @@ use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent,
 use crate::number::{Number, Row};
 use crate::solve::{Check, Choose, Measure, Scalar};
 
-/// `W` numbers; multiplied and added in one step where functions say so, if they are `FUSED`.
+/// `W` numbers. If they are `FUSED`, multiply-add is one step where functions ask for it.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct Lanes<const W: usize, const FUSED: bool>(pub(crate) [f64; W]);
@@ -45,10 +45,10 @@ impl<const W: usize, const FUSED: bool> Lanes<W, FUSED> {
         Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
     }
 
-    /// The sum of all lanes: not finite if one of them is not.
+    /// The sum of all lanes, which is not finite if one of them is not.
     #[inline(always)]
     pub(crate) fn sum(self) -> f64 {
-        // One by one: in pairs, a compiler would take pairs for the vectors that everything before is arranged in.
+        // Add one by one: with pairs, a compiler would arrange everything before in vectors of two.
         let mut sum = 0.0;
         for entry in self.0 {
             sum += entry;
@@ -56,7 +56,7 @@ impl<const W: usize, const FUSED: bool> Lanes<W, FUSED> {
         sum
     }
 
-    /// The values of a lane.
+    /// The values in one lane.
     #[inline(always)]
     fn at<const N: usize>(numbers: &[Self; N], lane: usize) -> [f64; N] {
         let mut values = [0.0; N];
@@ -120,13 +120,13 @@ impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
         Self([value; W])
     }
 
-    /// For reports only, which nobody reads.
+    /// Only reports use it, and nobody reads them.
     #[inline(always)]
     fn real(self) -> f64 {
         self.0[0]
     }
 
-    /// Always: whoever solves in lanes looks at each in the end.
+    /// Always true: callers that solve in lanes test each lane at the end.
     #[inline(always)]
     fn is_finite(self) -> bool {
         true
@@ -142,7 +142,7 @@ impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
         let (mut sine, mut cosine) = (self, self);
         for lane in 0..W {
             let angle = self.0[lane];
-            // NaN where the polynomials do not hold.
+            // NaN where the polynomials are not valid.
             let angle = if is_near(angle) { angle } else { f64::NAN };
             (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, FUSED>(angle);
         }
@@ -232,7 +232,7 @@ impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
 }
 
 impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
-    /// Some 4500 units of rounding: what comes before the sum may have magnified them a thousand times.
+    /// About 4500 ε: the steps before a sum may have magnified rounding a thousand times.
     const DOUBT: f64 = 1e-12;
 
     #[inline(always)]
@@ -240,7 +240,8 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
         let operands = check.operands();
         let mut kept = self;
         for lane in 0..W {
-            // One after the other: a comparison and a selection are arranged in vectors, a conjunction is not.
+            // One condition after the other: the compiler vectorises a comparison with a selection, but not a
+            // conjunction.
             for holds in check.holds(Self::at(&operands, lane)) {
                 kept.0[lane] = if holds { kept.0[lane] } else { f64::NAN };
             }
@@ -285,8 +286,8 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
         Ok(first)
     }
 
-    /// The same as for one pose. Sizes are taken again instead of kept: that saves one instruction in a hundred of Newton's
-    /// method.
+    /// The pivot as for one pose. Sizes are computed again instead of kept, which saves one percent of the instructions
+    /// of Newton's method.
     #[inline(always)]
     fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
         let size_of = |row: &R| row[step].leading().abs();
@@ -315,7 +316,7 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     }
 }
 
-/// The other leg of a right triangle with a hypotenuse of 1.
+/// The other leg of a right triangle whose hypotenuse is 1.
 #[inline(always)]
 fn leg<const W: usize, const FUSED: bool>(known: Lanes<W, FUSED>) -> Lanes<W, FUSED> {
     let one = Lanes::constant(1.0);

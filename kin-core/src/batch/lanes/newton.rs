@@ -1,7 +1,8 @@
-//! Newton's method in lanes: the steps that the ordinary method takes where it has no need to shorten them.
+//! Newton's method in lanes: the ordinary method as long as it need not shorten its steps.
 //!
-//! A lane whose first step is too long, or whose corrections do not fall as they must for a full step, becomes NaN; the ordinary
-//! method, with its damping, decides about it. So a lane that arrives has come by the steps of the ordinary method, and at the same root.
+//! A lane becomes NaN if its first step is too long, or if its corrections do not fall as a full step requires; the
+//! ordinary method, with its damping, decides about it. So a lane that converges has taken the steps of the ordinary
+//! method and reaches the same root.
 
 #![expect(clippy::needless_range_loop, reason = "lanes are an index into several arrays")]
 
@@ -10,7 +11,8 @@ use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
 
-/// Full steps from a good guess double the digits; who needs more than this is better damped.
+/// The limit of steps. Full steps from a good guess double the digits; a problem that needs more steps should be
+/// damped.
 const ITERATIONS: u32 = 12;
 
 /// A step that has been taken.
@@ -31,7 +33,8 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
     let mut pending = [true; W];
     let mut last: Option<NewtonStep<W, FUSED, N>> = None;
     for _ in 0..ITERATIONS {
-        // In one place only: called from two, it would be no part of this function, and know nothing of the machine's vectors.
+        // Called in one place only: with two calls it would not be inlined into this function, and so not compiled for
+        // the machine's vectors.
         let (residuals, mut jacobian) = evaluate(point);
         for row in &mut jacobian {
             for (entry, size) in row.iter_mut().zip(sizes) {
@@ -47,7 +50,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
         }
         let mut previous = Lanes::constant(f64::INFINITY);
         let mut ratio = Lanes::constant(1.0);
-        // A forecast of the length of the next full step is a quotient of these two.
+        // The forecast of the length of the next full step is a quotient of these two.
         let mut forecast = [Lanes::constant(1.0), Lanes::constant(0.0)];
         if let Some(step) = &last {
             let expected = negated(step.factors.solve(residuals));
@@ -62,7 +65,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
             for lane in 0..W {
                 let (previous, fall) = (previous.0[lane], fall.0[lane]);
                 let falls = fall < 0.75 * previous;
-                // What does not fall and is small is rounding.
+                // A small correction that does not fall is rounding.
                 let ends = !falls && previous * previous <= LINEAR_STEP * f64::EPSILON;
                 if pending[lane] && ends && is_distinct(ratio.0[lane]) {
                     arrive(&mut root, if fall < previous { &point } else { &step.from }, lane);
@@ -94,7 +97,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
             break;
         }
         let from = point;
-        // Lanes that have ended stay where they are.
+        // Lanes that have finished keep their values.
         for (entry, end) in point.iter_mut().zip(end) {
             for lane in 0..W {
                 if pending[lane] {
@@ -107,8 +110,8 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
     Ok(root)
 }
 
-/// Whether rounding errors do not alter the determinant so much that there might be a second root. The ordinary method allows a quarter; its
-/// last step is another one, so that half of that is in doubt already.
+/// Whether rounding errors change the determinant too little for a second root. The ordinary method allows a change of
+/// a quarter. Its last step differs from the one here, so half of that would already be in doubt.
 #[inline(always)]
 fn is_distinct(ratio: f64) -> bool {
     (0.97..=1.03).contains(&ratio)
@@ -134,7 +137,7 @@ fn negated<const W: usize, const FUSED: bool, const N: usize>(vector: [Lanes<W, 
     negated
 }
 
-/// The largest magnitude; NaN if there is a NaN.
+/// The largest magnitude, or NaN if an entry is NaN.
 #[inline(always)]
 fn largest<const W: usize, const FUSED: bool, const N: usize>(vector: &[Lanes<W, FUSED>; N]) -> Lanes<W, FUSED> {
     let mut largest = Lanes::constant(0.0);
@@ -158,7 +161,7 @@ mod tests {
 
     type Four = Lanes<4, false>;
 
-    /// x² + y = p, x y³ = q, and what their unknowns give.
+    /// The system x² + y = p, x y³ = q, with its Jacobian.
     fn system<T: crate::solve::Scalar>(p: T, q: T) -> impl Fn([T; 2]) -> ([T; 2], [[T; 2]; 2]) {
         move |[x, y]| {
             let (two, three) = (T::constant(2.0), T::constant(3.0));
@@ -167,7 +170,8 @@ mod tests {
         }
     }
 
-    /// A lane that arrives is at the root of the ordinary method, in few steps from a good guess; one whose guess is bad does not.
+    /// A lane that converges reaches the root of the ordinary method in few steps from a good guess. A lane with a bad
+    /// guess does not converge.
     #[test]
     fn lanes_arrive_where_the_ordinary_method_does() {
         let roots = [[1.0, 2.0], [0.8, 1.2], [2.0, -1.0], [-1.0, 0.8]];
@@ -182,7 +186,7 @@ mod tests {
             for lane in 0..4 {
                 let expected = newton(guesses[lane], sizes, system(given[lane][0], given[lane][1])).unwrap();
                 for (found, expected) in found.iter().zip(expected) {
-                    // well-conditioned, so that both stop within a few roundings
+                    // The system is well-conditioned, so both methods stop within a few ε.
                     assert!(
                         (found.0[lane] - expected).abs() <= 1e-13,
                         "{shift} {lane}: {found:?} {expected}"
@@ -190,7 +194,7 @@ mod tests {
                 }
             }
         }
-        // a step as long as the unknown itself is too long
+        // A step as long as the unknown itself is too long.
         let evaluate = system(Four::constant(3.0), Four::constant(8.0));
         let guess = [Lanes([1.001, 40.0, f64::NAN, 1.001]), Lanes([2.001, -3.0, 2.0, 1.999])];
         let [x, _] = root(guess, [1.0, 2.0].map(Four::constant), &evaluate).unwrap();
