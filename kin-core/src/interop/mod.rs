@@ -1,4 +1,4 @@
-//! Other crates, one optional dependency per file.
+//! Conversions to and from other crates, one optional dependency per file.
 
 #[cfg(feature = "nalgebra")]
 mod nalgebra;

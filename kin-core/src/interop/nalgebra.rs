@@ -1,4 +1,4 @@
-//! Vectors of the plane and of space as nalgebra's vectors and points, and back.
+//! Vectors of the plane and of space, converted to and from nalgebra's vectors and points.
 
 use nalgebra::{Point2, Point3, Scalar, Vector2, Vector3};
 

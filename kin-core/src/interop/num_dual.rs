@@ -57,8 +57,8 @@ macro_rules! dual_scalar {
                     DualNum::atan(&self)
                 }
 
-                // num-dual divides by `x` for the derivatives, which are then NaN on the y axis. An angle that is
-                // measured from the nearer axis has the same derivatives; only its real part has to be put right.
+                // num-dual divides by `x` for the derivatives, so they are NaN on the y axis. The angle from the nearer
+                // axis has the same derivatives; only its real part must be corrected.
                 #[inline]
                 fn atan2(self, x: Self) -> Self {
                     let y = self;
@@ -81,8 +81,8 @@ macro_rules! dual_scalar {
                     DualNum::cosh(&self)
                 }
 
-                // num-dual divides the hyperbolic sine by the cosine, and takes the standard library's inverses, which lose digits. Only
-                // the real parts have to be put right.
+                // num-dual divides the hyperbolic sine by the cosine, and it calls the inverses of the standard
+                // library, which lose digits. Only the real parts must be corrected.
                 #[inline]
                 fn tanh(self) -> Self {
                     Self { re: Number::tanh(self.re), ..DualNum::tanh(&self) }
@@ -145,9 +145,9 @@ mod tests {
     type Nested = HyperDual<HyperDual<f64>>;
     type Mixed = Dual<Dual3<f64>>;
 
-    /// A function of time from its value and four derivatives, as each of the number types carries it.
+    /// A function of time as each number type represents it, from its value and four derivatives.
     fn nested(d: [f64; 5]) -> Nested {
-        // Of two steps e1, e2 inside and two f1, f2 outside, every subset of k steps holds the k-th derivative.
+        // With two steps e1, e2 inside and two f1, f2 outside, every subset of k steps holds the k-th derivative.
         let inner = |k: usize| HyperDual::new(d[k], d[k + 1], d[k + 1], d[k + 2]);
         HyperDual::new(inner(0), inner(1), inner(1), inner(2))
     }
@@ -238,7 +238,7 @@ mod tests {
                 }
             }
         }
-        // Fourth derivative of atan2(sin t, cos t) = t.
+        // The fourth derivative of atan2(sin t, cos t) = t.
         let angle = Number::atan2(nested([0.0, -1.0, 0.0, 1.0, 0.0]), nested([-1.0, 0.0, 1.0, 0.0, -1.0]));
         check(
             "half a turn",
@@ -294,7 +294,7 @@ mod tests {
             root.unwrap()[0]
         }
         agree!("x + sin(x) / 2 = t", angle, X);
-        // And t from x gives back the motion of t.
+        // Computing t from x restores the motion of t.
         let motion = nested(X);
         let [x] = solve::newton([Nested::constant(0.3)], [Number::constant(1.0)], |[x]: [Nested; 1]| {
             (
