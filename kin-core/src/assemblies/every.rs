@@ -12,13 +12,14 @@ use crate::assemblies::{
 use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, SolveError};
 
-/// Positions nearer to each other than this, in radians or in the size of their lengths, are one: regular ones are not.
+/// The distance within which positions are the same, in radians or relative to their lengths. Regular positions lie
+/// further apart.
 const SAME: f64 = 1e-7;
 
-/// All positions of a mechanism at given inputs, by which its assemblies are told; a slice for reading.
+/// All positions of a mechanism at given inputs, which identify its assemblies. It dereferences to a slice.
 ///
-/// Each is a regular position, found by Newton's method to the last digit. See [`continuation`](crate::continuation) for what is
-/// guaranteed: if [`is_complete`](Self::is_complete), there is no other regular position.
+/// Each is a regular position, found by Newton's method to the last digit. See [`continuation`](crate::continuation)
+/// for the guarantees: if [`is_complete`](Self::is_complete), there is no other regular position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assemblies<const N: usize, const CAPACITY: usize> {
     positions: Positions<Near<N>, CAPACITY>,
@@ -27,13 +28,13 @@ pub struct Assemblies<const N: usize, const CAPACITY: usize> {
 }
 
 impl<const N: usize, const CAPACITY: usize> Assemblies<N, CAPACITY> {
-    /// Whether no path to a position was lost, so that these are all regular positions.
+    /// Whether no path to a position was lost, so that the list contains all regular positions.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.lost == 0 && self.positions.missed() == 0
     }
 
-    /// How many singular positions were met, limit positions and dead points; they are not in the list.
+    /// The number of singular positions found: limit positions and dead points. The list does not contain them.
     #[must_use]
     pub const fn singular(&self) -> usize {
         self.singular
@@ -57,17 +58,17 @@ impl<'a, const N: usize, const CAPACITY: usize> IntoIterator for &'a Assemblies<
     }
 }
 
-/// What is chosen on the way to a position, block by block: one way after another, until all have been gone.
+/// The choices on the path to a position, block by block. The paths are tried one after another.
 #[derive(Clone, Copy, Debug)]
 pub struct Choices {
-    /// Which of how many, for each choice on the way.
+    /// For each choice on the path, the chosen index and the number of options.
     way: [(usize, usize); Self::DEPTH],
     depth: usize,
     lost: usize,
 }
 
 impl Choices {
-    /// Choices on one way. A mechanism of more blocks than this has too many assemblies to go through.
+    /// The number of choices on one path. A mechanism with more blocks has too many assemblies to try all.
     const DEPTH: usize = 64;
 
     const fn new() -> Self {
@@ -78,7 +79,7 @@ impl Choices {
         }
     }
 
-    /// One of `count`, and whether it is the first time that this choice is made.
+    /// The chosen one of `count` options, and whether this choice is made for the first time.
     fn one_of(&mut self, count: usize) -> (usize, bool) {
         let place = self.depth;
         self.depth += 1;
@@ -89,7 +90,7 @@ impl Choices {
         (choice.0, choice.0 == 0)
     }
 
-    /// Goes on to the next way; false if there is none.
+    /// Moves on to the next path; returns false if there is none.
     fn advance(&mut self) -> bool {
         let mut place = self.depth.min(Self::DEPTH);
         self.depth = 0;
@@ -113,7 +114,7 @@ impl Choices {
     /// A solution of a block without a closed form.
     ///
     /// # Errors
-    /// If there is none.
+    /// Fails if there is no solution.
     pub fn solution<const M: usize, const PATHS: usize>(
         &mut self,
         system: &PolynomialSystem<M>,
@@ -134,12 +135,12 @@ impl Choices {
     }
 }
 
-/// Goes every way that `position` leaves to choose, and keeps the positions at which it arrives, `refined` to the last digit.
+/// Tries all combinations of choices in `position`, and keeps the resulting positions, `refined` to the last digit.
 ///
-/// There are as many ways as combinations of solutions; the macro calls it for a mechanism of 4096 at most.
+/// There is one path per combination of solutions. The macro calls this function for mechanisms with at most 4096.
 ///
 /// # Errors
-/// [`Failure::NotFinite`], if parameters or inputs are not.
+/// [`Failure::NotFinite`] if a parameter or an input is not finite.
 pub fn every<const N: usize, const CAPACITY: usize>(
     mut position: impl FnMut(&mut Choices) -> Result<[f64; N], SolveError>,
     refined: impl Fn([f64; N]) -> Result<[f64; N], SolveError>,
@@ -174,7 +175,7 @@ pub fn every<const N: usize, const CAPACITY: usize>(
     }
 }
 
-/// Whether two positions are one, up to whole turns.
+/// Whether two positions are the same up to whole turns.
 fn is_same<const N: usize>(a: &[f64; N], b: &[f64; N]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = a - b;

@@ -1,4 +1,4 @@
-//! A list of fixed capacity.
+//! A list with a fixed capacity.
 
 use core::iter::{Flatten, Take};
 use core::ops::{Deref, DerefMut};
@@ -6,7 +6,7 @@ use core::{option, slice};
 
 /// The positions that were found, at most `CAPACITY` of them, without allocation.
 ///
-/// It is a slice for reading. What does not fit is not kept, but counted.
+/// It dereferences to a slice. Positions beyond the capacity are counted but not kept.
 ///
 /// ```
 /// use kin_core::Positions;
@@ -20,7 +20,7 @@ use core::{option, slice};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Positions<P, const CAPACITY: usize> {
-    /// The first `length` are in the list; there are none before the first one is added.
+    /// The first `length` values are in the list. It is `None` until the first position is added.
     values: Option<[P; CAPACITY]>,
     length: usize,
     missed: usize,
@@ -37,7 +37,7 @@ impl<P: Copy, const CAPACITY: usize> Positions<P, CAPACITY> {
         }
     }
 
-    /// Adds a position at the end, and says whether there was room.
+    /// Adds a position at the end, and returns whether there was room.
     pub fn push(&mut self, position: P) -> bool {
         let values = self.values.get_or_insert([position; CAPACITY]);
         if let Some(place) = values.get_mut(self.length) {
@@ -52,7 +52,7 @@ impl<P: Copy, const CAPACITY: usize> Positions<P, CAPACITY> {
 }
 
 impl<P, const CAPACITY: usize> Positions<P, CAPACITY> {
-    /// How many positions were not kept for want of room.
+    /// The number of positions that did not fit.
     #[must_use]
     pub const fn missed(&self) -> usize {
         self.missed
@@ -87,7 +87,7 @@ impl<P, const CAPACITY: usize> DerefMut for Positions<P, CAPACITY> {
     }
 }
 
-/// Equal if the positions are, and as many were missed.
+/// Two lists are equal if their positions are, and if they missed the same number.
 impl<P: PartialEq, const CAPACITY: usize> PartialEq for Positions<P, CAPACITY> {
     fn eq(&self, other: &Self) -> bool {
         self.missed == other.missed && self.as_slice() == other.as_slice()

@@ -1,4 +1,4 @@
-//! Complex numbers, as far as the tracking of paths needs them.
+//! Complex numbers, as far as path tracking needs them.
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
@@ -6,8 +6,8 @@ use num_traits::Float;
 
 /// A complex number in double precision.
 ///
-/// All that is tracked is of moderate size, so that nothing needs to be guarded against overflow. Results that are real
-/// remain exactly so: the imaginary part of sums, products and inverses of real numbers is zero.
+/// All tracked numbers are of moderate size, so nothing needs a guard against overflow. Real results stay exactly real:
+/// sums, products and inverses of real numbers have the imaginary part zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Complex {
     pub(super) re: f64,
@@ -28,7 +28,7 @@ impl Complex {
         Self { re, im: 0.0 }
     }
 
-    /// The number of modulus one at an angle.
+    /// The number of modulus one at a given angle.
     pub(super) fn unit(angle: f64) -> Self {
         let (im, re) = Float::sin_cos(angle);
         Self { re, im }
@@ -55,7 +55,7 @@ impl Complex {
         Self::new(self.re * factor, -(self.im * factor))
     }
 
-    /// The power to a non-negative integer.
+    /// The power with a non-negative integer exponent.
     #[inline]
     pub(super) fn power(self, exponent: u8) -> Self {
         match exponent {
@@ -120,7 +120,7 @@ pub(super) fn largest(values: &[Complex]) -> f64 {
         values
             .iter()
             .map(|value| value.norm_squared())
-            // Not `f64::max`, which passes over NaN.
+            // `f64::max` would ignore NaN.
             .fold(
                 0.0,
                 |most: f64, next| if next <= most || most.is_nan() { most } else { next },

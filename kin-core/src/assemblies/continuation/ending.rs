@@ -1,60 +1,59 @@
-//! Where a path ends.
+//! The ends of paths.
 
 use super::complex::Complex;
 use super::homotopy::{Homotopy, Linearised};
 use super::traveller::{Care, Pinned, Progress, Traveller};
 
-/// From here on a path is watched for a singular end.
+/// The distance from the end at which a path is checked for a singular end.
 const NEAR: f64 = 0.1;
-/// A path that is not through by here is taken to wind around a singular end.
+/// The distance within which a path that has not arrived is assumed to wind around a singular end.
 const NEARER: f64 = 1e-3;
-/// Nearer than this rounding prevails.
+/// The distance below which rounding dominates.
 const NEAREST: f64 = 1e-13;
-/// So far from zero the equations may be at a singular end, rounding alone being some orders less.
+/// The largest residual at a singular end. Rounding alone is some orders of magnitude smaller.
 const SOLVED: f64 = 1e-12;
-/// So far they may be if no better end is found: the mean of two solutions that are too near each other to be told
-/// apart.
+/// The largest residual if no better end is found: this one belongs to the mean of two solutions that are too close to
+/// separate.
 const NEARLY_SOLVED: f64 = 1e-8;
-/// Regular solutions are farther from each other than their errors by some multiple of this.
+/// The factor for the distance between regular solutions: they lie further apart than this many times their errors.
 const CLEARANCE: f64 = 64.0;
-/// Singular ends, and any that are so near to one that rounding may have a part in the difference, are taken for one
-/// and the same within this distance. Rounding of the coefficients by ε moves a double solution by √ε times a condition
-/// number.
+/// The distance within which singular ends count as one, as does any end so close to one that rounding may cause the
+/// difference. Rounding the coefficients by ε moves a double solution by √ε times a condition number.
 const TOGETHER: f64 = 1e-4;
-/// The part that is left by rounding of the imaginary part of a singular end, or of X₀ of one at infinity, is less.
+/// A bound on what rounding leaves of the imaginary part of a singular end, or of X₀ of an end at infinity.
 const NOTHING: f64 = 1e-6;
-/// The last step to a regular solution beside which there is another one is no shorter than this.
+/// The shortest allowed last step to a regular solution that has another solution close to it.
 const SHORTEST: f64 = 1e-16;
-/// The points of a loop around the end.
+/// The number of points on a loop around the end.
 const POINTS: u8 = 8;
-/// The most loops after which a path closes.
+/// The largest number of loops after which a path closes.
 const MOST_LOOPS: u8 = 12;
 
 /// The end of a path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct End<const M: usize> {
-    /// What kind of end.
+    /// The kind of end.
     pub(super) kind: EndKind,
-    /// Numbers that tell it from other ends, in projective space.
+    /// Numbers that distinguish it from other ends, in projective space.
     pub(super) marks: [Complex; 2],
-    /// To what the marks are correct.
+    /// The error of the marks.
     pub(super) error: f64,
     /// The variables, if they are real.
     pub(super) values: Option<[f64; M]>,
-    /// How well the solution is determined: the factor by which relative roundings of the terms are enlarged.
+    /// The condition of the solution: the factor by which relative rounding errors of the terms are magnified.
     pub(super) condition: f64,
 }
 
 /// The kinds of ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum EndKind {
-    /// A solution with a Jacobian that is not singular; no other path ends here.
+    /// A solution with a regular Jacobian; no other path ends here.
     Regular,
     /// A solution with a singular Jacobian.
     Singular,
-    /// At infinity, and no other path ends here.
+    /// A point at infinity where no other path ends.
     RegularAtInfinity,
-    /// At infinity.
+    /// A point at infinity.
     AtInfinity,
     /// The path could not be followed to its end.
     Lost,
@@ -69,7 +68,7 @@ impl<const M: usize> End<M> {
         condition: 0.0,
     };
 
-    /// Whether two paths end at the same point, as far as can be told.
+    /// Whether two paths end at the same point, within their errors.
     pub(super) fn meets(&self, other: &Self) -> bool {
         let [first, second] = [0, 1].map(|place| (self.marks[place] - other.marks[place]).norm());
         let size = self.marks.iter().fold(1.0_f64, |most, mark| most.max(mark.norm()));
@@ -77,14 +76,14 @@ impl<const M: usize> End<M> {
     }
 }
 
-/// A solution of the system, by the free coordinates.
+/// A solution of the system, in the free coordinates.
 struct Settled<const M: usize> {
     point: [Complex; M],
     condition: f64,
     error: f64,
 }
 
-/// Follows one path from its start to its end; none if there is no such path.
+/// Follows one path from its start to its end; `None` if there is no such path.
 pub(super) fn follow<const M: usize>(
     homotopy: &Homotopy<'_, M>,
     choice: usize,
@@ -99,7 +98,7 @@ fn travel<const M: usize>(mut traveller: Traveller<'_, M>, care: Care, at: &mut 
     if traveller.advance(Complex::real(NEAR), 1e-10, true, care, at) != Progress::Arrived {
         return End::LOST;
     }
-    // Most ends are regular and can be walked up to.
+    // Most ends are regular and can be reached directly.
     let mut ahead = traveller.clone();
     if let Some(end) = walk(&mut ahead, 0.5 * NEARER, care, at) {
         return end;
@@ -110,7 +109,7 @@ fn travel<const M: usize>(mut traveller: Traveller<'_, M>, care: Care, at: &mut 
     limit(&mut traveller, care, at)
 }
 
-/// The end of a path, if steps need not be shorter than the given one to get there, and it is regular.
+/// The end of a path, if it is regular and can be reached by steps no shorter than the given one.
 fn walk<const M: usize>(
     traveller: &mut Traveller<'_, M>,
     shortest: f64,
@@ -124,13 +123,13 @@ fn walk<const M: usize>(
     Some(regular_end(&traveller.homotopy, &settled, at))
 }
 
-/// The end of a path that winds around a singular solution, or one at infinity.
+/// The end of a path that winds around a singular solution or around one at infinity.
 ///
-/// There Y is a power series of t^(1/c) with a natural number c, the winding number. After c loops around t = 0 the
-/// path closes, and the mean over the loops is its end (Cauchy's integral; A. P. Morgan, A. J. Sommese & C. W. Wampler,
-/// *Computing singular solutions to nonlinear analytic systems*, Numerische Mathematik 58, 1991). With N points in each
-/// loop of radius r the mean is off by a multiple of r^N, so that two radii show whether the series converges and how
-/// well.
+/// At such an end Y is a power series of t^(1/c) with a natural number c, the winding number. After c loops around t =
+/// 0 the path closes, and the mean over the loops is its end (Cauchy's integral; A. P. Morgan, A. J. Sommese & C. W.
+/// Wampler, *Computing singular solutions to nonlinear analytic systems*, Numerische Mathematik 58, 1991). With N
+/// points on each loop of radius r, the mean has an error proportional to r^N. Two radii therefore show whether the
+/// series converges, and how well.
 fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut Linearised<M>) -> End<M> {
     let mut radius = traveller.t.re;
     let mut before: Option<([Complex; M], u8)> = None;
@@ -139,7 +138,8 @@ fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut 
         if traveller.advance(Complex::real(radius), 1e-5 * radius, false, care, at) != Progress::Arrived {
             break;
         }
-        // A coordinate that vanishes at the end must not be pinned: the others would have a pole there, and a mean.
+        // A coordinate that vanishes at the end must not be pinned: the others would have a pole there, but still a
+        // mean.
         match traveller.pin(at) {
             Pinned::Same => {}
             Pinned::Other => before = None,
@@ -150,10 +150,10 @@ fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut 
             && loops == earlier_loops
         {
             let change = distance(&traveller.homotopy, &mean, &earlier);
-            // A loop around several branch points has a mean as well, but that is no solution.
+            // A loop around several branch points has a mean too, but this mean is not a solution.
             let residual = traveller.homotopy.residual(&mean, at);
             if change <= 1e-6 && residual <= NEARLY_SOLVED {
-                // The second mean is better than the first by the power of the ratio of the radii.
+                // The second mean is better than the first by a power of the ratio of the radii.
                 candidate = Some((traveller.homotopy.clone(), mean, (1e-4 * change).max(1e-10)));
                 if residual <= SOLVED {
                     break;
@@ -166,12 +166,12 @@ fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut 
     let end = candidate.map(|(homotopy, mean, error)| end_at(&homotopy, mean, error, at));
     match end {
         Some(end) if end.kind != EndKind::Singular => end,
-        // Two solutions may be so near each other that their mean is nearly one: then the path leads to one of them.
+        // Two solutions can be so close that their mean is nearly a solution. Then the path leads to one of the two.
         _ => walk(traveller, SHORTEST, care, at).or(end).unwrap_or(End::LOST),
     }
 }
 
-/// The mean of a path over the loops after which it closes, with their number.
+/// The mean of a path over the loops after which it closes, and the number of these loops.
 fn mean_of_loops<const M: usize>(
     traveller: &Traveller<'_, M>,
     radius: f64,
@@ -208,8 +208,7 @@ fn mean_of_loops<const M: usize>(
 }
 
 impl<const M: usize> Homotopy<'_, M> {
-    /// How far the equations are from being satisfied at t = 0. Their coefficients are one at most, coordinates are of
-    /// the size of one.
+    /// The residual of the equations at t = 0. Their coefficients are at most one, and the coordinates are about one.
     fn residual(&self, point: &[Complex; M], at: &mut Linearised<M>) -> f64 {
         self.evaluate(point, Complex::ZERO, at);
         let magnitudes = self.magnitudes(point);
@@ -228,7 +227,7 @@ fn distance<const M: usize>(homotopy: &Homotopy<'_, M>, first: &[Complex; M], se
     homotopy.size(&difference)
 }
 
-/// What kind of end the limit of a path is.
+/// The kind of end at the limit of a path.
 fn end_at<const M: usize>(
     homotopy: &Homotopy<'_, M>,
     mean: [Complex; M],
@@ -260,7 +259,7 @@ fn end_at<const M: usize>(
     }
 }
 
-/// Newton's method to the last digit at t = 0. None if the Jacobian is singular, or as good as singular.
+/// Newton's method to the last digit at t = 0. `None` if the Jacobian is singular, or practically singular.
 fn settle<const M: usize>(
     homotopy: &Homotopy<'_, M>,
     mut point: [Complex; M],
@@ -279,7 +278,7 @@ fn settle<const M: usize>(
         }
         step = next;
     }
-    // What roundings of the terms do to the solution: the rows of the inverse, weighted by the terms.
+    // The effect of rounding in the terms on the solution: the rows of the inverse, weighted by the terms.
     let magnitudes = homotopy.magnitudes(&point);
     let mut sums = [0.0; M];
     let mut longest = ([Complex::ZERO; M], 0.0);
@@ -300,8 +299,8 @@ fn settle<const M: usize>(
     if step > 4.0 * error || error > 1e-3 {
         return None;
     }
-    // Whether another solution is so near that rounding might lead there: Newton's method must come back from far
-    // beyond the error, in the direction in which the error is largest.
+    // Test whether another solution is so close that rounding might lead to it. Newton's method must return from a
+    // start far beyond the error, in the direction in which the error is largest.
     let (direction, length) = longest;
     let aside = CLEARANCE * error;
     let mut probe = point;
@@ -311,7 +310,7 @@ fn settle<const M: usize>(
         }
         homotopy.newton(&mut probe, Complex::ZERO, at)?;
     }
-    // From a distance h, with another solution at the distance s, it comes as near as h² / 2(s + h).
+    // From a distance h, with another solution at the distance s, the step ends at a distance of h² / 2(s + h).
     (distance(homotopy, &probe, &point) <= 0.125 * aside + 4.0 * error).then_some(Settled {
         point,
         condition,
@@ -339,13 +338,14 @@ fn regular_end<const M: usize>(homotopy: &Homotopy<'_, M>, settled: &Settled<M>,
         end.kind = EndKind::RegularAtInfinity;
         return end;
     }
-    // The coordinates are real linear forms of the variables, and one of them is one: if the variables are real, so are
-    // they all. Solutions that are not come in pairs with their conjugates, and none are nearer than 1 / condition.
+    // The coordinates are real linear forms of the variables, and one coordinate is one: if the variables are real, all
+    // coordinates are real. Other solutions come in pairs with their conjugates, at a distance of at least 1 /
+    // condition.
     if point[..free].iter().all(|value| value.im.abs() <= 4.0 * error) {
         for value in &mut point {
             value.im = 0.0;
         }
-        // With real coordinates all numbers are real, also those of Newton's method.
+        // With real coordinates all numbers are real, including those of Newton's method.
         if homotopy
             .newton(&mut point, Complex::ZERO, at)
             .is_some_and(|step| step <= 16.0 * error)

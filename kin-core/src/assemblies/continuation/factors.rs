@@ -1,15 +1,15 @@
-//! Systems of linear equations of complex numbers: Gaussian elimination with partial pivoting.
+//! Systems of complex linear equations, solved by Gaussian elimination with partial pivoting.
 
 use super::complex::Complex;
 
 /// The triangular factors of the leading square part of a matrix.
 ///
-/// Room is for `M` rows; as many are used as there are unknowns.
+/// There is room for `M` rows. The number of rows in use is the number of unknowns.
 #[derive(Clone, Debug)]
 pub(super) struct ComplexFactors<const M: usize> {
-    /// Before factorisation the matrix; after it the factors, with the inverses of the pivots on the diagonal.
+    /// The matrix before factorisation; afterwards the factors, with the inverses of the pivots on the diagonal.
     pub(super) rows: [[Complex; M]; M],
-    /// The row that has been exchanged with each one.
+    /// The row exchanged with each row.
     exchanged: [usize; M],
 }
 
@@ -21,7 +21,7 @@ impl<const M: usize> ComplexFactors<M> {
         }
     }
 
-    /// Factorises the leading `n` rows and columns; false if a pivot is zero or not a number.
+    /// Factorises the leading `n` rows and columns; returns false if a pivot is zero or NaN.
     pub(super) fn factorise(&mut self, n: usize) -> bool {
         for column in 0..n {
             let mut pivot = column;

@@ -1,4 +1,4 @@
-//! The system that is deformed from one with known solutions into the one to be solved.
+//! The homotopy: a system that is deformed from one with known solutions into the one to be solved.
 
 use num_traits::Float;
 
@@ -11,56 +11,57 @@ use super::system::PolynomialSystem;
 
 /// H(X, t) = t γ G(X) + (1 - t) F(X), homogeneous in X, with a random γ of modulus one for each equation.
 ///
-/// The known solutions are those at t = 1, the wanted ones those at t = 0. G is a product of linear forms, of which
-/// products with other coefficients make up F as well:
+/// The known solutions belong to t = 1, the wanted ones to t = 0. G is a product of linear forms, chosen so that a sum
+/// of such products with other coefficients gives F:
 ///
-/// - of a(x² + y²) + b x + c y + d, the circle, the forms are x + i y - p and x - i y - q with random p, q;
-/// - of an equation of second degree without squares, of which the variables can be divided into two sets such that no
-///   product is of two from the same set, the forms are of the one set and 1, and of the other and 1, with random
-///   coefficients;
-/// - of any other equation of degree d there are d forms of all its variables and 1, with random coefficients.
+/// - For a(x² + y²) + b x + c y + d, the circle, the forms are x + i y - p and x - i y - q with random p, q.
+/// - For an equation of second degree without squares whose variables can be divided into two sets, such that no
+///   product has two variables of the same set, one form takes the first set and 1, the other the second set and 1,
+///   with random coefficients.
+/// - For any other equation of degree d, there are d forms of all its variables and 1, with random coefficients.
 #[derive(Clone, Debug)]
 pub(super) struct Homotopy<'a, const M: usize> {
     system: &'a PolynomialSystem<M>,
     coefficients: &'a [f64],
     coordinates: Coordinates<M>,
-    /// The equations of higher degree than one; as many are used as there are free coordinates.
+    /// The equations of degree two or more. There are as many as free coordinates.
     equations: [NonlinearEquation<M>; M],
-    /// In which forms of coordinates marks are made.
+    /// The number of the forms of coordinates that make the marks.
     number: u64,
 }
 
-/// An equation of higher degree than one.
+/// An equation of degree two or more.
 #[derive(Clone, Copy, Debug)]
 struct NonlinearEquation<const M: usize> {
-    /// Its first term and the one after its last.
+    /// The index of its first term, and the index after its last.
     terms: [usize; 2],
     degree: u8,
-    /// By which it is multiplied.
+    /// The factor of the equation.
     scale: f64,
     /// The variables that occur, and their number.
     support: [usize; M],
     occurring: usize,
-    /// γ.
+    /// The number γ.
     turn: Complex,
     start: Start<M>,
 }
 
-/// The linear forms of which G is the product.
+/// The linear forms whose product is G.
 #[derive(Clone, Copy, Debug)]
 enum Start<const M: usize> {
-    /// The first two variables are the coordinates on a circle, these are p and q.
+    /// The first two variables are the coordinates on a circle, and the constants are p and q.
     Circle {
-        /// Of the variables.
+        /// The unit of the variables.
         unit: f64,
         constants: [Complex; 2],
     },
-    /// Random coefficients, drawn when they are needed: there is no room for as many as there may be.
+    /// Random coefficients, drawn on demand because there is no room to store them all.
     Random {
         number: u64,
-        /// Whether each variable that occurs does so in the first and in the second form; in all further ones it does.
+        /// Whether each variable of the equation occurs in the first and in the second form. It occurs in all further
+        /// forms.
         members: [[bool; 2]; M],
-        /// The inverse units of the variables that occur.
+        /// The inverse units of the variables of the equation.
         inverse_units: [f64; M],
     },
 }
@@ -68,11 +69,11 @@ enum Start<const M: usize> {
 /// The system with its derivatives at one point.
 #[derive(Clone, Debug)]
 pub(super) struct Linearised<const M: usize> {
-    /// H.
+    /// The value of H.
     pub(super) value: [Complex; M],
-    /// ∂H/∂t.
+    /// The rate ∂H/∂t.
     pub(super) rate: [Complex; M],
-    /// ∂H/∂y, or its factors.
+    /// The Jacobian ∂H/∂y, or its factors.
     pub(super) factors: ComplexFactors<M>,
 }
 
@@ -86,13 +87,13 @@ impl<const M: usize> Linearised<M> {
     }
 }
 
-/// A function of X with its slopes.
+/// The value of a function of X, and its slopes.
 #[derive(Clone, Copy)]
 struct Slopes<const M: usize> {
     value: Complex,
-    /// Along the variables.
+    /// The slopes along the variables.
     along: [Complex; M],
-    /// Along X₀.
+    /// The slope along X₀.
     infinity: Complex,
 }
 
@@ -105,7 +106,7 @@ impl<const M: usize> Slopes<M> {
 }
 
 impl<const M: usize> Start<M> {
-    /// The coefficient of a variable, by its place among those that occur, in one of the factors.
+    /// The coefficient of a variable in one of the factors. `place` counts the variables of the equation.
     #[inline]
     fn coefficient(&self, factor: u8, place: usize) -> Complex {
         match self {
@@ -152,7 +153,7 @@ impl<const M: usize> NonlinearEquation<M> {
         },
     };
 
-    /// One of the forms of which G is the product.
+    /// One of the forms whose product is G.
     #[inline]
     fn factor(&self, factor: u8, x: &[Complex; M], infinity: Complex) -> Complex {
         self.support[..self.occurring]
@@ -163,7 +164,7 @@ impl<const M: usize> NonlinearEquation<M> {
             })
     }
 
-    /// G, with its slopes added to those there are, both times a factor.
+    /// Adds G times a factor, and its slopes times that factor, to `slopes`.
     #[inline]
     fn add_start(&self, x: &[Complex; M], infinity: Complex, times: Complex, slopes: &mut Slopes<M>) -> Complex {
         let mut product = Complex::ZERO;
@@ -250,7 +251,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         })
     }
 
-    /// The known solution in which one chosen factor of each equation is zero, if there is one and it is finite.
+    /// The known solution at which one chosen factor of each equation is zero, if it exists and is finite.
     pub(super) fn start(&mut self, choice: usize, at: &mut Linearised<M>) -> Option<[Complex; M]> {
         let free = self.free();
         let mut rest = choice;
@@ -275,7 +276,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         }
         let mut point = at.value;
         at.factors.solve(free, &mut point);
-        // The size of the inverse: by so much roundings of the forms are enlarged.
+        // The size of the inverse, which is the factor by which rounding of the forms is magnified.
         let mut sums = [0.0; M];
         for row in 0..free {
             let mut column = [Complex::ZERO; M];
@@ -288,12 +289,12 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         let condition = sums[..free].iter().fold(1.0, |most: f64, &sum| most.max(sum));
         let size = self.size(&point).max(1.0);
         let (_, infinity) = self.homogeneous(&point);
-        // Where the forms contradict each other, their solution is at infinity.
+        // If the forms contradict each other, their solution is at infinity.
         let finite = infinity.norm() > 1e3 * f64::EPSILON * condition * size;
         finite.then_some(point)
     }
 
-    /// Pins the largest coordinate if it is much larger than the one that is pinned, and says whether it did.
+    /// Pins the largest coordinate if it is much larger than the pinned one, and returns whether it did.
     pub(super) fn pin_largest(&mut self, point: &mut [Complex; M]) -> bool {
         let free = self.free();
         let (mut place, mut most) = (free, 4.0);
@@ -314,7 +315,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         true
     }
 
-    /// X₁ ... and X₀ of a point.
+    /// The coordinates X₁ ... and X₀ of a point.
     #[inline]
     pub(super) fn homogeneous(&self, point: &[Complex; M]) -> ([Complex; M], Complex) {
         let free = self.free();
@@ -332,7 +333,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         (x, sum(&coordinates.infinity, coordinates.infinity_pinned))
     }
 
-    /// Two numbers that do not depend on which coordinate is pinned, and differ from point to point.
+    /// Two numbers that do not depend on the choice of pinned coordinate, and differ from point to point.
     pub(super) fn marks(&self, point: &[Complex; M]) -> [Complex; 2] {
         let (x, infinity) = self.homogeneous(point);
         let [below, first, second] = [0, 1, 2].map(|form| {
@@ -369,7 +370,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         }
     }
 
-    /// F of one equation, with its slopes.
+    /// Adds F of one equation, and its slopes.
     #[inline]
     fn add_target(&self, equation: &NonlinearEquation<M>, x: &[Complex; M], infinity: Complex, slopes: &mut Slopes<M>) {
         let [first, end] = equation.terms;
@@ -403,10 +404,10 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         }
     }
 
-    /// The sums of the moduli of the terms of each equation at t = 0, of which the roundings are a multiple.
+    /// The sums of the moduli of the terms of each equation at t = 0. Rounding errors are proportional to them.
     pub(super) fn magnitudes(&self, point: &[Complex; M]) -> [f64; M] {
         let free = self.free();
-        // The sums of which the variables are made round to their largest share, not to themselves.
+        // A sum that makes up a variable is rounded relative to its largest share, not to itself.
         let sum = |shares: &[f64; M], pinned: f64| {
             shares[..free]
                 .iter()

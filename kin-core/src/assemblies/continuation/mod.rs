@@ -1,68 +1,67 @@
 //! All solutions of a system of polynomial equations, by continuation from all solutions of another system.
 //!
-//! A coupled block of a loop closure is such a system: each unknown angle gives two variables, its cosine and sine,
-//! with the equation c² + s² = 1, each unknown length one, and the loops are equations of first or second degree in
-//! them. Newton's method finds one solution near a guess; this finds them all.
+//! A coupled block of a loop closure is such a system. Each unknown angle gives two variables, its cosine and sine,
+//! with the equation c² + s² = 1; each unknown length gives one variable. The loops are equations of first or second
+//! degree in them. Newton's method finds one solution near a guess; this module finds all solutions.
 //!
-//! # How it goes
+//! # Method
 //!
-//! 1. Variables and equations are scaled, and the equations of first degree are used to eliminate variables.
+//! 1. Variables and equations are scaled, and the equations of first degree eliminate variables.
 //! 2. The other equations are replaced by products of linear factors with random complex coefficients, chosen so that
-//!    the equations have the same structure. The solutions of this *start system* are found by setting one factor of
-//!    each equation to zero.
-//! 3. The start system is deformed into the system to be solved, and each solution is followed on its path through the
-//!    complex numbers, with a predictor (Runge-Kutta, fourth order), a corrector (Newton) and steps as long as the
-//!    error of prediction allows. In homogeneous coordinates a path to infinity is no longer than others.
-//! 4. Where a path ends at a singular solution, it is followed around its end, and the end is the mean of what is met
-//!    on the way (Cauchy's integral).
-//! 5. Ends are sorted: regular or singular, finite or at infinity, real or complex. Real ones are corrected in real
-//!    numbers. A path that has got lost, or that ends where another one ends although only one can, is followed once
-//!    more with more care, and if that does not help all paths are followed from another start system.
+//! the equations have the same structure. Setting one factor of each equation to zero gives the solutions of this
+//! *start system*.
+//! 3. The start system is deformed into the system to be solved. Each solution is followed on its path through the
+//! complex numbers, with a predictor (Runge-Kutta, fourth order), a corrector (Newton) and steps as long as the error
+//! of prediction allows. In homogeneous coordinates a path to infinity is no longer than other paths.
+//! 4. If a path ends at a singular solution, it is followed around its end. The end is the mean over these loops
+//! (Cauchy's integral).
+//! 5. Ends are sorted: regular or singular, finite or at infinity, real or complex. Real ends are corrected in real
+//! numbers. A path that is lost, or that ends where another path ends although only one can, is followed once more with
+//! greater care. If that does not help, all paths are followed from another start system.
 //!
-//! For an angle the linear factors are c + i s - p and c - i s - q: isotropic coordinates, in which a plane loop is one
-//! equation of the first and another of the second (C. W. Wampler, *Solving the kinematics of planar mechanisms by
-//! Dixon determinant and a complex-plane formulation*, Journal of Mechanical Design 123 (2001) 382-387). So n / 2 loops
-//! with n angles have at most n! / (n/2)!² paths: 2 for a four-bar linkage, 6 for the class III triad, 20 for three
-//! loops. In general these are the numbers of solutions, real and complex, and no path leads to infinity.
+//! For an angle the linear factors are c + i s - p and c - i s - q. These are isotropic coordinates, in which a plane
+//! loop is one equation in the first and another in the second (C. W. Wampler, *Solving the kinematics of planar
+//! mechanisms by Dixon determinant and a complex-plane formulation*, Journal of Mechanical Design 123 (2001) 382-387).
+//! So n / 2 loops with n angles have at most n! / (n/2)!² paths: 2 for a four-bar linkage, 6 for the class III triad,
+//! 20 for three loops. In general these are the numbers of real and complex solutions, and no path leads to infinity.
 //!
-//! # What is guaranteed
+//! # Guarantees
 //!
-//! In exact arithmetic, with probability one, every isolated solution in complex numbers is the end of a path, and with
-//! it every isolated real one. (For generic coefficients no two paths meet before their ends, and each isolated
-//! solution of multiplicity m is the end of m paths; the coefficients for which this does not hold are a set of measure
-//! zero.) The coefficients are fixed pseudorandom numbers, so that results are reproducible.
+//! In exact arithmetic, with probability one, every isolated complex solution is the end of a path, and so is every
+//! isolated real solution. (For generic coefficients no two paths meet before their ends, and each isolated solution of
+//! multiplicity m is the end of m paths. The exceptions are a set of coefficients of measure zero.) The coefficients
+//! are fixed pseudorandom numbers, so results are reproducible.
 //!
 //! - A. J. Sommese & C. W. Wampler, *The Numerical Solution of Systems of Polynomials Arising in Engineering and
 //!   Science*, World Scientific 2005: chapter 7 for paths between systems of one family, chapter 8 for linear products,
 //!   chapter 10 for endgames.
 //! - A. P. Morgan, A. J. Sommese & C. W. Wampler, *A product-decomposition bound for Bezout numbers*, SIAM Journal on
-//!   Numerical Analysis 32 (1995) 1308-1325: why the products of step 2 may be taken.
+//!   Numerical Analysis 32 (1995) 1308-1325: proof that the products of step 2 are allowed.
 //! - A. P. Morgan, *Solving Polynomial Systems Using Continuation for Engineering and Scientific Problems*,
 //!   Prentice-Hall 1987.
 //!
-//! Paths are followed in double precision and not in exact arithmetic. A step that is too long may jump to another
-//! path, and there is no proof that none did. It is guarded against by the error of prediction (2·10⁻⁴ at most in
-//! coordinates of size one), by the contraction of Newton's method, and by the rule that no two paths end at the same
-//! regular solution. A jump between paths that both end at regular solutions is found out, unless they are exchanged,
-//! which does no harm; a jump to a path that ends at a singular solution or at infinity is not. Factors of the start
-//! system that contradict each other up to rounding are taken to do so, and have no path: with links in one loop that
-//! differ by more than about six orders of magnitude this may be mistaken.
+//! Paths are followed in double precision, not in exact arithmetic. A step that is too long may jump to another path,
+//! and there is no proof that none did. Three things guard against it: the error of prediction (2·10⁻⁴ at most in
+//! coordinates of size one), the contraction of Newton's method, and the rule that no two paths end at the same regular
+//! solution. A jump between paths that both end at regular solutions is detected, unless the two paths are exchanged,
+//! which does no harm. A jump to a path that ends at a singular solution or at infinity is not detected. If factors of
+//! the start system contradict each other up to rounding, they count as contradictory and have no path. This may be
+//! wrong if the links in one loop differ by more than about six orders of magnitude.
 //!
-//! So, of an [`PathCounts`]:
+//! The [`PathCounts`] mean the following:
 //!
-//! - `lost == 0` ([`is_complete`](PathCounts::is_complete)): all isolated solutions are found, `regular` of them regular
-//!   and all different, with the probability and the reservation above.
-//! - `lost > 0`: so many more isolated solutions may exist, and no more.
+//! - `lost == 0` ([`is_complete`](PathCounts::is_complete)): all isolated solutions are found. `regular` of them are
+//!   regular and all different, with the probability and the reservation above.
+//! - `lost > 0`: at most this many more isolated solutions may exist.
 //! - `singular > 0`: paths end at multiple solutions, at a limit position or dead point, or where the solutions are not
-//!   isolated because the mechanism can move although its inputs do not. Each real point at which such paths end is
-//!   passed on, with the number of paths as multiplicity. Of solutions that are not isolated only some points are
-//!   found.
+//!   isolated because the mechanism can move with fixed inputs. Each real point at which such paths end is passed on,
+//!   with the number of paths as its multiplicity. If solutions are not isolated, only some of their points are found.
 //!
-//! # What is bounded
+//! # Limits of effort
 //!
-//! A path takes at most 5000 steps from its start. If its end is singular, it is looped around at 20 radii at most, with at
-//! most 5000 steps for each radius, those from the start included. It is followed at most three times from each of at
-//! most three start systems. A path that has not arrived then is `lost`.
+//! A path takes at most 5000 steps from its start. If its end is singular, the path loops around it at 20 radii at
+//! most, with at most 5000 steps for each radius, including those from the start. It is followed at most three times
+//! from each of at most three start systems. A path that has not arrived then is `lost`.
 //!
 //! ```
 //! use kin_core::Positions;
@@ -118,20 +117,20 @@ use ending::EndKind;
 use homotopy::Homotopy;
 use paths::{FollowedPath, follow_all};
 
-/// Start systems that are tried before paths are reported as lost.
+/// The number of start systems tried before paths are reported as lost.
 const ATTEMPTS: u64 = 3;
 
-/// Passes each real solution of a system to `found`, and says what is known of all solutions.
+/// Passes each real solution of a system to `found`, and returns the counts of all paths.
 ///
-/// `PATHS` is the number of paths there is room for; [`PolynomialSystem::paths`] is always enough. The coefficients are
-/// those to which the terms of the system refer. Units of the variables may differ by many orders of magnitude.
+/// `PATHS` is the number of paths for which there is room; [`PolynomialSystem::paths`] is always enough. The terms of
+/// the system refer to the given coefficients. Units of the variables may differ by many orders of magnitude.
 ///
-/// Two coupled plane loops with four angles (6 paths) take about 0.7 ms, three with six (20 paths) about 5 ms, more
-/// near a limit position. The stack holds about 100 + 8 M bytes for each of `PATHS`.
+/// Two coupled plane loops with four angles (6 paths) take about 0.7 ms, three loops with six angles (20 paths) about 5
+/// ms, and more near a limit position. The stack holds about 100 + 8 M bytes for each of `PATHS`.
 ///
 /// # Errors
-/// [`Unsuitable`], if the table, the coefficients, or the equations of the first degree leave no way to begin. That
-/// there is no real solution, or that paths were lost, is not an error: the [`PathCounts`] says so.
+/// [`Unsuitable`], if the table, the coefficients, or the equations of first degree do not allow a start. A system
+/// without real solutions, or with lost paths, is not an error: the [`PathCounts`] report this.
 pub fn real_solutions<const M: usize, const PATHS: usize>(
     system: &PolynomialSystem<M>,
     coefficients: &[f64],

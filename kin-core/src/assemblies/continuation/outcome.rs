@@ -1,4 +1,4 @@
-//! What comes of solving a system.
+//! The outcome of solving a system.
 
 use core::error::Error;
 use core::fmt;
@@ -6,40 +6,41 @@ use core::fmt;
 /// A real solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<const M: usize> {
-    /// The variables.
+    /// The values of the variables.
     pub values: [f64; M],
-    /// The number of paths that end here: one at a regular solution, in general more at a singular one.
+    /// The number of paths that end here: one at a regular solution, usually more at a singular one.
     pub multiplicity: usize,
-    /// By how much relative roundings in the equations are enlarged in the variables, both in units in which they are
-    /// of size one. Infinite for a singular solution, which is exact to about the square root of the rounding error
-    /// only.
+    /// The factor by which relative rounding errors in the equations are magnified in the variables, with both in units
+    /// in which they are of size one. It is infinite for a singular solution, whose error is about the square root of
+    /// the rounding error.
     pub condition: f64,
 }
 
 impl<const M: usize> Solution<M> {
     /// Whether the Jacobian is regular at the solution, as far as double precision can tell: no other solution is so
-    /// near that rounding could lead from one to the other.
+    /// close that rounding could lead from one to the other.
     #[must_use]
     pub const fn is_regular(&self) -> bool {
         self.condition.is_finite()
     }
 }
 
-/// What became of the paths. Every path is counted once, as `regular`, `singular`, `at_infinity` or `lost`.
+/// The outcome of the paths. Every path is counted once, as `regular`, `singular`, `at_infinity` or `lost`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct PathCounts {
-    /// How many paths there are: at least as many as isolated solutions, real and complex.
+    /// The number of paths, which is at least the number of isolated solutions, real and complex.
     pub paths: usize,
-    /// How many end at regular solutions, real and complex. Each has its own path, so that this is also the number of
-    /// these solutions.
+    /// The number of paths that end at regular solutions, real and complex. Each such solution has its own path, so
+    /// this is also the number of regular solutions.
     pub regular: usize,
-    /// How many regular solutions are real.
+    /// The number of real regular solutions.
     pub real: usize,
-    /// How many end at singular solutions, real and complex: double and multiple ones, and such that are not isolated.
+    /// The number of paths that end at singular solutions, real and complex: double and multiple solutions, and
+    /// solutions that are not isolated.
     pub singular: usize,
-    /// How many lead to infinity.
+    /// The number of paths that lead to infinity.
     pub at_infinity: usize,
-    /// How many could not be followed to their end, or not without doubt.
+    /// The number of paths that could not be followed to their end, or not with certainty.
     pub lost: usize,
 }
 
@@ -51,31 +52,31 @@ impl PathCounts {
     }
 }
 
-/// Why the solutions of a system cannot be found in this way.
+/// The reason why continuation cannot solve a system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Unsuitable {
-    /// The table is out of order, refers to equations, variables or coefficients that do not exist, or a degree is
-    /// larger than 255.
+    /// The table is invalid: it is out of order, refers to equations, variables or coefficients that do not exist, or
+    /// has a degree larger than 255.
     Table,
     /// A coefficient is not finite.
     NotFinite {
-        /// Its place.
+        /// The index of the coefficient.
         coefficient: usize,
     },
-    /// All terms of an equation that have a variable are zero.
+    /// All terms of an equation that contain a variable are zero.
     NoVariable {
-        /// Which equation.
+        /// The index of the equation.
         equation: usize,
     },
-    /// An equation of the first degree follows from others or contradicts them.
+    /// An equation of first degree follows from the others or contradicts them.
     Dependent {
-        /// Which equation.
+        /// The index of the equation.
         equation: usize,
     },
-    /// There are more paths than there is room for.
+    /// There are more paths than the caller has room for.
     TooManyPaths {
-        /// How many.
+        /// The number of paths.
         paths: usize,
     },
 }

@@ -5,17 +5,18 @@ use super::homotopy::{Homotopy, Linearised};
 use super::traveller::CARE;
 use crate::assemblies::Positions;
 
-/// A path, by the choice of factors that are zero at its start, and its end.
+/// A path and its end. The path is given by the choice of factors that are zero at its start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FollowedPath<const M: usize> {
     choice: usize,
     pub(super) end: End<M>,
 }
 
-/// Follows all paths, and those that are lost or suspect once more with more care; says whether in the end none are.
+/// Follows all paths. Paths that are lost or suspect are followed again with greater care. Paths that remain suspect
+/// count as lost.
 ///
-/// Of two paths that end at one and the same regular solution one has jumped to the other on its way: through a regular
-/// solution there is only one path.
+/// If two paths end at the same regular solution, one of them has jumped to the other, because only one path passes
+/// through a regular solution.
 pub(super) fn follow_all<const M: usize, const PATHS: usize>(
     homotopy: &Homotopy<'_, M>,
 ) -> Positions<FollowedPath<M>, PATHS> {
@@ -32,7 +33,7 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
             if suspect(&paths, place) {
                 repeated = true;
                 let path = &mut paths[place];
-                // Where others share the end, they are found suspect in their turn if it does not change.
+                // If other paths share this end and it does not change, they are suspect in their turn.
                 path.end = follow(homotopy, path.choice, *care, &mut at).unwrap_or(End::LOST);
             }
         }
@@ -49,8 +50,8 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
     paths
 }
 
-/// Of the solutions that lie so near each other that rounding decides whether they can be told apart, none is regular
-/// unless all are.
+/// Makes solutions singular that are so close together that rounding decides whether they differ, unless all of them
+/// are regular.
 fn join_singular<const M: usize>(paths: &mut [FollowedPath<M>]) {
     for place in 0..paths.len() {
         let end = paths[place].end;

@@ -1,4 +1,4 @@
-//! The variables among which the equations of the first degree leave a choice.
+//! The variables that the equations of first degree leave free.
 
 use num_traits::Float;
 
@@ -6,32 +6,32 @@ use super::complex::Complex;
 use super::scaling::Scales;
 use super::system::PolynomialSystem;
 
-/// A linear equation of which no more than this is left when what the others say is taken away says the same as they.
+/// The largest remainder of a dependent linear equation, after the other equations are subtracted from it.
 const DEPENDENT: f64 = 1e-12;
 
 /// Homogeneous coordinates X₀, X₁ ... of the variables x₁ = X₁/X₀ ..., as linear forms of fewer coordinates.
 ///
-/// The equations of degree one are homogeneous linear equations of X₀, X₁ ... of which the solutions are a linear
-/// space. The new coordinates belong to an orthonormal basis of this space. They are `free + 1` in number, and as a
-/// point is determined by their ratios, one of them is kept equal to one, the pinned one. Each may be pinned in turn.
+/// The equations of degree one are homogeneous linear equations in X₀, X₁ ..., and their solutions form a linear space.
+/// The new coordinates belong to an orthonormal basis of this space. There are `free + 1` of them. Only their ratios
+/// matter, so one coordinate, the pinned one, is kept equal to one. Any coordinate can be pinned.
 #[derive(Clone, Debug)]
 pub(super) struct Coordinates<const M: usize> {
-    /// The number of coordinates less the pinned one.
+    /// The number of coordinates without the pinned one.
     pub(super) free: usize,
-    /// X₁ ... by the free coordinates, in the units of the variables.
+    /// The shares of the free coordinates in X₁ ..., in the units of the variables.
     pub(super) basis: [[f64; M]; M],
     /// The share of the pinned coordinate in X₁ ....
     pub(super) pinned: [f64; M],
-    /// X₀ by the free coordinates.
+    /// The shares of the free coordinates in X₀.
     pub(super) infinity: [f64; M],
     /// The share of the pinned coordinate in X₀.
     pub(super) infinity_pinned: f64,
-    /// By the variables.
+    /// The inverse units of the variables.
     pub(super) inverse_units: [f64; M],
 }
 
 impl<const M: usize> Coordinates<M> {
-    /// Pins the coordinate at a place, and frees the one that was pinned, which comes there.
+    /// Pins the coordinate at `place`. The coordinate that was pinned becomes free at that place.
     pub(super) fn exchange(&mut self, place: usize) {
         for (row, pinned) in self.basis.iter_mut().zip(&mut self.pinned) {
             core::mem::swap(&mut row[place], pinned);
@@ -39,8 +39,8 @@ impl<const M: usize> Coordinates<M> {
         core::mem::swap(&mut self.infinity[place], &mut self.infinity_pinned);
     }
 
-    /// A linear form of some of X₁ ... and of X₀, by its coefficients, as one of the free coordinates and of the pinned
-    /// one, of which the coefficient is returned.
+    /// Converts a linear form of X₀ and some of X₁ ... into a form of the free coordinates and the pinned one. Returns
+    /// the coefficient of the pinned coordinate.
     #[inline]
     pub(super) fn restrict(
         &self,
@@ -65,7 +65,7 @@ impl<const M: usize> Coordinates<M> {
     }
 }
 
-/// A vector of the space of X₁ ..., and X₀.
+/// A vector with the components X₁ ... and X₀.
 #[derive(Clone, Copy)]
 struct Vector<const M: usize>([f64; M], f64);
 
@@ -90,7 +90,7 @@ impl<const M: usize> Vector<M> {
         self.1 *= factor;
     }
 
-    /// Takes away what lies along a unit vector.
+    /// Subtracts the component along a unit vector.
     fn remove(&mut self, unit: &Self) {
         let along = self.dot(unit);
         for (entry, unit) in self.0.iter_mut().zip(&unit.0) {
@@ -104,10 +104,10 @@ impl<const M: usize> Vector<M> {
     }
 }
 
-/// The coordinates that are left by the equations of degree one.
+/// The coordinates that remain after the equations of degree one.
 ///
 /// # Errors
-/// The equation that follows from the others, or contradicts them.
+/// Returns the index of an equation that follows from the others or contradicts them.
 pub(super) fn reduce<const M: usize>(
     system: &PolynomialSystem<M>,
     coefficients: &[f64],
@@ -123,13 +123,14 @@ pub(super) fn reduce<const M: usize>(
         let coefficient = coefficients[usize::from(term.coefficient)] * scales.equations[equation];
         if let [(variable, _)] = *term.powers {
             let variable = usize::from(variable);
-            // A term of higher degree has the coefficient zero here.
+            // The coefficient of a term of higher degree is zero here.
             normals[equation].0[variable] += coefficient * scales.variables[variable];
         } else if term.powers.is_empty() {
             normals[equation].1 += coefficient;
         }
     }
-    // An orthonormal basis of the normals, the longest remaining one first; twice, as once loses digits.
+    // Build an orthonormal basis of the normals, longest remaining one first. Subtract twice, because once loses
+    // digits.
     let mut used = [false; M];
     let mut linear = 0;
     for (equation, &degree) in degrees.iter().enumerate() {
@@ -145,7 +146,7 @@ pub(super) fn reduce<const M: usize>(
         for (equation, &degree) in degrees.iter().enumerate() {
             if degree == 1 && !used[equation] {
                 let norm = normals[equation].norm();
-                // A norm that is not a number is taken at once, and found out.
+                // A NaN norm is taken at once, and detected later.
                 if norm.is_nan() || norm > best.1 {
                     best = (equation, norm);
                 }
@@ -179,7 +180,7 @@ pub(super) fn reduce<const M: usize>(
         infinity_pinned: 0.0,
         inverse_units: scales.variables.map(|unit| 1.0 / unit),
     };
-    // Of each axis, the square of what is left outside of the vectors found so far.
+    // For each axis, the square of its part outside the vectors found so far.
     let mut left = Vector([1.0; M], 1.0);
     let exclude = |left: &mut Vector<M>, unit: &Vector<M>| {
         for (left, entry) in left.0.iter_mut().zip(&unit.0) {

@@ -1,28 +1,28 @@
-//! Units for variables and equations in which all terms are of size one.
+//! Units for variables and equations that give all terms the size one.
 
 use num_traits::Float;
 
 use super::system::PolynomialSystem;
 
-/// Terms that are smaller than the largest one of their equation by this number of bits are rounding, and do not count.
+/// The number of bits by which a term must be smaller than the largest term of its equation to count as rounding.
 const NEGLIGIBLE: f64 = 44.0;
 
-/// Of all scales that are as good, those nearest to one are preferred by this weight.
+/// The weight by which, of all equally good scales, those closest to one are preferred.
 const PREFERENCE: f64 = 1e-6;
 
-/// Powers of two: variables are measured in the first, equations are multiplied by the second.
+/// Scales, which are powers of two: the units of the variables, and the factors of the equations.
 #[derive(Clone, Debug)]
 pub(super) struct Scales<const M: usize> {
     pub(super) variables: [f64; M],
     pub(super) equations: [f64; M],
 }
 
-/// The scales with the least sum of squares of the logarithms of all coefficients (A. P. Morgan, *Solving Polynomial
-/// Systems Using Continuation for Engineering and Scientific Problems*, 1987, chapter 5). Being powers of two they do
-/// not round.
+/// The scales with the smallest sum of squared logarithms of all coefficients (A. P. Morgan, *Solving Polynomial
+/// Systems Using Continuation for Engineering and Scientific Problems*, 1987, chapter 5). They are powers of two, so
+/// scaling does not round.
 pub(super) fn scales<const M: usize>(system: &PolynomialSystem<M>, coefficients: &[f64]) -> Scales<M> {
     let every = fit(system, coefficients, &[0.0; M], &[f64::NEG_INFINITY; M]);
-    // Which terms are rounding is seen only now that lengths of all units can be compared.
+    // Only now that lengths of all units can be compared is it clear which terms are rounding.
     let most = largest_terms(system, coefficients, &every);
     let variables = fit(system, coefficients, &every, &most).map(Float::round);
     let equations = largest_terms(system, coefficients, &variables).map(|most| -Float::round(most));
@@ -32,12 +32,12 @@ pub(super) fn scales<const M: usize>(system: &PolynomialSystem<M>, coefficients:
     }
 }
 
-/// Within a range of which squares and cubes do not overflow.
+/// The power of two, limited to a range in which squares and cubes do not overflow.
 fn power_of_two(exponent: f64) -> f64 {
     Float::exp2(exponent.clamp(-250.0, 250.0))
 }
 
-/// The binary logarithm of a term with all variables equal to their scale.
+/// The binary logarithm of a term in which all variables equal their scale.
 fn size<const M: usize>(powers: &[(u16, u8)], coefficient: f64, variables: &[f64; M]) -> f64 {
     powers
         .iter()
@@ -59,15 +59,15 @@ fn largest_terms<const M: usize>(system: &PolynomialSystem<M>, coefficients: &[f
     most
 }
 
-/// The logarithms of the units of the variables. Terms that are negligible beside `most`, in the units `compared`, are
-/// left out.
+/// The logarithms of the units of the variables. Terms that are negligible compared with `most`, in the units
+/// `compared`, are left out.
 fn fit<const M: usize>(
     system: &PolynomialSystem<M>,
     coefficients: &[f64],
     compared: &[f64; M],
     most: &[f64; M],
 ) -> [f64; M] {
-    // The normal equations, from which the scale of each equation has been eliminated: it takes away the mean.
+    // The normal equations, after elimination of the scale of each equation, which subtracts the mean.
     let mut matrix = [[0.0; M]; M];
     let mut right = [0.0; M];
     let mut terms = system.terms().iter().peekable();
@@ -104,7 +104,7 @@ fn fit<const M: usize>(
     for (row, entries) in matrix.iter_mut().enumerate() {
         entries[row] += PREFERENCE;
     }
-    // Elimination without exchange of rows, as the matrix is positive definite.
+    // The matrix is positive definite, so elimination needs no row exchanges.
     for column in 0..M {
         let pivot = matrix[column];
         for row in column + 1..M {

@@ -1,31 +1,31 @@
-//! Numbers in general position.
+//! Pseudorandom numbers in general position.
 
 use core::f64::consts::TAU;
 
 use super::complex::Complex;
 use crate::number::scatter::{INCREMENT, fraction, mix};
 
-/// A fixed sequence of numbers without any relation to the mechanism.
+/// A fixed sequence of numbers that is unrelated to the mechanism.
 #[derive(Clone, Debug)]
 pub(super) struct Sequence {
     state: u64,
 }
 
 impl Sequence {
-    /// One of many sequences.
+    /// The sequence with the given number.
     pub(super) const fn new(number: u64) -> Self {
         Self {
             state: number.wrapping_mul(0xD1B5_4A32_D192_ED03),
         }
     }
 
-    /// 64 bits.
+    /// The next 64 bits.
     pub(super) fn next(&mut self) -> u64 {
         self.state = self.state.wrapping_add(INCREMENT);
         mix(self.state)
     }
 
-    /// Evenly distributed between 0 and 1.
+    /// A number uniformly distributed between 0 and 1.
     pub(super) fn fraction(&mut self) -> f64 {
         self.state = self.state.wrapping_add(INCREMENT);
         fraction(self.state)
@@ -42,7 +42,7 @@ impl Sequence {
     }
 }
 
-/// One of the coefficients of several forms, complex, with parts between -1 and 1.
+/// A complex coefficient of one of several forms, with parts between -1 and 1.
 #[inline]
 pub(super) fn entry(number: u64, form: u8, place: usize) -> Complex {
     // A usize has at most 64 bits.
@@ -63,7 +63,7 @@ mod tests {
         let mut sequence = Sequence::new(1);
         let values: [f64; 1000] = core::array::from_fn(|_| sequence.fraction());
         let mean = values.iter().sum::<f64>() / 1000.0;
-        // Five standard deviations of the mean of a thousand.
+        // The tolerance is five standard deviations of the mean of a thousand numbers.
         assert!((mean - 0.5).abs() < 5.0 * (1.0 / 12_000.0_f64).sqrt());
         assert_eq!(values[0], Sequence::new(1).fraction());
         assert_ne!(values[0], Sequence::new(2).fraction());

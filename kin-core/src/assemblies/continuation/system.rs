@@ -1,13 +1,13 @@
-//! Systems of polynomial equations, given as tables.
+//! Systems of polynomial equations as tables.
 
 /// One term of one equation: a coefficient times powers of variables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
-    /// Which equation it is a term of, counted from zero.
+    /// The index of its equation.
     pub equation: u16,
-    /// The place of its coefficient among the coefficients.
+    /// The index of its coefficient.
     pub coefficient: u16,
-    /// Each variable of the term, counted from zero, with its power. A variable occurs once, its power is not zero.
+    /// The index and power of each variable in the term. Each variable occurs once, and its power is not zero.
     pub powers: &'static [(u16, u8)],
 }
 
@@ -33,10 +33,10 @@ impl Term {
     }
 }
 
-/// As many polynomial equations as variables, `M`: the sum of the terms of each equation is zero.
+/// As many polynomial equations as variables, `M`. The sum of the terms of each equation is zero.
 ///
-/// The table holds what is known at compile time. The coefficients, which depend on dimensions and inputs,
-/// are given when the system is to be solved.
+/// The table contains everything known at compile time. The coefficients depend on dimensions and inputs, and are given
+/// when the system is solved.
 ///
 /// ```
 /// use kin_core::continuation::{PolynomialSystem, Term};
@@ -57,7 +57,7 @@ pub struct PolynomialSystem<const M: usize> {
 }
 
 impl<const M: usize> PolynomialSystem<M> {
-    /// The system with these terms, those of one equation after those of the other.
+    /// The system with these terms, sorted by equation.
     #[must_use]
     pub const fn new(terms: &'static [Term]) -> Self {
         Self { terms }
@@ -69,9 +69,9 @@ impl<const M: usize> PolynomialSystem<M> {
         self.terms
     }
 
-    /// The largest number of paths that lead to the solutions, the product of the degrees of the equations.
+    /// The largest number of paths to the solutions, which is the product of the degrees of the equations.
     ///
-    /// By Bézout's theorem the system has at most as many isolated solutions; often there are fewer paths.
+    /// By Bézout's theorem the system has at most this many isolated solutions. Often there are fewer paths.
     #[must_use]
     pub const fn paths(&self) -> usize {
         let (mut paths, mut equation) = (1_usize, 0);
@@ -103,7 +103,7 @@ impl<const M: usize> PolynomialSystem<M> {
         degrees
     }
 
-    /// The first term of an equation and the one after its last.
+    /// The index of the first term of an equation, and the index after its last.
     pub(super) fn range(&self, equation: usize) -> [usize; 2] {
         let first = self.terms.partition_point(|term| usize::from(term.equation) < equation);
         let end = self
@@ -112,7 +112,7 @@ impl<const M: usize> PolynomialSystem<M> {
         [first, end]
     }
 
-    /// The terms of an equation that are not zero, with their coefficients.
+    /// The terms of an equation that are not zero, and their coefficients.
     fn present<'a>(
         &'a self,
         [first, end]: [usize; 2],
@@ -140,8 +140,8 @@ impl<const M: usize> PolynomialSystem<M> {
         (support, occurring)
     }
 
-    /// Whether an equation is one of two variables, of second degree, and in that degree the sum of their squares times
-    /// a number.
+    /// Whether an equation has two variables and second degree, and its terms of second degree are a multiple of the
+    /// sum of their squares.
     pub(super) fn is_circle(&self, range: [usize; 2], coefficients: &[f64]) -> bool {
         let mut squares = (0, None);
         for (coefficient, powers) in self.present(range, coefficients) {
@@ -156,11 +156,11 @@ impl<const M: usize> PolynomialSystem<M> {
         squares.0 == 2 && self.support(range, coefficients).1 == 2
     }
 
-    /// Which variables, by their places among those that occur, occur in the first and in the second of the linear
-    /// forms of which an equation is a sum of products.
+    /// The variables in the first and in the second linear form of an equation that is a sum of products of such forms.
+    /// Variables are counted among those that occur in the equation.
     ///
-    /// The variables are coloured so that those of each product differ. Variables that occur in no product have both
-    /// colours; if there is no such colouring, all have.
+    /// The variables are coloured so that the two variables of each product differ. Variables that occur in no product
+    /// have both colours. If there is no such colouring, all variables have both.
     pub(super) fn members(
         &self,
         range: [usize; 2],
@@ -192,7 +192,7 @@ impl<const M: usize> PolynomialSystem<M> {
                 continue;
             }
             members[seed] = [true, false];
-            // Each sweep colours at least one more variable of the connected ones.
+            // Each sweep colours at least one more connected variable.
             for _ in 0..support.len() {
                 for [first, second] in products() {
                     for (known, other) in [(first, second), (second, first)] {
@@ -213,8 +213,8 @@ impl<const M: usize> PolynomialSystem<M> {
         members
     }
 
-    /// Whether the equations are in order, all places of the table exist, and no term is of higher degree than can be
-    /// counted.
+    /// Whether the equations are in order, all indices of the table exist, and no degree exceeds the largest that can
+    /// be counted.
     pub(super) fn fits(&self, coefficients: usize) -> bool {
         self.terms.is_sorted_by_key(|term| term.equation)
             && self.terms.iter().all(|term| {
@@ -257,7 +257,7 @@ mod tests {
 
     #[test]
     fn products_are_divided() {
-        // r c + q s + t, and a triangle
+        // The equation r c + q s + t, and a triangle.
         const SYSTEM: PolynomialSystem<6> = PolynomialSystem::new(&[
             Term::new(0, 0, &[(0, 1), (1, 1)]),
             Term::new(0, 0, &[(0, 1), (4, 1)]),

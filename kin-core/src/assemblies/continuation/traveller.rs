@@ -1,23 +1,23 @@
-//! Tracking one solution while the system is deformed.
+//! The tracking of one solution while the system is deformed.
 
 use num_traits::Float;
 
 use super::complex::Complex;
 use super::homotopy::{Homotopy, Linearised};
 
-/// How closely a path is followed, relative to the size of the coordinates, which is one.
+/// The care with which a path is followed, relative to coordinates of size one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Care {
-    /// The distance between prediction and path that is aimed at; twice as much is let pass.
+    /// The target for the distance between prediction and path. Twice this distance is accepted.
     pub(super) prediction: f64,
-    /// By how much the second step of Newton's method must be shorter than the first.
+    /// The largest ratio of the second step of Newton's method to the first.
     ///
-    /// By the theorem of Newton and Kantorovich that ratio, with quadratic convergence, compares the distance from
-    /// the path to the radius within which there is no other one.
+    /// By the theorem of Newton and Kantorovich, with quadratic convergence this ratio compares the distance from the
+    /// path with the radius within which there is no other path.
     pub(super) contraction: f64,
 }
 
-/// At first, and where it is suspected that a path has been lost.
+/// The care at first, and for paths that may have been lost.
 pub(super) const CARE: [Care; 3] = [
     Care {
         prediction: 1e-4,
@@ -33,11 +33,11 @@ pub(super) const CARE: [Care; 3] = [
     },
 ];
 
-/// To this the points of a path are correct.
+/// The error of the points of a path.
 const ACCURACY: f64 = 1e-10;
-/// So much rounding is put up with near singular points.
+/// Rounding tolerated near singular points.
 const NOISE: f64 = 1e-9;
-/// A path that needs more steps than this is given up.
+/// The number of steps after which a path is given up.
 const MOST_STEPS: usize = 5_000;
 
 /// A point that moves along a path.
@@ -48,33 +48,33 @@ pub(super) struct Traveller<'a, const M: usize> {
     pub(super) t: Complex,
     /// The length of the next step.
     step: f64,
-    /// dy/dt at the point.
+    /// The tangent dy/dt at the point.
     tangent: [Complex; M],
     steps: usize,
 }
 
-/// What came of it.
+/// The outcome of an advance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Progress {
-    /// The target is reached.
+    /// The target has been reached.
     Arrived,
-    /// Steps became too short, or too many.
+    /// Steps became too short or too many.
     Stuck,
 }
 
-/// Which coordinate is pinned.
+/// The change of the pinned coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pinned {
-    /// The same as before.
+    /// The same coordinate is pinned as before.
     Same,
-    /// Another one.
+    /// Another coordinate is pinned.
     Other,
-    /// Another one, and there the Jacobian is singular.
+    /// Another coordinate is pinned, and the Jacobian is singular there.
     Singular,
 }
 
 impl<'a, const M: usize> Traveller<'a, M> {
-    /// At a known solution, t = 1. None if there is no such solution.
+    /// The traveller at a known solution, t = 1. `None` if there is no such solution.
     pub(super) fn depart(mut homotopy: Homotopy<'a, M>, choice: usize, at: &mut Linearised<M>) -> Option<Self> {
         let point = homotopy.start(choice, at)?;
         let mut traveller = Self {
@@ -90,7 +90,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
         traveller.face(at).then_some(traveller)
     }
 
-    /// Moves towards a target on a straight line. Stops short of it where steps become shorter than the given one.
+    /// Moves towards a target on a straight line. Stops before it if steps become shorter than the given one.
     pub(super) fn advance(
         &mut self,
         target: Complex,
@@ -124,12 +124,12 @@ impl<'a, const M: usize> Traveller<'a, M> {
                 Some((point, Ok(error))) => {
                     self.point = point;
                     self.t = next;
-                    // The Jacobian of the last correction is that of a point so near that it will do.
+                    // The Jacobian of the last correction belongs to a point close enough to use it here.
                     self.homotopy.tangent(at, &mut self.tangent);
                     // The error of the prediction grows with the fifth power of the step.
                     let factor = Float::powf(0.5 * care.prediction / error.max(1e-3 * care.prediction), 0.2);
                     let proposed = step.norm() * factor.min(2.0);
-                    // A step that was cut short says nothing against longer ones.
+                    // A step that was shortened is no reason against longer ones.
                     self.step = if last { proposed.max(self.step) } else { proposed };
                     if pin && self.pin(at) == Pinned::Singular {
                         return Progress::Stuck;
@@ -144,7 +144,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
         }
     }
 
-    /// Pins the largest coordinate, if it is much larger than the one that is pinned.
+    /// Pins the largest coordinate if it is much larger than the pinned one.
     pub(super) fn pin(&mut self, at: &mut Linearised<M>) -> Pinned {
         if !self.homotopy.pin_largest(&mut self.point) {
             Pinned::Same
@@ -165,7 +165,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
         regular
     }
 
-    /// The point after a step, by Runge and Kutta's method of fourth order.
+    /// The point after a step of the Runge-Kutta method of fourth order.
     fn predict(&self, step: Complex, at: &mut Linearised<M>) -> Option<[Complex; M]> {
         let free = self.homotopy.free();
         let mut slope = self.tangent;
@@ -193,7 +193,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
         Some(point)
     }
 
-    /// Newton's method; returns the error of the prediction, as an error if it is too large.
+    /// Corrects by Newton's method. Returns the error of the prediction, as an `Err` if it is too large.
     fn correct(&self, point: &mut [Complex; M], t: Complex, care: Care, at: &mut Linearised<M>) -> Result<f64, f64> {
         let Some(first) = self.homotopy.newton(point, t, at) else {
             return Err(f64::INFINITY);
@@ -219,7 +219,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
 }
 
 impl<const M: usize> Homotopy<'_, M> {
-    /// One step of Newton's method at a fixed t, and its length; None if the Jacobian is singular.
+    /// One step of Newton's method at a fixed t, and its length; `None` if the Jacobian is singular.
     pub(super) fn newton(&self, point: &mut [Complex; M], t: Complex, at: &mut Linearised<M>) -> Option<f64> {
         let free = self.free();
         self.evaluate(point, t, at);
@@ -233,7 +233,7 @@ impl<const M: usize> Homotopy<'_, M> {
         Some(self.size(&at.value))
     }
 
-    /// dy/dt, by the factors of the Jacobian.
+    /// The tangent dy/dt, from the factors of the Jacobian.
     fn tangent(&self, at: &Linearised<M>, tangent: &mut [Complex; M]) {
         *tangent = at.rate;
         at.factors.solve(self.free(), tangent);

@@ -1,4 +1,4 @@
-//! Two circles, and loops with two angles: the closed form knows the answer.
+//! Two circles, and loops with two angles. The closed form gives the expected result.
 
 use std::vec::Vec;
 
@@ -11,7 +11,7 @@ use crate::assembly::Assembly;
 use crate::geometry::Plane;
 use crate::solve::circle_circle;
 
-/// x² + y² = a² and (x - d)² + y² = b².
+/// The circles x² + y² = a² and (x - d)² + y² = b².
 fn circles(a: f64, b: f64, d: f64) -> (PathCounts, Positions<Solution<2>, 4>) {
     let mut table = Table::default();
     table.add(0, 1.0, &[(0, 2)]);
@@ -64,7 +64,7 @@ fn circles_that_touch_have_a_double_point() {
             panic!("{found:?}");
         };
         assert_eq!(solution.multiplicity, 2);
-        // Rounding of the coefficients is felt by its root.
+        // The solution changes by the square root of the rounding of the coefficients.
         let tolerance = 16.0 * f64::EPSILON.sqrt() * a;
         assert!((solution.values[0] - x).abs() < tolerance && solution.values[1].abs() < tolerance);
     }
@@ -84,7 +84,7 @@ proptest! {
         ground in 0.1_f64..3.0, crank in 0.1_f64..3.0, coupler in 0.1_f64..3.0, rocker in 0.1_f64..3.0, input in -3.0_f64..3.0,
         exponent in -6_i32..=6,
     ) {
-        // r2 cis(θ2) + r3 cis(θ3) = r1 + r4 cis(θ4)
+        // The closure is r2 cis(θ2) + r3 cis(θ3) = r1 + r4 cis(θ4).
         let unit = 10.0_f64.powi(exponent);
         let (sine, cosine) = input.sin_cos();
         let mut table = Table::default();

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::super::{Solution, real_solutions};
 use super::table::Table;
 
-/// A line n · x = distance, by its direction.
+/// A line n · x = distance, given by its direction.
 #[derive(Clone, Copy, Debug)]
 struct Line {
     normal: [f64; 2],
@@ -23,7 +23,7 @@ fn line() -> impl Strategy<Value = Line> {
 
 /// The terms of a product of lines.
 fn add_product(table: &mut Table, equation: usize, lines: &[Line]) {
-    // By the powers of x and y.
+    // The coefficients, by the powers of x and y.
     let mut product = Vec::from([((0_u8, 0_u8), 1.0)]);
     for line in lines {
         let mut next: Vec<((u8, u8), f64)> = Vec::new();

@@ -6,10 +6,10 @@ use super::super::sequence::Sequence;
 use super::super::{PathCounts, Unsuitable, real_solutions};
 use super::table::Table;
 
-/// Three general loops of six angles, which all turn a vector in each loop.
+/// Three general loops of six angles, where every angle turns a vector in every loop.
 ///
-/// With z = cis(θ) and its conjugate as variables, two groups of six of which three in each are free, the equations z w
-/// = 1 have at most 6! / (3! 3!) = 20 solutions by Bézout's theorem for two groups.
+/// With z = cis(θ) and its conjugate as variables, there are two groups of six variables, and three of each are free.
+/// By Bézout's theorem for two groups, the equations z w = 1 have at most 6! / (3! 3!) = 20 solutions.
 #[test]
 fn three_loops_have_twenty_solutions() {
     let mut random = Sequence::new(3);
@@ -42,7 +42,7 @@ fn three_loops_have_twenty_solutions() {
     }
 }
 
-/// r cis(θ) = (x, y): both signs of the length.
+/// The equation r cis(θ) = (x, y) has a solution for each sign of the length.
 #[test]
 fn a_length_and_its_direction() {
     for unit in [1e-6, 1.0, 1e6] {
@@ -128,7 +128,7 @@ fn a_length_in_coupled_loops() {
     for _ in 0..40 {
         let mut table = Table::default();
         let mut vector = || [2.0 * random.fraction() - 1.0, 2.0 * random.fraction() - 1.0];
-        // The length is the variable after those of three angles.
+        // The length is the variable after those of the three angles.
         table.add(0, 1.0, &[(6, 1), (0, 1)]);
         table.add(1, 1.0, &[(6, 1), (1, 1)]);
         table.add_vector(0, 1, vector());

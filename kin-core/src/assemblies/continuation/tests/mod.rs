@@ -1,4 +1,4 @@
-//! Systems with solutions that are known otherwise.
+//! Systems whose solutions are known from other sources.
 
 mod circles;
 mod lines;

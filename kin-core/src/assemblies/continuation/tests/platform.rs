@@ -8,12 +8,12 @@ use super::table::Table;
 pub(super) struct Platform {
     pub(super) bases: [[f64; 2]; 3],
     pub(super) legs: [f64; 3],
-    /// From the end of the first leg to those of the second and the third, in the platform.
+    /// The vectors from the end of the first leg to the ends of the second and the third, fixed in the platform.
     pub(super) sides: [[f64; 2]; 2],
 }
 
 impl Platform {
-    /// Any dimensions with which it can be assembled at least once.
+    /// Random dimensions that allow at least one assembly.
     pub(super) fn random(random: &mut Sequence) -> Self {
         let mut vector = |size: f64| {
             [
@@ -37,7 +37,7 @@ impl Platform {
         platform
     }
 
-    /// The end of a leg, by the end of the first leg and the angle of the platform.
+    /// The end of a leg, given the end of the first leg and the angle of the platform.
     pub(super) fn point(&self, leg: usize, [x, y]: [f64; 2], angle: f64) -> [f64; 2] {
         if leg == 0 {
             return [x, y];
@@ -47,7 +47,7 @@ impl Platform {
         [x + u * cosine - v * sine, y + u * sine + v * cosine]
     }
 
-    /// The variables are cosine and sine of the three legs and of the platform.
+    /// The system whose variables are the cosines and sines of the three legs and of the platform.
     pub(super) fn table(&self) -> Table {
         let mut table = Table::default();
         for loops in 0..2 {

@@ -1,11 +1,11 @@
-//! Tables of systems that are only known when the test runs.
+//! Tables of systems that are known only when a test runs.
 
 use std::boxed::Box;
 use std::vec::Vec;
 
 use super::super::{PolynomialSystem, Term};
 
-/// Terms, each with a coefficient of its own.
+/// Terms, each with its own coefficient.
 #[derive(Default)]
 pub(super) struct Table {
     terms: Vec<Term>,
@@ -22,14 +22,14 @@ impl Table {
         self.coefficients.push(coefficient);
     }
 
-    /// c² + s² = 1, of the variables 2k and 2k + 1 of the angle k.
+    /// Adds c² + s² = 1 for the variables 2k and 2k + 1 of the angle k.
     pub(super) fn add_angle(&mut self, equation: usize, angle: u16) {
         self.add(equation, 1.0, &[(2 * angle, 2)]);
         self.add(equation, 1.0, &[(2 * angle + 1, 2)]);
         self.add(equation, -1.0, &[]);
     }
 
-    /// A vector (x, y), turned by the angle k, in two equations.
+    /// Adds a vector (x, y), turned by the angle k, to two equations.
     pub(super) fn add_vector(&mut self, equation: usize, angle: u16, [x, y]: [f64; 2]) {
         self.add(equation, x, &[(2 * angle, 1)]);
         self.add(equation + 1, x, &[(2 * angle + 1, 1)]);

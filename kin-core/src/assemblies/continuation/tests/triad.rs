@@ -1,4 +1,4 @@
-//! The class III triad has up to six positions, that of the platform of a planar 3-RPR manipulator with locked legs.
+//! The class III triad has up to six positions, like the platform of a planar 3-RPR manipulator with locked legs.
 
 use std::vec::Vec;
 
@@ -16,10 +16,10 @@ fn solve(platform: &Platform) -> (PathCounts, Vec<Solution<8>>) {
     (outcome, found)
 }
 
-/// Of each position with the angle `angle` of the platform this is zero.
+/// A function of the platform angle that is zero at each position.
 ///
-/// Two legs less the first give linear equations a × p = b of the end p of the first leg, and with the solution N / D
-/// of these the length of the first leg leaves |N|² - L₁² D².
+/// Subtracting the first leg from the other two gives linear equations a × p = b for the end p of the first leg. With
+/// their solution N / D, the length of the first leg gives |N|² - L₁² D².
 fn gap(platform: &Platform, angle: f64) -> f64 {
     let (sine, cosine) = angle.sin_cos();
     let [[ax, ay, ah], [bx, by, bh]] = [0, 1].map(|side| {
@@ -34,7 +34,7 @@ fn gap(platform: &Platform, angle: f64) -> f64 {
     x * x + y * y - (platform.legs[0] * determinant).powi(2)
 }
 
-/// The angles at which the gap changes its sign, found without any continuation.
+/// The angles at which the gap changes its sign, found without continuation.
 fn scanned(platform: &Platform) -> Vec<f64> {
     const POINTS: u32 = 10_000;
     let angle = |point: u32| core::f64::consts::TAU * f64::from(point) / f64::from(POINTS);
@@ -63,7 +63,7 @@ fn turned(solution: &Solution<8>) -> f64 {
     sine.atan2(cosine).rem_euclid(core::f64::consts::TAU)
 }
 
-/// The smallest difference of two angles.
+/// The smallest difference between two angles, across whole turns.
 fn apart(first: f64, second: f64) -> f64 {
     let difference = (first - second).rem_euclid(core::f64::consts::TAU);
     difference.min(core::f64::consts::TAU - difference)
@@ -94,15 +94,16 @@ proptest! {
         let expected = PathCounts { paths: 6, regular: 6, real: found.len(), singular: 0, at_infinity: 0, lost: 0 };
         prop_assert_eq!(outcome, expected);
         let scanned = scanned(&platform);
-        // None that a scan finds is missing.
+        // Every solution of the scan is among the solutions found.
         for angle in &scanned {
             let near = found.iter().any(|solution| {
-                // A sign is right to the rounding of squares of squares.
+                // The sign is reliable down to the rounding of fourth powers.
                 apart(turned(solution), *angle) <= (1e4 * f64::EPSILON * solution.condition.powi(2)).min(1e-3)
             });
             prop_assert!(near, "{} {:?} {:?}", angle, scanned, found);
         }
-        // All that are found are positions, and those that a scan does not find are two between neighbouring points.
+        // All solutions found are positions. If the scan misses positions, there are two of them between neighbouring
+        // points of the scan.
         for solution in &found {
             prop_assert!(misfit(&platform, solution) <= 64.0 * f64::EPSILON * solution.condition);
         }
@@ -114,7 +115,7 @@ proptest! {
     }
 }
 
-/// With six real positions: the first of a row of random ones.
+/// The first platform of a random sequence that has six real positions.
 fn six() -> (Platform, Vec<Solution<8>>) {
     let mut random = Sequence::new(6);
     loop {
@@ -149,8 +150,8 @@ fn six_positions_in_any_unit() {
     }
 }
 
-/// A platform in a position in which the lines of the three legs meet in one point, and its angle in it: there two
-/// positions coincide (K. H. Hunt, *Structural kinematics of in-parallel-actuated robot arms*, 1983).
+/// A platform in a position in which the lines of the three legs meet at one point, and its angle there. Two positions
+/// coincide there (K. H. Hunt, *Structural kinematics of in-parallel-actuated robot arms*, 1983).
 pub(super) fn limit(random: &mut Sequence) -> (Platform, f64) {
     let mut platform = Platform::random(random);
     let angle = random.fraction();
@@ -159,7 +160,7 @@ pub(super) fn limit(random: &mut Sequence) -> (Platform, f64) {
     let part = 0.4 * random.fraction() - 1.0;
     let first = [part * meeting[0], part * meeting[1]];
     for leg in 0..3 {
-        // The base, on the line from the platform's point to the point where the legs meet.
+        // The base lies on the line from the platform's point to the point where the legs meet.
         let [x, y] = platform.point(leg, first, angle);
         if leg > 0 {
             let part = 0.3 + 0.5 * random.fraction();
@@ -187,13 +188,13 @@ fn a_limit_position_is_found_as_a_double_one() {
             panic!("{found:?}");
         };
         assert_eq!(solution.multiplicity, 2);
-        // Rounding of the dimensions is felt by its root.
+        // The angle changes by the square root of the rounding of the dimensions.
         assert!(apart(turned(solution), angle) < 64.0 * f64::EPSILON.sqrt());
     }
 }
 
-/// Beside a limit position there are two real positions on one side, and on the other none; their distance goes with
-/// the root of that to the limit.
+/// Close to a limit position there are two real positions on one side and none on the other. Their distance is
+/// proportional to the square root of the distance to the limit.
 #[test]
 fn near_a_limit_position_nothing_is_lost() {
     let mut random = Sequence::new(8);
@@ -215,7 +216,7 @@ fn near_a_limit_position_nothing_is_lost() {
                 );
                 found.iter().map(|solution| solution.multiplicity).sum::<usize>()
             });
-            // Farther away there may be another limit; nearer, the two are counted as one double position on both
+            // Further away there may be another limit. Closer to this one, the two count as one double position on both
             // sides.
             if (3..=9).contains(&exponent) {
                 assert_eq!(counts[0].abs_diff(counts[1]), 2, "{platform:?} {exponent}");
@@ -224,7 +225,7 @@ fn near_a_limit_position_nothing_is_lost() {
     }
 }
 
-/// A platform congruent to its base on equal legs moves on circles: such positions are not isolated.
+/// A platform that is congruent to its base and has equal legs moves on circles, so its positions are not isolated.
 #[test]
 fn what_can_move_has_singular_positions() {
     let platform = Platform {
