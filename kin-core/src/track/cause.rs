@@ -1,4 +1,4 @@
-//! What stands in the way.
+//! The causes that stop a track.
 
 use super::obstacle::FIRM;
 use super::rounding::{blur, is_indistinct};
@@ -12,12 +12,13 @@ use crate::failure::{Failure, SolveError};
 use crate::mechanism::{Dimension, Mechanism};
 use crate::number::Row;
 
-/// By so much the unknowns may differ between the last station and the change point behind it.
+/// The largest difference of the unknowns between the last station and the change point behind it.
 const BESIDE: f64 = 0.05;
-/// How often an interval is halved until it is known to the last digit.
+/// The number of bisections that locates a point to the last digit.
 const BISECTIONS: usize = 64;
 
-/// A change point, or a limit if several blocks reach theirs at once, so that nothing goes on beyond.
+/// A change point. It is a limit instead if several blocks reach their limits at once, so that nothing continues
+/// beyond.
 fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     point: &Point<M>,
@@ -32,7 +33,7 @@ fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// The change point to which shorter and shorter steps lead, found from a station before where that is more exact.
+/// The change point to which ever shorter steps lead. It is located from an earlier station if that is more exact.
 pub(super) fn crossed_near<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     near: &Point<M>,
@@ -44,7 +45,7 @@ pub(super) fn crossed_near<M: Mechanism<Scalar = f64>>(
     crossed_or_ended(way, &point, &sides, beginning)
 }
 
-/// Whether the links do not reach beyond a point.
+/// Whether the links are out of reach beyond a point.
 fn is_out_of_reach<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> bool {
     [ANCHOR, 0.1 * ANCHOR].into_iter().all(|beyond| {
         let inputs = way.inputs(point.travel + beyond);
@@ -53,7 +54,7 @@ fn is_out_of_reach<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -
     })
 }
 
-/// What stands in the way where no step succeeds, however short. `error` is what the solvers said last.
+/// The cause where no step succeeds, however short. `error` is the last error of the solvers.
 pub(super) fn blocked<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     here: &Station<M>,
@@ -88,7 +89,7 @@ pub(super) fn blocked<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// The place at which an unknown runs to infinity, if it is near by.
+/// The place at which an unknown goes to infinity, if it is close.
 fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<ObstacleOf<M>> {
     let values = here.point.unknowns;
     let grown = |index: &usize| values[*index].abs() / way.sizes[*index];
@@ -99,7 +100,8 @@ fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<O
     if is_angle || grown(&index) < FAR || !(0.0..=BLUR).contains(&distance) {
         return None;
     }
-    // Half the way to a pole an unknown grows to more than 1.6 times itself; at a fold that is just as fast it has ended.
+    // Halfway to a pole an unknown grows to more than 1.6 times its value. At a fold of the same rate, the path has
+    // ended there.
     let inputs = way.inputs(here.point.travel + 0.5 * distance);
     let halfway = way.mechanism.solve_position_near(inputs, values).ok()?;
     if halfway[index].abs() < 1.5 * values[index].abs() {
@@ -119,7 +121,7 @@ fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<O
     })
 }
 
-/// The error of the first place near by and ahead that lies outside of the domain of a function.
+/// The error of the first place close ahead that lies outside the domain of a function.
 fn end_of_domain<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<SolveError> {
     let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
     let is_of_a_block = |error: &SolveError| M::DESCRIPTION.blocks.iter().any(|block| block.unknowns == error.block);
@@ -127,16 +129,16 @@ fn end_of_domain<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) ->
     if is_of_a_block(&error) {
         return Some(error);
     }
-    // A root may be taken again for the rates, by another formula that rounding ends a little before; the block is the
-    // cause.
+    // The rates may compute a root again by another formula, whose domain ends slightly earlier because of rounding.
+    // The block itself is the cause.
     match first_failure(way, here, |error| is_outside(error) && is_of_a_block(error)) {
         Some((block_travel, cause)) if block_travel - travel <= 8.0 * way.shortest() => Some(cause),
         _ => Some(error),
     }
 }
 
-/// The first place near by and ahead at which the solvers fail in a given way, to the last digit of the inputs, with
-/// their error.
+/// The first place close ahead at which the solvers fail in a given way, to the last digit of the inputs, and its
+/// error.
 fn first_failure<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     here: &Station<M>,
@@ -169,7 +171,7 @@ fn first_failure<M: Mechanism<Scalar = f64>>(
     Some((high, error))
 }
 
-/// Places ahead, further and further, but near by.
+/// Places ahead at growing distances, all of them close.
 fn ahead<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> impl Iterator<Item = f64> {
     let (start, end, shortest) = (here.point.travel, way.length, way.shortest());
     let steps = core::iter::successors(Some(shortest), |step| Some(4.0 * step));
@@ -177,12 +179,12 @@ fn ahead<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> impl It
     steps.map(move |step| end.min(start + step))
 }
 
-/// The error of a block that is solved by Newton's method at the end of the domain of a function of its unknowns: ahead
+/// The error of a block solved by Newton's method at the end of the domain of a function of its unknowns: ahead of it
 /// the closure is not finite, and the solvers find nothing.
 fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<SolveError> {
     let rates = rates(here, &M::Unknowns::from_fn(|_| 1.0));
     ahead(way, here).find_map(|travel| {
-        // Near such an end the higher terms of a series are of no use.
+        // Near such an end the higher terms of a series are useless.
         let along = |index: usize| rates[index] * (travel - here.point.travel);
         let unknowns = M::Unknowns::from_fn(|index| here.point.unknowns[index] + along(index));
         if way.linearise(&Point { unknowns, travel }).is_some() {
@@ -198,8 +200,9 @@ fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -
 
 /// The change point near a point, if there is one.
 ///
-/// Where two branches cross, both are smooth, and a determinant goes through zero at a finite rate. Near by, rounding
-/// confuses the branches, which is why the determinant is followed along the Taylor series of a station before.
+/// Where two branches cross, both are smooth, and a determinant passes through zero at a finite rate. Close to the
+/// crossing, rounding mixes up the branches, so the determinant is followed along the Taylor series of an earlier
+/// station.
 fn crossing<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     near: &Point<M>,
@@ -236,7 +239,7 @@ fn crossing<M: Mechanism<Scalar = f64>>(
     None
 }
 
-/// Whether a point found by extrapolation is so near to another one as to be what blocks it.
+/// Whether an extrapolated point is so close to another point that it is what blocks the path there.
 fn is_beside<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, here: &Point<M>) -> bool {
     let pairs = point.unknowns.as_ref().iter().zip(here.unknowns.as_ref());
     let sizes = way.sizes_at(here);
@@ -262,7 +265,7 @@ pub(super) fn obstacle<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// Where the way came to a halt.
+/// The place where the track stopped.
 pub(super) fn halt<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     point: &Point<M>,
@@ -288,7 +291,7 @@ mod tests {
     use crate::failure::InputValues;
     use crate::library::FourBar;
 
-    /// What is looked at lies ahead, further and further, near by, and not beyond the end.
+    /// Tested places lie ahead at growing distances, close, and not beyond the end.
     #[test]
     fn places_ahead_are_near_by() {
         let linkage = FourBar {
@@ -315,7 +318,7 @@ mod tests {
         assert_eq!(places[places.len() - 1], way.length);
     }
 
-    /// In a place where rounding moves nothing and nothing stands in the way, the solvers' own word is handed on.
+    /// If rounding moves nothing and no obstacle exists, the track returns the solver's own error.
     #[test]
     fn an_error_that_nothing_explains_is_told_as_it_is() {
         let linkage = FourBar {

@@ -1,4 +1,4 @@
-//! Moving a mechanism from a position that is known to another one.
+//! Moving a mechanism from a known position to another one.
 
 mod cause;
 mod obstacle;
@@ -25,72 +25,73 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose, PoseOf};
 use crate::number::{Number, Row};
 
-/// The longest step by the inputs, in their sizes.
+/// The longest step of the inputs, in units of their sizes.
 const LONGEST: f64 = 0.5;
-/// The size that the last terms of the Taylor series may have at the end of a step.
+/// The largest size of the last terms of the Taylor series at the end of a step.
 const LAST_TERM: f64 = 0.02;
-/// By how much the corrected unknowns may differ from the predicted ones, and their rates by as much of the largest.
+/// The largest difference between corrected and predicted unknowns. For their rates it is relative to the largest rate.
 const CORRECTION: f64 = 0.02;
-/// Steps are not made shorter than this part of the way, or of the unit.
+/// The shortest step, as a part of the way or of the unit.
 const SHORTEST: f64 = 1e-13;
-/// A station after a longer step than this is far enough from a change point for its series to be accurate there.
+/// The length of a step whose station is far enough from a change point for its series to be accurate there.
 const ANCHOR: f64 = 1e-3;
-/// So near to a change point rounding may confuse the branches that cross there.
+/// Within this distance of a change point, rounding can mix up the branches that cross there.
 const BLUR: f64 = 1e-5;
-/// Steps shorter than this lead into a place at which something happens, or out of it, by halving or doubling. It is
-/// also a part of the way, which would take too many of them.
+/// The length below which steps, by halving or doubling, lead towards or away from a special place. It is also relative
+/// to the way, which would otherwise take too many such steps.
 const CREEPING: f64 = 1e-6;
-/// More than so many short steps in a row lead nowhere: to halve a step to the shortest, or to double it from there,
-/// takes about 25, and each length may be tried several times.
+/// The largest number of such short steps in a row. Halving a step down to the shortest, or doubling it from there,
+/// takes about 25 steps, and each length may be tried several times.
 const MOST_CREEPING: u32 = 256;
-/// An unknown that has grown by this factor may be running to infinity.
+/// The factor of growth from which an unknown may be going to infinity.
 const FAR: f64 = 1e6;
-/// Steps of an iteration on a smooth function near its zero.
+/// The number of iterations on a smooth function near its zero.
 const SECANTS: usize = 30;
-/// From this rate of an unknown on, it becomes the parameter in the place of the inputs.
+/// The rate of an unknown above which it replaces the inputs as parameter.
 const FAST: f64 = 32.0;
 
-/// The [`TrackError`] of a mechanism: with its inputs and its unknowns in double precision.
+/// The [`TrackError`] of a mechanism, with its inputs and unknowns in double precision.
 pub type TrackErrorOf<M> = TrackError<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
-/// The obstacle in it.
+/// The obstacle in this error.
 type ObstacleOf<M> = Obstacle<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
-/// The halt in it.
+/// The halt in this error.
 type HaltOf<M> = Halt<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<f64>>;
 
-/// Moves the inputs on a straight line from one place to another, and the mechanism with them, without leaving its
+/// Moves the inputs on a straight line from one place to another, and moves the mechanism with them without leaving its
 /// assembly.
 ///
-/// `from_unknowns` are the unknowns at `from_inputs`, or near enough for
-/// [`solve_position_near`](Mechanism::solve_position_near). The result are those at `to_inputs`, in radians or the
-/// mechanism's own unit; angles have been carried along, so that a crank that has made a full turn ends 2π further.
+/// `from_unknowns` are the unknowns at `from_inputs`, or values close enough for
+/// [`solve_position_near`](Mechanism::solve_position_near). The result contains the unknowns at `to_inputs`, in radians
+/// or the mechanism's own unit. Angles keep their turns, so a crank that has made a full turn ends 2π further.
 ///
-/// This is a continuation. Each step is predicted with the Taylor series of the mechanism's own solvers, to its
-/// order, corrected by [`solve_motion_near`](Mechanism::solve_motion_near), and accepted if prediction and correction
-/// agree in the unknowns and their rates, and if the determinant of each block's Jacobian keeps its sign and its
-/// size, to a factor of two, at every quarter of the step. Two changes of sign could hide only where a determinant
-/// dips to zero and recovers within a quarter of a step on which the series holds. The length of the steps follows
-/// from the last terms of the series and from these tests.
+/// This is a continuation method. The Taylor series of the mechanism's own solvers predicts each step, to the order of
+/// the mechanism, and [`solve_motion_near`](Mechanism::solve_motion_near) corrects it. A step is accepted if prediction
+/// and correction agree in the unknowns and their rates, and if the determinant of each block's Jacobian keeps its
+/// sign, and its size within a factor of two, at every quarter of the step. Two changes of sign could hide only if a
+/// determinant fell to zero and recovered within a quarter of a step on which the series is accurate. The last terms of
+/// the series and these tests determine the length of the steps.
 ///
-/// Where an unknown runs more than 32 times as fast as the inputs, it becomes the parameter, and the inputs are
-/// sought: that way a limit position is a regular point, the zero of the inputs' rate. It is found by Newton's
-/// method, and the inputs there are exact to rounding.
+/// If an unknown moves more than 32 times as fast as the inputs, it becomes the parameter and the track solves for the
+/// inputs instead. A limit position is then a regular point: the zero of the inputs' rate. Newton's method finds it,
+/// and the inputs there are exact to rounding.
 ///
 /// # Steps
-/// A track takes at most [`MOST_TRACK_STEPS`] steps, those that are tried in vain included. A step is one solution by the
-/// mechanism's solvers, or, where an unknown is the parameter, one solution by at most 64 corrections. The place of an
-/// obstacle takes at most 64 solutions more.
+/// A track takes at most [`MOST_TRACK_STEPS`] steps, including rejected ones. A step is one solution by the mechanism's
+/// solvers or, where an unknown is the parameter, one solution by at most 64 corrections. Locating an obstacle takes at
+/// most 64 more solutions.
 ///
-/// What rounding errors of the closure may do to the unknowns is no difference between prediction and correction, so that
-/// long links in a loop of short ones do not make steps short. Short steps that lead nowhere are counted: after 256 in a
-/// row that are shorter than 10⁻⁶, or 32 that do not change the inputs, the track looks for what is in the way.
+/// The effect of rounding errors of the closure on the unknowns does not count as a difference between prediction and
+/// correction, so long links in a loop of short ones do not force short steps. Short steps without progress are
+/// counted: after 256 in a row that are shorter than 10⁻⁶, or 32 that do not change the inputs, the track looks for the
+/// cause.
 ///
-/// The way is found in double precision; a number type that carries derivatives gets them at its end.
+/// The track runs in double precision; a number type that carries derivatives gets them at the end.
 ///
 /// # Errors
-/// [`TrackError::Limit`], [`TrackError::ChangePoint`] and [`TrackError::Unbounded`] with the place;
-/// [`TrackError::Failed`] if there is no position at the beginning, or if something else ends the way: at the end of the
-/// domain of a function, or of the range of an unknown, its inputs are the first ones beyond, to the last digit;
-/// [`TrackError::TooManySteps`] and [`TrackError::Lost`] with the last position and what stopped there.
+/// [`TrackError::Limit`], [`TrackError::ChangePoint`] and [`TrackError::Unbounded`] with the place.
+/// [`TrackError::Failed`] if there is no position at the start, or if something else ends the track: at the end of the
+/// domain of a function, or of the range of an unknown, its inputs are the first ones beyond, to the last digit.
+/// [`TrackError::TooManySteps`] and [`TrackError::Lost`] with the last position and the reason for stopping there.
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -130,11 +131,11 @@ pub fn track<M: Mechanism>(
     Ok(mechanism.solve_position_near(to_inputs, end)?)
 }
 
-/// [`track`] from a pose, where the caller solves the last position, once and as the type that it wants. `arrive` takes the unknowns
-/// that it is near to.
+/// [`track`] from a pose, where the caller solves the last position once, as the type it needs. `arrive` takes unknowns
+/// that are close to it.
 ///
 /// # Errors
-/// Those of [`track`], and the error of `arrive`.
+/// Returns the errors of [`track`], and the error of `arrive`.
 pub fn track_to<M: Mechanism, P>(
     mechanism: &M,
     pose: &impl PoseOf<M>,
@@ -145,7 +146,7 @@ pub fn track_to<M: Mechanism, P>(
     Ok(arrive(end)?)
 }
 
-/// The unknowns at the end of a way, before the last position is solved.
+/// The unknowns at the end of the track, before the last position is solved.
 fn end<M: Mechanism>(
     mechanism: &M,
     (from_inputs, from_unknowns): (M::Inputs<M::Scalar>, M::Unknowns<M::Scalar>),
@@ -161,7 +162,7 @@ fn end<M: Mechanism>(
     Ok(Row::from_fn(|index| M::Scalar::constant(end[index])))
 }
 
-/// The error in rows of the mechanism instead of those of its double in double precision, which are the same arrays.
+/// The error with rows of the mechanism instead of rows of its double-precision version. Both are the same arrays.
 fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
     let convert = |obstacle: ObstacleOf<M::With<f64>>| Obstacle {
         block: obstacle.block,
@@ -188,21 +189,21 @@ fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
     }
 }
 
-/// A point of the way with all that is known there.
+/// A point of the track and everything known there.
 #[derive(Clone, Copy)]
 struct Station<M: Mechanism> {
     point: Point<M>,
-    /// The unknowns through all orders, angles on the turns that they have come to.
+    /// The unknowns in all orders, with angles on the turns they have reached.
     motions: M::Unknowns<M::Motion<f64>>,
-    /// The sizes of the unknowns there.
+    /// The sizes of the unknowns at this station.
     sizes: M::Unknowns<f64>,
     sides: Sides<M>,
 }
 
-/// Why there is no station.
+/// The reason why there is no station.
 enum Missing {
     Unsolved(SolveError),
-    /// The closure is not finite, or not that of the same branch.
+    /// The closure is not finite, or the solution belongs to another branch.
     Elsewhere,
 }
 
@@ -215,7 +216,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
     let start = mechanism.solve_position_near(from, near)?;
     let way = Way::new(mechanism, from, &start, to);
     if !way.length.is_finite() {
-        // The solver knows best which input it is.
+        // The solver reports best which input is wrong.
         mechanism.solve_position_near(to, start)?;
         return Err(TrackError::Failed(lost::<M>(
             0,
@@ -241,7 +242,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
     let mut anchor = here;
     let mut longest = LONGEST;
     let mut steps = Steps::NONE;
-    // Whether an unknown in the place of the inputs has led nowhere since the unknowns have become fast.
+    // Whether following an unknown as parameter has led nowhere since the unknowns became fast.
     let mut is_lost = false;
     let mut creeping = 0;
     loop {
@@ -250,7 +251,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
         if rate <= FAST {
             is_lost = false;
         }
-        // Fast and straight, as behind a gear, is not near a limit.
+        // A fast and straight motion, for example behind a gear, is not near a limit.
         if rate > FAST && rate * trusted < LONGEST && !is_lost {
             match round_the_turn(&way, &here, &anchor, &beginning, &mut steps)? {
                 Arrival::Station(there) if there.point.travel > here.point.travel => {
@@ -258,7 +259,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
                     continue;
                 }
                 Arrival::End(unknowns) => return Ok(unknowns),
-                // The solvers may know the way, or why there is none.
+                // The solvers may find a way, or a reason why there is none.
                 _ => is_lost = true,
             }
         }
@@ -288,7 +289,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
         };
         let Some(there) = there else {
             match round_the_turn(&way, &here, &anchor, &beginning, &mut steps)? {
-                // Not if it only creeps through the neighbourhood of a change point.
+                // Do not continue if it only creeps through the neighbourhood of a change point.
                 Arrival::Station(there) if there.point.travel > here.point.travel + BLUR => {
                     (here, anchor, longest, creeping) = (there, there, LONGEST, 0);
                     continue;
@@ -297,7 +298,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
                 _ => return Err(blocked(&way, &here, &anchor, &beginning, error, &steps)),
             }
         };
-        // Rounding errors part the branches that cross there, so that a way around seems to lead on.
+        // Rounding errors separate the branches that cross here, so a way around seems to continue.
         if step < BLUR && is_crossed(&way, &there.point, turning::fastest(&rates(&there, &way.sizes))) {
             return Err(crossed_near(&way, &there.point, &there.sides, &anchor, &beginning));
         }
@@ -314,7 +315,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// The mechanism at a given travel, near given unknowns.
+/// The mechanism at a given travel, close to given unknowns.
 fn station<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     travel: f64,
@@ -339,7 +340,7 @@ fn station<M: Mechanism<Scalar = f64>>(
     })
 }
 
-/// The station at the end of a step, if it is certain that it lies on the same branch and nothing happens in between.
+/// The station at the end of a step, if it certainly lies on the same branch and nothing happens in between.
 fn attempted<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>, travel: f64) -> Result<Station<M>, Missing> {
     let step = travel - here.point.travel;
     for part in [0.25, 0.5, 0.75, 1.0] {
@@ -365,27 +366,27 @@ fn attempted<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>, travel
     let pairs = rates.as_ref().iter().zip(foreseen.as_ref());
     let turn = largest(pairs.map(|(one, other)| one - other));
     let scale = largest(rates.as_ref().iter().copied()).max(1.0);
-    // A correction must also be small against the step, lest it lead to a neighbouring branch.
+    // A correction must also be small compared with the step, or it could lead to a neighbouring branch.
     let far = there.point.unknowns.as_ref().iter().zip(here.sizes.as_ref());
     let ulps = 64.0 * f64::EPSILON * largest(far.map(|(value, size)| value / size)).max(1.0);
     let allowed = CORRECTION * (step * scale).min(1.0) + ulps;
     let is_same = turn <= 5.0 * CORRECTION * scale
         && there.sides.are_near(&here.sides)
         && (distance <= allowed || {
-            // More than a correction may be, rounding would excuse everything.
+            // If rounding exceeded the limit of a correction, it would excuse everything.
             let blur = blur(way, &there.point);
             blur <= CORRECTION && distance <= allowed + blur
         });
     if is_same { Ok(there) } else { Err(Missing::Elsewhere) }
 }
 
-/// Whether a station is of the given assembly. Assemblies that depend on the dimensions have no names to compare; the
-/// determinants tell them apart.
+/// Whether a station belongs to the given assembly. Assemblies that depend on the dimensions have no names to compare;
+/// the determinants distinguish them.
 fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, way: &Way<M>, there: &Station<M>, assembly: M::Assembly) -> bool {
     M::ASSEMBLY_COUNT == 0 || mechanism.assembly_near(way.inputs(there.point.travel), there.point.unknowns) == assembly
 }
 
-/// The first derivatives by the travel, in given sizes.
+/// The first derivatives with respect to the travel, in units of the given sizes.
 fn rates<M: Mechanism<Scalar = f64>>(here: &Station<M>, sizes: &M::Unknowns<f64>) -> M::Unknowns<f64> {
     let motions = here.motions;
     M::Unknowns::from_fn(|index| {
@@ -394,7 +395,7 @@ fn rates<M: Mechanism<Scalar = f64>>(here: &Station<M>, sizes: &M::Unknowns<f64>
     })
 }
 
-/// The unknowns after a step by Taylor's series, and their rates in the sizes before it.
+/// The unknowns after a step by Taylor's series, and their rates in the sizes before the step.
 fn predicted<M: Mechanism<Scalar = f64>>(here: &Station<M>, step: f64) -> (M::Unknowns<f64>, M::Unknowns<f64>) {
     let motions = here.motions;
     let series = |index: usize, lowest: usize| {
@@ -413,8 +414,8 @@ fn predicted<M: Mechanism<Scalar = f64>>(here: &Station<M>, step: f64) -> (M::Un
     )
 }
 
-/// The step at the end of which the last two terms of the series are small. The first order is straight and does not
-/// count; a series that has no other is left to the comparison with what is found.
+/// The step after which the last two terms of the series are small. The first order is straight and does not count. For
+/// a series without other orders, only the comparison with the solution limits the step.
 fn trusted<M: Mechanism<Scalar = f64>>(here: &Station<M>) -> f64 {
     let motions = here.motions;
     let mut step = f64::INFINITY;
@@ -435,13 +436,13 @@ fn trusted<M: Mechanism<Scalar = f64>>(here: &Station<M>) -> f64 {
     step
 }
 
-/// Where the curve of solutions leads if an unknown is its parameter.
+/// The result of following the curve of solutions with an unknown as its parameter.
 enum Arrival<M: Mechanism> {
-    /// To a station from which steps by the inputs lead on.
+    /// A station from which steps of the inputs continue.
     Station(Station<M>),
-    /// To the end.
+    /// The end of the track.
     End(M::Unknowns<f64>),
-    /// Nowhere.
+    /// No result.
     None,
 }
 
@@ -470,7 +471,7 @@ fn lost<M: Mechanism>(block: usize, failure: Failure) -> SolveError {
     failure.at(block, InputValues::new(&[], &[]))
 }
 
-/// The unknowns of a block.
+/// The names of the unknowns of a block.
 fn name<M: Mechanism>(block: usize) -> &'static str {
     M::DESCRIPTION.blocks.get(block).map_or("", |block| block.unknowns)
 }

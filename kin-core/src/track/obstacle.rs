@@ -1,4 +1,4 @@
-//! Why a mechanism cannot be tracked to where it is wanted.
+//! The reasons why a track ends before its target.
 
 use core::error::Error;
 use core::fmt::{self, Debug};
@@ -6,71 +6,73 @@ use core::fmt::{self, Debug};
 use crate::failure::{SolveError, digits::Digits};
 use crate::mechanism::Quantity;
 
-/// Where rounding errors move the unknowns by more than this, nothing can be said of what is near.
+/// The largest effect of rounding errors on the unknowns. Beyond it, nothing is certain about the neighbourhood.
 pub(super) const FIRM: f64 = 1e-3;
 
-/// A position on the way at which the motion ends, or is not determined.
+/// A position on the track at which the motion ends or is not determined.
 ///
-/// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays, of the declared lengths.
+/// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays of the declared lengths.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Obstacle<I, U> {
-    /// The unknowns of the block that is singular, separated by commas.
+    /// The unknowns of the singular block, separated by commas.
     pub block: &'static str,
-    /// The part of the way that has been covered, from 0 to 1.
+    /// The part of the track that has been covered, from 0 to 1.
     pub fraction: f64,
-    /// The inputs there: radians for angles, the mechanism's own unit for lengths.
+    /// The inputs at this position: radians for angles, the mechanism's own unit for lengths.
     pub inputs: I,
-    /// The unknowns there.
+    /// The unknowns at this position.
     pub unknowns: U,
-    /// What the inputs are.
+    /// The quantities of the inputs.
     pub(super) names: &'static [Quantity],
 }
 
-/// Where tracking came to a halt without an obstacle that has a name.
+/// The place where tracking stopped without a known obstacle.
 ///
-/// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays, of the declared lengths.
+/// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays of the declared lengths.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Halt<I, U> {
-    /// How many steps were taken, or tried, on the way.
+    /// The number of steps taken or tried.
     pub steps: u32,
-    /// The part of the way that has been covered, from 0 to 1.
+    /// The part of the track that has been covered, from 0 to 1.
     pub fraction: f64,
     /// The inputs of the last position: radians for angles, the mechanism's own unit for lengths.
     pub inputs: I,
     /// The unknowns of the last position.
     pub unknowns: U,
-    /// How far rounding errors may move them there: radians for an angle, a part of its size for a length or a number.
+    /// The effect of rounding errors on the unknowns there: in radians for an angle, relative to its size for a length
+    /// or a number.
     pub rounding: f64,
-    /// What the inputs are.
+    /// The quantities of the inputs.
     pub(super) names: &'static [Quantity],
 }
 
-/// Why tracking ended before the inputs were where they were wanted.
+/// The reason why a track ended before the inputs reached their target.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum TrackError<I, U> {
-    /// A limit position: two assemblies meet, and beyond it there is neither. The inputs can only turn back.
+    /// A limit position: two assemblies meet, and neither exists beyond it. The inputs can only turn back.
     ///
-    /// Where the solution is drawn over the inputs, its curve turns round there.
+    /// In a plot of the solution over the inputs, the curve turns back there.
     Limit(Obstacle<I, U>),
-    /// A change point: the assembly meets another one, and both go on. Which of them the mechanism follows is not a
-    /// matter of geometry.
+    /// A change point: the assembly meets another one, and both continue. Geometry does not determine which one the
+    /// mechanism follows.
     ///
-    /// The place is that of a mechanism whose dimensions may differ by rounding errors: where the gap between two
-    /// assemblies is that small, nothing else is known of it.
+    /// The place belongs to a mechanism whose dimensions may differ by rounding errors. If the gap between two
+    /// assemblies is that small, nothing else is known about it.
     ChangePoint(Obstacle<I, U>),
-    /// A length or a number runs to infinity, as where a slide becomes parallel to its guide.
+    /// A length or a number goes to infinity, for example where a slide becomes parallel to its guide.
     ///
-    /// The inputs are those of the pole, the unknowns those of the last position before it.
+    /// The inputs are those at the pole, the unknowns those of the last position before it.
     Unbounded(Obstacle<I, U>),
-    /// The way takes more steps than [`MOST_TRACK_STEPS`](crate::MOST_TRACK_STEPS). The last position is given; another
-    /// track may go on from there.
+    /// The track takes more steps than [`MOST_TRACK_STEPS`](crate::MOST_TRACK_STEPS). The error contains the last
+    /// position, and another track may continue from there.
     TooManySteps(Halt<I, U>),
-    /// No step, however short, is certain to stay in the assembly, and no obstacle explains why. Rounding errors move
-    /// the unknowns by more than steps do, as where the rounding of one link of a loop is as long as another link. Where they move
-    /// them by little, an unknown jumps, as an angle that is declared by `atan2` jumps by a turn.
+    /// No step, however short, certainly stays in the assembly, and no obstacle explains why. Rounding errors may move
+    /// the unknowns by more than steps do, for example if the rounding of one link of a loop is as long as another
+    /// link. If rounding moves them only a little, an unknown jumps, for example an angle declared by `atan2` that
+    /// jumps by a turn.
     Lost(Halt<I, U>),
-    /// The position could not be found, at the beginning, or on the way for another reason.
+    /// A position could not be found, at the start, or on the way for another reason.
     Failed(SolveError),
 }
 
@@ -80,7 +82,7 @@ impl<I, U> From<SolveError> for TrackError<I, U> {
     }
 }
 
-/// Where something happened, after its description.
+/// The place of an event, for use after its description.
 struct Location<'a> {
     names: &'static [Quantity],
     inputs: &'a [f64],
@@ -166,7 +168,7 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
     }
 }
 
-// By the slices, which every row has, so that code for any mechanism can unwrap a result.
+// Format the slices, which every row has, so that code for any mechanism can unwrap a result.
 impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Obstacle<I, U> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter
@@ -207,7 +209,7 @@ impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for TrackError<I, U> {
 
 impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Error for TrackError<I, U> {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
-        // The message already holds that of the failure.
+        // The message already contains the message of the failure.
         None
     }
 }

@@ -1,4 +1,4 @@
-//! By how much rounding errors move a position.
+//! The effect of rounding errors on a position.
 
 use super::sides::{Sides, bordered, whole};
 use super::way::{Linear, Point, Way, largest};
@@ -6,11 +6,11 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::number::Row;
 
-/// How many units of rounding the terms of an equation may be off by, in the solvers and here.
+/// The error of the terms of an equation, in units of ε, in the solvers and here.
 const UNITS: f64 = 4.0;
 
-/// The worst that rounding errors of a single equation may do to what a system of all equations is solved for, in
-/// sizes. Not finite if the system is singular.
+/// The largest effect of rounding errors in a single equation on the solution of a system of all equations, in units of
+/// the sizes. It is not finite if the system is singular.
 pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     point: &Point<M>,
@@ -29,15 +29,16 @@ pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
     worst
 }
 
-/// How far rounding errors may move the unknowns at a point, in sizes. Not finite where the equations are singular.
+/// The largest effect of rounding errors on the unknowns at a point, in units of their sizes. It is not finite if the
+/// equations are singular.
 pub(super) fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> f64 {
     way.linearise(point).map_or(f64::INFINITY, |linear| {
         largest(rounding(way, point, &whole(&linear)).as_ref().iter().copied())
     })
 }
 
-/// Whether rounding errors may take half of the determinant of a block, or more: then a position at which it is zero is
-/// as near as can be told.
+/// Whether rounding errors may change the determinant of a block by half or more. A position where it is zero is then
+/// too close to be ruled out.
 pub(super) fn is_indistinct<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> bool {
     let Some(linear) = way.linearise(point) else {
         return false;
@@ -50,7 +51,8 @@ pub(super) fn is_indistinct<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Po
     any_beside(way, point, &shift, None, |linear| Sides::of(linear).shrink_from(&here))
 }
 
-/// The same where an unknown is the parameter: then branches cross as near as can be told.
+/// [`is_indistinct`] with an unknown as the parameter. If it holds, a crossing of branches is too close to be ruled
+/// out.
 pub(super) fn is_crossed<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, parameter: usize) -> bool {
     let Some(linear) = way.linearise(point) else {
         return false;
@@ -66,8 +68,8 @@ pub(super) fn is_crossed<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point
     })
 }
 
-/// Whether something holds for the closure on one side of a point or on the other. Where the domain of a function ends
-/// in between, a determinant may be of any size; that is another matter.
+/// Whether a condition holds for the closure on one side of a point or on the other. If the domain of a function ends
+/// in between, a determinant may have any size; other code handles that.
 fn any_beside<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     point: &Point<M>,

@@ -1,4 +1,4 @@
-//! On which side of its singular positions each block is.
+//! The side of its singular positions on which each block is.
 
 use num_traits::Float;
 
@@ -7,12 +7,12 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::factored_matrix::{FactoredMatrix, Orientation};
 use crate::number::Row;
 
-/// All equations for all unknowns.
+/// The matrix of all equations for all unknowns.
 pub(super) fn whole<M: Mechanism<Scalar = f64>>(linear: &Linear<M>) -> FactoredMatrix<M> {
     FactoredMatrix::new(Way::<M>::COUNT, |row, column| linear.jacobian[row][column])
 }
 
-/// The determinant of each block's Jacobian: on which side of its singular positions it is.
+/// The determinants of the Jacobians of the blocks. Their signs give the sides of the singular positions.
 #[derive(Clone, Copy)]
 pub(super) struct Sides<M: Mechanism>(M::Unknowns<Orientation>);
 
@@ -33,7 +33,7 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
         }))
     }
 
-    /// Whether each determinant has kept its sign, and its size to a factor of two.
+    /// Whether each determinant has kept its sign, and its size within a factor of two.
     pub(super) fn are_near(&self, other: &Self) -> bool {
         let mut pairs = self.0.as_ref().iter().zip(other.0.as_ref());
         pairs.all(|(one, other)| one.is_near(*other))
@@ -44,7 +44,7 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
         self.0.as_ref().iter().any(|orientation| orientation.sign == 0)
     }
 
-    /// Whether a determinant has lost its sign, or half of its size.
+    /// Whether a determinant has changed its sign or lost half of its size.
     pub(super) fn shrink_from(&self, other: &Self) -> bool {
         let mut pairs = self.0.as_ref().iter().zip(other.0.as_ref());
         pairs.any(|(one, other)| one.shrinks_from(*other))
@@ -56,13 +56,13 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
         pairs.all(|(one, other)| one.sign == other.sign)
     }
 
-    /// The determinant of a block as a multiple of what it was.
+    /// The determinant of a block, divided by its earlier value.
     pub(super) fn relative(&self, reference: &Self, block: usize) -> f64 {
         let (now, then) = (self.0[block], reference.0[block]);
         f64::from(now.sign * then.sign) * Float::exp2(now.logarithm - then.logarithm)
     }
 
-    /// The block whose determinant has shrunk most, and the logarithm of its size to base 2, relative to what it was.
+    /// The block whose determinant has shrunk most, and the base-2 logarithm of the ratio to its earlier size.
     pub(super) fn most_shrunk(&self, reference: &Self) -> (usize, f64) {
         let pairs = self.0.as_ref().iter().zip(reference.0.as_ref());
         let changes = pairs.map(|(now, then)| now.logarithm - then.logarithm);
@@ -78,7 +78,7 @@ impl<M: Mechanism<Scalar = f64>> Sides<M> {
     }
 }
 
-/// The closure with the travel in the place of one unknown, which becomes the parameter.
+/// The closure with one unknown as the parameter and the travel as an unknown instead.
 pub(super) fn bordered<M: Mechanism<Scalar = f64>>(linear: &Linear<M>, parameter: usize) -> FactoredMatrix<M> {
     FactoredMatrix::new(Way::<M>::COUNT, |row, column| {
         if column == parameter {

@@ -1,18 +1,19 @@
-//! How many steps a track may take.
+//! The number of steps of a track.
 
-/// The most steps that one [`track`](crate::track()) takes, those that are tried in vain included.
+/// The largest number of steps of one [`track`](crate::track()), including rejected ones.
 ///
-/// A turn of a crank takes about 15, a way through places that rounding makes difficult a thousand at most. With this
-/// many steps it is either a way of thousands of turns, which can be tracked in parts, or one of thousands of waves.
+/// A turn of a crank takes about 15 steps. A path through places that rounding makes difficult takes a thousand at
+/// most. A track that needs more steps than this limit has thousands of turns, and can be divided, or thousands of
+/// waves.
 pub const MOST_TRACK_STEPS: u32 = 100_000;
 
-/// The steps that have been taken.
+/// The number of steps taken.
 pub(super) struct Steps(u32);
 
 impl Steps {
     pub(super) const NONE: Self = Self(0);
 
-    /// Counts another step; false if there are no more.
+    /// Counts another step; returns false if the limit is reached.
     pub(super) const fn take(&mut self) -> bool {
         let is_left = self.0 < MOST_TRACK_STEPS;
         if is_left {

@@ -1,4 +1,4 @@
-//! A track ends where it should, and says what stands in the way. Many mechanisms are tracked in the package of tests.
+//! A track ends where it should, and reports its obstacles. The package of tests tracks many mechanisms.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::string::ToString;
@@ -30,7 +30,7 @@ crate::mechanism! {
 }
 
 crate::mechanism! {
-    /// Two four-bars, the rocker of the first the crank of the second.
+    /// Two four-bars in series: the rocker of the first is the crank of the second.
     struct InSeries { ground: Length, crank: Length, coupler: Length, rocker: Length, next: Length }
     input q: Angle;
     unknown a: Angle, b: Angle, c: Angle, d: Angle;
@@ -75,14 +75,14 @@ fn cranks_go_round_in_their_assembly() {
             }
             at = to;
         }
-        // neither link turns round with the crank
+        // Neither link turns full circle with the crank.
         for (one, other) in unknowns.into_iter().zip(start) {
             assert!((one - other).abs() <= 1e-12);
         }
     }
 }
 
-/// Coupler and rocker are in line at a limit, one behind the other or on top of it.
+/// At a limit, coupler and rocker are in line, extended or folded.
 #[test]
 fn links_that_do_not_reach_end_at_their_limit() {
     for scale in [1e-6, 1.0, 1e6] {
@@ -99,7 +99,7 @@ fn links_that_do_not_reach_end_at_their_limit() {
                 let Err(TrackError::Limit(limit)) = result else {
                     panic!("{assembly:?} to {to}: {result:?}");
                 };
-                // the quotient of sums of squares magnifies rounding by less than ten
+                // The quotient of sums of squares magnifies rounding by less than ten.
                 assert!((limit.inputs[0] - end).abs() <= 80.0 * f64::EPSILON, "{limit:?} {end}");
                 assert!((limit.fraction - (limit.inputs[0] - from) / (to - from)).abs() <= 1e-14);
                 assert!((limit.unknowns[0] - limit.unknowns[1]).sin().abs() <= 1e-11);
@@ -118,7 +118,7 @@ fn as_far_as_the_limit_and_back_again() {
             let there = from_to(&DOUBLE_ROCKER, assembly, 0.5, end - gap).unwrap();
             let direct = DOUBLE_ROCKER.position(end - gap, assembly).unwrap().unknowns();
             for (one, other) in there.into_iter().zip(direct) {
-                // the angles are as sensitive as the limit is near
+                // The angles become more sensitive close to the limit.
                 assert!(turned_alike(one, other) <= 64.0 * f64::EPSILON / gap.sqrt(), "{gap}");
             }
             let back = from_to(&DOUBLE_ROCKER, assembly, end - gap, 0.5).unwrap();
@@ -159,13 +159,13 @@ fn branches_that_cross_are_change_points() {
     }
 }
 
-/// One link off by a little, so that the branches part, or end in two limits.
+/// One link differs slightly, so the branches separate, or end in two limits.
 #[test]
 fn beside_a_change_point_the_assembly_is_kept_or_ends() {
     for exponent in [1, 3, 5, 7, 9] {
         let off = 10.0_f64.powi(-exponent);
         for assembly in Assembly::BOTH {
-            // the shortest and the longest link are together shorter than the others, and longer
+            // The sum of the shortest and the longest link is less than that of the others, and then greater.
             let turning = FourBar {
                 r1: 1.0,
                 r2: 0.4,
@@ -224,7 +224,7 @@ fn the_end_of_a_domain_is_named() {
     }
 }
 
-/// The second loop stops before the first one would.
+/// The second loop stops before the first one does.
 #[test]
 fn the_block_that_stops_is_named() {
     let linkage: InSeries = InSeries {
@@ -245,7 +245,7 @@ fn the_block_that_stops_is_named() {
                 panic!("{assembly:?}: {result:?}");
             };
             assert_eq!(limit.block, "c, d");
-            // where the second diagonal is coupler and rocker together
+            // At this position the second diagonal equals coupler and rocker together.
             let [_, b, ..] = limit.unknowns;
             let cosine = (78.0_f64.powi(2) + 60.0 * 60.0 - 130.0 * 130.0) / (2.0 * 78.0 * 60.0);
             assert!((b.cos() - cosine).abs() <= 1e-13, "{limit:?}");
@@ -255,14 +255,14 @@ fn the_block_that_stops_is_named() {
     assert!(found >= 4, "{found}");
 }
 
-/// A dead point of the lever, which is driven at a distance that vanishes there.
+/// A dead point of the lever, whose driving distance vanishes there.
 #[test]
 fn other_mechanisms_go_round_as_well() {
     for (r1, r2) in [(2.0, 1.0), (1.0, 2.0)] {
         let lever = InvertedSliderCrank { r1, r2 };
         let start = lever.position(0.3).unwrap().unknowns();
         let end = track(&lever, [0.3], start, [0.3 + TAU]).unwrap();
-        // the lever goes round with a crank that is longer than the ground link
+        // The lever makes full turns if the crank is longer than the ground link.
         let turns = if r2 > r1 { TAU } else { 0.0 };
         assert!((end[0] - start[0]).abs() <= 1e-12 && (end[1] - start[1] - turns).abs() <= 1e-12);
     }
@@ -314,7 +314,7 @@ fn the_fastest_is_the_first_of_those_with_the_largest_rate() {
     assert_eq!(fastest(&[0.0, 0.0]), 0);
 }
 
-/// Sign and logarithm are those of the determinant, and a system solved gives back its right-hand side.
+/// Sign and logarithm agree with the determinant, and solving a system restores its right-hand side.
 #[test]
 fn orientations_are_those_of_determinants() {
     for matrix in [
@@ -345,14 +345,14 @@ fn orientations_are_those_of_determinants() {
     assert_eq!((singular.sign, singular.logarithm), (0, f64::NEG_INFINITY));
 }
 
-/// The position at a crank angle, on the way to another one.
+/// The position at a crank angle, on the track to another angle.
 fn on_the_way(linkage: &FourBar, assembly: Assembly, angle: f64) -> (Way<FourBar>, Point<FourBar>) {
     let unknowns = linkage.position(angle, assembly).unwrap().unknowns();
     let way = Way::new(*linkage, [angle], &unknowns, [3.0]);
     (way, Point { unknowns, travel: 0.0 })
 }
 
-/// At a limit the determinant changes its sign, and rounding moves the unknowns by its root.
+/// At a limit the determinant changes its sign, and rounding moves the unknowns by its square root.
 #[test]
 fn rounding_moves_positions_more_where_they_are_sensitive() {
     let end = DOUBLE_ROCKER.crank_range().unwrap().high;
@@ -360,7 +360,7 @@ fn rounding_moves_positions_more_where_they_are_sensitive() {
     for gap in [0.5, 1e-2, 1e-4, 1e-6] {
         let (way, point) = on_the_way(&DOUBLE_ROCKER, Assembly::Open, end - gap);
         let moved = blur(&way, &point);
-        // some units of rounding of the terms, by the determinant
+        // The sensitivity is a few ε of the terms, divided by the determinant.
         let sensitivity = 1.0 / f64::sqrt(gap);
         assert!(
             moved > f64::EPSILON * sensitivity && moved < 100.0 * f64::EPSILON * sensitivity,
@@ -372,7 +372,7 @@ fn rounding_moves_positions_more_where_they_are_sensitive() {
     }
     let (way, point) = on_the_way(&DOUBLE_ROCKER, Assembly::Open, end - 1e-15);
     assert!(is_indistinct(&way, &point));
-    // with an unknown for the parameter a limit is a point like others, and a change point is none
+    // With an unknown as the parameter, a limit is an ordinary point, but a change point is not.
     assert!(!is_crossed(&way, &point, 0));
     let parallelogram = FourBar {
         r1: 1.0,
@@ -388,7 +388,7 @@ fn rounding_moves_positions_more_where_they_are_sensitive() {
     }
 }
 
-/// The assemblies lie on different sides of the limit, and one assembly on the same side all the way.
+/// The two assemblies lie on different sides of the limit, and each stays on its side.
 #[test]
 fn sides_are_those_of_the_assembly() {
     let sides = |assembly: Assembly, angle: f64| {
@@ -405,7 +405,7 @@ fn sides_are_those_of_the_assembly() {
     }
 }
 
-/// However long a step is, what is found at its end is what its beginning predicts.
+/// The position at the end of a step agrees with the prediction, whatever the length of the step.
 #[test]
 fn a_step_ends_where_it_was_predicted_to() {
     let (mut taken, mut refused) = (0, 0);
@@ -427,7 +427,7 @@ fn a_step_ends_where_it_was_predicted_to() {
                     let distance = largest(pairs.map(|(one, other)| one - other));
                     let fastest = largest(rates(&there, &here.sizes).into_iter()).max(1.0);
                     let allowed = CORRECTION * (step * fastest).min(1.0);
-                    // rounding moves these linkages by less than the last term
+                    // Rounding moves these linkages by less than the last term.
                     assert!(
                         distance <= allowed + 1e-10,
                         "{assembly:?} from {from} by {step}: {distance}"
@@ -439,8 +439,8 @@ fn a_step_ends_where_it_was_predicted_to() {
     assert!(taken > 500 && refused > 500, "{taken} {refused}");
 }
 
-/// Where the links of a parallelogram are nearly equal, rounding parts its branches early. What it makes of a change point is at
-/// times a limit, as of dimensions that are off by as much, but most often it is told for what it is.
+/// If the links of a parallelogram are nearly equal, rounding separates its branches early. Sometimes a change point is
+/// reported as a limit, as for dimensions with errors of this size, but usually it is recognised.
 #[test]
 fn rounding_hides_few_change_points() {
     let mut limits = 0;

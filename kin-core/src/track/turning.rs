@@ -1,9 +1,9 @@
-//! The curve of solutions where an unknown runs ahead of the inputs: near limit positions.
+//! The curve of solutions near limit positions, where an unknown is faster than the inputs.
 //!
-//! There the unknown that moves fastest is the parameter, and the travel of the inputs is unknown in its place. The
-//! curve is as smooth by this parameter as anywhere; a limit position is a zero of the travel's rate, and a simple one.
-//! (Local parametrisation: W. C. Rheinboldt and J. V. Burkardt, A locally parameterized continuation process, ACM
-//! Transactions on Mathematical Software 9, 1983, 215-235.)
+//! There the fastest unknown is the parameter, and the travel of the inputs is unknown instead. With this parameter the
+//! curve is as smooth as anywhere, and a limit position is a simple zero of the travel's rate. (Local parametrisation:
+//! W. C. Rheinboldt and J. V. Burkardt, A locally parameterized continuation process, ACM Transactions on Mathematical
+//! Software 9, 1983, 215-235.)
 
 use super::rounding::{is_crossed, rounding};
 use super::sides::{Sides, bordered};
@@ -16,49 +16,49 @@ use crate::number::Row;
 
 /// The longest step, in sizes of the parameter.
 const LONGEST: f64 = 0.05;
-/// Steps are not made shorter than this.
+/// The shortest step.
 pub(super) const SHORTEST: f64 = 1e-13;
-/// Rates of unknowns below this are left to steps by the inputs.
+/// The rate below which unknowns are left to steps of the inputs.
 const SLOW: f64 = 16.0;
-/// Steps of an iteration that converges quadratically, or halves an interval: more than the digits of a number.
+/// The largest number of iterations that converge quadratically or halve an interval. It exceeds the number of digits.
 const ITERATIONS: usize = 64;
-/// After so many steps that do not change the inputs the curve is taken to lead nowhere.
+/// The number of steps without a change of the inputs after which the curve is given up.
 const STANDSTILL: u32 = 32;
-/// A correction below this that does not fall is rounding.
+/// The size below which a correction that does not fall is rounding.
 const NOISE: f64 = 1e-7;
 
-/// How the curve was followed.
+/// The result of following the curve.
 pub(super) enum Passage<M: Mechanism> {
-    /// The unknowns are slow again.
+    /// The unknowns have become slow again.
     Onwards(Point<M>),
-    /// The inputs are where they were wanted, the unknowns nearly.
+    /// The inputs have reached their target, the unknowns nearly.
     Target(M::Unknowns<f64>),
-    /// The curve turns round before.
+    /// The curve turns back before the target.
     Limit(Point<M>, Sides<M>),
-    /// Shorter and shorter steps lead to this place, at which the curve has no single direction.
+    /// Ever shorter steps lead to this place, where the curve has no single direction.
     ChangePoint(Point<M>, Sides<M>),
-    /// There is no way on, for another reason.
+    /// The curve cannot be followed further, for another reason.
     Lost,
-    /// There are no steps left.
+    /// No steps are left.
     Spent(Point<M>),
 }
 
 /// The curve to second order near one of its points.
 struct Local<M: Mechanism> {
     point: Point<M>,
-    /// The derivatives by the parameter, in sizes.
+    /// The derivatives with respect to the parameter, in sizes.
     rates: M::Unknowns<f64>,
     travel_rate: f64,
     /// Half the second derivatives.
     bends: M::Unknowns<f64>,
     travel_bend: f64,
-    /// Of the closure, with the travel in the place of the parameter.
+    /// The orientation of the closure with the travel as unknown instead of the parameter.
     orientation: Orientation,
     sides: Sides<M>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Local<M> {
-    /// `None` if the closure is not finite there, or another parameter is needed.
+    /// The curve at a point, or `None` if the closure is not finite there or another parameter is needed.
     fn new(way: &Way<M>, point: Point<M>, parameter: usize) -> Option<Self> {
         let linear = way.linearise(&point)?;
         let system = bordered(&linear, parameter);
@@ -81,7 +81,7 @@ impl<M: Mechanism<Scalar = f64>> Local<M> {
         })
     }
 
-    /// Where the curve is after a step of the parameter, to second order.
+    /// The point after a step of the parameter, to second order.
     fn predicted(&self, way: &Way<M>, step: f64) -> Point<M> {
         let along = |index: usize| (self.rates[index] + self.bends[index] * step) * step;
         Point {
@@ -101,7 +101,7 @@ impl<M: Mechanism<Scalar = f64>> Local<M> {
     }
 }
 
-/// The place of the largest rate, the first of several.
+/// The index of the largest rate, the first of several.
 pub(super) fn fastest<R: Row<f64>>(rates: &R) -> usize {
     let rates = rates.as_ref().iter().enumerate();
     let best = rates.fold(
@@ -141,16 +141,16 @@ fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: Point<M>, paramete
     None
 }
 
-/// How far rounding errors may lead from the curve. No more than a fifth of the longest step: beyond that they would
-/// excuse everything.
+/// The distance from the curve that rounding errors may cause, limited to a fifth of the longest step. A larger value
+/// would excuse everything.
 fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, system: &FactoredMatrix<M>) -> f64 {
     let size = largest(rounding(way, point, system).as_ref().iter().copied());
     if size <= 0.2 * LONGEST { size } else { 0.0 }
 }
 
-/// Follows the curve until the unknowns are slow again, the inputs arrive, or there is a limit.
+/// Follows the curve until the unknowns are slow again, the inputs reach their target, or there is a limit.
 ///
-/// `rates` are those of the unknowns by the travel, in sizes.
+/// `rates` are the rates of the unknowns with respect to the travel, in sizes.
 pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     start: Point<M>,
@@ -199,7 +199,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
         }
         longest = (LONGEST * growth).min(2.0 * size);
         let step = size.copysign(here.travel_rate);
-        // Rounding errors part the branches that cross there, so that a way around seems to lead on.
+        // Rounding errors separate the branches that cross here, so a way around seems to continue.
         if size < BLUR && is_crossed(way, &there.point, parameter) {
             return Passage::ChangePoint(there.point, there.sides);
         }
@@ -211,7 +211,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
             return if turn.point.travel > way.length + rounding {
                 Passage::Target(arrived(way, &here, parameter, reach))
             } else if is_crossed(way, &turn.point, parameter) {
-                // Rounding errors make limits of a change point, as errors of the dimensions do.
+                // Rounding errors turn a change point into limits, as errors of the dimensions do.
                 Passage::ChangePoint(turn.point, turn.sides)
             } else {
                 Passage::Limit(turn.point, turn.sides)
@@ -236,8 +236,8 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     }
 }
 
-/// The end of a step in the direction of growing travel, if it is certain that it lies on the same curve, and that
-/// nothing happens on the way but one limit position at most.
+/// The end of a step in the direction of growing travel, if it certainly lies on the same curve and at most one limit
+/// position lies within the step.
 fn attempted<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     here: &Local<M>,
@@ -267,18 +267,18 @@ fn attempted<M: Mechanism<Scalar = f64>>(
         if largest(changes.chain([turn])) > 0.15 || !local.orientation.is_near(here.orientation) {
             return None;
         }
-        // As long as the inputs go on, every block stays on its side.
+        // As long as the inputs advance, every block stays on its side.
         let goes_on = local.travel_rate * here.travel_rate > 0.0;
         if goes_on != local.sides.are_same(&here.sides) {
             return None;
         }
     }
     let turns = [here.travel_rate, middle.travel_rate, there.travel_rate].map(|rate| rate > 0.0);
-    // Once it has turned it may not turn again.
+    // After the curve has turned once, it may not turn again.
     (turns[1] == turns[0] || turns[1] == turns[2]).then_some(there)
 }
 
-/// The limit position within a step, and the step to it: the zero of the travel's rate.
+/// The limit position within a step, and the step to it. It is the zero of the travel's rate.
 fn turned<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     here: &Local<M>,
@@ -317,7 +317,7 @@ fn turned<M: Mechanism<Scalar = f64>>(
     best
 }
 
-/// The unknowns where the inputs are as wanted, within a step along which they only go on.
+/// The unknowns where the inputs reach their target, within a step along which the inputs only advance.
 fn arrived<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Local<M>, parameter: usize, step: f64) -> M::Unknowns<f64> {
     let (mut low, mut high) = (0.0, step);
     let mut reach = (way.length - here.point.travel) / here.travel_rate;
@@ -358,7 +358,7 @@ mod tests {
         r4: 45.0,
     };
 
-    /// The way between two crank angles, both before a limit, and the curve where it begins.
+    /// The track between two crank angles, both before a limit, and the curve at its start.
     fn begin(assembly: Assembly, from: f64, to: f64) -> (Way<FourBar>, Local<FourBar>, usize) {
         let unknowns = LINKAGE.solve_position([from], assembly).unwrap();
         let way = Way::new(LINKAGE, [from], &unknowns, [to]);
@@ -369,7 +369,7 @@ mod tests {
         (way, here, parameter)
     }
 
-    /// Towards a limit and away from it, the unknowns are those where the inputs are as wanted, however long the step is.
+    /// Towards a limit and away from it, the unknowns belong to the target inputs, whatever the length of the step.
     #[test]
     fn within_a_step_the_inputs_arrive_where_they_are_wanted() {
         let end = LINKAGE.crank_range().unwrap().high;
@@ -380,12 +380,12 @@ mod tests {
                     let expected = LINKAGE.solve_position([to], assembly).unwrap();
                     let reach = (expected[parameter] - here.point.unknowns[parameter]) / way.sizes[parameter];
                     for part in [1.0, 1.1, 1.5] {
-                        // not beyond the limit, where the inputs turn back
+                        // The target is not beyond the limit, where the inputs turn back.
                         let is_towards = to > from;
                         let step = if is_towards { reach } else { reach * part };
                         let found = arrived(&way, &here, parameter, step * (1.0 + 1e-9));
                         for (one, other) in found.into_iter().zip(expected) {
-                            // the angles are as sensitive as the limit is near
+                            // The angles become more sensitive close to the limit.
                             assert!(
                                 (one - other).abs() <= 1e-10 + 64.0 * f64::EPSILON / near.sqrt(),
                                 "{from} to {to}, {part}: {one} {other}"

@@ -4,23 +4,23 @@ use super::SHORTEST;
 use crate::mechanism::{Dimension, Mechanism};
 use crate::number::{Row, series::Series};
 
-/// Values, first and second derivatives, as coefficients.
+/// A value with its first and second derivative, as coefficients of a series.
 type Second = Series<3>;
 
-/// A place on the curve of solutions over the line of inputs.
+/// A point on the curve of solutions over the line of inputs.
 #[derive(Clone, Copy)]
 pub(super) struct Point<M: Mechanism> {
-    /// In their own units.
+    /// The unknowns in their own units.
     pub(super) unknowns: M::Unknowns<f64>,
-    /// How far the inputs have come.
+    /// The distance that the inputs have covered.
     pub(super) travel: f64,
 }
 
 /// The line of inputs from one place to another, for a mechanism in double precision.
 ///
-/// Unknowns are measured by their natural sizes: 1 for an angle, the longest link for a length. The travel of the
-/// inputs is the largest of theirs, by their sizes, so that rates by the travel are of the size of 1 where nothing
-/// special happens.
+/// Unknowns are measured in their natural sizes: 1 for an angle, the longest link for a length. The travel of the
+/// inputs is the largest of their distances, in units of their sizes, so rates with respect to the travel are usually
+/// about 1.
 pub(super) struct Way<M: Mechanism<Scalar = f64>> {
     pub(super) mechanism: M,
     series: M::With<Second>,
@@ -28,7 +28,7 @@ pub(super) struct Way<M: Mechanism<Scalar = f64>> {
     to: M::Inputs<f64>,
     /// The whole travel.
     pub(super) length: f64,
-    /// The sizes of the unknowns, where the way begins.
+    /// The sizes of the unknowns at the start.
     pub(super) sizes: M::Unknowns<f64>,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Way<M: Mechanism<Scalar = f64>> {
 #[derive(Clone, Copy)]
 pub(super) struct Linear<M: Mechanism> {
     pub(super) jacobian: M::Unknowns<M::Unknowns<f64>>,
-    /// The derivatives by the travel of the inputs.
+    /// The derivatives with respect to the travel of the inputs.
     pub(super) travel: M::Unknowns<f64>,
     pub(super) residuals: M::Unknowns<f64>,
 }
@@ -74,10 +74,10 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         }
     }
 
-    /// How many unknowns there are, and equations.
+    /// The number of unknowns, which is also the number of equations.
     pub(super) const COUNT: usize = <M::Unknowns<f64> as Row<f64>>::LENGTH;
 
-    /// The sizes of the unknowns at a point: what is not an angle may have grown.
+    /// The sizes of the unknowns at a point. A length or a number may have grown.
     pub(super) fn sizes_at(&self, point: &Point<M>) -> M::Unknowns<f64> {
         M::Unknowns::from_fn(|index| {
             let size = self.sizes[index];
@@ -88,7 +88,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         })
     }
 
-    /// Steps by the inputs are not made shorter than this.
+    /// The shortest step of the inputs.
     pub(super) fn shortest(&self) -> f64 {
         SHORTEST * self.length.max(1.0)
     }
@@ -99,7 +99,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         one.as_ref() == other.as_ref()
     }
 
-    /// The inputs, where they have come a given way.
+    /// The inputs after a given travel.
     pub(super) fn inputs(&self, travel: f64) -> M::Inputs<f64> {
         if travel == self.length {
             return self.to;
@@ -107,7 +107,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         M::Inputs::from_fn(|index| self.from[index] + self.slope(index) * travel)
     }
 
-    /// The same with their rates by the travel.
+    /// The inputs after a given travel, with their rates with respect to the travel.
     pub(super) fn motions(&self, travel: f64) -> M::Inputs<M::Motion<f64>> {
         let values = self.inputs(travel);
         M::Inputs::from_fn(|index| {
@@ -123,7 +123,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         (self.to[index] - self.from[index]) / self.length
     }
 
-    /// The residuals as series, where unknowns and travel are polynomials of the first degree.
+    /// The residuals as series, where unknowns and travel are polynomials of first degree.
     fn residuals(
         &self,
         point: &Point<M>,
@@ -140,9 +140,10 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         )
     }
 
-    /// What a relative error of every quantity in an equation shifts the equation by, at most: the size of its terms.
+    /// The size of the terms of each equation: the largest shift of the equation that a relative error of one in every
+    /// quantity causes.
     ///
-    /// Terms that cancel count in full, as those of a long crank in a loop of short links do.
+    /// Terms that cancel count in full, for example those of a long crank in a loop of short links.
     pub(super) fn terms(&self, point: &Point<M>) -> M::Unknowns<f64> {
         let parameters = self.mechanism.parameters();
         let inputs = self.inputs(point.travel);
@@ -195,7 +196,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     }
 }
 
-/// The largest magnitude of a row; NaN if there is a NaN.
+/// The largest magnitude in a row, or NaN if an entry is NaN.
 pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |largest: f64, value| {
         let size = value.abs();
