@@ -1,26 +1,27 @@
-//! Numbers that carry derivatives in time.
+//! Numbers that carry time derivatives.
 
 use num_dual::{HyperDual, HyperDual64};
 
 use crate::number::series::Series;
 use crate::solve::Scalar;
 
-/// A number that holds a function of time by its value and its derivatives at one moment.
+/// A number that represents a function of time by its value and its derivatives at one moment.
 pub(super) trait Carrier: Scalar {
-    /// The function of the given derivatives, value first; those that are missing are zero.
+    /// The function with the given derivatives, value first. Missing derivatives are zero.
     fn carrying(derivatives: &[f64]) -> Self;
 
-    /// A derivative, NaN beyond those that are held.
+    /// The derivative of the given order; NaN beyond the orders that the number carries.
     fn derivative(&self, order: usize) -> f64;
 
-    /// The derivatives through an order, value first.
+    /// The derivatives up to an order, value first.
     fn derivatives_through(&self, order: usize) -> std::vec::Vec<f64> {
         (0..=order).map(|order| self.derivative(order)).collect()
     }
 }
 
-/// Through the fourth order. Of two steps inside and two outside, every subset of k steps holds the k-th derivative
-/// (J. A. Fike and J. J. Alonso, "The development of hyper-dual numbers for exact second-derivative calculations", AIAA 2011-886).
+/// A carrier up to the fourth order. With two steps inside and two outside, every subset of k steps holds the k-th
+/// derivative (J. A. Fike and J. J. Alonso, "The development of hyper-dual numbers for exact second-derivative
+/// calculations", AIAA 2011-886).
 pub(super) type Nested = HyperDual<HyperDual64>;
 
 impl Carrier for Nested {
@@ -42,7 +43,7 @@ impl Carrier for Nested {
     }
 }
 
-/// Through order `N` - 1.
+/// Carries derivatives up to order `N` - 1.
 impl<const N: usize> Carrier for Series<N> {
     fn carrying(derivatives: &[f64]) -> Self {
         Self::from_derivatives(core::array::from_fn(|order| {

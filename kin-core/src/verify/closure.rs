@@ -7,8 +7,8 @@ use super::{Inputs, Unknowns};
 use crate::mechanism::Mechanism;
 use crate::number::{Row, series::Series};
 
-/// What is left of each scalar equation and of its derivatives, when the motions are put into it: zero up to rounding,
-/// if the motions are right.
+/// The residuals of each scalar equation and of its derivatives, with the motions put into it. They are zero up to
+/// rounding if the motions are right.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -23,7 +23,7 @@ use crate::number::{Row, series::Series};
 /// # Ok::<(), SolveError>(())
 /// ```
 pub fn closure<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, unknowns: &Unknowns<M>) -> Vec<Vec<f64>> {
-    // constant conditions, so that only one of the closures is compiled
+    // Constant conditions, so that only one of the closures is compiled.
     if const { M::DESCRIPTION.order <= 4 } {
         carried::<M, Series<5>>(mechanism, inputs, unknowns)
     } else if const { M::DESCRIPTION.order <= 8 } {

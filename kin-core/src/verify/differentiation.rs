@@ -1,4 +1,4 @@
-//! Oracle (a): derivatives in time by differentiating the position solution.
+//! Oracle (a): time derivatives by differentiating the position solution.
 
 use std::vec::Vec;
 
@@ -8,19 +8,19 @@ use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Row, series::Series};
 
-/// What differentiation of the position solution gives.
+/// The result of differentiating the position solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Differentiated {
-    /// Each unknown's value and derivatives, through the mechanism's order.
+    /// The value and derivatives of each unknown, up to the mechanism's order.
     pub unknowns: Vec<Vec<f64>>,
-    /// Each scalar output's.
+    /// The value and derivatives of each scalar output.
     pub outputs: Vec<Vec<f64>>,
 }
 
 /// The motions of unknowns and outputs by automatic differentiation of the position solution.
 ///
-/// The numbers are nested dual numbers for mechanisms through the fourth order, truncated Taylor series for those beyond,
-/// to the sixteenth.
+/// The numbers are nested dual numbers for mechanisms up to the fourth order, and truncated Taylor series beyond, up to
+/// the sixteenth.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -36,13 +36,13 @@ pub struct Differentiated {
 /// ```
 ///
 /// # Errors
-/// As the position solver.
+/// Returns the errors of the position solver.
 pub fn by_differentiation<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: &Inputs<M>,
     assembly: M::Assembly,
 ) -> Result<Differentiated, SolveError> {
-    // constant conditions, so that only one of the solvers is compiled
+    // Constant conditions, so that only one of the solvers is compiled.
     if const { M::DESCRIPTION.order <= 4 } {
         carried::<M, Nested>(mechanism, inputs, assembly)
     } else if const { M::DESCRIPTION.order <= 8 } {
@@ -72,7 +72,7 @@ fn carried<M: Mechanism<Scalar = f64>, C: Carrier>(
             outputs: Vec::new(),
         });
     }
-    // Outputs come with a pose only. Of its motions nothing but the values is taken.
+    // Only a pose contains outputs. Of its motions, only the values are used.
     let zero = C::constant(0.0);
     let still = <<M::With<C> as Mechanism>::Inputs<M::Motion<C>> as Row<M::Motion<C>>>::from_fn(|index| {
         <M::Motion<C> as Row<C>>::from_fn(|order| if order == 0 { input(index) } else { zero })

@@ -1,4 +1,4 @@
-//! What errors are measured against.
+//! The units in which errors are measured.
 
 use std::vec::Vec;
 
@@ -9,19 +9,21 @@ use crate::mechanism::{Dimension, Mechanism, Quantity};
 
 /// The units of error at a pose.
 ///
-/// Let κ be the condition of the Jacobian, its columns scaled by the sizes of the unknowns and its rows by the terms of
-/// the equations. Let w be the largest |x⁽ᵏ⁾|^(1/k) over all quantities x (lengths relative to the mechanism's size) and
-/// orders k. The entries of the scaled Jacobian are among these quantities, through the fourth order: they change faster than the
-/// unknowns where a function of them is steep. Every term of an n-th derivative is of the size wⁿ at most, and is computed to a few ε. Solving
-/// J q = r multiplies the error of r by κ, and the position, in error by ε κ itself, enters J. So an n-th derivative is known to
+/// Let κ be the condition of the Jacobian, with columns scaled by the sizes of the unknowns and rows by the terms of
+/// the equations. Let w be the largest |x⁽ᵏ⁾|^(1/k) over all quantities x (lengths relative to the mechanism's size)
+/// and orders k. These quantities include the entries of the scaled Jacobian up to the fourth order, because the
+/// entries change faster than the unknowns where a function of the unknowns is steep. Every term of an n-th derivative
+/// is at most of size wⁿ, and is computed with an error of a few ε. Solving J q = r multiplies the error of r by κ, and
+/// J contains the position, whose error is itself ε κ. So the error of an n-th derivative is
 ///
 /// ```text
 /// ε κ² wⁿ
 /// ```
 ///
-/// times a number that depends on the count of terms, [`allowed`]. The terms of an equation are what a relative error of each quantity
-/// in it shifts it by. Larger ones that cancel on the way to its value show in a bound on its rounding error; a row is at least so
-/// large that this bound is allowed.
+/// times a number that depends on the count of terms, [`allowed`]. A term of an equation is the amount by which the
+/// equation changes when one of its quantities has a relative error of one. Larger terms that cancel within the
+/// equation show up in a bound on its rounding error. The size of a row is at least so large that this bound is
+/// allowed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gauge {
     /// The condition κ of the scaled Jacobian.
@@ -82,7 +84,7 @@ impl Gauge {
             for (rates, own) in rates.into_iter().zip(&sizes) {
                 frequency = frequency.max(fastest_of(rates, shifts / own));
             }
-            // terms that cancel count as well
+            // Terms that cancel count too.
             let size = shifts.max(rounding / allowed(0));
             for entry in row.iter_mut() {
                 *entry /= size;
@@ -99,21 +101,21 @@ impl Gauge {
         }
     }
 
-    /// The unit of error of an unknown's n-th derivative, against differentiation of the position. That goes
-    /// through intermediate results which change κ times as fast as the inputs.
+    /// The unit of error of an unknown's n-th derivative, compared with differentiation of the position. That
+    /// differentiation has intermediate results that change κ times as fast as the inputs.
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> f64 {
         self.unit(order, self.solving()) * self.sizes[index]
     }
 
-    /// The unit of what is left of an equation's n-th derivative.
+    /// The unit of error of the residual of an equation's n-th derivative.
     #[must_use]
     pub fn equation(&self, index: usize, order: usize) -> f64 {
         self.unit(order, self.frequency) * self.rows[index]
     }
 
-    /// The unit of error of an output's n-th derivative, given its motion. An output that changes faster than the
-    /// inputs do is steeper than they by so much, and so is its error.
+    /// The unit of error of an output's n-th derivative, given its motion. If an output changes faster than the inputs,
+    /// its error is larger by the same factor.
     #[must_use]
     pub fn output(&self, quantity: &Quantity, motion: &[f64], order: usize) -> f64 {
         let own_size = motion.first().copied().unwrap_or(0.0).abs();
@@ -132,14 +134,14 @@ impl Gauge {
     }
 
     fn unit(&self, order: usize, frequency: f64) -> f64 {
-        // one factor per order: there are few
+        // One factor per order, because there are only a few orders.
         (0..order).fold(f64::EPSILON * self.condition * self.condition, |unit, _| {
             unit * frequency
         })
     }
 }
 
-/// The size that a quantity has by nature: a length that of the mechanism, an angle or a number at least one.
+/// The natural size of a quantity: for a length that of the mechanism, for an angle or a number at least one.
 fn natural(length: f64, quantity: &Quantity, motion: &[f64]) -> f64 {
     if quantity.dimension == Dimension::Length {
         length
@@ -148,7 +150,7 @@ fn natural(length: f64, quantity: &Quantity, motion: &[f64]) -> f64 {
     }
 }
 
-/// The largest rate of a motion of a quantity of some size, as a frequency.
+/// The largest rate of a quantity's motion relative to its size, as a frequency.
 fn frequency(motion: &[f64], size: f64) -> f64 {
     fastest_of(motion.iter().skip(1).copied(), size)
 }
@@ -160,8 +162,8 @@ fn fastest_of(rates: impl IntoIterator<Item = f64>, size: f64) -> f64 {
     })
 }
 
-/// How many units of error are allowed in an n-th derivative: generously, the number of its terms. Bell's and Leibniz's sums
-/// multiply it by four to five an order.
+/// The number of units of error allowed in an n-th derivative: a generous count of its terms. The sums of Bell and
+/// Leibniz multiply it by four to five for each order.
 ///
 /// ```
 /// use kin_core::verify::allowed;

@@ -1,4 +1,4 @@
-//! The partial derivatives of a mechanism's equations, by dual numbers, and their rounding errors.
+//! The partial derivatives of a mechanism's equations, by dual numbers, and the rounding errors of the equations.
 
 use std::vec::Vec;
 
@@ -19,8 +19,9 @@ fn derivative<R: Row<f64>>(motion: &R, order: usize) -> f64 {
     motion.as_ref().get(order).copied().unwrap_or(0.0)
 }
 
-/// The equations' partial derivatives: by the unknowns, and by parameters and inputs times these themselves,
-/// which is how much a relative error in one of them shifts an equation. One row for each equation.
+/// The partial derivatives of the equations, one row for each equation: with respect to the unknowns, and with respect
+/// to parameters and inputs, the latter multiplied by these quantities themselves. A product is the shift of the
+/// equation caused by a relative error in the quantity.
 pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: &Inputs<M>,
@@ -29,7 +30,7 @@ pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
     type D = Dual64;
     let (unknowns, inputs) = (values(unknowns.as_ref()), values(inputs.as_ref()));
     let parameters = mechanism.parameters().as_ref().to_vec();
-    // the column of one quantity, counted through unknowns, parameters and inputs
+    // The column of one quantity, counted through unknowns, parameters and inputs.
     let column = |seeded: usize| -> Vec<f64> {
         let number = |index: usize, value: f64| D::new(value, if index == seeded { 1.0 } else { 0.0 });
         let mut next = unknowns.len();
@@ -70,13 +71,14 @@ pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
     (rows(&by_unknowns), rows(&by_others))
 }
 
-/// The first four time derivatives of each of the equations' partial derivatives by the unknowns, row by row.
+/// The first four time derivatives of each partial derivative of the equations with respect to the unknowns, row by
+/// row.
 pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: &Inputs<M>,
     unknowns: &Unknowns<M>,
 ) -> Vec<Vec<[f64; 4]>> {
-    // outside along one unknown, inside along time
+    // The outer number differentiates along one unknown, the inner one along time.
     type D = Dual<Nested>;
     let lifted = mechanism.convert(<D as Number>::constant);
     let number = |motion: &M::Motion<f64>, seed: f64| {

@@ -2,8 +2,8 @@
 
 use std::vec::Vec;
 
-/// ‖A⁻¹‖ in the maximum norm, which is the condition of a matrix scaled to rows of size 1, by Gauss-Jordan elimination with row
-/// pivoting. At least 1; infinite or NaN if the matrix is singular.
+/// The norm ‖A⁻¹‖ in the maximum norm, by Gauss-Jordan elimination with row pivoting. For a matrix scaled to rows of
+/// size 1 it is the condition. It is at least 1, and infinite or NaN if the matrix is singular.
 pub(super) fn condition(matrix: Vec<Vec<f64>>) -> f64 {
     let size = matrix.len();
     let norm = |rows: &[Vec<f64>]| {
@@ -45,7 +45,7 @@ mod tests {
     #[test]
     fn of_matrices_with_known_inverses() {
         assert_eq!(condition(vec![vec![1.0, 0.0], vec![0.0, 0.25]]), 4.0);
-        // the inverse is [[0, 1], [1, -2]]
+        // The inverse is [[0, 1], [1, -2]].
         assert_eq!(condition(vec![vec![2.0, 1.0], vec![1.0, 0.0]]), 3.0);
         assert_eq!(condition(vec![vec![8.0]]), 1.0);
         assert!(!condition(vec![vec![1.0, 1.0], vec![1.0, 1.0]]).is_finite());

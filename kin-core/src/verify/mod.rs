@@ -1,20 +1,19 @@
 //! Verification of any mechanism, by two independent oracles, in one line.
 //!
-//! [`mechanism`] draws random dimensions and motions, solves the mechanism in every assembly, and holds each result
-//! against both oracles. Its [`Report`] prints the worst errors, order by order.
+//! [`mechanism`] draws random dimensions and motions, solves the mechanism in every assembly, and compares each result
+//! with both oracles. Its [`Report`] prints the worst errors, order by order.
 //!
-//! - **Differentiation.** The position solution is run on numbers that carry derivatives in time, along the inputs'
-//!   Taylor polynomials: what it gives are the derivatives that the generated solvers should give, of the unknowns and of
-//!   the outputs. The numbers are nested dual numbers (`num-dual`) through the fourth order, and the truncated Taylor series
-//!   of [`series`](crate::series) beyond. See [`by_differentiation`].
-//! - **Closure.** The generated motions are put back, as truncated Taylor series, into the equations as they were
-//!   declared: what is left of them must vanish at every order. See [`closure`].
+//! - **Differentiation.** The position solution is run on numbers that carry time derivatives, along the Taylor
+//!   polynomials of the inputs. The results are the derivatives of unknowns and outputs that the generated solvers
+//!   should give. The numbers are nested dual numbers (`num-dual`) up to the fourth order, and the truncated Taylor
+//!   series of [`series`](crate::series) beyond. See [`by_differentiation`].
+//! - **Closure.** The generated motions are put into the equations as declared, as truncated Taylor series. The
+//!   residuals must vanish at every order. See [`closure`].
+//! The two share only the declaration: the first does not use the generated derivatives, the second does not use the
+//! closed forms. Errors are measured in the units of a [`Gauge`], which follow from the position and the motion.
 //!
-//! The two share nothing but the declaration: the first knows of no generated derivative, the second of no closed form. Errors are
-//! measured in the units of a [`Gauge`], which follow from the position and the motion.
-//!
-//! An output's derivatives are held against its position. The formula of its value has no second source, so that
-//! nothing else is known of the value itself.
+//! The derivatives of an output are compared with the derivatives of its value. The value itself is not checked,
+//! because its formula has no second source.
 //!
 //! ```
 //! use kin_core::prelude::*;
@@ -44,8 +43,8 @@
 //! assert!(report.passed());
 //! ```
 //!
-//! The feature `num-dual` has it. Who needs it for tests only writes `kin-core = { version = "…", features = ["num-dual"] }` under
-//! `[dev-dependencies]`, beside the dependency proper.
+//! This module needs the feature `num-dual`. If only your tests verify, write `kin-core = { version = "…", features =
+//! ["num-dual"] }` under `[dev-dependencies]`, in addition to the ordinary dependency.
 
 mod carrier;
 mod closure;
@@ -77,8 +76,8 @@ pub type Inputs<M> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<f64>>;
 /// A motion for each unknown of a mechanism.
 pub type Unknowns<M> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<f64>>;
 
-/// Verifies a mechanism over random dimensions and motions, in every assembly: [`Sampling::mechanism`] with the default
-/// sampling.
+/// Verifies a mechanism over random dimensions and motions, in every assembly. This is [`Sampling::mechanism`] with the
+/// default sampling.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -92,8 +91,9 @@ pub fn mechanism<M: Mechanism<Scalar = f64>>() -> Report {
     Sampling::default().mechanism::<M>()
 }
 
-/// Verifies a mechanism about given dimensions, each input within its range from low to high: [`Sampling::of`] with the default
-/// sampling. For mechanisms that hardly ever close when their dimensions are drawn without regard to each other.
+/// Verifies a mechanism around given dimensions, with each input in its range from low to high. This is
+/// [`Sampling::of`] with the default sampling. Use it for mechanisms that rarely close if all dimensions are drawn
+/// independently.
 ///
 /// ```
 /// use kin_core::library::FourBar;

@@ -2,7 +2,8 @@
 
 use crate::number::scatter::{INCREMENT, fraction};
 
-/// Scattered numbers, by `SplitMix64` (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+/// Pseudorandom numbers by `SplitMix64` (Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
+/// OOPSLA 2014).
 ///
 /// ```
 /// use kin_core::verify::Random;
@@ -16,24 +17,24 @@ use crate::number::scatter::{INCREMENT, fraction};
 pub struct Random(u64);
 
 impl Random {
-    /// A sequence of its own for each seed.
+    /// The sequence that belongs to a seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// A number in `low..high`.
+    /// The next number in `low..high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_add(INCREMENT);
         low + (high - low) * fraction(self.0)
     }
 
-    /// A size, its logarithm uniform over the decade about 1.
+    /// A random size, log-uniform over the decade around 1.
     pub(super) fn size(&mut self) -> f64 {
         10.0_f64.powf(self.between(-0.5, 0.5))
     }
 
-    /// A size of either sign.
+    /// A random size with a random sign.
     pub(super) fn signed_size(&mut self) -> f64 {
         let size = self.size();
         if self.between(-1.0, 1.0) < 0.0 { -size } else { size }

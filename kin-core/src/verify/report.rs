@@ -1,10 +1,10 @@
-//! What a verification found.
+//! The report of a verification.
 
 use core::fmt;
 
 use super::Worst;
 
-/// The result of a verification. Displayed as a table.
+/// The result of a verification, displayed as a table.
 ///
 /// ```
 /// use kin_core::library::SliderCrank;
@@ -19,20 +19,20 @@ use super::Worst;
 pub struct Report {
     /// The name of the mechanism.
     pub name: &'static str,
-    /// The worst errors, and how many poses there were.
+    /// The worst errors, and the number of poses.
     pub worst: Worst,
-    /// How many combinations of dimensions and inputs were drawn.
+    /// The number of combinations of dimensions and inputs drawn.
     pub tried: usize,
-    /// For how many of them the mechanism closed in some assembly.
+    /// The number of them for which the mechanism closed in some assembly.
     pub closed: usize,
-    /// How many poses are needed to pass.
+    /// The number of poses needed to pass.
     pub needed: usize,
     /// The seed of the random numbers.
     pub seed: u64,
 }
 
 impl Report {
-    /// Whether there were enough poses, and all errors are within what is [`allowed`](super::allowed).
+    /// Whether there were enough poses, and all errors are within the [`allowed`](super::allowed) number of units.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.has_enough_poses() && self.worst.is_allowed()
@@ -41,7 +41,7 @@ impl Report {
     /// Asserts that the verification [passed](Self::passed).
     ///
     /// # Panics
-    /// If it did not. The message is the table.
+    /// Panics if it did not. The message is the table.
     #[track_caller]
     pub fn assert(&self) {
         assert!(self.passed(), "{self}");

@@ -1,4 +1,4 @@
-//! How large rounding errors may become in a formula.
+//! Bounds on the rounding errors of a formula.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -8,27 +8,27 @@ use crate::solve::Scalar;
 /// A number with a bound on its rounding error, in units of ε, to first order: running error analysis (N. J. Higham, *Accuracy
 /// and Stability of Numerical Algorithms*, 2nd edition, SIAM 2002, section 3.3).
 ///
-/// Derivatives tell how far an error of what is given shifts a result, but not the errors of large terms that cancel on the
-/// way to it. The bound holds these.
+/// Derivatives show how much an error in the data shifts a result, but not the errors of large terms that cancel on the
+/// way. The bound includes those errors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rounded {
     value: f64,
-    /// Of the value, absolute.
+    /// The absolute error of the value.
     error: f64,
 }
 
 impl Rounded {
-    /// A number that is exactly as it is given.
+    /// A number without error.
     pub(super) const fn exactly(value: f64) -> Self {
         Self { value, error: 0.0 }
     }
 
-    /// The bound on the error, absolute, in units of ε.
+    /// The bound on the absolute error, in units of ε.
     pub(super) const fn error(self) -> f64 {
         self.error
     }
 
-    /// A result that is itself rounded to the nearest number, after errors that were passed on.
+    /// A result rounded to the nearest number, in addition to the errors passed on to it.
     fn nearest(value: f64, passed_on: f64) -> Self {
         Self {
             value,
@@ -36,7 +36,7 @@ impl Rounded {
         }
     }
 
-    /// The result of a function with a given slope, which is itself within a unit of the last place.
+    /// The result of a function with a given slope. Its own error is at most one unit in the last place.
     fn function(self, value: f64, slope: f64) -> Self {
         Self {
             value,
@@ -45,7 +45,7 @@ impl Rounded {
     }
 }
 
-/// An error that a slope enlarges. There is none without an error, however steep the slope.
+/// An error multiplied by a slope. Without an error there is none, however steep the slope.
 fn passed(slope: f64, error: f64) -> f64 {
     if error == 0.0 { 0.0 } else { slope.abs() * error }
 }
@@ -190,7 +190,7 @@ mod tests {
     use super::Rounded;
     use crate::number::Number;
 
-    /// (1 + x)³ - 1 - 3x - 3x² - x³ is nothing but rounding error, of the size of the terms.
+    /// The expression (1 + x)³ - 1 - 3x - 3x² - x³ consists of rounding error only, of the size of its terms.
     #[test]
     fn cancelled_terms_are_remembered() {
         let one = Rounded::exactly(1.0);
@@ -205,11 +205,11 @@ mod tests {
         }
     }
 
-    /// Each function, of an argument that is known to some ε, against the function beside it.
+    /// Each function with an argument that has an error of some ε, compared with the function at shifted arguments.
     #[test]
     fn errors_pass_through_functions() {
         fn check(name: &str, function: impl Fn(Rounded) -> Rounded) {
-            // far beyond the rounding of the function itself, and small enough for the slope to say it all
+            // Far beyond the rounding of the function itself, and small enough for the slope to describe the change.
             const ERROR: f64 = 1e6;
             for value in [0.2, 0.6] {
                 let error = function(Rounded { value, error: ERROR }).error();

@@ -7,7 +7,7 @@ use super::{Inputs, Random, Report, Worst};
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::number::Row;
 
-/// How many poses are looked at, and which.
+/// The number and the choice of poses to verify.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -18,12 +18,12 @@ use crate::number::Row;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// How many poses are wanted, of a quarter as many draws at least. With fewer than a quarter of them a verification does not
-    /// pass.
+    /// The number of poses wanted. They come from at least a quarter as many draws. With fewer than a quarter of these
+    /// poses, a verification does not pass.
     pub poses: usize,
-    /// How many times dimensions and inputs are drawn at most.
+    /// The largest number of draws of dimensions and inputs.
     pub draws: usize,
-    /// Each seed gives its own sequence of draws, the same in every run.
+    /// The seed of the draws. Each seed gives its own sequence, the same in every run.
     pub seed: u64,
 }
 
@@ -40,14 +40,15 @@ impl Default for Sampling {
 impl Sampling {
     /// Verifies a mechanism over random dimensions and motions, in every assembly.
     ///
-    /// Lengths are log-uniform over the decade about 1, plain numbers as well and of either sign, the coordinates of points and inputs
-    /// that are lengths, too; angles are uniform. The inputs' derivatives are of mixed size and sign. Where the
-    /// assemblies depend on the dimensions, the mechanism is solved near random values of the unknowns.
+    /// Lengths and plain numbers are log-uniform over the decade around 1. Plain numbers, the coordinates of points and
+    /// inputs that are lengths have random signs. Angles are uniform. The derivatives of the inputs have mixed sizes
+    /// and signs. If the assemblies depend on the dimensions, the mechanism is solved near random values of the
+    /// unknowns.
     pub fn mechanism<M: Mechanism<Scalar = f64>>(self) -> Report {
         self.run(|random| {
             let mechanism = M::from_parameters(M::Parameters::from_fn(|index| {
                 let quantity = &M::DESCRIPTION.parameters[index];
-                // the part of a point has a dot in its name
+                // The coordinate of a point has a dot in its name.
                 if quantity.dimension == Dimension::Length && !quantity.name.contains('.') {
                     random.size()
                 } else {
@@ -62,8 +63,8 @@ impl Sampling {
         })
     }
 
-    /// Verifies a mechanism about given dimensions, which are changed by up to a tenth, over given ranges of its inputs, from low to
-    /// high. It need not close everywhere.
+    /// Verifies a mechanism around given dimensions, which are changed by up to a tenth, over given ranges of its
+    /// inputs from low to high. The mechanism need not close everywhere.
     pub fn of<M: Mechanism<Scalar = f64>>(self, mechanism: &M, ranges: M::Inputs<(f64, f64)>) -> Report {
         let given = mechanism.parameters();
         self.run(|random| {
@@ -107,7 +108,7 @@ impl Sampling {
     }
 }
 
-/// All assemblies there are, or one to which a random guess leads, where that depends on the dimensions.
+/// All named assemblies, or one reached from a random guess if the assemblies depend on the dimensions.
 fn assemblies<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, random: &mut Random) -> Vec<M::Assembly> {
     if M::ASSEMBLY_COUNT > 0 {
         return M::assemblies().collect();
@@ -125,7 +126,7 @@ fn assemblies<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, ran
         .collect()
 }
 
-/// A value for a quantity of any kind.
+/// A random value for a quantity of any kind.
 fn any(random: &mut Random, quantity: &Quantity, length: f64) -> f64 {
     match quantity.dimension {
         Dimension::Length => length * random.signed_size(),
@@ -134,7 +135,7 @@ fn any(random: &mut Random, quantity: &Quantity, length: f64) -> f64 {
     }
 }
 
-/// A motion about a value, whose derivatives are of the size that belongs to some rate.
+/// A random motion around a value, with derivatives of the size that belongs to a random rate.
 fn motion<M: Mechanism<Scalar = f64>>(random: &mut Random, value: f64, size: f64) -> M::Motion<f64> {
     let rate = random.size();
     let mut power = size;
@@ -147,7 +148,7 @@ fn motion<M: Mechanism<Scalar = f64>>(random: &mut Random, value: f64, size: f64
     })
 }
 
-/// The largest of a mechanism's lengths, 1 if it has none.
+/// The largest length of a mechanism, or 1 if it has none.
 fn largest_length<M: Mechanism<Scalar = f64>>(mechanism: &M) -> f64 {
     let parameters = mechanism.parameters();
     let largest = M::DESCRIPTION

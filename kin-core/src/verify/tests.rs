@@ -1,5 +1,5 @@
-//! The oracles themselves are put to the test: by a mechanism written by hand, of a high order, without named assemblies, that can be
-//! made wrong at will.
+//! Tests of the oracles themselves. A mechanism written by hand, of high order and without named assemblies, can be
+//! made wrong on purpose.
 
 use std::string::ToString;
 use std::{assert, assert_eq, println};
@@ -15,11 +15,11 @@ use crate::solve::Scalar;
 
 /// One more than the order of the [`Hyperbola`].
 const LENGTH: usize = 7;
-/// What is right at every order.
+/// The order of a wrong derivative if nothing is wrong.
 const NOTHING: usize = usize::MAX;
 
-/// y² = x² + a² for y, with the output x y, through the sixth order, by Newton's method. The unknown's derivative of order
-/// `UNKNOWN` and the output's of order `OUTPUT` are wrong in the seventh digit.
+/// The equation y² = x² + a² for y, with the output x y, up to the sixth order, by Newton's method. The unknown's
+/// derivative of order `UNKNOWN` and the output's derivative of order `OUTPUT` are wrong in the seventh digit.
 #[derive(Clone, Copy, Debug)]
 struct Hyperbola<T, const UNKNOWN: usize, const OUTPUT: usize> {
     a: T,
@@ -54,7 +54,7 @@ const fn quantity(name: &'static str) -> Quantity {
     }
 }
 
-/// The n-th derivative of a product less the terms with an n-th derivative of a factor, by Leibniz's rule.
+/// The n-th derivative of a product without the terms that contain an n-th derivative of a factor, by Leibniz's rule.
 fn inner<T: Scalar>(f: &[T], g: &[T], n: usize) -> T {
     let mut sum = T::constant(0.0);
     let mut binomial = 1.0;
@@ -153,7 +153,8 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         self.solve_position_near(x, [T::constant(near)])
     }
 
-    /// Each further step doubles the number of digits and of derivatives. Guesses beyond ten, which are arbitrary, are refused.
+    /// Each further step doubles the number of digits and of derivatives. Guesses beyond ten (an arbitrary limit) are
+    /// refused.
     fn solve_position_near(&self, [x]: [T; 1], [near]: [T; 1]) -> Result<[T; 1], SolveError> {
         if near.real().abs() > 10.0 {
             return Err(Failure::OutOfReach { margin: -1.0 }.at("y", InputValues::new(&["x"], &[x.real()])));
@@ -181,7 +182,7 @@ fn a_right_mechanism_passes() {
     assert_eq!(report.worst.poses, 200);
 }
 
-/// An unknown that is wrong in the seventh digit of one derivative is found by both oracles, at that order first.
+/// Both oracles find an unknown with one derivative wrong in the seventh digit, at that order first.
 #[test]
 fn a_wrong_derivative_is_found_by_both_oracles() {
     fn check<const WRONG: usize>() {
@@ -224,7 +225,7 @@ fn a_wrong_output_is_found() {
     check::<6>();
 }
 
-/// What does not close is not verified, and says so.
+/// A mechanism that does not close is not verified, and the report says so.
 #[test]
 fn too_few_poses_do_not_pass() {
     let linkage = FourBar {
@@ -272,7 +273,7 @@ fn every_seed_is_reproducible() {
     assert!(first.worst != other.worst);
 }
 
-/// A mechanism that closes in one of its assemblies only is looked at there.
+/// A mechanism that closes in only one of its assemblies is verified there.
 #[test]
 fn poses_are_counted_one_by_one() {
     let linkage: FourBar = FourBar {
@@ -289,7 +290,7 @@ fn poses_are_counted_one_by_one() {
     assert!(worst.outputs.is_empty());
 }
 
-/// What `with test;` expands to.
+/// The expansion of `with test;`.
 #[test]
 fn the_body_of_a_declared_test() {
     crate::__private::assert_verified!(FourBar<f64>);

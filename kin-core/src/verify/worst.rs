@@ -1,4 +1,4 @@
-//! The worst errors seen.
+//! The worst errors of a verification.
 
 use core::fmt;
 use std::format;
@@ -8,12 +8,12 @@ use std::vec::Vec;
 use super::{Gauge, Inputs, allowed, by_differentiation, closure};
 use crate::mechanism::{Mechanism, Pose, Quantity};
 
-/// What a motion is held against.
+/// The reference for a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Oracle {
     /// Differentiation of the position solution, for the unknowns.
     Differentiation,
-    /// The motions put back into the equations.
+    /// The residuals of the equations with the motions put into them.
     Closure,
     /// Differentiation of the position solution, for the outputs.
     Outputs,
@@ -33,18 +33,18 @@ impl fmt::Display for Oracle {
     }
 }
 
-/// The error that was the largest compared with what is [`allowed`] at its order, and where.
+/// The error that was largest compared with the [`allowed`] error at its order, and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// The oracle that found it.
     pub oracle: Oracle,
-    /// The unknown, equation or output.
+    /// The name of the unknown, equation or output.
     pub quantity: String,
-    /// The derivative.
+    /// The order of the derivative.
     pub order: usize,
-    /// How many units of the [`Gauge`] it is.
+    /// The error in units of the [`Gauge`].
     pub error: f64,
-    /// Parameters, inputs with their derivatives, and the assembly.
+    /// The parameters, the inputs with their derivatives, and the assembly.
     pub place: String,
 }
 
@@ -58,7 +58,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// The worst errors seen at any number of poses, order by order in the units of [`Gauge`]. Displayed as a table.
+/// The worst errors over any number of poses, order by order in units of the [`Gauge`], displayed as a table.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -76,21 +76,23 @@ impl fmt::Display for Finding {
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// The unknowns against differentiation of the position solution.
+    /// The errors of the unknowns, compared with differentiation of the position solution.
     pub differentiation: Vec<f64>,
-    /// What was left of the equations.
+    /// The residuals of the equations.
     pub closure: Vec<f64>,
-    /// The outputs against differentiation of the position solution; empty if there are none.
+    /// The errors of the outputs, compared with differentiation of the position solution; empty if there are no
+    /// outputs.
     pub outputs: Vec<f64>,
-    /// How many poses were looked at.
+    /// The number of poses verified.
     pub poses: usize,
-    /// The error that is the largest compared with what is allowed.
+    /// The largest error compared with the allowed error.
     pub finding: Option<Finding>,
 }
 
 impl Worst {
-    /// Solves at one motion and holds the result against both oracles. Returns whether the mechanism closes there: a motion at
-    /// which it does not is passed over. A position that can be found, but not differentiated, is an infinite error.
+    /// Solves the mechanism at one motion and compares the result with both oracles. Returns whether the mechanism
+    /// closes there; a motion at which it does not close is skipped. A position that is found but cannot be
+    /// differentiated counts as an infinite error.
     pub fn check<M: Mechanism<Scalar = f64>>(
         &mut self,
         mechanism: &M,
@@ -137,7 +139,7 @@ impl Worst {
         true
     }
 
-    /// Whether every error is within what is [`allowed`]. So it is if nothing was looked at.
+    /// Whether every error is within the [`allowed`] number of units. This is also true if no pose was verified.
     #[must_use]
     pub fn is_allowed(&self) -> bool {
         Oracle::ALL.iter().all(|&oracle| {
@@ -148,7 +150,7 @@ impl Worst {
         })
     }
 
-    /// The worst errors that an oracle found, order by order.
+    /// The worst errors found by an oracle, order by order.
     #[must_use]
     pub fn errors(&self, oracle: Oracle) -> &[f64] {
         match oracle {
@@ -220,7 +222,7 @@ impl fmt::Display for Worst {
     }
 }
 
-/// Where a motion was solved for, every number to the last digit.
+/// The place of a motion, with every number to the last digit.
 fn place<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, assembly: M::Assembly) -> String {
     let description = M::DESCRIPTION;
     let named = |quantity: &Quantity, value: String| format!("{} = {value}", quantity.name);
@@ -237,12 +239,12 @@ fn place<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &Inputs<M>, assembly
     parts.join(", ")
 }
 
-/// An error in units. None at all is zero units even of nothing, which the unit of a rate is at standstill.
+/// An error in units. An error of zero is zero units, even if the unit itself is zero, as for a rate at standstill.
 fn units(error: f64, unit: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / unit }
 }
 
-/// The larger of two numbers, and NaN if one of them is.
+/// The larger of two numbers, or NaN if one of them is NaN.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
