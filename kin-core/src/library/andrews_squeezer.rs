@@ -4,16 +4,17 @@ use crate::assembly::Assembly;
 use crate::geometry::Plane;
 
 crate::mechanism! {
-    /// Andrews' squeezing mechanism: seven bodies in three loops, a well-known test of solvers for mechanical systems.
+    /// Andrews' squeezing mechanism: seven bodies in three loops, a well-known test problem for solvers of mechanical
+    /// systems.
     ///
-    /// Names of lengths, points and angles are those of E. Hairer and G. Wanner, Solving Ordinary Differential
-    /// Equations II, 2nd edition, Springer 1996, section VII.7; the three vector equations are their six scalar ones.
-    /// The crank `rr` turns about the origin at `beta`; the rod `d` goes on from it at `beta` + `theta`; three
-    /// chains lead from its end to the points A (twice) and B.
+    /// The names of lengths, points and angles come from E. Hairer and G. Wanner, Solving Ordinary Differential
+    /// Equations II, 2nd edition, Springer 1996, section VII.7. The three vector equations are the six scalar equations
+    /// of that book. The crank `rr` turns about the origin at `beta`. The rod `d` continues from its end at `beta` +
+    /// `theta`. Three chains lead from the end of the rod to the points A (twice) and B.
     ///
-    /// [`PUBLISHED`](AndrewsSqueezer::PUBLISHED) has the dimensions, in metres, and
-    /// [`PUBLISHED_ASSEMBLY`](AndrewsSqueezer::PUBLISHED_ASSEMBLY) the assembly of that source. It is driven here by the
-    /// angle `theta`, at which the published position is given; all three loops close one after another.
+    /// [`PUBLISHED`](AndrewsSqueezer::PUBLISHED) contains the dimensions, in metres, and
+    /// [`PUBLISHED_ASSEMBLY`](AndrewsSqueezer::PUBLISHED_ASSEMBLY) the assembly of that source. Here the angle `theta`
+    /// drives the mechanism, because the published position gives it. All three loops then close one after another.
     ///
     /// ```
     /// use kin_core::library::AndrewsSqueezer;
@@ -37,19 +38,19 @@ crate::mechanism! {
         pub rr: Length,
         /// The rod on the crank.
         pub d: Length,
-        /// The rod from the rods' joint to B's chain; it stands at right angles to `gamma`.
+        /// The rod from the rods' joint to the chain to B; it is at right angles to `gamma`.
         pub ss: Length,
-        /// The rod from the rods' joint to A's first chain.
+        /// The rod from the rods' joint to the first chain to A.
         pub e: Length,
-        /// The other rod of A's first chain.
+        /// The other rod of the first chain to A.
         pub zt: Length,
-        /// The rod from the rods' joint to A's second chain.
+        /// The rod from the rods' joint to the second chain to A.
         pub zf: Length,
-        /// The other rod of A's second chain.
+        /// The other rod of the second chain to A.
         pub u: Length,
         /// The pivot of two chains.
         pub a: Point,
-        /// The pivot of the third.
+        /// The pivot of the third chain.
         pub b: Point,
     }
     input
@@ -60,13 +61,13 @@ crate::mechanism! {
         beta: Angle,
         /// The angle of the chain to B.
         gamma: Angle,
-        /// The angle within A's first chain.
+        /// The angle within the first chain to A.
         phi: Angle,
-        /// The angle of A's first chain.
+        /// The angle of the first chain to A.
         delta: Angle,
-        /// The angle within A's second chain.
+        /// The angle within the second chain to A.
         omega: Angle,
-        /// The angle of A's second chain.
+        /// The angle of the second chain to A.
         epsilon: Angle;
 
     let joint = rr * cis(beta) - d * cis(beta + theta);

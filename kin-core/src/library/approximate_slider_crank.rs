@@ -1,7 +1,7 @@
-//! The slider-crank's slider as an explicit function of the crank's angle, approximately.
+//! Two approximations of the slider-crank, whose slider is an explicit function of the crank's angle.
 //!
-//! The root in s = R cos θ + √(L² - R² sin² θ) is expanded in powers of R/L. For any number of terms, with a bound on
-//! what is cut off, see [`SliderCrankSeries`](super::SliderCrankSeries).
+//! The root in s = R cos θ + √(L² - R² sin² θ) is expanded in powers of R/L.
+//! [`SliderCrankSeries`](super::SliderCrankSeries) has any number of terms, and a bound on the truncation error.
 
 crate::mechanism! {
     /// The first approximation: cos φ ≈ 1 - R² sin² θ / (2 L²).
@@ -22,7 +22,7 @@ crate::mechanism! {
 }
 
 crate::mechanism! {
-    /// The approximation through (R/L)⁵: four harmonics of the crank's angle.
+    /// The approximation up to (R/L)⁵: four harmonics of the crank's angle.
     pub struct SliderCrankHigherApproximation {
         /// Crank, R.
         pub r: Length,

@@ -1,20 +1,20 @@
-//! Bennett's linkage: four hinges in space that should not move, and do.
+//! Bennett's linkage: four hinges in space that should be rigid, but can move.
 
 crate::mechanism! {
     /// Bennett's linkage: a closed loop of four hinges whose axes are neither parallel nor meet in a point.
     ///
-    /// Opposite links are equal: the first and the third have the length `a` and the twist `alpha` (the angle from the axis
-    /// at their beginning to that at their end), the second and the fourth have the twist `beta` and the length
-    /// b = a sin(beta) / sin(alpha), without which the loop would be rigid (G. T. Bennett, "A new mechanism", Engineering 76,
-    /// 1903). The fourth link is the ground; it lies on the x axis and ends in the origin, where the first hinge has its
-    /// axis along z. Each angle is that from the link before a hinge to the link after it, about the hinge's axis. `alpha` and
-    /// `beta` must differ, and neither may be a multiple of 180 degrees.
+    /// Opposite links are equal. The first and the third have the length `a` and the twist `alpha`, which is the angle
+    /// from the axis at their start to the axis at their end. The second and the fourth have the twist `beta` and the
+    /// length b = a sin(beta) / sin(alpha); with any other length the loop would be rigid (G. T. Bennett, "A new
+    /// mechanism", Engineering 76, 1903). The fourth link is the ground. It lies on the x axis and ends at the origin,
+    /// where the first hinge has its axis along z. Each angle is measured about the axis of a hinge, from the link
+    /// before it to the link after it. `alpha` and `beta` must differ, and neither may be a multiple of 180 degrees.
     ///
-    /// The loop closes in space, so there are six scalar equations for three unknown angles, and three of them follow from
-    /// the others. Declared here are: opposite hinges turn by opposite angles; and the second hinge by that angle which takes
-    /// the links 2 and 3, put together, to where the fourth hinge is, seen along the axis. The
-    /// rest holds of itself, and with it Bennett's relation
-    /// tan(theta1 / 2) tan(theta2 / 2) = sin((beta + alpha) / 2) / sin((beta - alpha) / 2).
+    /// The loop closes in space, so there are six scalar equations for three unknown angles, and three of the equations
+    /// follow from the others. The declared equations are: opposite hinges turn by opposite angles, and the second
+    /// hinge turns the chain of links 2 and 3 to the place of the fourth hinge, seen along the axis. The other
+    /// equations then hold too, and so does Bennett's relation tan(theta1 / 2) tan(theta2 / 2) = sin((beta + alpha) /
+    /// 2) / sin((beta - alpha) / 2).
     ///
     /// ```
     /// use kin_core::library::Bennett;
@@ -29,9 +29,9 @@ crate::mechanism! {
     /// # Ok::<(), SolveError>(())
     /// ```
     pub struct Bennett {
-        /// Length of the first link and the third.
+        /// Length of the first and third link.
         pub a: Length,
-        /// Their twist.
+        /// Twist of the first and third link.
         pub alpha: Angle,
         /// Twist of the second link and of the ground.
         pub beta: Angle,
@@ -50,7 +50,7 @@ crate::mechanism! {
         reach: Length where reach > 0;
 
     let b = a * sin(beta) / sin(alpha);
-    // from the second hinge to the fourth: over the links 2 and 3, and over link 1 and the ground
+    // The vectors from the second hinge to the fourth: over links 2 and 3, and over link 1 and the ground.
     let over = vec3(b, 0, 0) + rot_x(beta) * rot_z(theta3) * vec3(a, 0, 0);
     let back = rot_x(-alpha) * (vec3(-a, 0, 0) - rot_z(-theta1) * vec3(b, 0, 0));
     let from = vec2(over.x, over.y);

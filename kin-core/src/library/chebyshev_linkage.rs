@@ -1,15 +1,17 @@
 //! Chebyshev's straight-line linkage.
 
 crate::mechanism! {
-    /// Chebyshev's straight-line linkage: a four-bar linkage with equal, crossed arms; the coupler's midpoint traces.
+    /// Chebyshev's straight-line linkage: a four-bar linkage with equal, crossed arms, whose coupler midpoint is the
+    /// tracer.
     ///
-    /// The driven arm turns about the origin, the other one about (`ground`, 0).
+    /// The driven arm turns about the origin, the other arm about (`ground`, 0).
     /// [`PUBLISHED`](ChebyshevLinkage::PUBLISHED) has the proportions 4 : 5 : 2 of ground, arms and coupler (A. B.
-    /// Kempe, How to Draw a Straight Line, Macmillan 1877). The tracer is at the height 4 exactly over both pivots and
-    /// in the middle between, and departs from it by less than 0.01 on the stroke of 4 from the one to the other.
+    /// Kempe, How to Draw a Straight Line, Macmillan 1877). The tracer is exactly at the height 4 over both pivots and
+    /// halfway between them. On the stroke of 4 from one pivot to the other it deviates from this height by less than
+    /// 0.01.
     ///
-    /// The right end of the stroke is a limit position of the driven arm, with arm and coupler on one line at
-    /// atan2(3, 4) = 36.87°; at the left end it stands upright.
+    /// The right end of the stroke is a limit position of the driven arm: arm and coupler lie on one line at atan2(3,
+    /// 4) = 36.87°. At the left end the arm is upright.
     ///
     /// ```
     /// use kin_core::library::ChebyshevLinkage;

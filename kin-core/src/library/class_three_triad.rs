@@ -1,16 +1,16 @@
-//! The class III triad, which no dyads make up.
+//! The class III triad, which cannot be divided into dyads.
 
 crate::mechanism! {
-    /// Class III triad, the smallest of Assur's groups that does not come apart into dyads: a ternary link on three
-    /// legs. The legs' lengths are the inputs, so that it is also the plane platform on three cylinders.
+    /// Class III triad, the smallest of Assur's groups that cannot be divided into dyads: a ternary link on three legs.
+    /// The lengths of the legs are the inputs, so it is also the plane platform on three cylinders.
     ///
-    /// The legs start at the origin, at `base_b` and at `base_c` and end in the corners of the platform, which turns by
-    /// `phi`. For three lengths there are up to six positions (K. H. Hunt, "Structural kinematics of in-parallel-actuated
-    /// robot-arms", Journal of Mechanisms, Transmissions, and Automation in Design 105, 1983). They have no closed form:
-    /// the position is found by Newton's method from values near it.
+    /// The legs start at the origin, at `base_b` and at `base_c`, and end at the corners of the platform, which turns
+    /// by `phi`. Three lengths allow up to six positions (K. H. Hunt, "Structural kinematics of in-parallel-actuated
+    /// robot-arms", Journal of Mechanisms, Transmissions, and Automation in Design 105, 1983). They have no closed
+    /// form: Newton's method finds the position from nearby values.
     ///
-    /// If base and platform are equilateral, with corners at the distances R and ρ from their centres, and the legs are
-    /// of one length l, the platform can turn about the common centre: l² = R² + ρ² - 2 R ρ cos phi.
+    /// If base and platform are equilateral, with corners at the distances R and ρ from their centres, and all legs
+    /// have the length l, the platform can turn about the common centre: l² = R² + ρ² - 2 R ρ cos phi.
     ///
     /// ```
     /// use kin_core::library::ClassThreeTriad;
@@ -32,13 +32,15 @@ crate::mechanism! {
     /// # Ok::<(), SolveError>(())
     /// ```
     pub struct ClassThreeTriad {
-        /// Where the second leg starts.
+        /// The start of the second leg.
         pub base_b: Point,
-        /// Where the third leg starts.
+        /// The start of the third leg.
         pub base_c: Point,
-        /// From the platform's joint with the first leg to that with the second, in the platform's frame.
+        /// The vector from the platform's joint with the first leg to its joint with the second, in the platform's
+        /// frame.
         pub platform_b: Vector,
-        /// From the platform's joint with the first leg to that with the third, in the platform's frame.
+        /// The vector from the platform's joint with the first leg to its joint with the third, in the platform's
+        /// frame.
         pub platform_c: Vector,
     }
     input
@@ -61,6 +63,6 @@ crate::mechanism! {
     a * cis(alpha) + platform_b * cis(phi) == base_b + b * cis(beta);
     a * cis(alpha) + platform_c * cis(phi) == base_c + c * cis(gamma);
 
-    /// The middle of the platform's three joints.
+    /// The centroid of the platform's three joints.
     output centre: Point = a * cis(alpha) + (platform_b + platform_c) / 3 * cis(phi);
 }

@@ -1,9 +1,10 @@
-//! Five-bar linkages: with two driven cranks, and with two cranks that gears join.
+//! Five-bar linkages, with two driven cranks or with geared cranks.
 
 crate::mechanism! {
     /// Five-bar linkage with two driven cranks, a plane robot arm with both motors on the ground.
     ///
-    /// The left crank turns about the origin, the right one about (`ground`, 0). The open assembly has the hand above.
+    /// The left crank turns about the origin, the right crank about (`ground`, 0). In the open assembly the hand is
+    /// above.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -50,15 +51,15 @@ crate::mechanism! {
 }
 
 crate::mechanism! {
-    /// Geared five-bar linkage: the second crank turns `ratio` times as fast as the first, ahead by `phase`.
+    /// Geared five-bar linkage: the second crank turns `ratio` times as fast as the first, and leads by `phase`.
     ///
-    /// The cranks 2 and 5 turn about the origin and about (`r1`, 0). Gears in mesh turn in opposite directions, a
-    /// negative `ratio`; with an idler or a belt it is positive.
+    /// Cranks 2 and 5 turn about the origin and about (`r1`, 0). Gears in mesh turn in opposite directions, so `ratio`
+    /// is negative; with an idler or a belt it is positive.
     ///
-    /// - With `ratio` -1, `phase` π and equal cranks and rods, the mechanism stays its own mirror image, and the tool moves
+    /// - With `ratio` -1, `phase` π and equal cranks and rods, the mechanism is always symmetric, and the tool moves
     ///   along an exact straight line: Cartwright's straight-line mechanism of about 1800.
-    /// - With `ratio` 1 and `phase` 0, equal cranks keep the two rods' ends at the distance of the pivots: the rods do
-    ///   not turn at all.
+    /// - With `ratio` 1, `phase` 0 and equal cranks, the distance between the ends of the rods always equals the
+    ///   distance between the pivots, so the rods do not turn at all.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -83,9 +84,9 @@ crate::mechanism! {
         pub r4: Length,
         /// Second crank.
         pub r5: Length,
-        /// Turns of the second crank for one of the first.
+        /// Turns of the second crank for each turn of the first.
         pub ratio: Scalar,
-        /// The second crank's angle where the first one's is zero.
+        /// The second crank's angle when the first crank's angle is zero.
         pub phase: Angle,
     }
     input

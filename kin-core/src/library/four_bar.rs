@@ -42,12 +42,13 @@ crate::mechanism! {
     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
 }
 
-/// Where a four-bar linkage closes: for |theta2| (reduced to half a turn) from `low` to `high`, in radians.
+/// The crank angles at which a four-bar linkage closes: |theta2|, reduced to half a turn, from `low` to `high`, in
+/// radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrankRange {
     /// The smallest angle between crank and ground; 0 if the crank passes the ground line.
     pub low: f64,
-    /// The largest one; π if the crank passes the ground line's extension.
+    /// The largest angle between crank and ground; π if the crank passes the extension of the ground line.
     pub high: f64,
 }
 
@@ -60,10 +61,10 @@ impl CrankRange {
 }
 
 impl<T: Scalar> FourBar<T> {
-    /// The crank angles for which the linkage closes, the same for both assemblies; `None` if there are none.
+    /// The crank angles at which the linkage closes, the same for both assemblies; `None` if there are none.
     ///
-    /// The diagonal e from the crank's pin to the rocker's pivot must span coupler and rocker, |r3 - r4| ≤ e ≤ r3 + r4,
-    /// and e² = r1² + r2² - 2 r1 r2 cos theta2. At the limits coupler and rocker lie on one line.
+    /// The diagonal e from the crank's pin to the rocker's pivot must be within reach of coupler and rocker: |r3 - r4|
+    /// ≤ e ≤ r3 + r4, where e² = r1² + r2² - 2 r1 r2 cos theta2. At the limits, coupler and rocker lie on one line.
     ///
     /// ```
     /// use kin_core::library::FourBar;

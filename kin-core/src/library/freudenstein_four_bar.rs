@@ -1,16 +1,16 @@
-//! The planar four-bar linkage by Freudenstein's equations: one for the rocker, one for the coupler.
+//! The planar four-bar linkage by Freudenstein's equations, one for the rocker and one for the coupler.
 
 use crate::assembly::Assembly;
 
 crate::mechanism! {
     /// Planar four-bar linkage by Freudenstein's two scalar equations.
     ///
-    /// The same linkage as [`FourBar`](super::FourBar). Each equation has two solutions, and only two of the four
+    /// It is the same linkage as [`FourBar`](super::FourBar). Each equation has two solutions, but only two of the four
     /// combinations close the linkage: [`OPEN`](FreudensteinFourBar::OPEN) and
     /// [`CROSSED`](FreudensteinFourBar::CROSSED).
     ///
-    /// Source: F. Freudenstein, "Approximate synthesis of four-bar linkages", Transactions of the ASME 77, 1955,
-    /// for the rocker; the coupler's equation is its counterpart.
+    /// Source of the rocker's equation: F. Freudenstein, "Approximate synthesis of four-bar linkages", Transactions of
+    /// the ASME 77, 1955. The coupler's equation is its counterpart.
     pub struct FreudensteinFourBar {
         /// Ground link.
         pub r1: Length,
@@ -41,12 +41,12 @@ crate::mechanism! {
 }
 
 impl FreudensteinFourBar {
-    /// The open linkage, as [`Assembly::Open`] of [`FourBar`](super::FourBar).
+    /// The open linkage, which is [`Assembly::Open`] of [`FourBar`](super::FourBar).
     pub const OPEN: FreudensteinFourBarAssembly = FreudensteinFourBarAssembly {
         theta3: Assembly::Crossed,
         theta4: Assembly::Crossed,
     };
-    /// The crossed linkage, as [`Assembly::Crossed`] of [`FourBar`](super::FourBar).
+    /// The crossed linkage, which is [`Assembly::Crossed`] of [`FourBar`](super::FourBar).
     pub const CROSSED: FreudensteinFourBarAssembly = FreudensteinFourBarAssembly {
         theta3: Assembly::Open,
         theta4: Assembly::Open,

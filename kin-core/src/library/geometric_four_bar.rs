@@ -8,9 +8,9 @@ crate::mechanism! {
     /// Planar four-bar linkage, solved triangle by triangle over the diagonal `e` from the crank's pin B to the
     /// rocker's pivot D.
     ///
-    /// The same linkage as [`FourBar`](super::FourBar) with the diagonal and the angles beside it as unknowns. The
-    /// sine rule leaves open whether `alpha` and `beta` are acute or obtuse, so there are eight assemblies of these
-    /// equations, two of which close the linkage at any position: [`assembly`](Self::assembly) tells which.
+    /// It is the same linkage as [`FourBar`](super::FourBar), with the diagonal and the angles beside it as unknowns.
+    /// The sine rule does not determine whether `alpha` and `beta` are acute or obtuse, so these equations have eight
+    /// assemblies. Two of them close the linkage at any position; [`assembly`](Self::assembly) returns them.
     pub struct GeometricFourBar {
         /// Ground link, AD.
         pub r1: Length,
@@ -47,10 +47,10 @@ crate::mechanism! {
 }
 
 impl<T: Scalar> GeometricFourBar<T> {
-    /// The assembly of the equations that is the given assembly of the linkage at a crank angle.
+    /// The assembly of these equations that corresponds to an assembly of the linkage, at a given crank angle.
     ///
-    /// `alpha` is obtuse where the crank's pin lies beyond the rocker's pivot, `beta` where r3² > r4² + e²; both change
-    /// only through a right angle, where the sine rule is singular.
+    /// `alpha` is obtuse if the crank's pin lies beyond the rocker's pivot, and `beta` is obtuse if r3² > r4² + e².
+    /// Both change only through a right angle, where the sine rule is singular.
     #[must_use]
     pub fn assembly(&self, theta2: T, assembly: Assembly) -> GeometricFourBarAssembly {
         let [r1, r2, r3, r4, theta2] = [self.r1, self.r2, self.r3, self.r4, theta2].map(Number::real);

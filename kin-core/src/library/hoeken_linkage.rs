@@ -1,19 +1,19 @@
 //! Hoeken's straight-line linkage.
 
 crate::mechanism! {
-    /// Hoeken's straight-line linkage, also Hoecken's or Chebyshev's lambda: a crank-rocker whose coupler is as long
-    /// as the rocker and as its own extension to the tracer.
+    /// Hoeken's straight-line linkage, also called Hoecken's linkage or Chebyshev's lambda linkage: a crank-rocker
+    /// whose coupler is as long as the rocker, and as long as its own extension to the tracer.
     ///
-    /// The crank turns about the origin, the rocker about (`ground`, 0). While the crank goes through the half-plane
+    /// The crank turns about the origin, the rocker about (`ground`, 0). While the crank passes through the half-plane
     /// away from the rocker's pivot, the tracer moves along a nearly straight line at a nearly constant speed.
-    /// [`PUBLISHED`](HoekenLinkage::PUBLISHED) has the proportions 1 : 2 : 2.5 of crank, ground and coupler: the
-    /// tracer is at the height 4 exactly with the crank at 90°, 180° and 270°, over x = 4, 2 and 0, and
-    /// departs from it by less than 0.01 between. It draws the same curve as
-    /// [`ChebyshevLinkage::PUBLISHED`](super::ChebyshevLinkage::PUBLISHED), of which it is a cognate (E. A. Dijksman,
-    /// Motion Geometry of Mechanisms, Cambridge University Press 1976).
+    /// [`PUBLISHED`](HoekenLinkage::PUBLISHED) has the proportions 1 : 2 : 2.5 of crank, ground and coupler. Its tracer
+    /// is exactly at the height 4 when the crank is at 90°, 180° and 270°, over x = 4, 2 and 0, and deviates from this
+    /// height by less than 0.01 in between. It draws the same curve as its cognate
+    /// [`ChebyshevLinkage::PUBLISHED`](super::ChebyshevLinkage::PUBLISHED) (E. A. Dijksman, Motion Geometry of
+    /// Mechanisms, Cambridge University Press 1976).
     ///
-    /// For other lengths of line R. L. Norton, Design of Machinery, McGraw-Hill, tabulates proportions: the ratios
-    /// 2.5 and 3.25 of ground and coupler to the crank give a line of 3.623 cranks over 140° of the crank.
+    /// R. L. Norton, Design of Machinery, McGraw-Hill, tabulates proportions for other line lengths: with a ground link
+    /// of 2.5 cranks and a coupler of 3.25 cranks, the line is 3.623 cranks long over 140° of the crank.
     ///
     /// ```
     /// use kin_core::library::HoekenLinkage;
@@ -36,7 +36,8 @@ crate::mechanism! {
         pub ground: Length,
         /// Crank.
         pub crank: Length,
-        /// The coupler from crank to rocker, its extension from there to the tracer, and the rocker.
+        /// The coupler from crank to rocker; its extension from there to the tracer and the rocker have the same
+        /// length.
         pub coupler: Length,
     }
     input
@@ -55,7 +56,7 @@ crate::mechanism! {
 }
 
 impl HoekenLinkage {
-    /// The proportions 1 : 2 : 2.5, which let the crank turn fully.
+    /// The proportions 1 : 2 : 2.5, with which the crank makes full turns.
     pub const PUBLISHED: Self = Self {
         ground: 2.0,
         crank: 1.0,

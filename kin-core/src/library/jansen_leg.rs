@@ -3,16 +3,16 @@
 use crate::assembly::Assembly;
 
 crate::mechanism! {
-    /// Jansen's leg: eleven bars and a crank that let a foot slide along a flat path and lift it back.
+    /// Jansen's leg: eleven bars and a crank that move a foot along a flat path and lift it back.
     ///
-    /// The letters are those of T. Jansen, The Great Pretender, 010 Publishers 2007, whose "eleven holy numbers" with
-    /// the place of the pivot and the crank are [`HOLY_NUMBERS`](JansenLeg::HOLY_NUMBERS). The crank `m` turns about
-    /// the origin, everything else about the pivot (-`a`, -`l`). From the crank's pin, `j` leads to the upper
-    /// triangle `b`, `d`, `e`, one corner of which is the pivot, and `k` to the knee, which `c` holds from the
-    /// pivot. `f` and `g` join the upper triangle and the knee to each other, in the corner of the lower triangle
-    /// `g`, `h`, `i`; its last corner is the foot.
+    /// The letters come from T. Jansen, The Great Pretender, 010 Publishers 2007.
+    /// [`HOLY_NUMBERS`](JansenLeg::HOLY_NUMBERS) contains his "eleven holy numbers" with the place of the pivot and the
+    /// crank. The crank `m` turns about the origin; all other parts turn about the pivot (-`a`, -`l`). From the crank's
+    /// pin, `j` leads to the upper triangle `b`, `d`, `e`, one corner of which is the pivot. Also from the pin, `k`
+    /// leads to the knee, which `c` connects to the pivot. `f` from the upper triangle and `g` from the knee meet at
+    /// the outer corner of the lower triangle `g`, `h`, `i`, whose last corner is the foot.
     ///
-    /// With the holy numbers the foot's path is 67.9 wide and 22.5 high. Within 1 of its lowest point the foot goes
+    /// With the holy numbers the foot's path is 67.9 wide and 22.5 high. Within 1 of its lowest point the foot moves
     /// 57.4 along the ground, while the crank turns through 155°.
     ///
     /// ```
@@ -34,17 +34,17 @@ crate::mechanism! {
     /// # Ok::<(), SolveError>(())
     /// ```
     pub struct JansenLeg {
-        /// How far the pivot is beside the crank's axle.
+        /// Horizontal distance of the pivot from the crank's axle.
         pub a: Length,
         /// Upper triangle, from the pivot to the upper corner.
         pub b: Length,
-        /// From the pivot to the knee.
+        /// Link from the pivot to the knee.
         pub c: Length,
         /// Upper triangle, from the pivot to the outer corner.
         pub d: Length,
         /// Upper triangle, from the upper to the outer corner.
         pub e: Length,
-        /// From the upper triangle's outer corner to the lower triangle.
+        /// Link from the upper triangle's outer corner to the lower triangle.
         pub f: Length,
         /// Lower triangle, from the knee to the outer corner.
         pub g: Length,
@@ -52,11 +52,11 @@ crate::mechanism! {
         pub h: Length,
         /// Lower triangle, from the knee to the foot.
         pub i: Length,
-        /// From the crank's pin to the upper triangle.
+        /// Link from the crank's pin to the upper triangle.
         pub j: Length,
-        /// From the crank's pin to the knee.
+        /// Link from the crank's pin to the knee.
         pub k: Length,
-        /// How far the pivot is below the crank's axle.
+        /// Height of the crank's axle above the pivot.
         pub l: Length,
         /// Crank.
         pub m: Length,
@@ -83,7 +83,7 @@ crate::mechanism! {
     pin + j * cis(angle_j) == pivot + b * cis(angle_b);
     pin + k * cis(angle_k) == pivot + c * cis(angle_c);
 
-    // the corners of the triangles, beside one of their sides, by the cosine rule
+    // The corners of the triangles relative to one of their sides, by the cosine rule.
     let d_along = (b.powi(2) + d.powi(2) - e.powi(2)) / (2 * b);
     let d_beside = sqrt(d.powi(2) - d_along.powi(2));
     let i_along = (g.powi(2) + i.powi(2) - h.powi(2)) / (2 * g);

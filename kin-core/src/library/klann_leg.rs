@@ -6,17 +6,18 @@ use crate::assembly::Assembly;
 use crate::geometry::Plane;
 
 crate::mechanism! {
-    /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot goes straight for half a turn of the
-    /// crank, and is lifted for the other half.
+    /// Klann's leg: a Stephenson six-bar linkage of the third kind, whose foot moves straight for one half turn of the
+    /// crank and is lifted for the other half.
     ///
-    /// The crank turns about the origin and drives a bent connecting arm. The lower rocker holds the arm's bend, the
-    /// elbow; the arm's end is the knee of a bent leg, of which the upper rocker holds the hip.
+    /// The crank turns about the origin and drives a bent connecting arm. The lower rocker holds the bend of the arm,
+    /// which is the elbow. The end of the arm is the knee of a bent leg, and the upper rocker holds the hip of that
+    /// leg.
     ///
     /// [`PATENT`](KlannLeg::PATENT) has the dimensions of J. C. Klann, "Walking device", US patent 6,260,862, 2001, as
-    /// they follow from its coordinates: axles of the crank at (1.599, 0.750), of the lower rocker at (1.009, 0.574),
-    /// of the upper one at (1.366, 1.366), a crank of 0.268, 0.590 from its pin to the elbow. There the foot goes
-    /// from (1, 0) at the crank angle 0 to (0, 0) at 180°, the stride of 1; on the way it departs from the
-    /// straight line by 5.5 % of the stride. All coordinates here are from the crank's axle.
+    /// they follow from its coordinates: the axles of the crank at (1.599, 0.750), of the lower rocker at (1.009,
+    /// 0.574) and of the upper rocker at (1.366, 1.366), a crank of 0.268, and 0.590 from its pin to the elbow. With
+    /// these dimensions the foot moves from (1, 0) at the crank angle 0 to (0, 0) at 180°, a stride of 1. On the way it
+    /// deviates from the straight line by 5.5 % of the stride. All coordinates here are relative to the crank's axle.
     ///
     /// ```
     /// use kin_core::library::KlannLeg;
@@ -38,7 +39,7 @@ crate::mechanism! {
         pub arm: Length,
         /// The connecting arm from the elbow to the knee.
         pub forearm: Length,
-        /// By how much the connecting arm is bent at the elbow, clockwise.
+        /// Angle of the bend of the connecting arm at the elbow, clockwise.
         pub elbow_bend: Angle,
         /// The axle of the lower rocker.
         pub lower_axle: Point,
@@ -78,7 +79,7 @@ crate::mechanism! {
 }
 
 impl KlannLeg {
-    /// The patent's dimensions, of which the stride is the unit of length.
+    /// The patent's dimensions, with the stride as the unit of length.
     pub const PATENT: Self = Self {
         crank: 0.268,
         arm: 0.590,

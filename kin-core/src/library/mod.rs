@@ -1,7 +1,6 @@
-//! Declared mechanisms, ready to use, one file each.
+//! Declared mechanisms that are ready to use, one per file.
 //!
-//! Every file is also an example of the declaration language: what stands in `mechanism!` is all that was written by
-//! hand.
+//! Every file is also an example of the declaration language: only the content of `mechanism!` was written by hand.
 
 mod andrews_squeezer;
 mod approximate_slider_crank;

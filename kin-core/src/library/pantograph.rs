@@ -3,13 +3,13 @@
 use crate::assembly::Assembly;
 
 crate::mechanism! {
-    /// Pantograph: whatever the tracer draws, the pen draws `factor` times as large.
+    /// Pantograph: the pen draws `factor` times as large whatever the tracer draws.
     ///
-    /// Two long arms, hinged to each other at B: one turns about the origin and carries A on the way, the other
-    /// carries D on the way and ends in the pen. Two short links, from A and from D, meet in the tracer. `upper` is
-    /// the long arm's part from the origin to A, and `lower` the other arm's part from B to D, both equal to the
-    /// opposite short links' parts: A, B, D and the tracer are a parallelogram, in one of the assemblies, and so
-    /// origin, tracer and pen lie on one line.
+    /// The pantograph has two long arms, joined by a hinge at B. One arm turns about the origin and carries the hinge
+    /// A; the other carries the hinge D and ends in the pen. Two short links, from A and from D, meet at the tracer.
+    /// `upper` is the part of the first arm from the origin to A, and `lower` the part of the other arm from B to D.
+    /// Each short link is as long as the opposite part of an arm. In one of the assemblies A, B, D and the tracer
+    /// therefore form a parallelogram, and origin, tracer and pen lie on one line.
     ///
     /// Source: C. Scheiner, Pantographice seu ars delineandi, Rome 1631.
     ///
@@ -28,11 +28,11 @@ crate::mechanism! {
     /// # Ok::<(), SolveError>(())
     /// ```
     pub struct Pantograph {
-        /// From the origin to A; `factor` times as much to B.
+        /// Distance from the origin to A; B is `factor` times as far.
         pub upper: Length,
-        /// From B to D; `factor` times as much to the pen.
+        /// Distance from B to D; the pen is `factor` times as far.
         pub lower: Length,
-        /// How many times as large the copy is.
+        /// Ratio of the copy to the original.
         pub factor: Scalar,
     }
     input
@@ -58,7 +58,8 @@ crate::mechanism! {
 }
 
 impl Pantograph {
-    /// The assembly in which the copy is similar; its mirror image is the other one of the four.
+    /// The assembly in which the copy is similar to the original. Its mirror image is another one of the four
+    /// assemblies.
     pub const SIMILAR: PantographAssembly = PantographAssembly {
         alpha_gamma: Assembly::Open,
         beta_delta: Assembly::Open,

@@ -3,21 +3,20 @@
 use crate::assembly::Assembly;
 
 crate::mechanism! {
-    /// Peaucellier's linkage, also Lipkin's: seven bars that draw an exact straight line.
+    /// Peaucellier's linkage, also called Lipkin's: seven bars that draw an exact straight line.
     ///
-    /// Two arms turn about the origin O and end in opposite corners A and B of a rhombus; its other corners are C, on
-    /// a crank that turns about (`ground`, 0), and the tracer P. O, C and P lie on one line, and the distances obey
+    /// Two arms turn about the origin O and end in opposite corners A and B of a rhombus. Its other corners are C, on a
+    /// crank that turns about (`ground`, 0), and the tracer P. O, C and P lie on one line, and their distances satisfy
     /// OC · OP = arm² - side²: P is the inverse of C. If `crank` equals `ground`, C moves on a circle through O, and P
-    /// on the straight line x = (arm² - side²) / (2 `ground`). Otherwise P draws an arc with a radius as large as
-    /// one likes.
+    /// on the straight line x = (arm² - side²) / (2 `ground`). Otherwise P draws an arc, whose radius can be as large
+    /// as you like.
     ///
     /// Source: A. Peaucellier, "Note sur une question de géométrie de compas", Nouvelles annales de
     /// mathématiques 12, 1873; A. B. Kempe, How to Draw a Straight Line, Macmillan 1877.
     ///
-    /// Each of the three dyads has two assemblies. The rhombus is open if the two arms are assembled differently, and
-    /// the tracer is the corner away from C: [`STRAIGHT`](PeaucellierLinkage::STRAIGHT).
-    /// It is so for the whole motion if arm² - side² > 4 `ground`²; else the pin C can meet the tracer, where the rhombus
-    /// collapses.
+    /// Each of the three dyads has two assemblies. The rhombus is open if the two arms have different assemblies, and
+    /// the tracer is the corner away from C: [`STRAIGHT`](PeaucellierLinkage::STRAIGHT). This holds for the whole
+    /// motion if arm² - side² > 4 `ground`². Otherwise the pin C can meet the tracer, where the rhombus collapses.
     ///
     /// ```
     /// use kin_core::library::PeaucellierLinkage;
@@ -68,8 +67,8 @@ crate::mechanism! {
 }
 
 impl PeaucellierLinkage {
-    /// The assembly that draws the straight line; its mirror image, with the arms exchanged, is the other one of the
-    /// eight.
+    /// The assembly that draws the straight line. Its mirror image, with the arms exchanged, is another one of the
+    /// eight assemblies.
     pub const STRAIGHT: PeaucellierLinkageAssembly = PeaucellierLinkageAssembly {
         alpha_gamma: Assembly::Open,
         beta_delta: Assembly::Crossed,

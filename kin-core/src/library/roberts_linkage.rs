@@ -2,14 +2,13 @@
 
 crate::mechanism! {
     /// Roberts's straight-line linkage: a four-bar linkage whose coupler is the base of an isosceles triangle with
-    /// sides as long as the arms; the apex traces.
+    /// sides as long as the arms. The apex is the tracer.
     ///
-    /// The driven arm turns about the origin, the other one about (2 `base`, 0). The tracer meets the line of the
-    /// pivots exactly in both pivots and in the middle between them, and lies close to it on the way. The longer the
-    /// arms, the closer.
+    /// The driven arm turns about the origin, the other arm about (2 `base`, 0). The tracer lies exactly on the line of
+    /// the pivots at both pivots and halfway between them, and close to it in between. Longer arms bring it closer.
     ///
-    /// Source: A. B. Kempe, How to Draw a Straight Line, Macmillan 1877. The largest departure is 0.68 % of the
-    /// stroke with `arm` = 1.2 `base`, and 0.11 % with 2 `base`.
+    /// Source: A. B. Kempe, How to Draw a Straight Line, Macmillan 1877. The largest deviation is 0.68 % of the stroke
+    /// with `arm` = 1.2 `base`, and 0.11 % with 2 `base`.
     ///
     /// ```
     /// use kin_core::library::RobertsLinkage;
@@ -24,7 +23,7 @@ crate::mechanism! {
     pub struct RobertsLinkage {
         /// The coupler from joint to joint, half of the ground link.
         pub base: Length,
-        /// Each of the two arms and of the triangle's two sides.
+        /// Each of the two arms, and of the two sides of the triangle.
         pub arm: Length,
     }
     input

@@ -1,11 +1,11 @@
 //! The spatial slider-crank RSSP: a crank, a rod between two ball joints, and a slider on a skew line.
 
 crate::mechanism! {
-    /// Spatial slider-crank RSSP: a crank drives a slider on a skew line by a rod with a ball joint at either end.
+    /// Spatial slider-crank RSSP: a crank drives a slider on a skew line by a rod with a ball joint at each end.
     ///
-    /// The crank turns about the z axis, its ball at the distance `crank` from the origin, at angle 0 on the x axis. The
-    /// slider's ball moves on the line through `start` in the direction of `rail`, of which the length does not count; `s` is
-    /// its distance from `start`.
+    /// The crank turns about the z axis. Its ball is at the distance `crank` from the origin, and on the x axis at
+    /// angle 0. The slider's ball moves on the line through `start` in the direction of `rail`, whose length does not
+    /// matter; `s` is the distance of the ball from `start`.
     ///
     /// The square of the rod's length is a quadratic equation in s.
     ///

@@ -1,17 +1,17 @@
 //! The spatial four-bar linkage RSSR: two skew shafts, and a rod between two ball joints.
 
 crate::mechanism! {
-    /// Spatial four-bar linkage RSSR: crank and rocker turn about skew axes, and a rod with a ball joint at either end
-    /// joins them.
+    /// Spatial four-bar linkage RSSR: crank and rocker turn about skew axes, and a rod with a ball joint at each end
+    /// connects them.
     ///
-    /// The crank turns about the z axis, its ball at the distance `crank` from the origin, at angle 0 on the x axis. The
-    /// rocker's axis passes the point `pivot` in the direction of `axis`, of which the length does not count; `arm` leads from
-    /// the pivot to the rocker's ball at the rocker's angle 0, and need not be at right angles to the axis. The rod may spin
-    /// about its own length, which changes nothing.
+    /// The crank turns about the z axis. Its ball is at the distance `crank` from the origin, and on the x axis at
+    /// angle 0. The rocker's axis passes through the point `pivot` in the direction of `axis`, whose length does not
+    /// matter. `arm` is the vector from the pivot to the rocker's ball at the rocker's angle 0; it need not be at right
+    /// angles to the axis. The rod may spin about its own length without any effect.
     ///
-    /// The square of the rod's length is a cos phi + b sin phi = c in the rocker's angle phi, so that there are two
-    /// positions, as F. Freudenstein's equation has in the plane (R. S. Hartenberg and J. Denavit, "Kinematic Synthesis of
-    /// Linkages", 1964, treat the linkage by matrices; here the vectors are as they stand).
+    /// The square of the rod's length gives the equation a cos phi + b sin phi = c in the rocker's angle phi. It has
+    /// two solutions, like Freudenstein's equation in the plane. (R. S. Hartenberg and J. Denavit, "Kinematic Synthesis
+    /// of Linkages", 1964, treat the linkage by matrices; here the vectors are used directly.)
     ///
     /// ```
     /// use kin_core::library::Rssr;
@@ -39,7 +39,7 @@ crate::mechanism! {
         pub pivot: Point3,
         /// The direction of the rocker's axis, of any length but zero.
         pub axis: Vector3,
-        /// From the pivot to the rocker's ball at angle 0.
+        /// The vector from the pivot to the rocker's ball at angle 0.
         pub arm: Vector3,
         /// Rod, from ball to ball.
         pub rod: Length,

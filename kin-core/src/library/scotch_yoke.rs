@@ -3,9 +3,9 @@
 crate::mechanism! {
     /// Scotch yoke: the crank's pin slides in the straight slot of a yoke that moves along the x axis.
     ///
-    /// With an upright slot, `gamma` = π/2, the yoke's motion is exactly harmonic: at constant speed ω its snap is
-    /// ω⁴ times its distance from the middle. An inclined slot, `gamma` from the x axis, gives
-    /// x = crank · sin(gamma - theta) / sin(gamma), which is harmonic too, longer and shifted.
+    /// With an upright slot, `gamma` = π/2, the motion of the yoke is exactly harmonic: at constant speed ω its snap is
+    /// ω⁴ times its distance from the middle. A slot inclined by `gamma` from the x axis gives x = crank · sin(gamma -
+    /// theta) / sin(gamma), which is also harmonic, but larger and shifted.
     ///
     /// ```
     /// use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
@@ -24,16 +24,16 @@ crate::mechanism! {
     pub struct ScotchYoke {
         /// Crank.
         pub crank: Length,
-        /// The slot's direction, from the direction in which the yoke moves.
+        /// The slot's direction, measured from the direction in which the yoke moves.
         pub gamma: Angle,
     }
     input
         /// The crank's angle.
         theta: Angle;
     unknown
-        /// The yoke's position: where its slot crosses the x axis.
+        /// The yoke's position, which is the place where its slot crosses the x axis.
         x: Length,
-        /// The pin's place in the slot, from the x axis.
+        /// The pin's position in the slot, measured from the x axis.
         slide: Length;
 
     crank * cis(theta) == x + slide * cis(gamma);

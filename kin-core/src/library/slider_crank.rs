@@ -3,9 +3,9 @@
 crate::mechanism! {
     /// Centric slider-crank: the slider's line passes through the crank's pivot.
     ///
-    /// Crank `r` at `theta`, connecting rod `l` at `phi` (clockwise from the slider's line, so that both angles of the
-    /// triangle are positive together), slider at `s`. The open assembly has the slider beyond the crank's pin,
-    /// cos phi > 0.
+    /// The crank `r` is at the angle `theta`, the connecting rod `l` at the angle `phi`, and the slider at the distance
+    /// `s`. `phi` is measured clockwise from the slider's line, so that both angles of the triangle are positive
+    /// together. In the open assembly the slider is beyond the crank's pin, cos phi > 0.
     pub struct SliderCrank {
         /// Crank.
         pub r: Length,
@@ -28,7 +28,7 @@ crate::mechanism! {
 crate::mechanism! {
     /// Slider-crank with offset: the slider's line passes the crank's pivot at the height `h`.
     ///
-    /// As [`SliderCrank`] otherwise.
+    /// Otherwise it is the same as [`SliderCrank`].
     pub struct OffsetSliderCrank {
         /// Crank.
         pub r: Length,
@@ -43,7 +43,7 @@ crate::mechanism! {
     unknown
         /// The connecting rod's angle, clockwise.
         phi: Angle,
-        /// The slider's position along its line, from the foot of the crank's pivot.
+        /// The slider's position along its line, from the foot of the perpendicular through the crank's pivot.
         s: Length;
 
     r * cis(theta) + l * cis(-phi) == vec2(s, h);

@@ -1,25 +1,26 @@
-//! The slider-crank's slider as a series in the crank's angle, to any even order of R/L.
+//! The position of a slider-crank's slider as a series in the crank's angle, to any even order of R/L.
 
 use crate::motion::Motion;
 use crate::solve::Scalar;
 
-/// How many terms of the tail are added up before a geometric series bounds the rest.
+/// The number of terms of the tail that are summed before a geometric series bounds the rest.
 const TAIL: u32 = 20_000;
 
-/// The slider of a centric slider-crank as an explicit series, cut off after the power 2 `terms` of R/L.
+/// The slider of a centric slider-crank as an explicit series, truncated after the power 2 `terms` of R/L.
 ///
-/// With λ = R/L the exact slider is s = R cos θ + L √(1 - λ² sin² θ), in the open assembly. The root is the binomial
-/// series Σ cₖ (λ sin θ)²ᵏ with c₀ = 1 and cₖ₊₁ = cₖ (2k - 1) / (2k + 2); here it ends with k = `terms`. One term is
-/// the [first approximation](super::SliderCrankFirstApproximation), three are the
-/// [higher one](super::SliderCrankHigherApproximation).
+/// With λ = R/L the exact position of the slider is s = R cos θ + L √(1 - λ² sin² θ), in the open assembly. The root is
+/// the binomial series Σ cₖ (λ sin θ)²ᵏ with c₀ = 1 and cₖ₊₁ = cₖ (2k - 1) / (2k + 2). Here it ends with k = `terms`.
+/// One term is the [first approximation](super::SliderCrankFirstApproximation), three terms are the [higher
+/// one](super::SliderCrankHigherApproximation).
 ///
-/// # What is cut off
-/// [`remainder_bound`](Self::remainder_bound) is proven as follows. The remainder is L Σ cₖ (λ sin θ)²ᵏ over
-/// k > `terms`. As sin²ᵏ θ - ½ is a trigonometric polynomial of degree 2k and nowhere larger than ½, its m-th
-/// derivative by θ is nowhere larger than (2k)ᵐ / 2 (S. Bernstein's inequality). So the m-th derivative of the
-/// remainder is at most Mₘ = L/2 Σ |cₖ| λ²ᵏ (2k)ᵐ, and M₀ = L Σ |cₖ| λ²ᵏ. From one term to the next the sums grow by
-/// λ² (1 + 1/k)ᵐ⁻¹ (1 - 1/2k) at most, which falls below 1 where λ < 1, so that the rest is less than a geometric
-/// series. For any motion of the crank the time derivatives follow by Faà di Bruno's formula with absolute values.
+/// # Truncation error
+/// The proof of [`remainder_bound`](Self::remainder_bound) is as follows. The remainder is L Σ cₖ (λ sin θ)²ᵏ over k >
+/// `terms`. The function sin²ᵏ θ - ½ is a trigonometric polynomial of degree 2k with magnitudes of at most ½, so its
+/// m-th derivative with respect to θ is at most (2k)ᵐ / 2 (S. Bernstein's inequality). The m-th derivative of the
+/// remainder is therefore at most Mₘ = L/2 Σ |cₖ| λ²ᵏ (2k)ᵐ, and M₀ = L Σ |cₖ| λ²ᵏ. From one term to the next the sums
+/// grow at most by the factor λ² (1 + 1/k)ᵐ⁻¹ (1 - 1/2k). It falls below 1 if λ < 1, so the rest is less than a
+/// geometric series. For any motion of the crank the time derivatives follow from Faà di Bruno's formula with absolute
+/// values.
 ///
 /// ```
 /// use kin_core::library::{SliderCrank, SliderCrankSeries};
@@ -39,18 +40,18 @@ pub struct SliderCrankSeries<T = f64> {
     pub r: T,
     /// Connecting rod, L.
     pub l: T,
-    /// The highest power of (λ sin θ)² that is kept.
+    /// The highest power of (λ sin θ)² in the series.
     pub terms: u32,
 }
 
-/// cₖ₊₁ / cₖ of the binomial series of √(1 - x).
+/// The ratio cₖ₊₁ / cₖ of the binomial series of √(1 - x).
 fn ratio(k: u32) -> f64 {
     let k = f64::from(k);
     (2.0 * k - 1.0) / (2.0 * k + 2.0)
 }
 
 impl<T: Scalar> SliderCrankSeries<T> {
-    /// The slider's motion, in the unit of `r` and `l`, for the crank's (angle in radians).
+    /// The slider's motion, in the unit of `r` and `l`, for a motion of the crank's angle in radians.
     #[must_use]
     pub fn motion(&self, theta: Motion<T, 5>) -> Motion<T, 5> {
         let lambda = self.r / self.l;
@@ -64,13 +65,13 @@ impl<T: Scalar> SliderCrankSeries<T> {
         cosine.scale(self.r) + root.scale(self.l)
     }
 
-    /// A bound on what is cut off from position, velocity, acceleration, jerk and snap, for a motion of the crank.
+    /// A bound on the truncation errors of position, velocity, acceleration, jerk and snap, for a motion of the crank.
     ///
-    /// It is tight for the position and generous for the derivatives, by a factor that grows like
-    /// (2 `terms` + 2)^(order / 2).
+    /// The bound is tight for the position and generous for the derivatives, by a factor that grows like (2 `terms` +
+    /// 2)^(order / 2).
     ///
-    /// Infinite if R is not less than L, where the series need not converge. The bound is for exact arithmetic: it
-    /// does not hold rounding errors.
+    /// The bound is infinite if R is not less than L, where the series need not converge. It applies to exact
+    /// arithmetic and does not include rounding errors.
     #[must_use]
     pub fn remainder_bound(&self, theta: Motion<T, 5>) -> [f64; 5] {
         let [m0, m1, m2, m3, m4] = [0, 1, 2, 3, 4].map(|order| self.angular_bound(order));
@@ -82,11 +83,11 @@ impl<T: Scalar> SliderCrankSeries<T> {
             m1 * a3 + 3.0 * m2 * a1 * a2 + m3 * a1 * a1 * a1,
             m1 * a4 + m2 * (4.0 * a1 * a3 + 3.0 * a2 * a2) + 6.0 * m3 * a1 * a1 * a2 + m4 * a1 * a1 * a1 * a1,
         ]
-        // an infinite bound times a rate of zero
+        // An infinite bound times a rate of zero is NaN.
         .map(|bound| if bound.is_nan() { f64::INFINITY } else { bound })
     }
 
-    /// Mₘ: what is cut off from the derivative of order `order` by the angle.
+    /// The bound Mₘ on the truncation error of the derivative of order `order` with respect to the angle.
     fn angular_bound(&self, order: u32) -> f64 {
         let lambda = (self.r.real() / self.l.real()).abs();
         let square = lambda * lambda;
@@ -101,7 +102,7 @@ impl<T: Scalar> SliderCrankSeries<T> {
         for k in (first..).take(TAIL as usize) {
             let value = term * power(f64::from(k));
             let growth = (1..order).fold(square, |product, _| product * (1.0 + 1.0 / f64::from(k)));
-            // enough terms of the tail are summed for the geometric bound on the others to be tight
+            // Sum enough terms of the tail to make the geometric bound on the others tight.
             if growth < 1.0 && value / (1.0 - growth) <= 0.01 * sum {
                 return scale * (sum + value / (1.0 - growth));
             }
@@ -120,7 +121,7 @@ mod tests {
     use crate::assembly::Assembly;
     use crate::library::{SliderCrank, SliderCrankFirstApproximation, SliderCrankHigherApproximation};
 
-    /// What is cut off stays below the bound at every order, and the bound is no more than a small factor above it.
+    /// The truncation error stays below the bound at every order, and the bound exceeds it only by a small factor.
     #[test]
     fn the_bound_holds_and_is_tight() {
         for lambda in [0.05, 0.2, 0.5, 0.7, 0.9] {
@@ -146,7 +147,7 @@ mod tests {
                     }
                 }
                 for order in 0..5 {
-                    // 1/(1 - λ²) is the condition of the exact root, once more for each order
+                    // 1/(1 - λ²) is the condition of the exact root, and it enters once more for each order.
                     let rounding = 1e-14 * size[order].max(1.0) / (1.0 - lambda * lambda).powi(5);
                     assert!(
                         worst[order] <= bound[order] + rounding,
@@ -155,8 +156,8 @@ mod tests {
                     if worst[order] > 100.0 * rounding {
                         let slack = bound[order] / worst[order];
                         println!("λ {lambda}, {terms} terms, order {order}: bound {slack:.2} times the error");
-                        // the derivatives of sin²ᵏ grow like (2k)^(m/2), Bernstein's bound like (2k)^m, and the
-                        // largest term of the tail is m / (1 - λ²) terms in at most
+                        // The derivatives of sin²ᵏ grow like (2k)^(m/2), but Bernstein's bound grows like (2k)^m. The
+                        // largest term of the tail is at most m / (1 - λ²) terms away.
                         let order = i32::try_from(order).unwrap();
                         let largest = f64::from(terms + 1) + f64::from(order) / (1.0 - lambda * lambda);
                         let order_size = (2.0 * largest).sqrt().powi(order);
@@ -170,7 +171,7 @@ mod tests {
         }
     }
 
-    /// One term is the first approximation, three the higher one up to its order.
+    /// One term is the first approximation, and three terms are the higher one up to its order.
     #[test]
     fn few_terms_are_the_declared_approximations() {
         let theta = Motion::from((0.8, 3.0, -1.0, 0.5, 2.0));

@@ -1,14 +1,15 @@
-//! The spherical four-bar linkage: four hinges whose axes meet in one point.
+//! The spherical four-bar linkage: four hinges whose axes meet at one point.
 
 crate::mechanism! {
-    /// Spherical four-bar linkage: its links are arcs of great circles on a sphere, its hinges point to the centre.
+    /// Spherical four-bar linkage: its links are arcs of great circles on a sphere, and its hinges point to the centre.
     ///
-    /// The links are measured by the angles that they span, like the crank's and the rocker's directions: both angles are
-    /// counter-clockwise from the ground arc, seen from outside of the sphere. For links that are small beside the
-    /// sphere it is the plane four-bar linkage; with crank, coupler and rocker of 90 degrees, the universal joint.
+    /// The lengths of the links are the angles that they span. The directions of crank and rocker are angles too,
+    /// counter-clockwise from the ground arc, seen from outside the sphere. If the links are small compared with the
+    /// sphere, it is the plane four-bar linkage. If crank, coupler and rocker are 90 degrees, it is the universal
+    /// joint.
     ///
-    /// The only equation: the angle between the coupler's two hinges is the coupler itself. It is
-    /// a cos(rocker angle) + b sin(rocker angle) = c.
+    /// The only equation says that the angle between the coupler's two hinges is the coupler itself. It has the form a
+    /// cos(rocker angle) + b sin(rocker angle) = c.
     ///
     /// ```
     /// use kin_core::library::SphericalFourBar;

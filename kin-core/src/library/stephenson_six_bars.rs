@@ -1,18 +1,18 @@
 //! Stephenson's six-bar linkages, with two ternary links that share no joint.
 //!
-//! Of the three ways between the ternary links two are one binary link long, which makes a four-bar loop, and one is
-//! two links long. In the first kind the ground link is one of the two single links, in the second one of the pair, in
-//! the third it is a ternary link. Source of the kinds and their names: A. G. Erdman and G. N. Sandor, Mechanism
-//! Design: Analysis and Synthesis, volume 1, Prentice-Hall 1984.
+//! Three chains connect the two ternary links. Two of them are one binary link long, and form a four-bar loop; the
+//! third is two links long. In the first kind the ground link is one of the two single links, in the second kind it
+//! belongs to the pair, and in the third kind it is a ternary link. Source of the kinds and their names: A. G. Erdman
+//! and G. N. Sandor, Mechanism Design: Analysis and Synthesis, volume 1, Prentice-Hall 1984.
 
 crate::mechanism! {
-    /// Stephenson's six-bar linkage of the first kind, driven at the crank: a four-bar linkage, and a dyad between its
+    /// Stephenson's six-bar linkage of the first kind, driven at the crank: a four-bar linkage with a dyad between its
     /// crank and its rocker.
     ///
     /// The crank 2 and the rocker 4 are the ternary links. The crank turns about the origin, the rocker about
     /// (`r1`, 0). Link 5 starts from the crank's point `p`, link 6 from the rocker's point `q`; they meet in `tool`.
     ///
-    /// On a parallelogram, with equal points on crank and rocker, the dyad moves without turning, as parallel rulers do:
+    /// On a parallelogram with equal points on crank and rocker, the dyad moves without turning, like parallel rulers:
     ///
     /// ```
     /// use kin_core::library::{StephensonI, StephensonIAssembly};
@@ -69,10 +69,10 @@ crate::mechanism! {
 crate::mechanism! {
     /// Stephenson's six-bar linkage of the second kind, driven at the joint between links 2 and 3.
     ///
-    /// Link 2, which turns about the origin, and link 4, which floats, are the ternary links. Links 3 and 5 join them, so
-    /// that 2, 3, 4 and 5 are a four-bar linkage that turns as a whole; link 6 holds the point `q` of link 4 and turns
-    /// about (`r1`, 0). With the drive inside the four-bar linkage, its loop is closed first, in the frame of
-    /// link 2: `psi`, `alpha` and `beta` are angles in that frame. The second loop then turns it as a whole.
+    /// The ternary links are link 2, which turns about the origin, and link 4, which floats. Links 3 and 5 connect
+    /// them, so 2, 3, 4 and 5 form a four-bar linkage that turns as a whole. Link 6 holds the point `q` of link 4 and
+    /// turns about (`r1`, 0). The drive lies inside the four-bar linkage, so its loop is closed first, in the frame of
+    /// link 2: `psi`, `alpha` and `beta` are angles in that frame. The second loop then gives the angle of link 2.
     ///
     /// If the four-bar linkage is a parallelogram, link 4 stays parallel to link 2, and the angle of link 2 follows from
     /// the sides of one triangle:
@@ -126,7 +126,7 @@ crate::mechanism! {
         /// The angle of link 6.
         theta6: Angle;
 
-    // in the frame of link 2
+    // This equation is in the frame of link 2.
     r2 + r3 * cis(psi) + r4 * cis(alpha) == p + r5 * cis(beta);
 
     let joint = r2 + r3 * cis(psi) + q * cis(alpha);
@@ -137,15 +137,15 @@ crate::mechanism! {
 }
 
 crate::mechanism! {
-    /// Stephenson's six-bar linkage of the third kind, driven at the crank: a four-bar linkage, and a dyad from a
-    /// point of its coupler to the ground.
+    /// Stephenson's six-bar linkage of the third kind, driven at the crank: a four-bar linkage with a dyad from a point
+    /// of its coupler to the ground.
     ///
     /// The coupler 3 and the ground link are the ternary links. The crank 2 turns about the origin, the rocker 4 about
-    /// (`r1`, 0), link 6 about `pivot`; link 5 joins it to the coupler's point `p`.
+    /// (`r1`, 0), and link 6 about `pivot`. Link 5 connects it to the coupler's point `p`.
     ///
-    /// As long as that point moves along a circle with the radius `r5` and link 6 ends in its centre, link 6 stands
+    /// As long as that point moves along a circle with the radius `r5`, and link 6 ends at its centre, link 6 stands
     /// still (R. L. Norton, Design of Machinery, McGraw-Hill, chapter 3, "Dwell mechanisms"). On a parallelogram every
-    /// coupler point does so for ever:
+    /// coupler point moves on such a circle for the whole turn:
     ///
     /// ```
     /// use kin_core::library::{StephensonIII, StephensonIIIAssembly};
@@ -203,8 +203,8 @@ crate::mechanism! {
 crate::mechanism! {
     /// Stephenson's six-bar linkage of the first kind, driven at link 5 of its dyad.
     ///
-    /// The same linkage as [`StephensonI`], with the angle of link 5 given and the crank's sought. Neither loop can be
-    /// closed by itself, so the position is found by Newton's method from values near it.
+    /// It is the same linkage as [`StephensonI`], but the angle of link 5 is given and the crank's angle is unknown.
+    /// Neither loop can be closed by itself, so Newton's method finds the position from nearby values.
     ///
     /// ```
     /// use kin_core::library::{StephensonI, StephensonIByDyad};
@@ -262,8 +262,8 @@ crate::mechanism! {
 crate::mechanism! {
     /// Stephenson's six-bar linkage of the second kind, driven at the crank.
     ///
-    /// The same linkage as [`StephensonIIByElbow`], with all angles from the ground link. What the crank 2 leaves is a
-    /// class III triad, so the position is found by Newton's method from values near it.
+    /// It is the same linkage as [`StephensonIIByElbow`], with all angles measured from the ground link. Without the
+    /// crank 2, the rest is a class III triad, so Newton's method finds the position from nearby values.
     ///
     /// ```
     /// use kin_core::library::{StephensonII, StephensonIIByElbow};
@@ -323,8 +323,8 @@ crate::mechanism! {
 crate::mechanism! {
     /// Stephenson's six-bar linkage of the third kind, driven at link 6, the far end of its dyad.
     ///
-    /// The same linkage as [`StephensonIII`], with the angle of link 6 given and the crank's sought. What link 6
-    /// leaves is a class III triad, so the position is found by Newton's method from values near it.
+    /// It is the same linkage as [`StephensonIII`], but the angle of link 6 is given and the crank's angle is unknown.
+    /// Without link 6, the rest is a class III triad, so Newton's method finds the position from nearby values.
     ///
     /// ```
     /// use kin_core::library::{StephensonIII, StephensonIIIByDyad};

@@ -1,13 +1,13 @@
 //! One leg of a Stewart-Gough platform.
 
 crate::mechanism! {
-    /// A leg of a Stewart-Gough platform: its length from the pose of the platform, which is the platform's inverse
-    /// kinematics, leg by leg.
+    /// A leg of a Stewart-Gough platform: the length of the leg for a pose of the platform. One such leg after another
+    /// gives the inverse kinematics of the platform.
     ///
-    /// The platform's origin is at (`x`, `y`, `z`). It is turned by `roll` about x first, by `pitch` about y next and by
-    /// `yaw` about z last, all axes fixed. The leg runs from `base`, in the fixed frame, to `joint`, in the platform's own.
-    /// Six of them make the platform of V. E. Gough (1947) and D. Stewart ("A platform with six degrees of freedom",
-    /// Proceedings of the Institution of Mechanical Engineers 180, 1965).
+    /// The platform's origin is at (`x`, `y`, `z`). The platform turns by `roll` about x first, by `pitch` about y next
+    /// and by `yaw` about z last, all about fixed axes. The leg runs from `base`, in the fixed frame, to `joint`, in
+    /// the platform's own frame. Six legs form the platform of V. E. Gough (1947) and D. Stewart ("A platform with six
+    /// degrees of freedom", Proceedings of the Institution of Mechanical Engineers 180, 1965).
     ///
     /// ```
     /// use kin_core::library::StewartGoughLeg;

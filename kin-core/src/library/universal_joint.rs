@@ -1,14 +1,15 @@
 //! The universal joint of Cardan and Hooke.
 
 crate::mechanism! {
-    /// Universal joint: two shafts whose axes meet, and a cross that joins their yokes.
+    /// Universal joint: two shafts whose axes meet, and a cross that connects their yokes.
     ///
-    /// The driving shaft lies along z; the driven one is inclined by `beta` about the x axis. At angle 0 the driving yoke
-    /// holds the cross by the arm along y, the driven one by the arm along x, so that
-    /// tan(driven) = tan(driving) / cos(beta).
+    /// The driving shaft lies along z; the driven shaft is inclined by `beta` about the x axis. At angle 0 the driving
+    /// yoke holds the arm of the cross along y, and the driven yoke holds the arm along x, so tan(driven) =
+    /// tan(driving) / cos(beta).
     ///
-    /// The only equation is that the arms of the cross are at right angles. In the open assembly both angles are equal
-    /// wherever they are multiples of 90 degrees; in the crossed one, the driven yoke is mounted half a turn round.
+    /// The only equation says that the arms of the cross are at right angles. In the open assembly both angles are
+    /// equal wherever they are multiples of 90 degrees. In the crossed assembly the driven yoke is mounted half a turn
+    /// further.
     ///
     /// ```
     /// use kin_core::library::UniversalJoint;

@@ -1,19 +1,20 @@
 //! Watt's six-bar linkages, with two ternary links that share a joint.
 //!
-//! In the first the ground link is binary, in the second one of the ternary links. Source of the kinds and their
-//! names: A. G. Erdman and G. N. Sandor, Mechanism Design: Analysis and Synthesis, volume 1, Prentice-Hall 1984.
+//! In the first kind the ground link is binary, in the second kind it is one of the ternary links. Source of the kinds
+//! and their names: A. G. Erdman and G. N. Sandor, Mechanism Design: Analysis and Synthesis, volume 1, Prentice-Hall
+//! 1984.
 
 crate::mechanism! {
-    /// Watt's six-bar linkage of the first kind, driven at the crank: a four-bar linkage, and a dyad between its crank
+    /// Watt's six-bar linkage of the first kind, driven at the crank: a four-bar linkage with a dyad between its crank
     /// and its coupler.
     ///
     /// The crank 2 and the coupler 3 are the ternary links. The crank turns about the origin, the rocker 4 about
     /// (`r1`, 0). Link 5 starts from the crank's point `p`, link 6 from the coupler's point `q`; they meet in `tool`.
     ///
-    /// If 5 and 6 complete a parallelogram with the sides of the two ternary links, and `p` lies on the crank's line,
-    /// the linkage is a four-bar linkage with a pantograph: the tool draws the path of the coupler point `q` / k, k
-    /// times as large, with k = p / r2 (A. B. Kempe, How to Draw a Straight Line, Macmillan 1877). Here it doubles
-    /// the path of [`HoekenLinkage`](super::HoekenLinkage):
+    /// If links 5 and 6 complete a parallelogram with the sides of the two ternary links, and `p` lies on the crank's
+    /// line, the linkage is a four-bar linkage with a pantograph: the tool draws the path of the coupler point `q` / k,
+    /// magnified k times, with k = p / r2 (A. B. Kempe, How to Draw a Straight Line, Macmillan 1877). This example
+    /// doubles the path of [`HoekenLinkage`](super::HoekenLinkage):
     ///
     /// ```
     /// use kin_core::library::{HoekenLinkage, WattI, WattIAssembly};
@@ -77,9 +78,9 @@ crate::mechanism! {
     /// Watt's six-bar linkage of the second kind, driven at the crank: two four-bar linkages in series.
     ///
     /// The ground link and the rocker 4 are the ternary links. The crank 2 turns about the origin, the rocker about
-    /// (`r1`, 0), link 6 about `pivot`. Whichever link is driven, the loop it belongs to is closed first.
+    /// (`r1`, 0), and link 6 about `pivot`. Whichever link is driven, the loop that contains it is closed first.
     ///
-    /// The speeds of crank and link 6 are as those of two four-bar linkages, one after the other:
+    /// The speeds of crank and link 6 are those of two four-bar linkages, one after the other:
     ///
     /// ```
     /// use kin_core::library::{FourBar, WattII};
@@ -139,8 +140,8 @@ crate::mechanism! {
 crate::mechanism! {
     /// Watt's six-bar linkage of the first kind, driven at link 5 of its dyad.
     ///
-    /// The same linkage as [`WattI`], with the angle of link 5 given and the crank's sought. Neither loop can be closed
-    /// by itself, so the position is found by Newton's method from values near it.
+    /// It is the same linkage as [`WattI`], but the angle of link 5 is given and the crank's angle is unknown. Neither
+    /// loop can be closed by itself, so Newton's method finds the position from nearby values.
     ///
     /// ```
     /// use kin_core::library::{WattI, WattIByDyad};
@@ -200,8 +201,9 @@ crate::mechanism! {
 crate::mechanism! {
     /// Watt's six-bar linkage of the second kind, driven between its two couplers.
     ///
-    /// The same linkage as [`WattII`], with the angle from link 3 to link 5 given. A drive at any joint, or of any one
-    /// link, leaves one four-bar linkage to be closed by itself; only a drive that spans both couples them.
+    /// It is the same linkage as [`WattII`], but the angle from link 3 to link 5 is given. With a drive at any other
+    /// joint, or of any single link, one four-bar linkage can be closed by itself. Only a drive that spans both
+    /// linkages couples them.
     ///
     /// ```
     /// use kin_core::library::{WattII, WattIIByCouplers};

@@ -3,10 +3,10 @@
 crate::mechanism! {
     /// Whitworth's quick-return mechanism: the crank's pin slides in a lever that makes full turns and drives a ram.
     ///
-    /// The lever turns about the origin, which lies inside the crank's circle about (0, `ground`). The ram moves along
-    /// the x axis. It reverses where the crank's pin is level with the lever's pivot, so that at constant speed the
-    /// two strokes take times in the ratio (π + 2 δ) : (π - 2 δ) with sin δ = ground / crank, whatever arm and rod
-    /// (R. L. Norton, Design of Machinery, McGraw-Hill, chapter 3, "Quick-return mechanisms").
+    /// The lever turns about the origin, which lies inside the circle of the crank about (0, `ground`). The ram moves
+    /// along the x axis. It reverses when the crank's pin is level with the lever's pivot. At constant speed, the times
+    /// of the two strokes are therefore in the ratio (π + 2 δ) : (π - 2 δ) with sin δ = ground / crank, for any arm and
+    /// rod (R. L. Norton, Design of Machinery, McGraw-Hill, chapter 3, "Quick-return mechanisms").
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -24,7 +24,7 @@ crate::mechanism! {
     /// # Ok::<(), SolveError>(())
     /// ```
     pub struct WhitworthQuickReturn {
-        /// Distance of the two pivots; the lever makes full turns if it is less than `crank`.
+        /// Distance between the two pivots; the lever makes full turns if it is less than `crank`.
         pub ground: Length,
         /// Crank.
         pub crank: Length,
