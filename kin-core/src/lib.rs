@@ -1,8 +1,9 @@
-//! Loop closures in, motion out: position, velocity, acceleration, jerk and snap of mechanisms in the plane and in space.
+//! The kinematics of mechanisms in the plane and in space: from loop closures to position, velocity, acceleration, jerk
+//! and snap.
 //!
-//! [`mechanism!`] takes the loop closure of a mechanism as it is written on a blackboard. At compile time it finds out how
-//! the closure can be solved, differentiates it, and generates a position solver, in closed form wherever one fits, and
-//! straight-line code for each derivative.
+//! [`mechanism!`] takes the loop closure of a mechanism as you would write it on a blackboard. At compile time it finds
+//! out how to solve the closure, differentiates it, and generates a position solver and straight-line code for each
+//! derivative. Where a closed form exists, the position solver uses it.
 //!
 //! ```
 //! use kin_core::prelude::*;
@@ -40,32 +41,33 @@
 //! | the language of declarations | [`mechanism!`] |
 //! | a value with its time derivatives | [`Motion`] |
 //! | an angle as a unit vector, without an arctangent | [`Direction`] |
-//! | how the path of a point bends | [`Motion`], the methods of points |
+//! | the tangent and curvature of a point's path | [`Motion`], the methods of points |
 //! | the instant centre of a link | [`LinkMotion`] |
 //! | a picture of the mechanism | [`Skeleton`] |
-//! | how well a dyad passes on force | [`TransmissionAngle`] |
-//! | a point or vector of the plane, of space | [`Plane`], [`Space`] |
-//! | a rotation of space | [`Rotation`] |
-//! | which of two solutions | [`Assembly`] |
-//! | a position that follows from another one by moving there | [`track`](track()), [`TrackError`] |
-//! | why there is no position | [`SolveError`], [`Failure`] |
+//! | how well a dyad transmits force | [`TransmissionAngle`] |
+//! | a point or vector in the plane, in space | [`Plane`], [`Space`] |
+//! | a rotation in space | [`Rotation`] |
+//! | the choice between two solutions (branches) | [`Assembly`] |
+//! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
+//! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | how the motion depends on the dimensions | [`Sensitive`] |
 //! | mechanisms ready to use | `library` (feature `library`) |
 //! | the closed forms, with their costs | [`solve`] |
-//! | verification of a mechanism of your own | `verify` (feature `num-dual`) |
-//! | all solutions where there is no closed form | [`continuation`], [`Positions`], [`Assemblies`] |
+//! | verification of your own mechanism | `verify` (feature `num-dual`) |
+//! | all solutions of a block without a closed form | [`continuation`], [`Positions`], [`Assemblies`] |
 //! | number types | [`Number`] and [`Scalar`], and [`series`] for truncated Taylor series |
 //!
 //! # Units
 //!
-//! Angles are in radians and counter-clockwise. Lengths have any one unit, time has any one unit.
+//! Angles are in radians and counter-clockwise. Lengths share any one unit, and times share any one unit.
 //!
 //! # Features
 //!
-//! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm` supplies the
-//! floating-point functions. `library` brings declared mechanisms, `rayon` solves batches on all cores, `num-dual` makes that crate's
-//! dual numbers a [`Scalar`] and brings `verify`, `nalgebra` converts to and from its points and vectors.
+//! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm`
+//! supplies the floating-point functions. The feature `library` adds declared mechanisms, and `rayon` solves batches on
+//! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`] and adds `verify`. The feature
+//! `nalgebra` converts to and from the points and vectors of that crate.
 #![no_std]
 #![cfg_attr(
     test,
@@ -112,8 +114,8 @@ pub use picture::{Chain, Polyline, Skeleton, TransmissionAngle};
 pub use solve::Scalar;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 
-/// Declares a mechanism by its loop closure, and derives the solvers for its position and all time derivatives to snap,
-/// or to any other order.
+/// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
+/// (also called jounce), or up to another order.
 ///
 /// A declaration is a structure with the dimensions of the mechanism, and statements in any order:
 ///
@@ -134,36 +136,37 @@ pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, trac
 ///             | "in" constant (".." | "..=") constant
 /// ```
 ///
-/// - The fields of the structure have a `dimension` each. The structure becomes generic over its number type, which is
-///   `f64` unless said otherwise. Documentation, other attributes and visibility are passed on.
-/// - An equation joins two scalars, or two plane vectors and so counts as two, or two space vectors and so counts as
-///   three. There are as many scalar equations as unknowns.
-/// - An unknown that is a `Direction` is an angle of which cosine and sine are wanted: it is found as a [`Direction`], without an
-///   arctangent.
-/// - A range tells apart two solutions. Unknowns that have none are told apart by an [`Assembly`].
-/// - The order is that of the highest time derivative, from 1 to 12, and 4, which is snap, if none is given. After snap come
-///   crackle and pop, then `derivative_7` and so on.
-/// - `with` asks for further generated items: `with transmission_angles;`, for instance, for the method that gives the
-///   [`TransmissionAngle`] of every dyad; `with sensitivities;` for the method `sensitivities`, the partial derivatives of
-///   unknowns and outputs, and of all their time derivatives, with respect to each parameter: see [`Sensitive`].
-/// - A `let` is an abbreviation, written before its uses. An output is a quantity that is carried to the same order as
-///   the unknowns.
+/// - Each field of the structure has a `dimension`. The structure becomes generic over its number type, which is `f64`
+///   by default. Documentation, other attributes and visibility are passed on.
+/// - An equation joins two scalars, two plane vectors or two space vectors, and counts as one, two or three scalar
+///   equations. There are as many scalar equations as unknowns.
+/// - An unknown declared as a `Direction` is an angle whose cosine and sine are wanted: the result is a [`Direction`],
+///   without an arctangent.
+/// - A range selects one of two solutions. For unknowns without a range, an [`Assembly`] selects it.
+/// - The order is the highest time derivative, from 1 to 12. The default is 4, which is snap. After snap come crackle
+///   and pop, then `derivative_7` and so on.
+/// - `with` requests more generated items. For example, `with transmission_angles;` requests the method that returns
+///   the [`TransmissionAngle`] of every dyad. `with sensitivities;` requests the method `sensitivities`, which returns
+///   the partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to each
+///   parameter: see [`Sensitive`].
+/// - A `let` is an abbreviation; it must precede its uses. An output is a quantity that is calculated to the same order
+///   as the unknowns.
 ///
-/// Expressions are Rust expressions of the declared names, numbers and `PI`, of `+`, `-`, `*`, `/`, of `sin`, `cos`,
-/// `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `sqrt`, `exp`, `ln` and `powi`, and of
-/// three functions that make vectors of the plane:
-/// `cis(angle)`, the unit vector at an angle, `polar(length, angle)`, and `vec2(x, y)`. Functions may be written as methods,
-/// and the coordinates of a vector `v` are `v.x` and `v.y`. They multiply as the complex numbers do, so that
-/// `v * cis(angle)` is `v`, turned. A scalar that is added to a vector lies along the x axis.
+/// Expressions are Rust expressions of the declared names, numbers and `PI`, with `+`, `-`, `*`, `/`, with `sin`,
+/// `cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `sqrt`, `exp`,
+/// `ln` and `powi`, and with three functions that make plane vectors: `cis(angle)`, the unit vector at an angle,
+/// `polar(length, angle)`, and `vec2(x, y)`. Functions may be written as methods, and the coordinates of a vector `v`
+/// are `v.x` and `v.y`. Plane vectors multiply like complex numbers, so `v * cis(angle)` is `v` turned by the angle. A
+/// scalar that is added to a vector lies along the x axis.
 ///
-/// Vectors of space are made by `vec3(x, y, z)` and have the coordinates `v.x`, `v.y` and `v.z`. They are turned by rotations:
-/// `rotation * vector`, where a rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an axis
-/// of any length but zero, or a product of rotations, of which the last turns first. For plane and space vectors alike there are
-/// `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix: `vec3(v.x, v.y, 0)` places a plane
-/// vector in space, and `vec3(s, 0, 0)` a scalar.
+/// The function `vec3(x, y, z)` makes space vectors, whose coordinates are `v.x`, `v.y` and `v.z`. Rotations turn them:
+/// `rotation * vector`. A rotation is `rot_x(angle)`, `rot_y(angle)`, `rot_z(angle)`, `rot(axis, angle)` about an axis
+/// of any length but zero, or a product of rotations, of which the last one turns first. Plane and space vectors both
+/// have `dot(a, b)`, `cross(a, b)` (a scalar in the plane) and `norm(v)`. Plane and space do not mix:
+/// `vec3(v.x, v.y, 0)` places a plane vector in space, and `vec3(s, 0, 0)` a scalar.
 ///
-/// Angles are in radians. Dimensions are checked: a length plus an angle, the sine of a length, or a scalar that
-/// is to equal a vector do not compile. The product of a length and an angle is a length.
+/// Angles are in radians. Dimensions are checked: a length plus an angle, the sine of a length, and a scalar equal to a
+/// vector do not compile. The product of a length and an angle is a length.
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -205,7 +208,7 @@ pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, trac
 /// # Ok::<(), SolveError>(())
 /// ```
 ///
-/// To the sixth derivative:
+/// A declaration up to the sixth derivative:
 ///
 /// ```
 /// use kin_core::prelude::*;
@@ -235,7 +238,8 @@ macro_rules! mechanism {
     };
 }
 
-/// Names of local variables, imported as functions: in the patterns of an expansion they are then no constants of the user's.
+/// The names of local variables, imported as functions, so that in the patterns of an expansion they cannot refer to
+/// constants of the user.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __locals {
@@ -244,7 +248,7 @@ macro_rules! __locals {
     };
 }
 
-/// What a mechanism has with the feature `rayon` alone.
+/// The items that a mechanism has only with the feature `rayon`.
 #[cfg(feature = "rayon")]
 #[doc(hidden)]
 #[macro_export]
@@ -252,7 +256,7 @@ macro_rules! __in_parallel {
     ($($tokens:tt)*) => { $($tokens)* };
 }
 
-/// What a mechanism has with the feature `rayon` alone.
+/// The items that a mechanism has only with the feature `rayon`: without it, none.
 #[cfg(not(feature = "rayon"))]
 #[doc(hidden)]
 #[macro_export]
@@ -270,7 +274,7 @@ macro_rules! __assert_verified {
     };
 }
 
-/// What stands in its place without the numbers that it needs.
+/// The replacement of that body without the feature `num-dual`.
 #[cfg(not(feature = "num-dual"))]
 #[doc(hidden)]
 #[macro_export]

@@ -1,4 +1,4 @@
-//! What a program that solves mechanisms needs: `use kin_core::prelude::*;`.
+//! The names that programs with mechanisms need: `use kin_core::prelude::*;`.
 
 pub use crate::assembly::{Assembly, Near};
 pub use crate::failure::{Failure, SolveError};

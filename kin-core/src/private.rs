@@ -1,4 +1,4 @@
-//! What generated code refers to; not for direct use, and free to change.
+//! The items that generated code uses. They are not for direct use, and may change at any time.
 
 pub use crate::__assert_verified as assert_verified;
 pub use crate::__in_parallel as in_parallel;
@@ -25,5 +25,6 @@ pub mod methods {
     pub use crate::number::Number as _;
 }
 
-/// What local names of generated code are imported as, so that in patterns they are no items of other kinds.
+/// The function as which local names of generated code are imported, so that in patterns they cannot refer to constants
+/// of the user.
 pub const fn local() {}
