@@ -71,7 +71,10 @@
 #![no_std]
 #![cfg_attr(
     test,
-    allow(clippy::float_cmp, reason = "the tests compare with what is exact in binary")
+    allow(
+        clippy::float_cmp,
+        reason = "the tests compare with numbers that are exact in binary"
+    )
 )]
 
 #[cfg(any(feature = "std", test))]

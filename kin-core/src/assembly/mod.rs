@@ -18,8 +18,8 @@ use core::fmt;
 /// |---|---|
 /// | two links of known length | the second turns clockwise from the first: v₁ × v₂ < 0 |
 /// | link and slider | the larger of the two travels |
-/// | length in a sought direction | the length is positive |
-/// | a cos x + b sin x = c | x is the larger of the two angles beside atan2(b, a) |
+/// | length in an unknown direction | the length is positive |
+/// | a cos x + b sin x = c | x is the larger of the two angles around atan2(b, a) |
 /// | quadratic or square root | the larger root |
 ///
 /// ```

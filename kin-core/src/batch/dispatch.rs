@@ -3,7 +3,7 @@
     all(feature = "std", target_arch = "x86_64"),
     expect(
         unsafe_code,
-        reason = "a function for some instructions may be called where the machine has been found to have them"
+        reason = "a function compiled for some instructions may be called on a machine that has been found to have them"
     )
 )]
 

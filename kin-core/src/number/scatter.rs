@@ -16,7 +16,10 @@ pub(crate) fn mix(mut z: u64) -> u64 {
 
 /// The random number in `0..1` of a state.
 #[inline]
-#[expect(clippy::cast_precision_loss, reason = "53 bits are kept, as many as there are")]
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "53 bits are kept, which is the precision of the type"
+)]
 pub(crate) fn fraction(state: u64) -> f64 {
     (mix(state) >> 11) as f64 / (1_u64 << 53) as f64
 }

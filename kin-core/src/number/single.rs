@@ -2,7 +2,7 @@
 
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "rounding to the nearest single-precision number is what is asked for"
+    reason = "rounding to the nearest single-precision number is the purpose"
 )]
 #[inline]
 pub(crate) fn single(value: f64) -> f32 {

@@ -43,8 +43,9 @@
 //! assert!(report.passed());
 //! ```
 //!
-//! This module needs the feature `num-dual`. If only your tests verify, write `kin-core = { version = "…", features =
-//! ["num-dual"] }` under `[dev-dependencies]`, in addition to the ordinary dependency.
+//! This module needs the feature `num-dual`. If only your tests verify, write
+//! `kin-core = { version = "…", features = ["num-dual"] }` under `[dev-dependencies]`, in addition to the ordinary
+//! dependency.
 
 mod carrier;
 mod closure;

@@ -84,12 +84,14 @@ pub enum Unsuitable {
 impl fmt::Display for Unsuitable {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Table => formatter.write_str("the table of terms is out of order or refers to what is not there"),
+            Self::Table => {
+                formatter.write_str("the table of terms is out of order or refers to items that do not exist")
+            }
             Self::NotFinite { coefficient } => write!(formatter, "coefficient {coefficient} is not finite"),
             Self::NoVariable { equation } => write!(formatter, "equation {equation} has no variable"),
             Self::Dependent { equation } => write!(
                 formatter,
-                "equation {equation}, of the first degree, follows from others or contradicts them"
+                "equation {equation}, of first degree, follows from the others or contradicts them"
             ),
             Self::TooManyPaths { paths } => write!(formatter, "there is no room for {paths} paths"),
         }

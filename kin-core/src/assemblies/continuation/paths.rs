@@ -50,8 +50,8 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
     paths
 }
 
-/// Makes solutions singular that are so close together that rounding decides whether they differ, unless all of them
-/// are regular.
+/// Makes regular ends singular that meet a singular one: the two are so close that rounding decides whether they
+/// differ.
 fn join_singular<const M: usize>(paths: &mut [FollowedPath<M>]) {
     for place in 0..paths.len() {
         let end = paths[place].end;

@@ -78,7 +78,7 @@ fn one_by_one(first: (f64, f64), second: (f64, f64)) -> (f64, f64) {
 /// that are not finite, and for coordinates whose sum overflows.
 ///
 /// With `SELECT` a condition selects, a sign is a bit, and an invalid angle is NaN.
-#[expect(clippy::eq_op, reason = "less itself, infinity is NaN")]
+#[expect(clippy::eq_op, reason = "infinity minus itself is NaN")]
 #[inline(always)]
 pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool>(y: f64, x: f64) -> (f64, bool) {
     let turned = Turned::<SELECT>::of(y, x);

@@ -5,7 +5,7 @@
 //! finds only some of the pairs, and it joins and splits them along the way.
 #![expect(
     unsafe_code,
-    reason = "every machine that this is compiled for has these instructions, but a function that uses them is safe only for one that says so"
+    reason = "a function that uses these instructions is safe only for callers that declare them; every machine of this module has them"
 )]
 
 use core::arch::x86_64::{
@@ -22,8 +22,8 @@ use super::sine_cosine::{COSINE, Reduced, SINE};
 #[inline(always)]
 pub(super) fn sine_cosine(angle: f64) -> (f64, f64) {
     // SAFETY: `sine_beside_cosine` takes and returns numbers and reads no memory by address. Its only precondition is
-    // its `target_feature`: the machine must have SSE2. This module is compiled only under `cfg(target_feature =
-    // "sse2")`, so the whole program is compiled for machines that have it.
+    // its `target_feature`: the machine must have SSE2. This module is compiled only under
+    // `cfg(target_feature = "sse2")`, so the whole program is compiled for machines that have it.
     unsafe { sine_beside_cosine(Reduced::new::<false>(angle)) }
 }
 

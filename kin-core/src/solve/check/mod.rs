@@ -44,8 +44,8 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
     /// Whether the conditions hold for one pose with these operands. No condition holds if its operand is NaN.
     fn holds(&self, operands: [f64; N]) -> [bool; K];
 
-    /// The distance of the check from failing, in the unit of its operands. It is negative if the operands are too
-    /// small or too large for the check to hold.
+    /// The distance of the check from failing, in the unit of its operands. It is positive while the check holds, and
+    /// negative if the check fails because the operands miss its limit.
     ///
     /// The margin is calculated in the number type, so that each of several poses has its own. Solvers do not ask for
     /// it.
