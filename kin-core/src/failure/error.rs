@@ -134,7 +134,7 @@ impl fmt::Display for Failure {
                 high,
             } => write!(
                 formatter,
-                "{unknown} = {} lies outside of its declared range from {} to {}; \
+                "{unknown} = {} lies outside its declared range from {} to {}; \
                  widen the range, or change dimensions or inputs",
                 Digits(value),
                 Digits(low),
@@ -169,8 +169,8 @@ impl fmt::Display for Failure {
                 spacing,
             } => write!(
                 formatter,
-                "{unknown} is sought near {}, where numbers lie {} apart and tell no direction; \
-                 take whole turns off the value near by",
+                "the guess for {unknown} is {}, where neighbouring numbers are {} apart and define no direction; \
+                 subtract whole turns from the guess",
                 Digits(guess),
                 Digits(spacing)
             ),
@@ -266,7 +266,7 @@ mod tests {
                     low: 0.0,
                     high: core::f64::consts::PI,
                 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: theta3 = 4 lies outside of its declared range \
+                "theta3 cannot be found at theta2 = 1.954, x = 3: theta3 = 4 lies outside its declared range \
                  from 0 to 3.141593; widen the range, or change dimensions or inputs",
             ),
             (
@@ -302,8 +302,8 @@ mod tests {
                     guess: 1e15,
                     spacing: 0.125,
                 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: theta3 is sought near 1e15, where numbers lie 0.125 \
-                 apart and tell no direction; take whole turns off the value near by",
+                "theta3 cannot be found at theta2 = 1.954, x = 3: the guess for theta3 is 1e15, where neighbouring \
+                 numbers are 0.125 apart and define no direction; subtract whole turns from the guess",
             ),
             (
                 Failure::NotFinite { quantity: "r1" },

@@ -124,15 +124,15 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
         match self {
             Self::Limit(limit) => write!(
                 formatter,
-                "{} reach a limit position{}: two assemblies meet there and neither goes on; stop short of it, or drive \
-                 the mechanism by another input",
+                "{} reach a limit position{}: two assemblies meet there and neither continues; stop short of it, or \
+                 drive the mechanism by another input",
                 limit.block,
                 limit.place()
             ),
             Self::ChangePoint(point) => write!(
                 formatter,
-                "{} reach a change point{}: two assemblies cross there and geometry does not say which one is followed; \
-                 stop short of it, change the dimensions a little, or start again on the other side",
+                "{} reach a change point{}: two assemblies cross there and geometry does not determine which one the \
+                 mechanism follows; stop short of it, change the dimensions a little, or start again on the other side",
                 point.block,
                 point.place()
             ),
@@ -144,21 +144,21 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
             ),
             Self::TooManySteps(halt) => write!(
                 formatter,
-                "{} steps were not enough, the last ended{}; go on from there, or shorten the way",
+                "{} steps were not enough, the last ended{}; continue from there, or divide the motion into shorter ones",
                 halt.steps,
                 halt.place()
             ),
             Self::Lost(halt) if halt.rounding < FIRM => write!(
                 formatter,
-                "no step, however short, leads on for certain{} and {} steps: an unknown jumps there, as an angle that is \
-                 declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
+                "no step, however short, is certain to stay in the assembly{} and {} steps: an unknown jumps there, as an \
+                 angle declared by atan2 jumps by a turn; stop short of it, and start again on the other side",
                 halt.place(),
                 halt.steps
             ),
             Self::Lost(halt) => write!(
                 formatter,
-                "no step, however short, leads on for certain{} and {} steps: rounding errors may move the unknowns there by \
-                 {} (radians, or sizes of lengths); bring the lengths of each loop nearer to each other",
+                "no step, however short, is certain to stay in the assembly{} and {} steps: rounding errors may move the \
+                 unknowns there by {} (radians, or parts of a length); use lengths in each loop that differ less",
                 halt.place(),
                 halt.steps,
                 Digits(halt.rounding)

@@ -287,7 +287,7 @@ fn messages_say_where_it_is() {
     assert_eq!(
         error.to_string(),
         "theta3, theta4 reach a limit position at theta2 = 1.955193, after 0.5820772 of the way: two assemblies meet there \
-         and neither goes on; stop short of it, or drive the mechanism by another input"
+         and neither continues; stop short of it, or drive the mechanism by another input"
     );
     let debugged = format!("{error:?}");
     assert!(

@@ -390,7 +390,7 @@ fn messages_say_where_and_what_to_do() {
     assert_eq!(
         error.to_string(),
         "theta3, theta4 reach a limit position at theta2 = 1.955193, after 0.5820772 of the way: two assemblies meet there \
-         and neither goes on; stop short of it, or drive the mechanism by another input"
+         and neither continues; stop short of it, or drive the mechanism by another input"
     );
 }
 

@@ -408,7 +408,9 @@ fn what_rounding_hides_is_said_to_be_hidden() {
     );
     assert!(halt.steps > 0 && halt.steps < 1000 && halt.fraction < 1.0);
     assert!(
-        message.starts_with("no step, however short, leads on for certain at q = -0.5941403, after 0 of the way"),
+        message.starts_with(
+            "no step, however short, is certain to stay in the assembly at q = -0.5941403, after 0 of the way"
+        ),
         "{message}"
     );
 }
