@@ -9,10 +9,10 @@ use core::fmt;
 /// The two ways to assemble a dyad, which consists of two links and the joint between them.
 ///
 /// Given its two ends, a dyad has two positions, which are mirror images: the joint lies on either side of the line
-/// between the ends. Textbooks call them branches, circuits or configurations. The *orientation* of the dyad tells them
-/// apart: it is the sign of the determinant of the Jacobian. A mechanism can change from one to the other only through
-/// a singular position, where the links lie on one line. So the assembly is chosen once, when the mechanism is built,
-/// and stays the same for the whole motion.
+/// between the ends. Textbooks call an assembly a branch, circuit or configuration. The *orientation* of the dyad
+/// distinguishes the two: it is the sign of the determinant of the Jacobian. A mechanism can change from one to the
+/// other only through a singular position, where the links lie on one line. So the assembly is chosen once, when the
+/// mechanism is built, and stays the same for the whole motion.
 ///
 /// | closure | `Open` |
 /// |---|---|

@@ -88,7 +88,7 @@ fn four_bars_of_as_many_poses_as_you_like() {
     }
 }
 
-/// More poses than one core gets at once. The last piece has fewer poses than there are lanes.
+/// More poses than one core gets at once. After the full pieces, fewer poses are left than there are lanes.
 #[cfg(feature = "rayon")]
 #[test]
 fn all_cores_write_what_one_writes() {

@@ -103,8 +103,8 @@ mod tests {
         assert_eq!((x.0[3], y.0[3]), (1.0, 0.0));
     }
 
-    /// A form with a number well inside its range, inside it by relative margins of 10⁻¹⁴ and 10⁻⁹, and well inside
-    /// again. Only the second is left to the solver for one pose.
+    /// Runs a form on four numbers: well inside its range, inside by a relative margin of 10⁻¹⁴, inside by 10⁻⁹, and
+    /// halfway to the end. Only the second is left to the solver for one pose.
     fn leaves_the_second<R>(inside: f64, limit: f64, form: impl Fn(Four) -> R, result: impl Fn(R) -> Four) {
         let towards = |part: f64| limit + (inside - limit) * part;
         let Lanes(found) = result(form(Lanes([inside, towards(1e-14), towards(1e-9), towards(0.5)])));

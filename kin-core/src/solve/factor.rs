@@ -60,7 +60,7 @@ pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<
     factor_here(matrix, T::EPSILON)
 }
 
-/// [`factor`] for entries with a relative error of `epsilon`, which may be less than the precision of their type.
+/// [`factor`] for entries known to a relative error of `epsilon`. Their type may be more precise than that.
 pub(super) fn factor_to<T: Scalar, const N: usize>(
     entries: [[T; N]; N],
     epsilon: f64,

@@ -298,7 +298,7 @@ fn follow<M: Mechanism<Scalar = f64>>(
                 _ => return Err(blocked(&way, &here, &anchor, &beginning, error, &steps)),
             }
         };
-        // Rounding errors separate the branches that cross here, so a way around seems to continue.
+        // Rounding errors separate the branches that cross here, so there seems to be a way around the crossing.
         if step < BLUR && is_crossed(&way, &there.point, turning::fastest(&rates(&there, &way.sizes))) {
             return Err(crossed_near(&way, &there.point, &there.sides, &anchor, &beginning));
         }
@@ -373,7 +373,7 @@ fn attempted<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>, travel
     let is_same = turn <= 5.0 * CORRECTION * scale
         && there.sides.are_near(&here.sides)
         && (distance <= allowed || {
-            // If rounding exceeded the limit of a correction, it would excuse everything.
+            // Rounding beyond the limit of a correction would excuse any difference.
             let blur = blur(way, &there.point);
             blur <= CORRECTION && distance <= allowed + blur
         });

@@ -141,8 +141,8 @@ fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: Point<M>, paramete
     None
 }
 
-/// The distance from the curve that rounding errors may cause, limited to a fifth of the longest step. A larger value
-/// would excuse everything.
+/// The distance from the curve that rounding errors may cause. It is zero if it exceeds a fifth of the longest step,
+/// because it would then excuse any deviation.
 fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, system: &FactoredMatrix<M>) -> f64 {
     let size = largest(rounding(way, point, system).as_ref().iter().copied());
     if size <= 0.2 * LONGEST { size } else { 0.0 }
@@ -199,7 +199,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
         }
         longest = (LONGEST * growth).min(2.0 * size);
         let step = size.copysign(here.travel_rate);
-        // Rounding errors separate the branches that cross here, so a way around seems to continue.
+        // Rounding errors separate the branches that cross here, so there seems to be a way around the crossing.
         if size < BLUR && is_crossed(way, &there.point, parameter) {
             return Passage::ChangePoint(there.point, there.sides);
         }

@@ -67,7 +67,7 @@ fn fit<const M: usize>(
     compared: &[f64; M],
     most: &[f64; M],
 ) -> [f64; M] {
-    // The normal equations, after elimination of the scale of each equation, which subtracts the mean.
+    // These are the normal equations. Eliminating the scale of each equation has subtracted the mean.
     let mut matrix = [[0.0; M]; M];
     let mut right = [0.0; M];
     let mut terms = system.terms().iter().peekable();

@@ -6,7 +6,7 @@ use crate::solve::Scalar;
 /// A square root with a sign, and its square.
 ///
 /// Rates are divided by roots. `value / square` equals the reciprocal of the root, and `1 / square` can be computed
-/// without waiting for it: a root followed by a division takes a processor some thirty cycles, both side by side take
+/// without waiting for it: a root followed by a division takes a processor about thirty cycles; in parallel they take
 /// twenty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Root<T = f64> {
