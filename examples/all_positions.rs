@@ -1,4 +1,4 @@
-//! All positions of a platform on three legs, the class III triad, and how long it takes to find them.
+//! All positions of a platform on three legs, the class III triad, and the time to find them.
 //!
 //! `cargo run --release --example all_positions`
 
@@ -7,7 +7,7 @@ use std::time::Instant;
 use kin_core::Positions;
 use kin_core::continuation::{PolynomialSystem, Solution, Term, Unsuitable, real_solutions};
 
-/// A term of an equation, by the place of its coefficient, with its variables.
+/// A term of an equation, given by the index of its coefficient and its variables.
 const fn term(equation: u16, coefficient: u16, powers: &'static [(u16, u8)]) -> Term {
     Term {
         equation,
@@ -16,8 +16,8 @@ const fn term(equation: u16, coefficient: u16, powers: &'static [(u16, u8)]) -> 
     }
 }
 
-/// The first leg and a side of the platform, and another leg from another point of the base:
-/// l₁ cis(θ₁) + (u + i v) cis(φ) = b + lₖ cis(θₖ), twice. Variables are cosine and sine of θ₁, θ₂, θ₃ and φ in turn.
+/// The loop over the first leg, a side of the platform, another leg and another point of the base: l₁ cis(θ₁) + (u + i
+/// v) cis(φ) = b + lₖ cis(θₖ), twice. The variables are the cosine and sine of θ₁, θ₂, θ₃ and φ in turn.
 const PLATFORM: PolynomialSystem<8> = PolynomialSystem::new(&[
     term(0, 0, &[(0, 1)]),
     term(0, 1, &[(6, 1)]),
@@ -56,7 +56,7 @@ const PLATFORM: PolynomialSystem<8> = PolynomialSystem::new(&[
 fn main() -> Result<(), Unsuitable> {
     const PATHS: usize = PLATFORM.paths();
     const RUNS: u32 = 200;
-    // Dimensions with which all six solutions are real, found by trial.
+    // With these dimensions all six solutions are real. They were found by trial.
     let [leg1, leg2, leg3] = [1.249, 0.954, 2.403];
     let [[base2_x, base2_y], [base3_x, base3_y]] = [[-1.547, 0.514], [1.202, -1.902]];
     let [[u2, v2], [u3, v3]] = [[0.936, 0.811], [-0.838, 0.372]];

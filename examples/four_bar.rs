@@ -1,10 +1,10 @@
-//! A four-bar linkage from position to snap, by three methods, beside the values printed in lecture notes.
+//! A four-bar linkage from position to snap, by three methods, compared with the values printed in lecture notes.
 //!
 //! ```sh
 //! cargo run --release --example four_bar
 //! ```
 //!
-//! The exit code is not zero if any value differs from the printed one by more than its last digit allows.
+//! The exit code is not zero if a value differs from the printed one by more than its last digit allows.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -15,7 +15,8 @@ use kin_core::prelude::*;
 
 const ORDERS: [&str; 5] = ["position", "velocity", "acceleration", "jerk", "snap"];
 
-/// A quantity as the notes print it, position first. The notes end with the jerk; the snap is from 50-digit arithmetic.
+/// A quantity as printed in the notes, position first. The notes end with the jerk; the snap comes from 50-digit
+/// arithmetic.
 struct Printed {
     name: &'static str,
     is_angle: bool,
@@ -71,7 +72,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     Ok(if agrees { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// The same motion by three sets of equations; whether every value agrees with the printed one.
+/// Solves the same motion by three sets of equations, and returns whether every value agrees with the printed one.
 fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
     let FourBar { r1, r2, r3, r4 } = *linkage;
     let triangles = GeometricFourBar { r1, r2, r3, r4 };
@@ -81,7 +82,7 @@ fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
     let by_triangles = triangles.solve(crank, triangles.assembly(crank.value(), Assembly::Open))?;
     let by_equations = equations.solve(crank, FreudensteinFourBar::OPEN)?;
 
-    // in the order of PRINTED
+    // In the order of PRINTED.
     let found = [
         [
             Some(by_loop.theta3),
@@ -125,7 +126,7 @@ fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
                 .iter()
                 .flatten()
                 .fold(0.0, |most: f64, found| most.max((found - value).abs()));
-            // half of the last digit, and a few roundings of double precision
+            // Half of the last digit, plus a few roundings of double precision.
             let allowed = 0.5 * last_digit + 64.0 * f64::EPSILON * value.abs();
             let verdict = if deviation <= allowed { "" } else { " !" };
             agrees &= deviation <= allowed;
@@ -153,7 +154,7 @@ fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
     Ok(agrees)
 }
 
-/// A derivative in the units of the table. An angle's position is its smallest equivalent: turns do not count.
+/// A derivative in the units of the table. An angle is reduced by whole turns.
 fn shown(printed: &Printed, motion: Motion, order: usize) -> f64 {
     let value = motion.derivatives()[order];
     if printed.is_angle && order == 0 {
@@ -163,7 +164,7 @@ fn shown(printed: &Printed, motion: Motion, order: usize) -> f64 {
     }
 }
 
-/// A printed number and the value of its last digit.
+/// The printed number, and the value of its last digit.
 fn read(text: &str) -> (f64, f64) {
     let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let last_digit = (0..decimals).fold(1.0, |unit, _| unit / 10.0);
@@ -174,7 +175,7 @@ fn cell(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| format!("{value:.7}"))
 }
 
-/// How far the crank turns, and what happens beyond.
+/// Prints the range of the crank, and the errors beyond it.
 fn range_of_motion(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
     let range = linkage.crank_range().ok_or("the links do not close at any angle")?;
     println!("Range of motion\n");
@@ -209,7 +210,7 @@ fn range_of_motion(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Text in lines of at most so many characters, indented.
+/// Wraps a text into indented lines of at most `width` characters.
 fn wrapped(text: &str, width: usize) -> String {
     let (mut result, mut column) = (String::from("   "), 0);
     for word in text.split_whitespace() {
@@ -224,7 +225,7 @@ fn wrapped(text: &str, width: usize) -> String {
     result
 }
 
-/// The two ways in which the linkage can be put together, over the range of the crank.
+/// Prints the two assemblies of the linkage over the range of the crank.
 fn assemblies(linkage: &FourBar) {
     println!("Both assemblies, at a crank speed of 1 rad/s\n");
     println!("{:>8} |{:^42} |{:^42}", "", Assembly::Open, Assembly::Crossed);

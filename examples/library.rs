@@ -1,4 +1,4 @@
-//! Every mechanism of the library: how each is solved, its motion to snap at one pose, and its verification.
+//! Every mechanism of the library: its method of solution, its motion up to snap at one pose, and its verification.
 //!
 //! ```sh
 //! cargo run --release --features num-dual --example library
@@ -14,7 +14,7 @@ use kin_core::library::*;
 use kin_core::prelude::*;
 use kin_core::verify::{self, Oracle, Report};
 
-/// What is printed of each mechanism.
+/// The numbers of mechanisms shown and failed.
 #[derive(Default)]
 struct Catalogue {
     shown: usize,
@@ -68,7 +68,7 @@ impl Catalogue {
     }
 }
 
-/// The verification in one line: the worst error of each oracle, in parts of what is allowed.
+/// The verification in one line: the worst error of each oracle, relative to the allowed error.
 fn verdict(report: &Report) -> String {
     let worst = |oracle: Oracle| {
         let parts = report.worst.errors(oracle).iter().enumerate();
@@ -185,8 +185,8 @@ fn five_bars(catalogue: &mut Catalogue) {
     catalogue.show(engine, [steady(0.8, 3.0)], PI, Assembly::Open);
 }
 
-/// Each driven at two different links: so that the dyads close one after the other, and so that nothing closes by
-/// itself. The second drive is the motion that the first one gives it.
+/// Shows the six-bar linkages, each driven at two different links: with the first drive the dyads close one after the
+/// other, with the second nothing closes by itself. The second drive has the motion that results from the first.
 fn six_bars(catalogue: &mut Catalogue) -> Result<(), SolveError> {
     let crank = steady(2.5, 2.0);
     let values = |angles: [Motion; 4]| Near(angles.map(|angle| angle.value()));

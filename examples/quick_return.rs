@@ -11,10 +11,11 @@ use kin_core::prelude::*;
 mechanism! {
     /// Whitworth quick-return: the crank's pin slides in a lever that makes full turns and drives a ram.
     ///
-    /// The lever turns about the origin, the crank about (0, `ground`), the ram moves along the x axis. Loop 1 is the
-    /// crank and the slotted lever, loop 2 the lever's other arm, the connecting rod and the ram.
+    /// The lever turns about the origin, the crank about (0, `ground`), and the ram moves along the x axis. Loop 1
+    /// consists of the crank and the slotted lever; loop 2 consists of the lever's other arm, the connecting rod and
+    /// the ram.
     struct QuickReturn {
-        /// Distance of the two pivots; the lever makes full turns if it is less than `crank`.
+        /// Distance between the two pivots; the lever makes full turns if it is less than `crank`.
         ground: Length,
         /// Crank.
         crank: Length,
@@ -40,7 +41,7 @@ mechanism! {
     arm * cis(phi) + rod * cis(psi) == vec2(ram, 0);
 }
 
-/// How long the bar of the plot is at full speed, to either side.
+/// The length of the plot's bar at full speed, to either side.
 const BAR: f64 = 18.0;
 
 fn main() -> Result<(), SolveError> {
@@ -89,7 +90,7 @@ fn main() -> Result<(), SolveError> {
     println!("\nstroke {:.4} m", strokes.length);
     println!("time ratio of the slow stroke to the fast one {time_ratio:.3}");
 
-    // the extremes over the turn, at every degree of the crank
+    // The extremes over the turn, at every degree of the crank.
     let (mut forward, mut backward, mut snap): (f64, f64, f64) = (0.0, 0.0, 0.0);
     for degrees in 0..360 {
         let crank = Motion::at_constant_speed(f64::from(degrees).to_radians(), speed);
@@ -122,14 +123,14 @@ fn bar(part: f64) -> String {
     }
 }
 
-/// The ram's two strokes: their length, and the crank angles that they take.
+/// The two strokes of the ram: their length, and the crank angles that they take.
 struct Strokes {
     length: f64,
     slow: f64,
     fast: f64,
 }
 
-/// The ram reverses where arm and rod lie on one line: at phi = 0 (farthest) and phi = 180 degrees. There the crank's
+/// The ram reverses where arm and rod lie on one line, at phi = 0 (farthest) and phi = 180 degrees. There the crank's
 /// pin is level with the lever's pivot, sin(theta) = -ground / crank.
 fn strokes(press: &QuickReturn) -> Result<Strokes, SolveError> {
     let dip = (press.ground / press.crank).asin();
