@@ -9,6 +9,7 @@
 //!   series of [`series`](crate::series) beyond. See [`by_differentiation`].
 //! - **Closure.** The generated motions are put into the equations as declared, as truncated Taylor series. The
 //!   residuals must vanish at every order. See [`closure`].
+//!
 //! The two share only the declaration: the first does not use the generated derivatives, the second does not use the
 //! closed forms. Errors are measured in the units of a [`Gauge`], which follow from the position and the motion.
 //!

@@ -8,16 +8,16 @@
 //!
 //! 1. Variables and equations are scaled, and the equations of first degree eliminate variables.
 //! 2. The other equations are replaced by products of linear factors with random complex coefficients, chosen so that
-//! the equations have the same structure. Setting one factor of each equation to zero gives the solutions of this
-//! *start system*.
+//!    the equations have the same structure. Setting one factor of each equation to zero gives the solutions of this
+//!    *start system*.
 //! 3. The start system is deformed into the system to be solved. Each solution is followed on its path through the
-//! complex numbers, with a predictor (Runge-Kutta, fourth order), a corrector (Newton) and steps as long as the error
-//! of prediction allows. In homogeneous coordinates a path to infinity is no longer than other paths.
+//!    complex numbers, with a predictor (Runge-Kutta, fourth order), a corrector (Newton) and steps as long as the
+//!    error of prediction allows. In homogeneous coordinates a path to infinity is no longer than other paths.
 //! 4. If a path ends at a singular solution, it is followed around its end. The end is the mean over these loops
-//! (Cauchy's integral).
+//!    (Cauchy's integral).
 //! 5. Ends are sorted: regular or singular, finite or at infinity, real or complex. Real ends are corrected in real
-//! numbers. A path that is lost, or that ends where another path ends although only one can, is followed once more with
-//! greater care. If that does not help, all paths are followed from another start system.
+//!    numbers. A path that is lost, or that ends where another path ends although only one can, is followed again
+//!    with greater care. If that does not help, all paths are followed from another start system.
 //!
 //! For an angle the linear factors are c + i s - p and c - i s - q. These are isotropic coordinates, in which a plane
 //! loop is one equation in the first and another in the second (C. W. Wampler, *Solving the kinematics of planar
