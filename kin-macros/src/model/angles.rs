@@ -14,7 +14,7 @@ use crate::syntax::{Callee, Declaration, Formula, FormulaKind, Operator, RangeCl
 /// The largest number that passes for radians: a turn, which may have been typed in few digits.
 const LARGEST: f64 = TAU * 1.001;
 
-/// What a formula is, as far as angles are concerned.
+/// The part that a formula plays among angles.
 #[derive(Clone, Copy, Default)]
 struct Sort {
     /// Whether it is an angle.

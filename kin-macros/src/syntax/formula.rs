@@ -372,7 +372,7 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
     }
 }
 
-/// What to write instead of a number with letters behind it.
+/// The advice about a number with letters behind it.
 fn about_suffix(digits: &str, suffix: &str) -> String {
     match suffix {
         "rad" | "radians" => format!("angles are in radians anyway: write `{digits}`"),
