@@ -206,7 +206,7 @@ where
 fn triads() {
     let mut random = Random::new(23);
     let mut tally = std::collections::BTreeMap::new();
-    for round in 0..120 {
+    for round in 0..50 {
         let [theta, alpha, beta, gamma, phi] = [(); 5].map(|()| random.between(-3.0, 3.0));
         let [a, b, c, p, q] = [(); 5].map(|()| random.between(0.5, 2.0));
         // small cranks often go all the way round
@@ -222,14 +222,14 @@ fn triads() {
             .entry(compare(&mechanism, theta, [alpha, beta, gamma, phi], end))
             .or_insert(0) += 1;
     }
-    assert!(tally["there, and walked"] > 15 && tally["limit"] > 15, "{tally:?}");
+    assert!(tally["there, and walked"] > 5 && tally["limit"] > 5, "{tally:?}");
 }
 
 #[test]
 fn six_bars_driven_at_the_far_dyad() {
     let mut random = Random::new(24);
     let mut tally = std::collections::BTreeMap::new();
-    for round in 0..120 {
+    for round in 0..50 {
         let [theta2, theta3, theta5, theta6] = [(); 4].map(|()| random.between(-3.0, 3.0));
         let [r2, r3, r5, x, y, r1] = [(); 6].map(|()| random.between(0.5, 2.0));
         let r6 = if round % 2 == 0 {
@@ -244,5 +244,5 @@ fn six_bars_driven_at_the_far_dyad() {
             .entry(compare(&mechanism, theta6, unknowns, theta6 + TAU))
             .or_insert(0) += 1;
     }
-    assert!(tally["there, and walked"] > 15 && tally["limit"] > 15, "{tally:?}");
+    assert!(tally["there, and walked"] > 5 && tally["limit"] > 5, "{tally:?}");
 }

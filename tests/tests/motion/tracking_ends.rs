@@ -108,7 +108,7 @@ fn the_domain_of_a_root_ends_where_it_does() {
 fn blocks_before_and_after_do_not_change_that() {
     let mut random = Random::new(42);
     let mut found = 0;
-    for _ in 0..100 {
+    for _ in 0..40 {
         let (crank, pivot) = (random.between(0.2, 0.9), random.between(1.0, 2.0));
         let mechanism: RootBetween = RootBetween {
             l: random.between(0.1, 0.9) * crank / pivot,
@@ -129,7 +129,7 @@ fn blocks_before_and_after_do_not_change_that() {
             found += 1;
         }
     }
-    assert_eq!(found, 200);
+    assert_eq!(found, 80);
 }
 
 #[test]
