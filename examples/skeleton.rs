@@ -52,7 +52,7 @@ mechanism! {
 /// How many crank angles are shown over a turn, and which of them is drawn in bold.
 const POSES: u32 = 8;
 const BOLD: u32 = 1;
-/// The colours of the chains, in their order.
+/// The colours of the bodies, in their order.
 const COLOURS: [&str; 4] = ["#1f6fb4", "#d1662a", "#2f8a4b", "#8a4fa0"];
 /// The size of one picture, and the margin within, in pixels.
 const WIDTH: f64 = 720.0;
@@ -123,26 +123,18 @@ impl Drawing {
         self.lines.push((corners, colour, width));
     }
 
-    /// Any mechanism's skeleton; a bold one bears the names of its links and points.
-    fn pose<const JOINTS: usize, const POINTS: usize>(
-        &mut self,
-        skeleton: &Skeleton<Plane, JOINTS, POINTS>,
-        bold: bool,
-    ) {
+    /// Any mechanism's skeleton; a bold one bears the names of its bodies and points.
+    fn pose<const PLACES: usize>(&mut self, skeleton: &Skeleton<[Plane; PLACES]>, bold: bool) {
         let (width, dot) = if bold { (4.0, 5.0) } else { (0.8, 1.6) };
-        for (polyline, colour) in skeleton.polylines().zip(COLOURS.into_iter().cycle()) {
-            let along = if polyline.equation == 0 { 0.4 } else { 0.85 };
-            self.line(polyline.joints.to_vec(), colour, width);
-            self.dots
-                .extend(polyline.joints.iter().map(|&joint| (joint, colour, dot)));
-            if bold {
-                // links of different chains may lie on one line: their labels shall not
-                self.labels.extend(
-                    polyline
-                        .segments()
-                        .map(|(link, [from, to])| (from + (to - from).scale(along), link)),
-                );
+        for ((name, joints), colour) in skeleton.bodies().zip(COLOURS.into_iter().cycle()) {
+            let mut corners: Vec<Plane> = joints.collect();
+            if bold && let [first, .., last] = corners[..] {
+                self.labels.push(((first + last).scale(0.5), name));
             }
+            self.dots.extend(corners.iter().map(|&joint| (joint, colour, dot)));
+            // around a body of three joints or more
+            corners.extend(corners.first().copied());
+            self.line(corners, colour, width);
         }
         for (name, point) in skeleton.points() {
             self.dots.push((point, "#222222", dot));

@@ -113,7 +113,7 @@ pub use motion::{Direction, LinkMotion, Motion};
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Number, Operations, Row, series};
-pub use picture::{Chain, Polyline, Skeleton, TransmissionAngle};
+pub use picture::{Body, Outline, Place, Places, Skeleton, Slide, TransmissionAngle};
 pub use solve::Scalar;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 
@@ -131,6 +131,10 @@ pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, trac
 ///             | "order" "=" INTEGER ";"
 ///             | expression "==" expression ";"
 ///             | "with" request ("," request)* ";"
+///             | "body" NAME ":" points ";"
+///             | "ground" points ";"
+///             | "slide" expression "along" expression ("on" NAME)? ";"
+/// points      = expression ("," expression)*
 /// request     = "transmission_angles" | "sensitivities" | "test"
 /// scalar      = "Length" | "Angle" | "Scalar"
 /// sought      = scalar | "Direction"
@@ -152,6 +156,7 @@ pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, trac
 ///   the [`TransmissionAngle`] of every dyad. `with sensitivities;` requests the method `sensitivities`, which returns
 ///   the partial derivatives of unknowns and outputs, and of all their time derivatives, with respect to each
 ///   parameter: see [`Sensitive`].
+/// - `body`, `ground` and `slide` tell the [`Skeleton`] what belongs together, where the equations do not.
 /// - A `let` is an abbreviation; it must precede its uses. An output is a quantity that is calculated to the same order
 ///   as the unknowns.
 ///

@@ -11,7 +11,7 @@ pub use crate::mechanism::{Block, Description, Dimension, Mechanism, Partials, P
 pub use crate::mechanism::{culprit, failed};
 pub use crate::motion::{Direction, Motion};
 pub use crate::number::{Number, Operations, Row, series};
-pub use crate::picture::{Chain, Skeleton, TransmissionAngle};
+pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
 pub use crate::solve::Scalar;
 pub use crate::track::{TrackErrorOf, track_to};
 pub use crate::{batch, solve};

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use kin_core::{Description, Mechanism, Scalar, SolveError};
+use kin_core::{Description, Mechanism, Outline, Scalar, SolveError};
 
 thread_local! {
     static CALLS: Cell<Calls> = const { Cell::new(Calls { solutions: 0, closures: 0 }) };
@@ -44,9 +44,11 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     type Inputs<V: Copy> = M::Inputs<V>;
     type Unknowns<V: Copy> = M::Unknowns<V>;
     type Residuals<V: Copy> = M::Residuals<V>;
+    type Places = M::Places;
 
     const DESCRIPTION: Description = M::DESCRIPTION;
     const ASSEMBLY_COUNT: usize = M::ASSEMBLY_COUNT;
+    const OUTLINE: Outline = M::OUTLINE;
 
     fn assembly(index: usize) -> Option<Self::Assembly> {
         M::assembly(index)
@@ -109,5 +111,9 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     ) -> Self::Residuals<Self::Scalar> {
         count(|calls| calls.closures += 1);
         self.0.residuals(inputs, unknowns)
+    }
+
+    fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places {
+        self.0.places(inputs, unknowns)
     }
 }

@@ -19,6 +19,11 @@ crate::mechanism! {
         s: Length;
 
     s == r * cos(theta) + l - r.powi(2) / (4 * l) * (1 - cos(2 * theta));
+
+    ground 0;
+    body r: 0, r * cis(theta);
+    body l: r * cis(theta), vec2(s, 0);
+    slide vec2(s, 0) along vec2(1, 0);
 }
 
 crate::mechanism! {
@@ -42,4 +47,9 @@ crate::mechanism! {
     let c6 = r.powi(6) / (512 * l.powi(5));
 
     s == r * cos(theta) + c0 + c2 * cos(2 * theta) - c4 * cos(4 * theta) + c6 * cos(6 * theta);
+
+    ground 0;
+    body r: 0, r * cis(theta);
+    body l: r * cis(theta), vec2(s, 0);
+    slide vec2(s, 0) along vec2(1, 0);
 }

@@ -64,4 +64,10 @@ crate::mechanism! {
     output second: Point3 = rot_z(theta1) * vec3(a, 0, 0);
     /// The third hinge.
     output third: Point3 = rot_z(theta1) * (vec3(a, 0, 0) + rot_x(alpha) * rot_z(theta2) * vec3(b, 0, 0));
+
+    let fourth = vec3(-b, 0, 0);
+    ground 0, fourth;
+    body link1: 0, second;
+    body link2: second, third;
+    body link3: third, fourth;
 }

@@ -38,6 +38,14 @@ crate::mechanism! {
 
     k1 * cos(theta4) - k2 * cos(theta2) + k3 == cos(theta2 - theta4);
     k1 * cos(theta3) + k4 * cos(theta2) + k5 == cos(theta2 - theta3);
+
+    let pin = r2 * cis(theta2);
+    let pivot = vec2(r1, 0);
+    let joint = pivot + r4 * cis(theta4);
+    ground 0, pivot;
+    body r2: 0, pin;
+    body r3: pin, joint;
+    body r4: pivot, joint;
 }
 
 impl FreudensteinFourBar {

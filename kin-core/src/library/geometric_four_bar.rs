@@ -44,6 +44,14 @@ crate::mechanism! {
     sin(beta) == r3 * sin(gamma) / e;
     alpha + beta + theta4 == PI;
     theta3 == theta4 - gamma;
+
+    let pin = r2 * cis(theta2);
+    let pivot = vec2(r1, 0);
+    let joint = pivot + r4 * cis(theta4);
+    ground 0, pivot;
+    body r2: 0, pin;
+    body r3: pin, joint;
+    body r4: pivot, joint;
 }
 
 impl<T: Scalar> GeometricFourBar<T> {

@@ -45,9 +45,15 @@ crate::mechanism! {
         s: Length;
 
     let slider = start + s * (rail / norm(rail));
-    let coupler = slider - rot_z(theta) * vec3(crank, 0, 0);
+    let pin = rot_z(theta) * vec3(crank, 0, 0);
+    let coupler = slider - pin;
     dot(coupler, coupler) == rod.powi(2);
 
     /// The slider's ball.
     output ball: Point3 = slider;
+
+    ground 0;
+    body crank: 0, pin;
+    body rod: pin, ball;
+    slide ball along rail;
 }

@@ -52,9 +52,15 @@ crate::mechanism! {
         phi: Angle;
 
     let rocker = pivot + rot(axis, phi) * arm;
-    let coupler = rocker - rot_z(theta) * vec3(crank, 0, 0);
+    let pin = rot_z(theta) * vec3(crank, 0, 0);
+    let coupler = rocker - pin;
     dot(coupler, coupler) == rod.powi(2);
 
     /// The rocker's ball.
     output ball: Point3 = rocker;
+
+    ground 0, pivot;
+    body crank: 0, pin;
+    body rod: pin, ball;
+    body arm: pivot, ball;
 }

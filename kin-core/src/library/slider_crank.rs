@@ -23,6 +23,13 @@ crate::mechanism! {
 
     r * sin(theta) == l * sin(phi);
     s == r * cos(theta) + l * cos(phi);
+
+    let pin = r * cis(theta);
+    let piston = vec2(s, 0);
+    ground 0;
+    body r: 0, pin;
+    body l: pin, piston;
+    slide piston along vec2(1, 0);
 }
 
 crate::mechanism! {

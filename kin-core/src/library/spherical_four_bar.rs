@@ -43,4 +43,11 @@ crate::mechanism! {
     let crank_hinge = rot_z(theta2) * rot_y(crank) * axis;
     let rocker_hinge = rot_y(ground) * rot_z(theta4) * rot_y(rocker) * axis;
     dot(crank_hinge, rocker_hinge) == cos(coupler);
+
+    // on the unit sphere, whose centre is a point of every link
+    let rocker_pivot = rot_y(ground) * axis;
+    ground axis, rocker_pivot;
+    body crank: 0, axis, crank_hinge;
+    body coupler: 0, crank_hinge, rocker_hinge;
+    body rocker: 0, rocker_pivot, rocker_hinge;
 }

@@ -134,6 +134,16 @@ crate::mechanism! {
 
     /// The joint of links 4 and 6.
     output tool: Point = r1 + r6 * cis(theta6);
+
+    // the first equation is not in the frame of the ground
+    let elbow = (r2 + r3 * cis(psi)) * cis(theta2);
+    let wrist = (p + r5 * cis(beta)) * cis(theta2);
+    ground 0, vec2(r1, 0);
+    body r2: 0, r2 * cis(theta2), p * cis(theta2);
+    body r3: r2 * cis(theta2), elbow;
+    body r4: elbow, wrist, tool;
+    body r5: p * cis(theta2), wrist;
+    body r6: vec2(r1, 0), tool;
 }
 
 crate::mechanism! {

@@ -53,4 +53,9 @@ crate::mechanism! {
 
     /// The leg's head, in the fixed frame.
     output head: Point3 = top;
+
+    ground base;
+    body platform: vec3(x, y, z), head;
+    body leg: base;
+    slide head along top - base on leg;
 }

@@ -37,4 +37,14 @@ crate::mechanism! {
     let driving_arm = rot_z(driving) * vec3(0, 1, 0);
     let driven_arm = rot_x(beta) * rot_z(driven) * vec3(1, 0, 0);
     dot(driving_arm, driven_arm) == 0;
+
+    // two bearings on each shaft, at multiples of the arms' length
+    let inner = vec3(0, 0, -2);
+    let outer = vec3(0, 0, -3);
+    let driven_inner = rot_x(beta) * -inner;
+    let driven_outer = rot_x(beta) * -outer;
+    ground inner, outer, driven_inner, driven_outer;
+    body driving: outer, inner, driving_arm, -driving_arm;
+    body cross: driving_arm, -driving_arm, driven_arm, -driven_arm;
+    body driven: driven_outer, driven_inner, driven_arm, -driven_arm;
 }

@@ -17,6 +17,7 @@ use core::fmt::Debug;
 
 use crate::failure::SolveError;
 use crate::number::Row;
+use crate::picture::{Outline, Place, Places, Skeleton};
 use crate::solve::Scalar;
 
 /// A declared mechanism, as the `mechanism!` macro implements it.
@@ -71,11 +72,15 @@ pub trait Mechanism: Copy + Debug {
     type Unknowns<V: Copy>: Row<V>;
     /// A value for each scalar equation.
     type Residuals<V: Copy>: Row<V>;
+    /// The joints of the skeleton and the directions of its slides: an array of points of the plane or of space.
+    type Places: Places<Point: Place<Scalar = Self::Scalar>>;
 
     /// The names, dimensions and equations, and the methods that solve them.
     const DESCRIPTION: Description;
     /// The number of assemblies, or zero if it depends on the dimensions.
     const ASSEMBLY_COUNT: usize;
+    /// Which joints of the skeleton belong together, [`Outline::NONE`] if nothing can be drawn.
+    const OUTLINE: Outline;
 
     /// The assembly with a given index, if the index is below [`ASSEMBLY_COUNT`](Self::ASSEMBLY_COUNT).
     fn assembly(index: usize) -> Option<Self::Assembly>;
@@ -139,6 +144,15 @@ pub trait Mechanism: Copy + Debug {
         inputs: Self::Inputs<Self::Scalar>,
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
+
+    /// The joints of the skeleton and the directions of its slides, for any values of inputs and unknowns.
+    fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places;
+
+    /// The skeleton of a pose of any order, as the inherent `skeleton` gives it.
+    fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<Self::Places> {
+        let (inputs, unknowns) = pose.values();
+        Skeleton::new(&Self::OUTLINE, self.places(inputs, unknowns))
+    }
 
     /// All assemblies; none if their number depends on the dimensions.
     fn assemblies() -> impl Iterator<Item = Self::Assembly> {

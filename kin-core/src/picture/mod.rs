@@ -1,7 +1,11 @@
 //! What is drawn of a mechanism, or read from its drawing.
 
+mod outline;
+mod places;
 mod skeleton;
 mod transmission;
 
-pub use skeleton::{Chain, Polyline, Skeleton};
+pub use outline::{Body, Outline, Slide};
+pub use places::{Place, Places};
+pub use skeleton::Skeleton;
 pub use transmission::TransmissionAngle;

@@ -1,13 +1,17 @@
-//! The picture of a mechanism: its vector loops as polylines.
+//! The picture of a mechanism: its rigid bodies, and what joins them.
 
-/// A mechanism in one position as lines between its joints.
+use super::{Outline, Place, Places, Slide};
+
+/// A mechanism in one position: joints, the bodies between them, and what stands still.
 ///
-/// The closure is the picture: each side of an equation between vectors is a chain of links, which begins at the
-/// origin, and whose joints are the partial sums of its terms. Both sides of an equation end in the same
-/// joint. The outputs that were declared as a `Point` are there as well.
+/// The closure is the picture. Terms of its vector equations that turn together are one body, terms without any input or unknown are the
+/// ground, and a joint at the end of a term of variable length slides along it. A declaration whose equations do not tell that states
+/// its bodies itself, by `body`, `ground` and `slide`. Joints that coincide are one joint. An output that is a point belongs to the body
+/// whose terms it continues.
 ///
-/// A mechanism makes its own skeleton, by a generated method. `V` is a point, `JOINTS` and `POINTS` are the numbers of
-/// all joints, those of all polylines counted, and of all points. Nothing is allocated.
+/// A mechanism makes its own skeleton, by a generated method; generic code calls [`Mechanism::skeleton`](crate::Mechanism::skeleton).
+/// `P` is an array of [`Plane`](crate::Plane) or of [`Space`](crate::Space): the joints, and behind them a direction for each slide.
+/// Nothing is allocated.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -17,142 +21,110 @@
 /// let position = linkage.position(std::f64::consts::FRAC_PI_2, Assembly::Open)?;
 /// let skeleton = linkage.skeleton(&position);
 ///
-/// let [left, right] = [0, 1].map(|side| skeleton.polylines().nth(side).unwrap());
-/// assert_eq!(left.name, "r2 * cis(theta2) + r3 * cis(theta3)");
-/// assert_eq!(left.links, ["r2 * cis(theta2)", "r3 * cis(theta3)"]);
-/// assert_eq!(left.joints.len(), 3);
-/// assert!((left.joints[1] - Plane::new(0.0, 30.0)).norm_squared() < 1e-28);
-/// assert_eq!(right.joints[1], Plane::new(90.0, 0.0));
-/// assert!((left.joints[2] - right.joints[2]).norm_squared() < 1e-26);
+/// let names: Vec<&str> = skeleton.bodies().map(|(name, _)| name).collect();
+/// assert_eq!(names, ["r2", "r3", "r4"]);
+/// let pivots: Vec<Plane> = skeleton.ground().collect();
+/// assert_eq!(pivots, [Plane::new(0.0, 0.0), Plane::new(90.0, 0.0)]);
+/// // the crank's joints: its pivot, and its pin that the coupler shares
+/// let (_, crank) = skeleton.bodies().next().unwrap();
+/// let crank: Vec<Plane> = crank.collect();
+/// assert!((crank[1] - Plane::new(0.0, 30.0)).norm_squared() < 1e-28);
 /// # Ok::<(), SolveError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Skeleton<V, const JOINTS: usize, const POINTS: usize> {
-    chains: &'static [Chain],
-    joints: [V; JOINTS],
-    names: &'static [&'static str; POINTS],
-    points: [V; POINTS],
+pub struct Skeleton<P> {
+    outline: &'static Outline,
+    places: P,
 }
 
-/// What is known of a polyline before the mechanism is put into a position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Chain {
-    /// The side of the equation, as it was declared.
-    pub name: &'static str,
-    /// The number of the equation, in the order of the description.
-    pub equation: usize,
-    /// The terms, one for each link.
-    pub links: &'static [&'static str],
-}
-
-/// One side of a vector equation: the links from the origin to the joint where the loop closes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polyline<'a, V> {
-    /// The side of the equation, as it was declared.
-    pub name: &'static str,
-    /// The number of the equation, in the order of the mechanism's description.
-    pub equation: usize,
-    /// The joints, the origin first, one more than links; in the mechanism's unit of length.
-    pub joints: &'a [V],
-    /// The links from joint to joint: the terms of the sum, such as `r2 * cis(theta2)`.
-    pub links: &'static [&'static str],
-}
-
-impl<'a, V: Copy> Polyline<'a, V> {
-    /// Each link with the joints at its ends.
-    ///
-    /// ```
-    /// use kin_core::library::FourBar;
-    /// use kin_core::prelude::*;
-    ///
-    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
-    /// let position = linkage.position(1.0, Assembly::Open)?;
-    /// for polyline in linkage.skeleton(&position).polylines() {
-    ///     for (link, [from, to]) in polyline.segments() {
-    ///         println!("{link} from ({}, {}) to ({}, {})", from.x, from.y, to.x, to.y);
-    ///     }
-    /// }
-    /// # Ok::<(), SolveError>(())
-    /// ```
-    pub fn segments(&self) -> impl Iterator<Item = (&'static str, [V; 2])> + use<'a, V> {
-        let ends = self.joints.iter().zip(self.joints.iter().skip(1));
-        self.links
-            .iter()
-            .zip(ends)
-            .map(|(&link, (&from, &to))| (link, [from, to]))
-    }
-}
-
-impl<V: Copy, const JOINTS: usize, const POINTS: usize> Skeleton<V, JOINTS, POINTS> {
-    /// From what is known of the chains, the joints of all of them one after another, and the points with their names.
+impl<P: Places> Skeleton<P> {
+    /// From the outline, and the joints with the directions of the slides behind them.
     #[doc(hidden)]
-    pub const fn new(
-        chains: &'static [Chain],
-        joints: [V; JOINTS],
-        names: &'static [&'static str; POINTS],
-        points: [V; POINTS],
-    ) -> Self {
-        Self {
-            chains,
-            joints,
-            names,
-            points,
-        }
+    pub const fn new(outline: &'static Outline, places: P) -> Self {
+        Self { outline, places }
     }
 
-    /// The sides of the vector equations, left before right, in the order in which they were declared. A side that is
-    /// zero is left out.
-    pub fn polylines(&self) -> impl Iterator<Item = Polyline<'_, V>> {
-        let mut others = self.joints.as_slice();
-        self.chains.iter().map_while(move |chain| {
-            let (joints, rest) = others.split_at_checked(chain.links.len() + 1)?;
-            others = rest;
-            Some(Polyline {
-                name: chain.name,
-                equation: chain.equation,
-                joints,
-                links: chain.links,
-            })
-        })
+    /// Which joints belong together.
+    pub fn outline(&self) -> &'static Outline {
+        self.outline
+    }
+
+    /// The joints and marked points, each once, in the mechanism's unit of length.
+    pub fn joints(&self) -> &[P::Point] {
+        let places = self.places.as_slice();
+        let count = places.len().saturating_sub(self.outline.slides.len());
+        places.get(..count).unwrap_or_default()
+    }
+
+    /// The joints that stand still.
+    pub fn ground(&self) -> impl Iterator<Item = P::Point> {
+        self.joints_of(self.outline.ground)
+    }
+
+    /// The bodies that move, each with its name and its joints.
+    pub fn bodies(&self) -> impl Iterator<Item = (&'static str, impl Iterator<Item = P::Point>)> {
+        let bodies = self.outline.bodies.iter();
+        bodies.map(|body| (body.name, self.joints_of(body.joints)))
+    }
+
+    /// The slides, each with the place of its joint and the direction of its line. The direction may have any length but zero.
+    pub fn slides(&self) -> impl Iterator<Item = (&'static Slide, [P::Point; 2])> {
+        let joints = self.joints();
+        let directions = self.places.as_slice().iter().skip(joints.len());
+        let slides = self.outline.slides.iter().zip(directions);
+        slides.filter_map(|(slide, &direction)| Some((slide, [*joints.get(slide.joint)?, direction])))
     }
 
     /// The outputs that are points, with their names, in the order in which they were declared.
-    pub fn points(&self) -> impl Iterator<Item = (&'static str, V)> {
-        self.names.iter().copied().zip(self.points)
+    pub fn points(&self) -> impl Iterator<Item = (&'static str, P::Point)> {
+        let joints = self.joints();
+        let points = self.outline.points.iter();
+        points.filter_map(|&(name, joint)| Some((name, *joints.get(joint)?)))
     }
 
-    /// All joints of all polylines; the origin is among them, and others are more than once.
-    pub fn joints(&self) -> &[V] {
-        &self.joints
+    /// Whether it lies in the plane.
+    pub fn is_plane(&self) -> bool {
+        P::Point::IS_PLANE
+    }
+
+    fn joints_of(&self, numbers: &'static [usize]) -> impl Iterator<Item = P::Point> {
+        let joints = self.joints();
+        numbers.iter().filter_map(|&number| joints.get(number).copied())
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Chain, Skeleton};
+    use super::super::Body;
+    use super::*;
+    use crate::geometry::Plane;
     use std::vec::Vec;
 
-    static CHAINS: [Chain; 2] = [
-        Chain {
-            name: "a + b",
-            equation: 0,
-            links: &["a", "b"],
-        },
-        Chain {
-            name: "c",
-            equation: 0,
-            links: &["c"],
-        },
-    ];
+    static OUTLINE: Outline = Outline {
+        ground: &[0],
+        bodies: &[Body::new("crank", &[0, 1]), Body::new("rod", &[1, 2])],
+        slides: &[Slide::on_ground(2)],
+        points: &[("pin", 1)],
+    };
 
     #[test]
-    fn each_polyline_has_its_own_joints() {
-        let skeleton = Skeleton::new(&CHAINS, [0, 1, 2, 0, 2], &["p"], [7]);
-        let joints: Vec<&[i32]> = skeleton.polylines().map(|polyline| polyline.joints).collect();
-        assert_eq!(joints, [&[0, 1, 2][..], &[0, 2]]);
-        let segments: Vec<_> = skeleton.polylines().flat_map(|polyline| polyline.segments()).collect();
-        assert_eq!(segments, [("a", [0, 1]), ("b", [1, 2]), ("c", [0, 2])]);
-        assert_eq!(skeleton.points().collect::<Vec<_>>(), [("p", 7)]);
-        assert_eq!(skeleton.joints().len(), 5);
+    fn directions_stand_behind_the_joints() {
+        let [pivot, pin, piston, along] =
+            [(0.0, 0.0), (0.0, 1.0), (3.0, 0.0), (1.0, 0.0)].map(|(x, y)| Plane::new(x, y));
+        let skeleton = Skeleton::new(&OUTLINE, [pivot, pin, piston, along]);
+        assert_eq!(skeleton.joints(), [pivot, pin, piston]);
+        assert_eq!(skeleton.ground().collect::<Vec<_>>(), [pivot]);
+        let bodies: Vec<(&str, Vec<Plane>)> = skeleton
+            .bodies()
+            .map(|(name, joints)| (name, joints.collect()))
+            .collect();
+        assert_eq!(
+            bodies,
+            [("crank", [pivot, pin].to_vec()), ("rod", [pin, piston].to_vec())]
+        );
+        let slides: Vec<_> = skeleton.slides().collect();
+        assert_eq!(slides, [(&Slide::on_ground(2), [piston, along])]);
+        assert_eq!(skeleton.points().collect::<Vec<_>>(), [("pin", pin)]);
+        assert!(skeleton.is_plane());
     }
 }

@@ -7,10 +7,12 @@ use std::{assert, assert_eq, println};
 use super::{Sampling, mechanism, of};
 use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, InputValues, SolveError};
+use crate::geometry::Plane;
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
 use crate::mechanism::{Block, Description, Dimension, Mechanism, Pose, Quantity};
 use crate::motion::Motion;
 use crate::number::{Number, Operations};
+use crate::picture::Outline;
 use crate::solve::Scalar;
 
 /// One more than the order of the [`Hyperbola`].
@@ -102,6 +104,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     type Inputs<V: Copy> = [V; 1];
     type Unknowns<V: Copy> = [V; 1];
     type Residuals<V: Copy> = [V; 1];
+    type Places = [Plane<T>; 0];
 
     const DESCRIPTION: Description = Description {
         name: "Hyperbola",
@@ -120,6 +123,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         operations: &[Operations::NONE; LENGTH],
     };
     const ASSEMBLY_COUNT: usize = 0;
+    const OUTLINE: Outline = Outline::NONE;
 
     fn assembly(_: usize) -> Option<Near<1>> {
         None
@@ -169,6 +173,10 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
 
     fn residuals(&self, [x]: [T; 1], [y]: [T; 1]) -> [T; 1] {
         [y * y - x * x - self.a * self.a]
+    }
+
+    fn places(&self, _: [T; 1], _: [T; 1]) -> [Plane<T>; 0] {
+        []
     }
 }
 

@@ -47,6 +47,7 @@ pub(crate) fn tokens(
         batch::structure(outside),
         sensitivities::structures(outside),
     ];
+    let picture = skeleton::tokens(declaration, model, inside.runtime, &values::argument(inside));
     let constants = [
         assembly::list(inside),
         description::tokens(inside),
@@ -60,13 +61,13 @@ pub(crate) fn tokens(
         track::tokens(inside),
         sensitivities::method(inside),
         transmission::tokens(inside),
-        skeleton::tokens(declaration, model, inside.runtime, &values::argument(inside)),
+        picture.method,
         solve::shared(inside),
     ];
     let further = [
         poses::tokens(inside),
         values::tokens(inside),
-        interface::tokens(inside),
+        interface::tokens(inside, &picture.items),
         sensitivities::tokens(inside),
         batch::tokens(inside),
     ];

@@ -6,7 +6,7 @@ use super::lower::Lowering;
 use super::scope::{Meaning, Role, Scope};
 use super::usage::{missing_statements, unknowns_in_equations, unused_names};
 use super::value::{Typed, Value};
-use super::{Equation, Model, Output, Parameter, Quantity, Shape, Unknown, angles, order, range, request};
+use super::{Equation, Model, Output, Parameter, Quantity, Shape, Unknown, angles, order, picture, range, request};
 use crate::algebra::{Graph, Symbol};
 use crate::mistakes::{Extent, Mistakes};
 use crate::syntax::{self, Declaration, Statement};
@@ -20,6 +20,7 @@ pub(crate) fn build(declaration: &Declaration, mistakes: &mut Mistakes) -> Optio
     let mut extreme = None;
     let (equations, outputs) = formulas(declaration, &mut graph, &mut scope, mistakes, &mut extreme);
     angles::check(declaration, mistakes);
+    picture::check(declaration, &graph, &mut scope, mistakes);
     let order = order::order(declaration, mistakes);
     let requests = request::requests(declaration, mistakes);
 
@@ -130,7 +131,7 @@ fn quantities(
             Statement::Output(statement) => {
                 scope.declare(&statement.name, Role::Output, Meaning::Result, mistakes);
             }
-            Statement::Equation(_) | Statement::Order(_) | Statement::Requests(_) => {}
+            _ => {}
         }
     }
     (inputs, unknowns)
@@ -147,6 +148,7 @@ fn formulas(
     let mut equations = Vec::new();
     let mut outputs = Vec::new();
     let mut lengths = Lengths::default();
+    let drawn = picture::abbreviations(declaration);
     for statement in &declaration.statements {
         let mut lowering = Lowering {
             graph,
@@ -155,7 +157,7 @@ fn formulas(
             extreme,
         };
         match statement {
-            Statement::Let(statement) => {
+            Statement::Let(statement) if !drawn.contains(&statement.name.to_string()) => {
                 let typed = lowering
                     .formula(&statement.value)
                     .filter(|typed| lengths.allow(graph, &typed.value.nodes(), statement.value.extent, mistakes));
@@ -179,7 +181,7 @@ fn formulas(
                     outputs.extend(output(statement, &typed, graph, mistakes));
                 }
             }
-            Statement::Inputs(_) | Statement::Unknowns(_) | Statement::Order(_) | Statement::Requests(_) => {}
+            _ => {}
         }
     }
     (equations, outputs)

@@ -8,6 +8,7 @@ mod equations;
 mod length;
 mod lower;
 mod order;
+mod picture;
 mod range;
 mod request;
 mod scope;

@@ -182,11 +182,7 @@ fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
                 abbreviations.insert(statement.name.to_string(), names_of(&[&statement.value]));
             }
             Statement::Equation(statement) => equations.push(names_of(&[&statement.left, &statement.right])),
-            Statement::Inputs(_)
-            | Statement::Unknowns(_)
-            | Statement::Output(_)
-            | Statement::Order(_)
-            | Statement::Requests(_) => {}
+            _ => {}
         }
     }
     for names in &mut equations {

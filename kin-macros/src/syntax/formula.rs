@@ -38,6 +38,8 @@ pub(crate) enum Context {
     RangeStart,
     /// After the `..` of a range, or after a comparison. Further unknowns may follow.
     RangeEnd,
+    /// In a statement of the picture, where a comma or a word may follow.
+    Point,
 }
 
 impl Formula {
@@ -100,6 +102,7 @@ pub(crate) fn parse(input: ParseStream<'_>, place: Context) -> Result<Formula> {
             Context::LeftSide => input.peek(Token![==]),
             Context::Argument | Context::RangeEnd => input.peek(Token![,]),
             Context::RangeStart => input.peek(Token![..]),
+            Context::Point => input.peek(Token![,]) || input.peek(Ident::peek_any),
             Context::RightSide | Context::Value | Context::Parenthesis => false,
         };
     if ended { Ok(formula) } else { Err(stray(input, place)) }

@@ -10,6 +10,7 @@ mod head;
 mod name;
 mod nesting;
 mod order;
+mod picture;
 mod print;
 mod request;
 mod split;
@@ -66,6 +67,28 @@ pub(crate) enum Statement {
     Order(OrderStatement),
     /// `with transmission_angles`: the names as typed.
     Requests(Vec<Ident>),
+    Body(BodyStatement),
+    Ground(GroundStatement),
+    Slide(SlideStatement),
+}
+
+/// `body rod: pin, piston`
+pub(crate) struct BodyStatement {
+    pub(crate) name: Ident,
+    pub(crate) points: Vec<Formula>,
+}
+
+/// `ground 0, pivot`
+pub(crate) struct GroundStatement {
+    pub(crate) word: Span,
+    pub(crate) points: Vec<Formula>,
+}
+
+/// `slide piston along vec2(1, 0)`, and `on lever` if a body carries the line
+pub(crate) struct SlideStatement {
+    pub(crate) point: Formula,
+    pub(crate) direction: Formula,
+    pub(crate) guide: Option<Ident>,
 }
 
 /// `theta2: Angle`
@@ -316,7 +339,21 @@ mod tests {
                 let names: Vec<String> = names.iter().map(Ident::to_string).collect();
                 format!("with {}", names.join(", "))
             }
+            Statement::Body(body) => format!("body {}: {}", body.name, list(&body.points)),
+            Statement::Ground(ground) => format!("ground {}", list(&ground.points)),
+            Statement::Slide(slide) => {
+                let guide = slide
+                    .guide
+                    .as_ref()
+                    .map_or(String::new(), |guide| format!(" on {guide}"));
+                format!("slide {} along {}{guide}", slide.point, slide.direction)
+            }
         }
+    }
+
+    fn list(points: &[Formula]) -> String {
+        let points: Vec<String> = points.iter().map(Formula::to_string).collect();
+        points.join(", ")
     }
 
     /// The formula with parentheses around every operation.

@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, Spacing, TokenStream, TokenTree};
 
 use crate::mistakes::Mistakes;
 use crate::syntax::name::STATEMENT_WORDS;
-use crate::syntax::request;
+use crate::syntax::{picture, request};
 
 /// The tokens of one statement without its `;`.
 pub(crate) struct Chunk {
@@ -159,7 +159,8 @@ fn begins_statement(tokens: &[TokenTree]) -> bool {
         [TokenTree::Ident(word), TokenTree::Ident(_), rest @ ..] => {
             let word = word.to_string();
             word == "let"
-                || STATEMENT_WORDS.contains(&word.as_str()) && rest.first().is_some_and(|token| is_punct(token, ':'))
+                || (STATEMENT_WORDS.contains(&word.as_str()) || word == picture::BODY)
+                    && rest.first().is_some_and(|token| is_punct(token, ':'))
                 || word == request::WORD
                     && rest
                         .first()

@@ -1,4 +1,4 @@
-//! One statement: `input`, `unknown`, `let`, `output`, `order`, `with`, or an equation.
+//! One statement: `input`, `unknown`, `let`, `output`, `order`, `with`, one of the picture, or an equation.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -10,7 +10,7 @@ use crate::syntax::formula::{self, Context};
 use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{
     Comparison, Dimension, EquationStatement, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
-    Statement, UnknownItem, head, order, request,
+    Statement, UnknownItem, head, order, picture, request,
 };
 
 /// Reads a statement without its `;`. An empty statement is not a mistake.
@@ -55,6 +55,18 @@ fn statement(input: ParseStream<'_>) -> Result<Option<Statement>> {
             Ident::parse_any(input)?;
             request::parse(input, start).map(Statement::Requests)
         }
+        Some(picture::BODY) => {
+            Ident::parse_any(input)?;
+            picture::body(input, start).map(Statement::Body)
+        }
+        Some(picture::GROUND) => {
+            Ident::parse_any(input)?;
+            picture::ground(input, start).map(Statement::Ground)
+        }
+        Some(picture::SLIDE) => {
+            Ident::parse_any(input)?;
+            picture::slide(input, start).map(Statement::Slide)
+        }
         _ => equation(input).map(Statement::Equation),
     }
     .map(Some)
@@ -88,6 +100,9 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
         return Ok(Some(word));
     }
     if word == request::WORD && request::follows(&ahead) {
+        return Ok(Some(word));
+    }
+    if picture::follows(&word, &ahead) {
         return Ok(Some(word));
     }
     if word == "struct" {

@@ -74,6 +74,11 @@ pub(super) fn used_names<'a>(
             used.insert(name.to_string());
         });
     }
+    behind_abbreviations(declaration, used)
+}
+
+/// Some names, and those that are used by way of abbreviations among them.
+pub(super) fn behind_abbreviations(declaration: &Declaration, mut used: BTreeSet<String>) -> BTreeSet<String> {
     // an abbreviation comes after those that it uses
     for statement in declaration.statements.iter().rev() {
         if let Statement::Let(statement) = statement

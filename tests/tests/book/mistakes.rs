@@ -1,5 +1,6 @@
 //! What a person is told who makes a mistake: one mistake in each file, named after it, and its message beside it. The folders are the
-//! kinds of mistakes: `syntax`, `names`, `dimensions`, `space`, `structure`, `ranges` (of unknowns, functions and numbers) and `requests`.
+//! kinds of mistakes: `syntax`, `names`, `dimensions`, `space`, `structure`, `ranges` (of unknowns, functions and numbers), `requests`
+//! and `picture`.
 //!
 //! `TRYBUILD=overwrite cargo test -p kin-tests --test book mistakes` writes the messages anew. Read them before you keep them.
 

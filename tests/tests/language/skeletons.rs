@@ -1,10 +1,10 @@
-//! The picture of a mechanism: its joints, links and points, in poses of every order.
+//! The picture of a mechanism: its joints, bodies, slides and points, in poses of every order.
 
 use std::f64::consts::TAU;
 
-use kin_core::library::{FourBar, GeometricFourBar};
+use kin_core::library::{FourBar, WhitworthQuickReturn};
 use kin_core::prelude::*;
-use kin_core::{PoseOf, Skeleton};
+use kin_core::{Outline, Place, Skeleton};
 
 mechanism! {
     /// A four-bar linkage with a ternary coupler, and a dyad on its coupler point: two loops, with abbreviations.
@@ -38,17 +38,18 @@ const SIX_BAR: SixBar = SixBar {
     rod: 110.0,
 };
 
-/// Of all links of a skeleton, the sum of their lengths: what a joint's coordinates may be rounded by, times epsilon.
-fn size<const JOINTS: usize, const POINTS: usize>(skeleton: &Skeleton<Plane, JOINTS, POINTS>) -> f64 {
-    skeleton
-        .polylines()
-        .flat_map(|polyline| polyline.segments())
-        .map(|(_, [from, to])| (to - from).norm_squared().sqrt())
-        .sum()
+/// The distances of a body's joints from its first one.
+fn lengths<const PLACES: usize>(skeleton: &Skeleton<[Plane; PLACES]>, name: &str) -> Vec<f64> {
+    let (_, joints) = skeleton
+        .bodies()
+        .find(|(own, _)| *own == name)
+        .expect("there is such a body");
+    let joints: Vec<Plane> = joints.collect();
+    joints.iter().skip(1).map(|&joint| (joint - joints[0]).norm()).collect()
 }
 
 #[test]
-fn both_sides_of_every_loop_meet() {
+fn bodies_keep_their_lengths() {
     let linkage = FourBar {
         r1: 90.0,
         r2: 30.0,
@@ -60,103 +61,94 @@ fn both_sides_of_every_loop_meet() {
         for assembly in Assembly::BOTH {
             let pose = linkage.position(theta2, assembly).unwrap();
             let skeleton = linkage.skeleton(&pose);
-            let ends: Vec<Plane> = skeleton
-                .polylines()
-                .filter_map(|polyline| polyline.joints.last().copied())
-                .collect();
-            let gap = (ends[0] - ends[1]).norm_squared().sqrt();
             // coupler and rocker are at an angle μ, and the diagonal's rounding counts 1 / sin μ times
             let closeness = (pose.theta3.value() - pose.theta4.value()).sin().abs();
-            assert!(
-                gap <= 4.0 * f64::EPSILON * size(&skeleton) / closeness,
-                "{theta2} {assembly}: {gap}"
-            );
+            let rounding = 4.0 * f64::EPSILON * 260.0 / closeness;
+            for (name, length) in [("r2", 30.0), ("r3", 80.0), ("r4", 60.0)] {
+                let gap = (lengths(&skeleton, name)[0] - length).abs();
+                assert!(gap <= rounding, "{theta2} {assembly}, {name}: {gap}");
+            }
         }
     }
 }
 
 #[test]
-fn every_link_has_its_length() {
+fn bodies_have_the_lengths_of_their_terms() {
     let pose = SIX_BAR.position(1.1, SixBar::<f64>::ASSEMBLIES[0]).unwrap();
     let skeleton = SIX_BAR.skeleton(&pose);
-    let rounding = 8.0 * f64::EPSILON * size(&skeleton);
-    let expected = [
-        30.0,
-        80.0,
-        90.0,
-        60.0,
-        30.0,
-        35_f64.hypot(25.0),
-        110.0,
-        150_f64.hypot(20.0),
-        60.0,
-    ];
-    let lengths: Vec<f64> = skeleton
-        .polylines()
-        .flat_map(|polyline| polyline.segments())
-        .map(|(_, [from, to])| (to - from).norm_squared().sqrt())
-        .collect();
-    assert_eq!(lengths.len(), expected.len());
-    for (length, expected) in lengths.iter().zip(expected) {
-        assert!((length - expected).abs() <= rounding, "{lengths:?}");
+    let tracer = 35_f64.hypot(25.0);
+    for (name, expected) in [
+        ("crank", &[30.0][..]),
+        ("coupler", &[80.0, tracer]),
+        ("rocker", &[60.0]),
+        ("rod", &[110.0]),
+        ("arm", &[60.0]),
+    ] {
+        let own = lengths(&skeleton, name);
+        assert_eq!(own.len(), expected.len(), "{name}");
+        for (own, expected) in own.iter().zip(expected) {
+            // joints are sums of at most four terms of this size
+            assert!((own - expected).abs() <= 8.0 * f64::EPSILON * 300.0, "{name}: {own}");
+        }
     }
-}
-
-#[test]
-fn sides_and_links_are_named_as_they_are_written() {
-    let pose = SIX_BAR.position(1.1, SixBar::<f64>::ASSEMBLIES[0]).unwrap();
-    let skeleton = SIX_BAR.skeleton(&pose);
-    let names: Vec<(usize, &str, &[&str])> = skeleton
-        .polylines()
-        .map(|polyline| (polyline.equation, polyline.name, polyline.links))
-        .collect();
-    // the second side of the first equation is zero
+    assert_eq!(skeleton.bodies().count(), 5);
+    let fixed: Vec<Plane> = skeleton.ground().collect();
     assert_eq!(
-        names,
-        [
-            (
-                0,
-                "pin + coupler * cis(coupler_angle) - (ground + rocker * cis(rocker_angle))",
-                &[
-                    "pin",
-                    "coupler * cis(coupler_angle)",
-                    "-ground",
-                    "-rocker * cis(rocker_angle)"
-                ][..]
-            ),
-            (
-                1,
-                "point - -rod * cis(rod_angle)",
-                &["pin", "tracer * cis(coupler_angle)", "-(-rod * cis(rod_angle))"]
-            ),
-            (1, "pivot + arm * cis(arm_angle)", &["pivot", "arm * cis(arm_angle)"]),
-        ]
+        fixed,
+        [Plane::new(0.0, 0.0), Plane::new(90.0, 0.0), Plane::new(150.0, 20.0)]
     );
-    for polyline in skeleton.polylines() {
-        assert_eq!(polyline.joints.len(), polyline.links.len() + 1);
-        assert_eq!(polyline.joints[0], Plane::new(0.0, 0.0));
-        assert!(SixBar::<f64>::DESCRIPTION.equations[polyline.equation].contains(polyline.name));
-    }
 }
 
 #[test]
-fn loops_of_a_chain_share_their_joints() {
+fn points_are_joints() {
     let pose = SIX_BAR.position(1.1, SixBar::<f64>::ASSEMBLIES[0]).unwrap();
     let skeleton = SIX_BAR.skeleton(&pose);
-    let [first, second, third] = [0, 1, 2].map(|place| skeleton.polylines().nth(place).unwrap());
-    assert_eq!(first.joints[1], second.joints[1]);
-    let rounding = 8.0 * f64::EPSILON * size(&skeleton);
-    // the first loop is closed, and the second loop's sides meet
-    assert!(first.joints.last().unwrap().norm_squared().sqrt() <= rounding);
-    let gap = *second.joints.last().unwrap() - *third.joints.last().unwrap();
-    assert!(gap.norm_squared().sqrt() <= rounding);
-    // the coupler point is a joint of the second loop
+    // seven joints; one of them is the coupler point, another the corner
+    assert_eq!(skeleton.joints().len(), 7);
     let points: Vec<(&str, Plane)> = skeleton.points().collect();
     assert_eq!(points.len(), 2);
     assert_eq!(points[0].0, "tip");
-    assert!((points[0].1 - second.joints[2]).norm_squared().sqrt() <= rounding);
-    assert!((points[0].1 - pose.tip.value()).norm_squared().sqrt() <= rounding);
+    assert!((points[0].1 - pose.tip.value()).norm() <= 8.0 * f64::EPSILON * 110.0);
     assert_eq!(points[1], ("corner", Plane::new(90.0, 0.0)));
+}
+
+#[test]
+fn slides_are_on_their_lines() {
+    let press: WhitworthQuickReturn = WhitworthQuickReturn {
+        ground: 0.05,
+        crank: 0.1,
+        arm: 0.15,
+        rod: 0.5,
+    };
+    let pose = press.position(1.0, Assembly::Open).unwrap();
+    let skeleton = press.skeleton(&pose);
+    let slides: Vec<_> = skeleton.slides().collect();
+    let [(pin, [pin_at, along_lever]), (ram, [ram_at, along_guide])] = slides[..] else {
+        panic!("{slides:?}");
+    };
+    let lever = pin.guide.map(|body| skeleton.outline().bodies[body].name);
+    assert_eq!((lever, ram.guide), (Some("arm"), None));
+    // the lever turns about the origin
+    assert!(pin_at.cross(along_lever).abs() <= 4.0 * f64::EPSILON * 0.15);
+    assert_eq!(along_guide, Plane::new(1.0, 0.0));
+    assert!((ram_at - Plane::new(pose.ram.value(), 0.0)).norm() <= 4.0 * f64::EPSILON * 0.65);
+}
+
+/// Code that works with any mechanism sees the same.
+#[test]
+fn the_trait_gives_the_same_skeleton() {
+    fn joints<M: Mechanism<Scalar = f64>>(mechanism: &M, pose: &impl PoseOf<M>) -> Vec<Space> {
+        let skeleton = Mechanism::skeleton(mechanism, pose);
+        skeleton.joints().iter().map(|joint| joint.in_space()).collect()
+    }
+    let pose = SIX_BAR.position(1.1, SixBar::<f64>::ASSEMBLIES[0]).unwrap();
+    let own: Vec<Space> = SIX_BAR
+        .skeleton(&pose)
+        .joints()
+        .iter()
+        .map(|joint| joint.in_space())
+        .collect();
+    assert_eq!(joints(&SIX_BAR, &pose), own);
 }
 
 #[test]
@@ -185,27 +177,24 @@ fn skeletons_are_made_of_any_number_type() {
         r4: 45.0,
     };
     let pose = linkage.position(1.0, Assembly::Open).unwrap();
-    let skeleton: Skeleton<Plane<f32>, 6, 0> = linkage.skeleton(&pose);
-    assert_eq!(skeleton.joints()[4], Plane::new(90.0, 0.0));
+    let skeleton: Skeleton<[Plane<f32>; 4]> = linkage.skeleton(&pose);
+    assert_eq!(skeleton.joints()[3], Plane::new(90.0, 0.0));
 }
 
-mod scalar {
-    use kin_core::prelude::*;
-
-    pub(super) trait Bare {
-        fn skeleton(&self) -> &'static str {
-            "none"
-        }
+/// Where nothing tells of vectors, there is nothing to be seen.
+#[test]
+fn scalar_equations_have_an_empty_skeleton() {
+    mechanism! {
+        pub struct Gear { pub ratio: Scalar }
+        input theta: Angle;
+        unknown phi: Angle;
+        phi == ratio * theta;
     }
-
-    impl Bare for super::GeometricFourBar {}
-
-    #[test]
-    fn scalar_equations_have_no_skeleton() {
-        // if there were one, it would be found before that of a trait
-        let linkage: super::GeometricFourBar = super::GeometricFourBar::from_parameters([90.0, 30.0, 60.0, 45.0]);
-        assert_eq!(linkage.skeleton(), "none");
-    }
+    let gear: Gear = Gear { ratio: 2.0 };
+    let pose = gear.position(1.0).unwrap();
+    let skeleton = Mechanism::skeleton(&gear, &pose);
+    assert_eq!(*skeleton.outline(), Outline::NONE);
+    assert!(skeleton.joints().is_empty());
 }
 
 /// In space the joints are points of space, and a chain of the plane lies in that of x and y.
@@ -239,16 +228,23 @@ fn loops_of_space() {
         .position_near(theta, [phi + 0.01, azimuth - 0.01, elevation + 0.01, 0.5, 0.2])
         .expect("it is built around this position");
     let skeleton = linkage.skeleton(&pose);
-    let ends: Vec<(usize, Space)> = skeleton
-        .polylines()
-        .map(|line| (line.joints.len(), line.joints[line.joints.len() - 1]))
+    let bodies: Vec<(&str, Vec<Space>)> = skeleton
+        .bodies()
+        .map(|(name, joints)| (name, joints.collect()))
         .collect();
-    assert_eq!(ends.iter().map(|end| end.0).collect::<Vec<_>>(), [3, 3, 2, 2]);
-    for pair in ends.chunks(2) {
-        let gap = (pair[0].1 - pair[1].1).norm();
-        assert!(gap <= 16.0 * f64::EPSILON * 3.0, "{gap}");
+    let lengths: Vec<(&str, f64)> = bodies
+        .iter()
+        .map(|(name, joints)| (*name, (joints[1] - joints[0]).norm()))
+        .collect();
+    for ((name, length), expected) in lengths.iter().zip([1.0, 3.0, 2.0, 0.5]) {
+        assert!(
+            (length - expected).abs() <= 16.0 * f64::EPSILON * 6.0,
+            "{name}: {length}"
+        );
     }
-    assert_eq!(ends[2].1.z, 0.0);
+    assert_eq!(lengths.len(), 4);
+    let (_, post) = &bodies[3];
+    assert_eq!(post[1].z, 0.0);
     let points: Vec<_> = skeleton.points().collect();
     assert_eq!(points.len(), 1);
 }

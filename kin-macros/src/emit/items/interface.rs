@@ -9,8 +9,8 @@ use crate::emit::compiled::{Compiled, local};
 use crate::model::Dimension;
 use crate::translate::vector_type;
 
-/// `impl Mechanism` and `impl Pose`.
-pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
+/// `impl Mechanism` and `impl Pose`. The items of the picture are added to the former.
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let order = mechanism.order();
@@ -215,6 +215,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
                 self.closure(#(#places,)* #unknowns)
             }
+
+            #picture
         }
 
         impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {

@@ -1,0 +1,67 @@
+//! What is known of a picture before the mechanism is put into a position.
+
+/// Which joints belong together, whatever the position. Joints are named by their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Outline {
+    /// The joints that stand still. Those that a body shares are its fixed pivots.
+    pub ground: &'static [usize],
+    /// The rigid bodies that move.
+    pub bodies: &'static [Body],
+    /// The joints that are guided along a line.
+    pub slides: &'static [Slide],
+    /// The marked points, each with the number of its joint.
+    pub points: &'static [(&'static str, usize)],
+}
+
+impl Outline {
+    /// The outline of a mechanism of which nothing can be drawn.
+    pub const NONE: Self = Self {
+        ground: &[],
+        bodies: &[],
+        slides: &[],
+        points: &[],
+    };
+}
+
+/// A rigid body that moves: its joints keep their distances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Body {
+    /// The name as it was declared, or the length that the body is known by.
+    pub name: &'static str,
+    /// The numbers of its joints.
+    pub joints: &'static [usize],
+}
+
+impl Body {
+    /// The body with these joints.
+    #[must_use]
+    pub const fn new(name: &'static str, joints: &'static [usize]) -> Self {
+        Self { name, joints }
+    }
+}
+
+/// A joint that slides along a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Slide {
+    /// The number of the joint.
+    pub joint: usize,
+    /// The number of the body that carries the line, `None` if the line stands still.
+    pub guide: Option<usize>,
+}
+
+impl Slide {
+    /// The slide of a joint along a line of the ground.
+    #[must_use]
+    pub const fn on_ground(joint: usize) -> Self {
+        Self { joint, guide: None }
+    }
+
+    /// The slide of a joint along a line that a body carries.
+    #[must_use]
+    pub const fn on_body(joint: usize, body: usize) -> Self {
+        Self {
+            joint,
+            guide: Some(body),
+        }
+    }
+}

@@ -1,0 +1,383 @@
+//! The outline as it follows from the vector equations.
+//!
+//! Either side of such an equation is a chain from the origin, whose joints are the partial sums of its terms; both sides end in the
+//! same joint. Terms that turn together and share a joint are one body. A term of variable length is a slide.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::Names;
+use super::groups::Groups;
+use super::outline::{Body, Joint, Outline, Slide};
+use super::terms::{Term, terms};
+use super::turning::{Manner, Turning, manner};
+use crate::model::Shape;
+use crate::syntax::{EquationStatement, Formula, OutputStatement};
+
+/// The origin of all chains.
+const ORIGIN: usize = 0;
+
+/// The outline of some vector equations and the outputs that are points.
+pub(super) fn outline<'a>(
+    equations: &[&'a EquationStatement],
+    points: &[&'a OutputStatement],
+    shape: Shape,
+    names: &Names<'a>,
+) -> Outline<'a> {
+    let mut chains = Chains::new(shape, names);
+    for equation in equations {
+        let [left, right] = sides(equation, names);
+        let (left, right) = (chains.chain(left), chains.chain(right));
+        chains.same.unite(left, right);
+    }
+    chains.unite_consequences();
+    let points: Vec<(String, usize)> = points
+        .iter()
+        .map(|output| (output.name.to_string(), chains.point(&output.value)))
+        .collect();
+    chains.unite_consequences();
+    chains.outline(points)
+}
+
+/// The terms of both sides. Of a whole loop that comes to zero, what is subtracted is the other side.
+fn sides<'a>(equation: &'a EquationStatement, names: &Names<'a>) -> [Vec<Term<'a>>; 2] {
+    let [left, right] = [&equation.left, &equation.right].map(|side| terms(side, names));
+    let (whole, none) = if right.is_empty() { (left, right) } else { (right, left) };
+    if !none.is_empty() {
+        return [none, whole];
+    }
+    let (subtracted, added): (Vec<Term<'_>>, Vec<Term<'_>>) = whole.into_iter().partition(|term| term.negative);
+    let subtracted = subtracted.into_iter().map(|term| Term {
+        negative: false,
+        ..term
+    });
+    [added, subtracted.collect()]
+}
+
+/// A term between two joints.
+struct Link<'a> {
+    from: usize,
+    to: usize,
+    term: Term<'a>,
+    manner: Manner,
+}
+
+/// Chains of terms from the origin.
+pub(super) struct Chains<'a, 'b> {
+    shape: Shape,
+    names: &'b Names<'a>,
+    joints: Vec<Joint<'a>>,
+    /// Joints by the terms that lead to them, in any order.
+    sums: BTreeMap<Vec<String>, usize>,
+    links: Vec<Link<'a>>,
+    /// The joints that coincide.
+    same: Groups,
+}
+
+impl<'a, 'b> Chains<'a, 'b> {
+    pub(super) fn new(shape: Shape, names: &'b Names<'a>) -> Self {
+        let mut chains = Self {
+            shape,
+            names,
+            joints: Vec::new(),
+            sums: BTreeMap::new(),
+            links: Vec::new(),
+            same: Groups::default(),
+        };
+        chains.joint(Vec::new(), None, None);
+        chains
+    }
+
+    fn joint(&mut self, sum: Vec<String>, before: Option<usize>, term: Option<Term<'a>>) -> usize {
+        let joint = self.same.add();
+        self.joints.push(Joint { before, term });
+        self.sums.insert(sum, joint);
+        joint
+    }
+
+    /// The last joint of a chain of terms.
+    pub(super) fn chain(&mut self, terms: Vec<Term<'a>>) -> usize {
+        let mut sum = Vec::new();
+        let mut last = ORIGIN;
+        for term in terms {
+            let manner = manner(term.formula, self.shape, self.names);
+            last = self.follow(last, &mut sum, term, manner);
+        }
+        last
+    }
+
+    /// The joint behind a further term.
+    fn follow(&mut self, from: usize, sum: &mut Vec<String>, term: Term<'a>, manner: Manner) -> usize {
+        extend(sum, &term);
+        let to = if let Some(&joint) = self.sums.get(sum) {
+            joint
+        } else {
+            let before = (from != ORIGIN).then_some(from);
+            self.joint(sum.clone(), before, Some(term))
+        };
+        let known = self.links.iter().any(|link| (link.from, link.to) == (from, to));
+        if !known {
+            self.links.push(Link { from, to, term, manner });
+        }
+        to
+    }
+
+    /// All joints.
+    pub(super) fn into_joints(self) -> Vec<Joint<'a>> {
+        self.joints
+    }
+
+    /// The joint of an output. Its last terms may lead on within a body that is there; otherwise the point belongs to none.
+    fn point(&mut self, formula: &'a Formula) -> usize {
+        let terms = terms(formula, self.names);
+        let mut sum = Vec::new();
+        let (mut last, mut known) = (ORIGIN, 0);
+        for (place, term) in terms.iter().enumerate() {
+            extend(&mut sum, term);
+            if let Some(&joint) = self.sums.get(&sum) {
+                (last, known) = (joint, place + 1);
+            }
+        }
+        let manners: Vec<Manner> = terms
+            .iter()
+            .map(|term| manner(term.formula, self.shape, self.names))
+            .collect();
+        let continues = manners.iter().skip(known).all(|manner| match manner {
+            Manner::Rigid(turning) => self.turns_at(turning, last),
+            Manner::Sliding { .. } | Manner::Free => false,
+        });
+        let mut sum = Vec::new();
+        for term in terms.iter().take(known) {
+            extend(&mut sum, term);
+        }
+        for (term, manner) in terms.into_iter().zip(manners).skip(known) {
+            let manner = if continues { manner } else { Manner::Free };
+            last = self.follow(last, &mut sum, term, manner);
+        }
+        last
+    }
+
+    /// Whether a link that turns like this, or a slide along one, begins or ends at a joint.
+    fn turns_at(&self, turning: &Turning, joint: usize) -> bool {
+        let joint = self.same.of(joint);
+        self.links.iter().any(|link| match &link.manner {
+            Manner::Rigid(own) => own == turning && [link.from, link.to].map(|end| self.same.of(end)).contains(&joint),
+            Manner::Sliding { turning: own, .. } => own == turning && self.same.of(link.from) == joint,
+            Manner::Free => false,
+        }) || turning.is_empty() && joint == ORIGIN
+    }
+
+    /// Equal terms from one joint lead to one joint.
+    fn unite_consequences(&mut self) {
+        let mut changed = true;
+        while changed {
+            changed = false;
+            let mut ends: BTreeMap<(usize, String), usize> = BTreeMap::new();
+            for link in &self.links {
+                let key = (self.same.of(link.from), link.term.text());
+                match ends.get(&key) {
+                    Some(&end) => changed |= self.same.unite(end, link.to),
+                    None => {
+                        ends.insert(key, link.to);
+                    }
+                }
+            }
+        }
+    }
+
+    fn outline(self, points: Vec<(String, usize)>) -> Outline<'a> {
+        let mut parts = Parts::default();
+        let ground = parts.at("", ORIGIN);
+        for link in &self.links {
+            let [from, to] = [link.from, link.to].map(|end| self.same.of(end));
+            match &link.manner {
+                Manner::Rigid(turning) => {
+                    let [one, other] = [from, to].map(|end| parts.at(turning, end));
+                    parts.groups.unite(one, other);
+                }
+                Manner::Sliding { turning, .. } => {
+                    parts.at(turning, from);
+                }
+                Manner::Free => {}
+            }
+        }
+        let ground = parts.groups.of(ground);
+        // the slides, each joint on each line once
+        let mut slides: Vec<(usize, usize, &Link<'a>)> = Vec::new();
+        for link in &self.links {
+            if let Manner::Sliding { turning, .. } = &link.manner {
+                let [from, to] = [link.from, link.to].map(|end| self.same.of(end));
+                let part = parts.at(turning, from);
+                let guide = parts.groups.of(part);
+                if !slides.iter().any(|slide| (slide.0, slide.1) == (to, guide)) {
+                    slides.push((to, guide, link));
+                }
+            }
+        }
+        let shown = self.shown(&parts, ground, &slides, &points);
+        let place = |joint: usize| shown.iter().position(|&own| own == self.same.of(joint));
+        let places = |group: usize| -> Vec<usize> {
+            let joints: BTreeSet<usize> = parts.joints_of(group).collect();
+            joints.into_iter().filter_map(place).collect()
+        };
+        let mut groups: Vec<usize> = Vec::new();
+        for &number in parts.numbers.values() {
+            let group = parts.groups.of(number);
+            let guides = slides.iter().any(|slide| slide.1 == group);
+            if group != ground && !groups.contains(&group) && (guides || places(group).len() > 1) {
+                groups.push(group);
+            }
+        }
+        groups.sort_unstable();
+        // a fixed joint is calculated from what stands still, however many chains end there
+        let calculated = shown.iter().map(|&joint| {
+            let mut members = (0..self.joints.len()).filter(|&member| self.same.of(member) == joint);
+            members.find(|&member| self.stands_still(member)).unwrap_or(joint)
+        });
+        let calculated: Vec<usize> = calculated.collect();
+        Outline {
+            shape: self.shape,
+            ground: places(ground),
+            bodies: groups
+                .iter()
+                .map(|&group| Body {
+                    name: self.name(&parts, group),
+                    joints: places(group),
+                })
+                .collect(),
+            slides: slides
+                .iter()
+                .filter_map(|&(joint, guide, link)| {
+                    let Manner::Sliding { direction, .. } = &link.manner else {
+                        return None;
+                    };
+                    Some(Slide {
+                        joint: place(joint)?,
+                        guide: groups.iter().position(|&group| group == guide),
+                        direction: direction.clone(),
+                    })
+                })
+                .collect(),
+            points: points
+                .into_iter()
+                .filter_map(|(name, joint)| Some((name, place(joint)?)))
+                .collect(),
+            joints: self.joints,
+            shown: calculated,
+        }
+    }
+
+    /// Whether no term that leads to a joint varies.
+    fn stands_still(&self, mut joint: usize) -> bool {
+        loop {
+            let Joint { before, term } = &self.joints[joint];
+            if term.is_some_and(|term| self.names.varies(term.formula)) {
+                return false;
+            }
+            match before {
+                Some(before) => joint = *before,
+                None => return true,
+            }
+        }
+    }
+
+    /// Every joint but those within one body, and those that no body shares with the ground.
+    fn shown(
+        &self,
+        parts: &Parts,
+        ground: usize,
+        slides: &[(usize, usize, &Link<'a>)],
+        points: &[(String, usize)],
+    ) -> Vec<usize> {
+        let marked: BTreeSet<usize> = slides
+            .iter()
+            .map(|slide| slide.0)
+            .chain(points.iter().map(|&(_, joint)| self.same.of(joint)))
+            .collect();
+        let is_shown = |joint: usize| {
+            let groups: BTreeSet<usize> = parts.groups_at(joint).collect();
+            let links: BTreeSet<usize> = self
+                .links
+                .iter()
+                .filter(|link| matches!(link.manner, Manner::Rigid(_)))
+                .map(|link| [link.from, link.to].map(|end| self.same.of(end)))
+                .filter(|ends| ends.contains(&joint))
+                .flatten()
+                .collect();
+            marked.contains(&joint)
+                || groups.len() > 1
+                || groups.iter().any(|group| *group != ground) && links.len() <= 2
+        };
+        (0..self.joints.len())
+            .filter(|&joint| self.same.of(joint) == joint && is_shown(joint))
+            .collect()
+    }
+
+    /// The first length in the terms of a body, or what moves it.
+    fn name(&self, parts: &Parts, group: usize) -> String {
+        let of_group = |turning: &Turning, joint: usize| {
+            parts
+                .number(turning, self.same.of(joint))
+                .is_some_and(|number| parts.groups.of(number) == group)
+        };
+        let mut fallback = None;
+        for link in &self.links {
+            match &link.manner {
+                Manner::Rigid(turning) if of_group(turning, link.from) => {
+                    if let Some(length) = self.names.length(link.term.formula) {
+                        return length;
+                    }
+                }
+                Manner::Sliding { turning, .. } if of_group(turning, link.from) => {
+                    fallback = fallback.or_else(|| self.names.motion(link.term.formula));
+                }
+                _ => {}
+            }
+        }
+        fallback.unwrap_or_else(|| "body".to_owned())
+    }
+}
+
+/// Adds a term to a sum, whose terms stand in order.
+fn extend(sum: &mut Vec<String>, term: &Term<'_>) {
+    let text = term.text();
+    let place = sum.partition_point(|other| *other < text);
+    sum.insert(place, text);
+}
+
+/// Joints with what turns there: the parts of bodies.
+#[derive(Default)]
+struct Parts {
+    numbers: BTreeMap<(Turning, usize), usize>,
+    groups: Groups,
+}
+
+impl Parts {
+    /// The number of what turns like this at a joint.
+    fn at(&mut self, turning: &str, joint: usize) -> usize {
+        let groups = &mut self.groups;
+        *self
+            .numbers
+            .entry((turning.to_owned(), joint))
+            .or_insert_with(|| groups.add())
+    }
+
+    fn number(&self, turning: &str, joint: usize) -> Option<usize> {
+        self.numbers.get(&(turning.to_owned(), joint)).copied()
+    }
+
+    /// The joints of a body.
+    fn joints_of(&self, group: usize) -> impl Iterator<Item = usize> {
+        self.numbers
+            .iter()
+            .filter(move |&(_, &number)| self.groups.of(number) == group)
+            .map(|((_, joint), _)| *joint)
+    }
+
+    /// The bodies at a joint.
+    fn groups_at(&self, joint: usize) -> impl Iterator<Item = usize> {
+        self.numbers
+            .iter()
+            .filter(move |((_, own), _)| *own == joint)
+            .map(|(_, &number)| self.groups.of(number))
+    }
+}

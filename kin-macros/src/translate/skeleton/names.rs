@@ -1,0 +1,108 @@
+//! What the names of a declaration mean to its picture.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, TokenStream};
+
+use crate::model::{Dimension, Model, Shape};
+use crate::syntax::{Declaration, Formula, Statement};
+use crate::translate::formula::{Translated, Translation};
+use crate::translate::names::{bindings, names};
+
+/// The names of a declaration: which of them move, and what abbreviations stand for.
+pub(super) struct Names<'a> {
+    abbreviations: BTreeMap<String, &'a Formula>,
+    translated: BTreeMap<String, Translated>,
+    /// Inputs and unknowns, and abbreviations that contain them.
+    varying: BTreeSet<String>,
+    /// The parameters that are lengths or vectors.
+    lengths: BTreeSet<String>,
+    runtime: &'a TokenStream,
+}
+
+impl<'a> Names<'a> {
+    pub(super) fn new(declaration: &'a Declaration, model: &Model, runtime: &'a TokenStream) -> Self {
+        let mut abbreviations = BTreeMap::new();
+        let mut varying: BTreeSet<String> = model.inputs.iter().map(|input| input.name.to_string()).collect();
+        varying.extend(model.unknowns.iter().map(|unknown| unknown.name.to_string()));
+        for statement in &declaration.statements {
+            if let Statement::Let(statement) = statement {
+                if mentions(&statement.value, &varying) {
+                    varying.insert(statement.name.to_string());
+                }
+                abbreviations.insert(statement.name.to_string(), &statement.value);
+            }
+        }
+        let mut translated = names(model);
+        let all = abbreviations.keys().cloned().collect();
+        bindings(declaration, runtime, &all, &mut translated);
+        let lengths = model.parameters.iter().filter(|parameter| {
+            !matches!(
+                parameter.dimension,
+                Dimension::Angle | Dimension::Direction | Dimension::Scalar
+            )
+        });
+        Self {
+            abbreviations,
+            translated,
+            varying,
+            lengths: lengths.map(|parameter| parameter.name.to_string()).collect(),
+            runtime,
+        }
+    }
+
+    /// What an abbreviation stands for.
+    pub(super) fn behind(&self, name: &Ident) -> Option<&'a Formula> {
+        self.abbreviations.get(&name.to_string()).copied()
+    }
+
+    /// What an abbreviation of a vector stands for.
+    pub(super) fn vector_behind(&self, name: &Ident) -> Option<&'a Formula> {
+        let value = self.translated.get(&name.to_string())?;
+        (value.shape != Shape::Scalar).then(|| self.behind(name)).flatten()
+    }
+
+    /// Whether a formula contains an input or an unknown.
+    pub(super) fn varies(&self, formula: &Formula) -> bool {
+        mentions(formula, &self.varying)
+    }
+
+    pub(super) fn shape(&self, formula: &Formula) -> Shape {
+        self.translation().formula(formula).shape
+    }
+
+    pub(super) fn translation(&self) -> Translation<'_> {
+        Translation {
+            names: &self.translated,
+            runtime: self.runtime,
+        }
+    }
+
+    /// The first length or vector among the parameters in a formula.
+    pub(super) fn length(&self, formula: &Formula) -> Option<String> {
+        first(formula, &self.lengths)
+    }
+
+    /// The first input or unknown in a formula.
+    pub(super) fn motion(&self, formula: &Formula) -> Option<String> {
+        first(formula, &self.varying)
+    }
+}
+
+/// The first of some names in a formula.
+fn first(formula: &Formula, among: &BTreeSet<String>) -> Option<String> {
+    let mut found = None;
+    formula.visit_names(&mut |name| {
+        let word = name.to_string();
+        if found.is_none() && among.contains(&word) {
+            found = Some(word);
+        }
+    });
+    found
+}
+
+fn mentions(formula: &Formula, names: &BTreeSet<String>) -> bool {
+    let mut found = false;
+    formula.visit_names(&mut |name| found |= names.contains(&name.to_string()));
+    found
+}

@@ -1,0 +1,41 @@
+//! The bodies, the ground and the slides of a declaration, and how their joints are calculated.
+
+use proc_macro2::TokenStream;
+
+use super::terms::Term;
+use crate::model::Shape;
+
+/// What is drawn of a declaration.
+pub(super) struct Outline<'a> {
+    /// Whether it is drawn in the plane or in space.
+    pub(super) shape: Shape,
+    /// The joints, those that only lead to others among them.
+    pub(super) joints: Vec<Joint<'a>>,
+    /// The joints that are shown, by their places among the joints.
+    pub(super) shown: Vec<usize>,
+    /// Of the shown joints, like all that follow.
+    pub(super) ground: Vec<usize>,
+    pub(super) bodies: Vec<Body>,
+    pub(super) slides: Vec<Slide>,
+    pub(super) points: Vec<(String, usize)>,
+}
+
+/// The sum of the terms that lead to it.
+pub(super) struct Joint<'a> {
+    /// The joint before it, none for the first term.
+    pub(super) before: Option<usize>,
+    /// None for the origin.
+    pub(super) term: Option<Term<'a>>,
+}
+
+pub(super) struct Body {
+    pub(super) name: String,
+    pub(super) joints: Vec<usize>,
+}
+
+pub(super) struct Slide {
+    pub(super) joint: usize,
+    /// The number of the body, `None` for the ground.
+    pub(super) guide: Option<usize>,
+    pub(super) direction: TokenStream,
+}

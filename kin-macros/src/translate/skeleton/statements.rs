@@ -1,0 +1,94 @@
+//! The outline as statements tell it.
+
+use std::collections::BTreeMap;
+
+use super::closures::Chains;
+use super::outline::{Body, Outline, Slide};
+use super::terms::terms;
+use super::{Names, in_picture};
+use crate::model::Shape;
+use crate::syntax::{Declaration, Formula, FormulaKind, OutputStatement, Statement};
+
+/// The outline of the statements, `None` if there are none. Outputs that are points are marked as well.
+pub(super) fn outline<'a>(
+    declaration: &'a Declaration,
+    points: &[&'a OutputStatement],
+    names: &Names<'a>,
+) -> Option<Outline<'a>> {
+    let outputs: BTreeMap<String, &Formula> = declaration
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            Statement::Output(output) => Some((output.name.to_string(), &output.value)),
+            _ => None,
+        })
+        .collect();
+    let behind = |formula: &'a Formula| match &formula.kind {
+        FormulaKind::Name(name) => outputs.get(&name.to_string()).copied().unwrap_or(formula),
+        _ => formula,
+    };
+    let stated = |statement: &'a Statement| match statement {
+        Statement::Body(body) => body.points.as_slice(),
+        Statement::Ground(ground) => ground.points.as_slice(),
+        Statement::Slide(slide) => std::slice::from_ref(&slide.point),
+        _ => &[],
+    };
+    let all: Vec<&Formula> = declaration.statements.iter().flat_map(stated).map(behind).collect();
+    if all.is_empty() {
+        return None;
+    }
+    let spatial = all.iter().any(|point| names.shape(point) == Shape::Space);
+    let shape = if spatial { Shape::Space } else { Shape::Plane };
+    let mut chains = Chains::new(shape, names);
+    let mut shown: Vec<usize> = Vec::new();
+    let mut place = |formula: &'a Formula| {
+        let joint = chains.chain(terms(formula, names));
+        shown.iter().position(|&own| own == joint).unwrap_or_else(|| {
+            shown.push(joint);
+            shown.len() - 1
+        })
+    };
+    let (mut ground, mut bodies, mut slides) = (Vec::new(), Vec::new(), Vec::new());
+    for statement in &declaration.statements {
+        match statement {
+            Statement::Body(body) => bodies.push(Body {
+                name: body.name.to_string(),
+                joints: body.points.iter().map(|point| place(behind(point))).collect(),
+            }),
+            Statement::Ground(statement) => {
+                ground.extend(statement.points.iter().map(|point| place(behind(point))));
+            }
+            Statement::Slide(slide) => {
+                let direction = names.translation().formula(&slide.direction);
+                slides.push((
+                    place(behind(&slide.point)),
+                    slide.guide.as_ref(),
+                    in_picture(&names.translation(), direction, shape).tokens,
+                ));
+            }
+            _ => {}
+        }
+    }
+    let points = points
+        .iter()
+        .map(|output| (output.name.to_string(), place(&output.value)))
+        .collect();
+    let number = |name: &proc_macro2::Ident| bodies.iter().position(|body: &Body| *name == body.name);
+    let slides = slides
+        .into_iter()
+        .map(|(joint, guide, direction)| Slide {
+            joint,
+            guide: guide.and_then(number),
+            direction,
+        })
+        .collect();
+    Some(Outline {
+        shape,
+        joints: chains.into_joints(),
+        shown,
+        ground,
+        bodies,
+        slides,
+        points,
+    })
+}

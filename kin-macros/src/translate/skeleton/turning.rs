@@ -1,0 +1,218 @@
+//! How a term moves: what it turns with, and whether its length changes.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::model::Shape;
+use crate::syntax::{Axis, Callee, Formula, FormulaKind, Operator};
+use crate::translate::formula::{Translated, constant};
+use crate::translate::vector_type;
+
+use super::{Names, in_picture};
+
+/// What a term turns with, without constants: equal for terms that keep their angle to each other, empty for those that do not turn.
+pub(super) type Turning = String;
+
+/// How a term moves.
+pub(super) enum Manner {
+    /// Its length is constant.
+    Rigid(Turning),
+    /// Its length is not. The direction has any length but zero.
+    Sliding { turning: Turning, direction: TokenStream },
+    /// Nothing is known of it.
+    Free,
+}
+
+/// How a term moves in a picture of the given shape.
+pub(super) fn manner(formula: &Formula, shape: Shape, names: &Names<'_>) -> Manner {
+    let Some(factor) = factor(formula, names) else {
+        return Manner::Free;
+    };
+    // a constant rotation behind the last one that varies belongs to the vector
+    let varying = factor.rotations.iter().rposition(|(_, varies)| *varies);
+    let rotations = factor.rotations.iter().take(varying.map_or(0, |last| last + 1));
+    let mut turning: String = rotations.map(|(rotation, _)| rotation.as_str()).collect();
+    for (angle, times) in &factor.angles {
+        if *times != 0.0 {
+            // a String never refuses what is written to it
+            let _ = write!(turning, "{times}*{angle} ");
+        }
+    }
+    if !factor.slides {
+        return Manner::Rigid(turning);
+    }
+    let direction = match factor.direction {
+        None => axis(Axis::X, shape, names),
+        Some(direction) => {
+            let direction = Translated::new(names.shape(formula), direction);
+            in_picture(&names.translation(), direction, shape).tokens
+        }
+    };
+    Manner::Sliding { turning, direction }
+}
+
+/// A factor of a term.
+#[derive(Default)]
+struct Factor {
+    /// The angles in a plane that it turns with, and how many times.
+    angles: BTreeMap<String, f64>,
+    /// The rotations of space in it, and whether they vary.
+    rotations: Vec<(String, bool)>,
+    /// Whether a scalar in it varies.
+    slides: bool,
+    /// The vector in it, without such scalars; none if it is a scalar.
+    direction: Option<TokenStream>,
+}
+
+/// `None` if it varies in another way than by turning or by a scalar factor.
+fn factor(formula: &Formula, names: &Names<'_>) -> Option<Factor> {
+    let shape = names.shape(formula);
+    if shape == Shape::Scalar {
+        return Some(Factor {
+            slides: names.varies(formula),
+            ..Factor::default()
+        });
+    }
+    let vector = names.translation().formula(formula).tokens;
+    if !names.varies(formula) {
+        let rotation = (shape == Shape::Rotation).then(|| (formula.to_string(), false));
+        return Some(Factor {
+            rotations: rotation.into_iter().collect(),
+            direction: Some(vector),
+            ..Factor::default()
+        });
+    }
+    match &formula.kind {
+        FormulaKind::Parenthesis(inner) | FormulaKind::Negate(inner) => factor(inner, names),
+        FormulaKind::Name(name) => factor(names.behind(name)?, names),
+        FormulaKind::Product { first, rest } => {
+            let mut product = factor(first, names)?;
+            let mut before = names.shape(first);
+            for operand in rest {
+                let next = factor(&operand.formula, names)?;
+                let after = names.shape(&operand.formula);
+                product.times(next, (before, after), names);
+                if before == Shape::Scalar || after != Shape::Scalar {
+                    before = after;
+                }
+            }
+            Some(product)
+        }
+        FormulaKind::Call { callee, arguments, .. } => call(*callee, arguments, vector, names),
+        _ => None,
+    }
+}
+
+fn call(callee: Callee, arguments: &[Formula], vector: TokenStream, names: &Names<'_>) -> Option<Factor> {
+    let mut factor = Factor::default();
+    match (callee, arguments) {
+        (Callee::Cis, [angle]) => {
+            add_angle(angle, 1.0, names, &mut factor.angles);
+            factor.direction = Some(vector);
+        }
+        (Callee::Polar, [length, angle]) => {
+            add_angle(angle, 1.0, names, &mut factor.angles);
+            factor.slides = names.varies(length);
+            let (angle, runtime) = (names.translation().formula(angle).tokens, names.translation().runtime);
+            factor.direction = Some(quote!(#runtime::Plane::cis(#angle)));
+        }
+        (Callee::RotX | Callee::RotY | Callee::RotZ, [angle]) => {
+            let mut angles = BTreeMap::new();
+            add_angle(angle, 1.0, names, &mut angles);
+            factor.rotations.push((format!("{} {angles:?} ", callee.name()), true));
+            factor.direction = Some(vector);
+        }
+        (Callee::Rot, [axis, angle]) if !names.varies(axis) => {
+            let mut angles = BTreeMap::new();
+            add_angle(angle, 1.0, names, &mut angles);
+            factor.rotations.push((format!("{axis} {angles:?} "), true));
+            factor.direction = Some(vector);
+        }
+        (Callee::Vec2 | Callee::Vec3, coordinates) => {
+            let axes = [Axis::X, Axis::Y, Axis::Z];
+            let mut varying = coordinates.iter().zip(axes).filter(|(value, _)| names.varies(value));
+            let (_, along) = varying.next()?;
+            if varying.next().is_some() {
+                return None;
+            }
+            let shape = if callee == Callee::Vec2 {
+                Shape::Plane
+            } else {
+                Shape::Space
+            };
+            factor.slides = true;
+            factor.direction = Some(axis(along, shape, names));
+        }
+        _ => return None,
+    }
+    Some(factor)
+}
+
+impl Factor {
+    fn times(&mut self, other: Self, (before, after): (Shape, Shape), names: &Names<'_>) {
+        for (angle, times) in other.angles {
+            *self.angles.entry(angle).or_insert(0.0) += times;
+        }
+        self.rotations.extend(other.rotations);
+        self.slides |= other.slides;
+        let runtime = names.translation().runtime;
+        self.direction = match (self.direction.take(), other.direction) {
+            (Some(left), Some(right)) => Some(match (before, after) {
+                (Shape::Rotation, Shape::Rotation) => quote!(#runtime::Rotation::times(#left, #right)),
+                (Shape::Rotation, _) => quote!(#runtime::Rotation::turn(#left, #right)),
+                _ => quote!(#runtime::Plane::times(#left, #right)),
+            }),
+            (left, right) => left.or(right),
+        };
+    }
+}
+
+/// The unit vector along an axis.
+fn axis(along: Axis, shape: Shape, names: &Names<'_>) -> TokenStream {
+    let (runtime, vector) = (names.translation().runtime, vector_type(shape));
+    let parts = shape
+        .axes()
+        .iter()
+        .map(|own| constant(if *own == along { 1.0 } else { 0.0 }));
+    quote!(#runtime::#vector::new(#(#parts),*))
+}
+
+/// An angle as a sum of what varies in it, each so many times.
+fn add_angle(formula: &Formula, times: f64, names: &Names<'_>, sum: &mut BTreeMap<String, f64>) {
+    if !names.varies(formula) {
+        return;
+    }
+    match &formula.kind {
+        FormulaKind::Parenthesis(inner) => return add_angle(inner, times, names, sum),
+        FormulaKind::Negate(inner) => return add_angle(inner, -times, names, sum),
+        FormulaKind::Name(name) => {
+            if let Some(value) = names.behind(name) {
+                return add_angle(value, times, names, sum);
+            }
+        }
+        FormulaKind::Sum { first, rest } => {
+            add_angle(first, times, names, sum);
+            for operand in rest {
+                let sign = if operand.operator == Operator::Subtract {
+                    -1.0
+                } else {
+                    1.0
+                };
+                add_angle(&operand.formula, sign * times, names, sum);
+            }
+            return;
+        }
+        FormulaKind::Product { first, rest } => {
+            if let (FormulaKind::Number { value, .. }, [operand]) = (&first.kind, rest.as_slice())
+                && operand.operator == Operator::Multiply
+            {
+                return add_angle(&operand.formula, value * times, names, sum);
+            }
+        }
+        _ => {}
+    }
+    *sum.entry(formula.to_string()).or_insert(0.0) += times;
+}
