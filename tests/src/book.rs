@@ -22,6 +22,7 @@ chapters! {
     outputs: "../../docs/outputs.md";
     batches: "../../docs/batches.md";
     library: "../../docs/library.md";
+    gallery: "../../docs/gallery.md";
     theory: "../../docs/theory.md";
     closed_forms: "../../docs/closed-forms.md";
     coupled: "../../docs/coupled.md";

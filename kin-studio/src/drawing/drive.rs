@@ -1,0 +1,178 @@
+//! What an input drives: found from what moves when the input is moved a little.
+
+use kin_core::prelude::*;
+use kin_core::{Dimension, Outline};
+
+use super::sweep::places;
+
+/// What an input drives.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drive {
+    /// A body turns about a joint: the centre, a place on the body, and the direction in which that moves.
+    Turn {
+        /// The centre of the turn.
+        centre: Space,
+        /// A place of the body.
+        arm: Space,
+        /// Where it moves to.
+        forward: Space,
+    },
+    /// One body turns relative to another about their joint: the centre and the two bodies' further joints.
+    Between {
+        /// The joint.
+        centre: Space,
+        /// Places on the two bodies.
+        arms: [Space; 2],
+    },
+    /// A joint is shifted along a line.
+    Shift {
+        /// The joint.
+        joint: usize,
+        /// Where it moves to.
+        forward: Space,
+    },
+}
+
+/// How far an input is moved.
+const STEP: f64 = 1e-5;
+/// To what part of the step a motion has to agree.
+const AGREEMENT: f64 = 1e-3;
+
+/// What each input drives, as far as it can be told.
+pub(super) fn drives<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    inputs: M::Inputs<f64>,
+    unknowns: M::Unknowns<f64>,
+) -> Vec<Drive> {
+    let here = places(mechanism, inputs, unknowns);
+    let mut drives = Vec::new();
+    for (number, quantity) in M::DESCRIPTION.inputs.iter().enumerate() {
+        let mut moved = inputs;
+        if let Some(input) = moved.as_mut().get_mut(number) {
+            *input += STEP;
+        }
+        let Ok(unknowns) = mechanism.solve_position_near(moved, unknowns) else {
+            continue;
+        };
+        let there = places(mechanism, moved, unknowns);
+        let shifts: Vec<Space> = here
+            .iter()
+            .zip(&there)
+            .map(|(&from, &to)| (to - from).scale(1.0 / STEP))
+            .collect();
+        let pair = Motions {
+            outline: &M::OUTLINE,
+            here: &here,
+            shifts: &shifts,
+        };
+        drives.extend(match quantity.dimension {
+            Dimension::Length => pair.shift(),
+            Dimension::Angle | Dimension::Scalar => {
+                pair.turn().or_else(|| pair.floating_turn()).or_else(|| pair.between())
+            }
+        });
+    }
+    drives
+}
+
+/// The velocities of joints and directions, per unit of an input.
+struct Motions<'a> {
+    outline: &'a Outline,
+    here: &'a [Space],
+    shifts: &'a [Space],
+}
+
+impl Motions<'_> {
+    fn turn(&self) -> Option<Drive> {
+        for body in self.outline.bodies {
+            let fixed: Vec<usize> = body
+                .joints
+                .iter()
+                .copied()
+                .filter(|&joint| self.shifts[joint].norm() < 1e-9)
+                .collect();
+            for &pivot in &fixed {
+                for &joint in body.joints {
+                    let arm = self.here[joint] - self.here[pivot];
+                    // two fixed joints are an axis
+                    let axis = fixed
+                        .iter()
+                        .find(|&&other| other != pivot)
+                        .map(|&other| self.here[other] - self.here[pivot]);
+                    let along = axis.map_or_else(Space::zero, |axis| axis.scale(arm.dot(axis) / axis.norm_squared()));
+                    let arm = arm - along;
+                    let forward = self.shifts[joint];
+                    if arm.norm() > 1e-9 && (forward.norm() / arm.norm() - 1.0).abs() < AGREEMENT {
+                        let centre = self.here[pivot] + along;
+                        return Some(Drive::Turn {
+                            centre,
+                            arm: self.here[joint],
+                            forward,
+                        });
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// How fast the line from one joint to another turns, in the plane.
+    fn speed(&self, from: usize, to: usize) -> f64 {
+        let (arm, shift) = (self.here[to] - self.here[from], self.shifts[to] - self.shifts[from]);
+        (arm.x * shift.y - arm.y * shift.x) / arm.norm_squared()
+    }
+
+    /// A body without a fixed pivot turns as the input does.
+    fn floating_turn(&self) -> Option<Drive> {
+        self.outline.bodies.iter().find_map(|body| {
+            let [from, to, ..] = body.joints else { return None };
+            let turns = (self.speed(*from, *to).abs() - 1.0).abs() < AGREEMENT;
+            turns.then(|| Drive::Turn {
+                centre: self.here[*from],
+                arm: self.here[*to],
+                forward: self.shifts[*to] - self.shifts[*from],
+            })
+        })
+    }
+
+    fn between(&self) -> Option<Drive> {
+        let bodies = self.outline.bodies;
+        let speed = |from, to| self.speed(from, to);
+        for (place, one) in bodies.iter().enumerate() {
+            for other in &bodies[place + 1..] {
+                let shared = one.joints.iter().copied().find(|joint| other.joints.contains(joint));
+                let Some(shared) = shared else { continue };
+                let end = |joints: &[usize]| joints.iter().copied().find(|&joint| joint != shared);
+                if let (Some(first), Some(second)) = (end(one.joints), end(other.joints))
+                    && ((speed(shared, first) - speed(shared, second)).abs() - 1.0).abs() < AGREEMENT
+                {
+                    let arms = [self.here[first], self.here[second]];
+                    return Some(Drive::Between {
+                        centre: self.here[shared],
+                        arms,
+                    });
+                }
+            }
+        }
+        None
+    }
+
+    fn shift(&self) -> Option<Drive> {
+        let directions = &self.here[self.here.len() - self.outline.slides.len()..];
+        for (slide, &direction) in self.outline.slides.iter().zip(directions) {
+            let along = direction.scale(1.0 / direction.norm());
+            if (self.shifts[slide.joint].dot(along).abs() - 1.0).abs() < AGREEMENT {
+                let joint = slide.joint;
+                return Some(Drive::Shift {
+                    joint,
+                    forward: along.scale(self.shifts[joint].dot(along)),
+                });
+            }
+        }
+        let count = self.here.len() - self.outline.slides.len();
+        let shifts = self.shifts.iter().take(count).enumerate();
+        let mut driven = shifts.filter(|(_, shift)| (shift.norm() - 1.0).abs() < AGREEMENT);
+        let (joint, &forward) = driven.next()?;
+        Some(Drive::Shift { joint, forward })
+    }
+}

@@ -1,0 +1,36 @@
+//! The figures of the book.
+
+mod diagrams;
+mod gallery;
+mod rates;
+
+use kin_core::SolveError;
+
+pub use gallery::{Entry, gallery};
+
+/// A file of the book.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Its name, without a folder.
+    pub file: String,
+    /// What is in it.
+    pub svg: String,
+}
+
+/// All figures, in the order in which they are written.
+///
+/// # Errors
+/// Where a mechanism does not close; the dimensions of the figures are such that it does.
+pub fn all() -> Result<Vec<Figure>, SolveError> {
+    let mut figures = vec![
+        diagrams::four_bar()?,
+        diagrams::open_and_crossed()?,
+        diagrams::dyads(),
+        diagrams::torn_triad(),
+        diagrams::coupler_curve()?,
+        rates::jerk_and_snap()?,
+        diagrams::pipeline(),
+    ];
+    figures.extend(gallery()?.iter().map(Entry::figure));
+    Ok(figures)
+}
