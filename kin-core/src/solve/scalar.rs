@@ -136,9 +136,4 @@ impl Scalar for f64 {}
 impl Scalar for f32 {}
 impl<const N: usize> Scalar for Series<N> {}
 #[cfg(feature = "std")]
-impl Scalar for crate::number::count::Counted {
-    /// The copy of a sign is no operation, whichever sign it is.
-    fn times_sign_of(self, other: Self) -> Self {
-        Self::new(self.real().times_sign_of(other.real()))
-    }
-}
+impl Scalar for crate::number::count::Counted {}

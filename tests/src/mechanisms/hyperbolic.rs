@@ -36,7 +36,7 @@ mechanism! {
     input t: Length;
     unknown x: Length where x > 0;
 
-    t == a * cosh(-x / a);
+    t == a * cosh(x / a);
 }
 
 mechanism! {
@@ -48,7 +48,7 @@ mechanism! {
     input t: Length;
     unknown x: Length in -2..0;
 
-    a * cosh((b - x) / a) == t;
+    a * cosh((x - b) / a) == t;
 }
 
 mechanism! {
