@@ -110,7 +110,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What is to be seen of one mechanism, in its own unit of length.
+/// The drawing of one mechanism, in its own unit of length.
 #[derive(Default)]
 struct Drawing {
     lines: Vec<(Vec<Plane>, &'static str, f64)>,

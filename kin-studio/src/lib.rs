@@ -1,4 +1,4 @@
-//! What kin shows to people: drawings of mechanisms, and the figures of the book.
+//! The visible side of kin: drawings of mechanisms, and the figures of the book.
 //!
 //! [`drawing`] draws the skeleton of any mechanism. [`figures`] are the pictures that stand in the book; one command draws them again:
 //!

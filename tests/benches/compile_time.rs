@@ -1,4 +1,4 @@
-//! What the macro costs the one who uses it: crates with 0, 1, 10 and 50 four-bar linkages, with chains of 1 to 16 loops, and
+//! The compile time that the macro costs its user: crates with 0, 1, 10 and 50 four-bar linkages, with chains of 1 to 16 loops, and
 //! with serial arms of 7 to 30 joints, are built as a user would build them.
 //!
 //! `cargo bench -p kin-tests --bench compile_time` prints the time of a cold build, of each crate's own build, and of the expansion

@@ -1,4 +1,4 @@
-//! What time grows with: the order, and the number of loops; beside automatic differentiation of the position solution.
+//! The growth of time with the order and with the number of loops, beside automatic differentiation of the position solution.
 //!
 //! `cargo bench -p kin-tests --bench growth` prints lines `ratio NAME VALUE`, from times taken in one run, and the counts of
 //! operations. Nothing is asserted: the counts are, in the test of the same name. With `-- --plot` it draws the figures of the book
@@ -67,7 +67,7 @@ fn enter_carried<M: Mechanism<Scalar = f64> + 'static, S: Carrier>(race: &mut Ra
     });
 }
 
-/// What is counted and timed along an axis: the orders, or the numbers of loops.
+/// The quantity along an axis: the orders, or the numbers of loops.
 struct Growth {
     axis: &'static str,
     counts: Vec<Counts>,

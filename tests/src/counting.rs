@@ -17,7 +17,7 @@ pub struct Calls {
     pub closures: u64,
 }
 
-/// What something returns, and how often it asks mechanisms that are [`Counting`], in this thread.
+/// The result of a computation, and how often it asks mechanisms that are [`Counting`], in this thread.
 pub fn calls_of<R>(something: impl FnOnce() -> R) -> (R, Calls) {
     CALLS.set(Calls::default());
     let result = something();

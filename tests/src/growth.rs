@@ -1,4 +1,4 @@
-//! What grows with the order, and with the number of loops: operations of the generated solvers, and of nested differentiation.
+//! Growth with the order and with the number of loops: operations of the generated solvers, and of nested differentiation.
 #![allow(missing_docs, reason = "the mechanisms are numbered")]
 
 use kin_core::count::Counted;
@@ -46,9 +46,9 @@ pub fn four_bar<M: Mechanism<Scalar = f64>>() -> M {
 pub struct Counts {
     /// The highest order, or the number of loops.
     pub step: usize,
-    /// Those of the generated solvers.
+    /// Operations of the generated solvers.
     pub generated: usize,
-    /// Those of the position solver, run on nested dual numbers.
+    /// Operations of the position solver, run on nested dual numbers.
     pub nested: usize,
 }
 

@@ -10,7 +10,7 @@ pub type Motions<M> = <M as Mechanism>::Unknowns<Motion<f64, 5>>;
 /// How many units of error are allowed, order by order.
 pub const ALLOWED: [f64; 5] = [allowed(0), allowed(1), allowed(2), allowed(3), allowed(4)];
 
-/// What is made of the worst errors.
+/// The use that is made of the worst errors.
 pub trait Reported {
     /// Prints the worst errors and asserts that they are small multiples of the unit.
     ///

@@ -31,7 +31,7 @@ pub struct Column {
     pub outputs: Vec<Orders>,
 }
 
-/// What is to be proved: a column for each parameter.
+/// The partial derivatives to be proved: a column for each parameter.
 pub fn generated<M: SensitiveThroughSnap>(mechanism: &M, pose: &M::Pose) -> Vec<Column> {
     mechanism
         .sensitivities_of(pose)

@@ -1,4 +1,4 @@
-//! What is drawn of a mechanism, or read from its drawing.
+//! The drawing of a mechanism, and the angles that are read from it.
 
 mod outline;
 mod places;

@@ -1,4 +1,4 @@
-//! What is known of a picture before the mechanism is put into a position.
+//! The parts of a picture that are known before the mechanism is put into a position.
 
 /// Which joints belong together, whatever the position. Joints are named by their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -194,7 +194,7 @@ impl Points<'_, '_, '_> {
         }
     }
 
-    /// What a formula is; an output may stand for its own.
+    /// The value of a formula; an output may be used as a name for its own.
     fn measure(&mut self, formula: &Formula) -> Option<Measure> {
         if let FormulaKind::Name(name) = &formula.kind
             && let Some(output) = self.outputs.get(&name.to_string())

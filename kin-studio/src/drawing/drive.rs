@@ -1,11 +1,11 @@
-//! What an input drives: found from what moves when the input is moved a little.
+//! The link or slide that an input drives, found by the motion of the bodies when the input is moved a little.
 
 use kin_core::prelude::*;
 use kin_core::{Dimension, Outline};
 
 use super::sweep::places;
 
-/// What an input drives.
+/// The part of a mechanism that an input drives.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drive {
     /// A body turns about a joint: the centre, a place on the body, and the direction in which that moves.
@@ -38,7 +38,7 @@ const STEP: f64 = 1e-5;
 /// To what part of the step a motion has to agree.
 const AGREEMENT: f64 = 1e-3;
 
-/// What each input drives, as far as it can be told.
+/// The part that each input drives, where one can be found.
 pub(super) fn drives<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     inputs: M::Inputs<f64>,

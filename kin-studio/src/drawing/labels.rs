@@ -9,7 +9,7 @@ const LETTER: f64 = 0.62;
 /// The angles at which a text may stand beside its place, in the order of preference, in eighths of a turn.
 const SIDES: [f64; 8] = [7.0, 5.0, 1.0, 3.0, 6.0, 2.0, 0.0, 4.0];
 
-/// What is taken, as boxes and lines.
+/// The space that is taken, as boxes and lines.
 #[derive(Default)]
 pub(super) struct Labels {
     /// Lines with the room to keep on both sides.

@@ -29,9 +29,9 @@ pub use shapes::{Style, canvas, draw};
 
 /// Ink, as dark as a pencil.
 pub const INK: &str = "#222222";
-/// What is not of the mechanism: guides, hatching, axes.
+/// The grey of guides, hatching and axes.
 pub const GREY: &str = "#777777";
 /// The path of a point: blue of Okabe's and Ito's palette.
 pub const PATH: &str = "#0072B2";
-/// What is driven: their vermilion.
+/// The vermilion of driven parts.
 pub const DRIVE: &str = "#D55E00";

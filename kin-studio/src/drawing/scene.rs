@@ -1,4 +1,4 @@
-//! What is drawn: a position, and what a sweep through others shows.
+//! The content of a drawing: a position, and the traces of a sweep through others.
 
 use std::f64::consts::TAU;
 
@@ -21,9 +21,9 @@ pub struct Scene {
     pub is_plane: bool,
     /// The joints and behind them the directions at other positions, in the order of the sweep.
     pub sweep: Vec<Vec<Space>>,
-    /// What the inputs drive.
+    /// The parts that the inputs drive.
     pub drives: Vec<Drive>,
-    /// What is written and marked besides.
+    /// Further labels and marks.
     pub notes: Vec<Note>,
 }
 

@@ -16,7 +16,7 @@ pub struct Style {
     pub width: f64,
     /// Its height.
     pub height: f64,
-    /// What stands below the drawing; empty for nothing.
+    /// The caption below the drawing; empty for none.
     pub title: String,
     /// Whether bodies bear their names.
     pub names: bool,

@@ -288,7 +288,7 @@ fn driven_at_dyads(
 pub struct Entry {
     /// Its name.
     pub name: &'static str,
-    /// What is drawn of it.
+    /// Its drawing.
     pub scene: Scene,
 }
 

@@ -13,7 +13,7 @@ pub use gallery::{Entry, gallery};
 pub struct Figure {
     /// Its name, without a folder.
     pub file: String,
-    /// What is in it.
+    /// Its content.
     pub svg: String,
 }
 

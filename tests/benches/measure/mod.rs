@@ -6,7 +6,7 @@ use std::time::Instant;
 /// How often each contender has its turn.
 const ROUNDS: usize = 600;
 
-/// What is to be timed: contenders that each do the same number of poses in a turn.
+/// A race: contenders that each do the same number of poses in a turn.
 ///
 /// They take turns, so that whatever else the machine does meets them all, and of each the shortest turn counts, which is the one
 /// that was disturbed least.
@@ -78,7 +78,7 @@ impl<'a> Race<'a> {
 pub(crate) struct Times(Vec<(String, f64)>);
 
 impl Times {
-    /// That of one of them, if it ran.
+    /// The time of one of them, if it ran.
     pub(crate) fn of(&self, name: &str) -> Option<f64> {
         let found = self.0.iter().find(|(contender, _)| contender == name);
         found.map(|&(_, time)| time)

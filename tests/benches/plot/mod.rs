@@ -26,7 +26,7 @@ pub(crate) enum Scale {
     PowersOfTwo,
 }
 
-/// What grows, in one way to the same result.
+/// The growth of one way to the result.
 pub(crate) struct Curve {
     pub(crate) name: &'static str,
     pub(crate) points: Vec<(usize, f64)>,

@@ -19,7 +19,7 @@ pub use random::Random;
 use names::Naming;
 use sound::Style;
 
-/// What is to be expected of a declaration.
+/// The outcome that is expected of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// A mechanism without mistakes: the macro must accept it.

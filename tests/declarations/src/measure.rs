@@ -1,10 +1,10 @@
-//! What formulas measure, and random formulas of a given measure.
+//! Measures of formulas, and random formulas of a given measure.
 
 use crate::formula::Formula;
 use crate::numbers;
 use crate::random::Random;
 
-/// What a formula's value is made of.
+/// The shape of a formula's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shape {
     Scalar,
@@ -30,7 +30,7 @@ impl Measure {
         Self { shape, exponent }
     }
 
-    /// What a quantity of a dimension measures.
+    /// The measure of a quantity of a dimension.
     pub(crate) fn of(dimension: &str) -> Self {
         match dimension {
             "Length" => Self::LENGTH,
@@ -159,7 +159,7 @@ impl Writer<'_> {
         operation(&left, &right)
     }
 
-    /// What every shape but a rotation has: sums, signs, and products with a scalar.
+    /// The formulas of every shape except a rotation: sums, signs, and products with a scalar.
     fn linear(&mut self, measure: Measure, depth: usize) -> Formula {
         let Measure { shape, exponent } = measure;
         match self.random.below(6) {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::random::Random;
 
-/// What quantities may be called.
+/// Names of quantities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Naming {
     /// A letter and a number.

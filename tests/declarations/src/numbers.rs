@@ -66,7 +66,7 @@ pub(crate) fn extreme(random: &mut Random) -> String {
     (*random.pick(&numbers)).to_owned()
 }
 
-/// What is a literal to the compiler and no number to the macro, or one in a spelling that is seldom seen.
+/// A literal that the compiler reads and the macro does not, or a number in a rare spelling.
 pub(crate) fn odd(random: &mut Random) -> String {
     let literals = [
         "0xff",

@@ -11,7 +11,7 @@ use crate::numbers;
 use crate::random::Random;
 use crate::text::Text;
 
-/// What sound declarations are drawn from.
+/// The choices from which sound declarations are drawn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Style {
     /// How many blocks there are at most.

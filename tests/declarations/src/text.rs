@@ -8,7 +8,7 @@ use crate::random::Random;
 /// The parts of a declaration.
 #[derive(Debug, Default)]
 pub(crate) struct Text {
-    /// What stands before the structure's name, with its attributes.
+    /// The words before the structure's name, with its attributes.
     pub(crate) head: String,
     pub(crate) name: String,
     /// `a1: Length`, with attributes.

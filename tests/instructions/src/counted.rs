@@ -1,4 +1,4 @@
-//! What is counted: each function of this module is one line of the record.
+//! The functions whose instructions are counted: each function of this module is one line of the record.
 //!
 //! They are never inlined, so that callgrind sees each as a function, and what it calls within it.
 

@@ -86,7 +86,7 @@ impl Record {
     }
 
     /// # Errors
-    /// What has more instructions than are allowed, or is in one of both only.
+    /// The functions with more instructions than are allowed, or recorded or counted alone.
     pub(crate) fn refuse(&self, counts: &BTreeMap<String, u64>) -> Result<(), String> {
         if self.architecture != ARCH {
             println!("the record is for {}: nothing is compared", self.architecture);

@@ -21,7 +21,7 @@ const CONTEXT: Context<HalfEven> = Context::new(BITS);
 /// How many angles are remembered with their sine and cosine.
 const REMEMBERED: usize = 4096;
 
-/// What makes two angles the same: every digit.
+/// A key that is the same for two angles only if every digit is.
 type Digits = String;
 
 thread_local! {

@@ -279,7 +279,7 @@ impl SixCoupled {
 }
 
 impl SixInChain {
-    /// That of the six.
+    /// A random mechanism around a block of six.
     pub fn built(random: &mut Random) -> Built<Self, 8> {
         let six = SixCoupled::built(random);
         let SixCoupled { side, leg, tie, radius } = six.mechanism;

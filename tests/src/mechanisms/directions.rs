@@ -65,7 +65,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// What asks for the angle of the rocker itself: a rack, a cam that rises with its square, and outputs.
+    /// Equations that need the angle of the rocker itself: a rack, a cam that rises with its square, and outputs.
     pub struct DirectedRack { r1: Length, r2: Length, r3: Length, r4: Length, pinion: Length }
     input theta2: Angle;
     unknown theta3: Direction, theta4: Direction, rack: Length, cam: Length;

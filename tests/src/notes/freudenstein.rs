@@ -56,7 +56,7 @@ pub fn constants(dimensions: Dimensions) -> Constants {
     Constants { k1, k2, k3, k4, k5 }
 }
 
-/// What is left over of Freudenstein's two equations, the one in `theta4` and
+/// The residuals of Freudenstein's two equations, the one in `theta4` and
 /// the one in `theta3`: both vanish at a position of the linkage.
 #[must_use]
 pub fn residuals(dimensions: Dimensions, theta2: f64, position: Position) -> [f64; 2] {

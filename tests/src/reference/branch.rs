@@ -12,7 +12,7 @@ pub(super) struct Branch<M: ThroughSnap> {
     pub(super) inputs: Inputs<M>,
 }
 
-/// What the solver says at a value of the input.
+/// The answer of the solver at a value of the input.
 #[derive(Clone)]
 struct Station {
     value: f64,

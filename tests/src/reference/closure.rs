@@ -6,7 +6,7 @@ use kin_precise::Number;
 use super::series::Series;
 use super::tape::{Place, with_count};
 
-/// What a mechanism is given: the numbers themselves, whatever precision they come from.
+/// The data of a mechanism: the numbers themselves, whatever precision they come from.
 #[derive(Clone, Debug)]
 pub struct Given {
     /// Its parameters.
@@ -41,7 +41,7 @@ impl Arguments {
 
 type Precise<M> = <M as Mechanism>::With<Place>;
 
-/// What is left of each equation, to `count` coefficients.
+/// The residual of each equation, to `count` coefficients.
 pub(super) fn closure<M: Mechanism>(arguments: &Arguments, count: usize) -> Vec<Series> {
     with_count(count, || {
         let place = |series: &Series| Place::of(series.clone());

@@ -20,7 +20,7 @@ const BRANCHES: usize = 3;
 const LIMITS: usize = 3;
 const DEAD_POINTS: usize = 4;
 
-/// What is hard about a pose.
+/// The difficulty of a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// Nothing.
@@ -40,7 +40,7 @@ pub enum Kind {
 /// A pose as the engine solves it.
 #[derive(Clone)]
 pub struct Pose<M: ThroughSnap> {
-    /// What is hard about it.
+    /// Its difficulty.
     pub kind: Kind,
     /// The mechanism.
     pub mechanism: M,

@@ -1,4 +1,4 @@
-//! What rounding makes of a motion: the unit of error.
+//! The effect of rounding on a motion: the unit of error.
 //!
 //! An engine that is given rounded numbers and rounds what it finds cannot do better than their exact solution does. So the
 //! condition of q⁽ⁿ⁾ is the sum, over everything that is rounded, of the change that this makes of q⁽ⁿ⁾ by itself, divided by the

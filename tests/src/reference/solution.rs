@@ -58,7 +58,7 @@ pub(super) struct Equations<M> {
 }
 
 impl<M: Mechanism> Equations<M> {
-    /// What is left of the equations, to `count` coefficients.
+    /// The residuals of the equations, to `count` coefficients.
     pub(super) fn left(&self, arguments: &Arguments, count: usize) -> Vec<Series> {
         let mut left = closure::<M>(arguments, count);
         for (own, turns) in left.iter_mut().zip(&self.turns) {

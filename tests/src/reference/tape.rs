@@ -25,7 +25,7 @@ thread_local! {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place(usize);
 
-/// What a computation with `count` coefficients gives, on an empty tape.
+/// The result of a computation with `count` coefficients, on an empty tape.
 pub(super) fn with_count<R>(count: usize, computation: impl FnOnce() -> R) -> R {
     TAPE.with_borrow_mut(|tape| {
         tape.count = count;

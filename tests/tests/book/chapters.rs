@@ -1,4 +1,4 @@
-//! What the book says without running it: its chapters, its tables of operations, and its excerpts of generated code.
+//! The statements of the book that are not run: its chapters, its tables of operations, and its excerpts of generated code.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -121,7 +121,7 @@ fn bare(code: &str) -> String {
     dense.replace(",)", ")")
 }
 
-/// What a chapter shows of the generated code stands in the snapshot of the expansion.
+/// Compares the generated code that a chapter shows with the snapshot of the expansion.
 fn assert_excerpts(chapter: &str, expansion: &str) {
     let snapshot = bare(&read(&format!(
         "kin-macros/src/testing/snapshots/kin_macros__testing__expansion__{expansion}_expansion.snap"

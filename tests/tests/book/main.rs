@@ -1,4 +1,4 @@
-//! What a person reads: the chapters of the book, and the messages about mistakes.
+//! The texts that people read: the chapters of the book, and the messages about mistakes.
 
 mod chapters;
 mod mistakes;

@@ -1,4 +1,4 @@
-//! What a person is told who makes a mistake: one mistake in each file, named after it, and its message beside it. The folders are the
+//! The messages about mistakes: one mistake in each file, named after it, and its message beside it. The folders are the
 //! kinds of mistakes: `syntax`, `names`, `dimensions`, `space`, `structure`, `ranges` (of unknowns, functions and numbers), `requests`
 //! and `picture`.
 //!

@@ -1,4 +1,4 @@
-//! What the mechanisms of the campaign are given.
+//! The random data of the campaign's mechanisms.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -18,7 +18,7 @@ pub(crate) type Rates = [f64; TERMS];
 /// Which of several positions.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Guide {
-    /// That of the assembly with this number.
+    /// The argument for the assembly with this number.
     Assembly(usize),
     /// That near these values of the unknowns.
     Near(Vec<f64>),
@@ -120,12 +120,12 @@ pub(crate) enum Ending {
     Endless,
 }
 
-/// What a batch has come to.
+/// The results of a batch.
 pub(crate) type Batch = (Table, Vec<Outcome>, Summary);
 
 /// A mechanism by slices of numbers.
 pub(crate) trait Engine {
-    /// What it says of itself.
+    /// Its summary.
     fn description(&self) -> Description;
 
     /// How many assemblies have names.

@@ -1,6 +1,6 @@
 //! Trees of links drawn at random: the text of their declarations, and of their closures over the campaign's series.
 //!
-//! What a part contributes is written twice, as a person would write the equation and as operations on series, so that neither text
+//! The contribution of a part is written twice, as a person would write the equation and as operations on series, so that neither text
 //! follows from the other. The text lies in `drawn.rs`; a test holds it to be what the seed draws.
 
 use std::fmt::Write;

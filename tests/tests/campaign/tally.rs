@@ -1,4 +1,4 @@
-//! What a campaign has come to.
+//! The results of a campaign.
 
 use std::fmt;
 use std::fmt::Write as _;
@@ -116,7 +116,7 @@ pub(crate) struct Finding {
     pub(crate) name: &'static str,
     /// Which check has failed.
     pub(crate) check: &'static str,
-    /// What was found.
+    /// The findings.
     pub(crate) what: String,
     /// Dimensions and inputs.
     pub(crate) problem: Problem,
@@ -145,7 +145,7 @@ impl fmt::Display for Finding {
 pub(crate) struct Report {
     /// The figures, topology by topology.
     pub(crate) tallies: Vec<Tally>,
-    /// What is wrong.
+    /// The defect.
     pub(crate) findings: Vec<Finding>,
 }
 

@@ -18,7 +18,7 @@ pub(crate) struct Taylor {
     pub(crate) error: [f64; TERMS],
 }
 
-/// What the rounding of a number too small for all its digits adds, in units of ε.
+/// The error of rounding a number that is too small for all its digits, in units of ε.
 const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
 /// k as a number, for the few coefficients there are.

@@ -1,4 +1,4 @@
-//! What the campaign has to know of a mechanism: its type, and its closure once more, written by hand.
+//! The facts of a mechanism that the campaign needs: its type, and its closure once more, written by hand.
 
 use kin_core::Mechanism;
 use kin_core::batch::Vectors;
@@ -13,7 +13,7 @@ pub(crate) trait Topology {
     /// The mechanism.
     type Mechanism: ThroughSnap;
 
-    /// What is left of each scalar equation, in the order of the declaration, left side less right.
+    /// The residual of each scalar equation, in the order of the declaration, left side less right.
     fn closure(parameters: &[Taylor], inputs: &[Taylor], unknowns: &[Taylor]) -> Vec<Taylor>;
 
     /// [`Poses::solve_in_parallel`], the bounds of which a mechanism meets and a type parameter cannot promise in one place.

@@ -6,7 +6,7 @@ use super::engine::{Engine, Problem, Rates};
 use super::linear::{Matrix, determinant, inverse};
 use super::taylor::{FACTORIAL, TERMS, Taylor};
 
-/// What is known of a pose.
+/// The facts that are known of a pose.
 ///
 /// The unit of error of a derivative is ε times its condition. The condition is the sum of all changes that the following make of
 /// it, each rounded once and by itself, divided by the relative error of rounding: every parameter, input and derivative of an input, every
@@ -87,7 +87,7 @@ pub(crate) fn determinants(engine: &dyn Engine, problem: &Problem, unknowns: &[R
         .collect()
 }
 
-/// What goes into the closure, all of it rounded.
+/// The arguments of the closure, all of them rounded.
 struct Leaves {
     parameters: Vec<Taylor>,
     inputs: Vec<Taylor>,

@@ -18,7 +18,7 @@ const MARGIN: f64 = 20.0;
 /// How often the floors are sorted by their neighbours.
 const SWEEPS: usize = 32;
 
-/// What has a place on a floor: a room, or an arrow that passes.
+/// An occupant of a floor: a room, or an arrow that passes.
 struct Item {
     room: Option<usize>,
     floor: usize,

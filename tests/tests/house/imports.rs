@@ -131,7 +131,7 @@ fn lines(text: &str) -> usize {
     code.lines().filter(is_code).count()
 }
 
-/// What a path names.
+/// The thing that a path names.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum Target<'s> {
     /// A module, by its file.

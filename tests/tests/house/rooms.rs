@@ -20,7 +20,7 @@ pub(crate) struct House {
 /// A part of a crate.
 pub(crate) struct Room {
     pub(crate) name: &'static str,
-    /// What is in it, in a few words.
+    /// Its content, in a few words.
     pub(crate) holds: &'static str,
     /// Its files; a folder ends in a slash.
     pub(crate) files: &'static [&'static str],

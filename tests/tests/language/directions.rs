@@ -90,7 +90,7 @@ macro_rules! mechanisms {
         }
 
         mechanism! {
-            /// What asks for the angles themselves.
+            /// Outputs that need the angles themselves.
             pub(crate) struct Rack { r1: Length, r2: Length, r3: Length, r4: Length, pinion: Length }
             input theta2: Angle;
             unknown theta3: $kind, theta4: $kind, rack: Length, cam: Length;
@@ -395,7 +395,7 @@ fn limits_are_where_they_are() {
     }
 }
 
-/// What hangs on an angle goes by that angle, on the turn that is asked for; the equations hold.
+/// Quantities that depend on an angle follow that angle, on the turn that is asked for; the equations hold.
 #[test]
 fn an_angle_that_is_asked_for_is_kept() {
     let mechanism = as_directions::Rack::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0, 10.0]);

@@ -455,7 +455,7 @@ fn joined_names_stay_apart() {
     assert!(pose.b_c.position() > 0.0 && pose.c.position() < 0.0);
 }
 
-/// What is marked as going away says so to those who use it, and not to itself.
+/// A deprecated item warns its users, and not its own expansion.
 #[deny(warnings)]
 #[allow(missing_docs, missing_debug_implementations)]
 mod deprecated_mechanism {

@@ -1,4 +1,4 @@
-//! What a declaration turns into: the steps and their signatures, assemblies, metadata, number types, errors.
+//! The items that a declaration becomes: the steps and their signatures, assemblies, metadata, number types, errors.
 #![allow(clippy::type_complexity, clippy::items_after_statements)]
 
 use core::error::Error;

@@ -1,4 +1,4 @@
-//! What can be declared, what a declaration means, and what it turns into.
+//! The language: its declarations, their meaning, and the code that they become.
 
 mod directions;
 mod hygiene;

@@ -1,4 +1,4 @@
-//! What is recognised follows from the algebra, not from the typing: the same closed form, the same motion, and assemblies
+//! Recognition follows from the algebra, not from the typing: the same closed form, the same motion, and assemblies
 //! that mean the same geometry.
 
 use core::f64::consts::PI;

@@ -1,4 +1,4 @@
-//! What is published of the library's mechanisms, and what their geometry says exactly.
+//! The library's mechanisms against published values and exact geometry.
 //!
 //! Both oracles are run over the whole library in the tests of `proof`.
 

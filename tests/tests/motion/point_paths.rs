@@ -28,7 +28,7 @@ fn size(vector: Plane) -> f64 {
     vector.norm_squared().sqrt()
 }
 
-/// What roundings of a point's derivatives do to the curvature of its path, and to its rate.
+/// The effect of roundings of a point's derivatives on the curvature of its path and its rate.
 fn sensitivities(point: Motion<Plane>) -> [f64; 2] {
     let [speed, acceleration, jerk] = [point.velocity(), point.acceleration(), point.jerk()].map(size);
     [

@@ -141,7 +141,7 @@ fn condition<M: Mechanism<Scalar = f64>>(
     condition
 }
 
-/// What tracking says is held against small steps and against the way back.
+/// Compares tracking with small steps and with the way back.
 fn compare<M>(mechanism: &M, from: f64, known: M::Unknowns<f64>, to: f64) -> &'static str
 where
     M: Mechanism<Scalar = f64, Motion<f64> = Motion<f64, 5>>,

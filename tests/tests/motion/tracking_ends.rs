@@ -1,4 +1,4 @@
-//! What ends a track: the domain of a function, the range of an unknown, a pole, a dead point beside which it starts.
+//! The ends of tracks: the domain of a function, the range of an unknown, a pole, a dead point beside which it starts.
 //! Each is named for what it is, at its place.
 
 use core::f64::consts::{FRAC_PI_2, PI};

@@ -58,7 +58,7 @@ fn angle(random: &mut Random) -> f64 {
     random.between(-PI, PI)
 }
 
-/// What many tracks took.
+/// The work of many tracks.
 #[derive(Debug, Default)]
 struct Tally {
     tracks: u64,

@@ -1,4 +1,4 @@
-//! What is carried along with the unknowns: points, angles, lengths, and functions of them, each through snap.
+//! Outputs, which are carried along with the unknowns: points, angles, lengths, and functions of them, each through snap.
 
 use core::f64::consts::TAU;
 

@@ -79,7 +79,7 @@ fn both_oracles_of_coupled_blocks() {
     coupled(SixInChain::built);
 }
 
-/// What comes before and after a block of six has no part in it, and is not made to by its factors.
+/// The blocks before and after a block of six have no part in it, and its factors do not change that.
 #[test]
 fn what_does_not_depend_has_none_beside_factors() {
     let Built {
@@ -155,7 +155,7 @@ fn scaling_all_lengths_scales_the_motion() {
     assert!(prove.0 > 10_000, "{}", prove.0);
 }
 
-/// What does not depend on a parameter has the derivative zero, and not a small one; what is the parameter has one.
+/// A quantity that does not depend on a parameter has the derivative zero exactly; the parameter itself has one.
 #[test]
 fn what_does_not_depend_has_none() {
     let linkage = SensitiveOutputs::<f64>::from_parameters([90.0, 30.0, 60.0, 45.0, 25.0, 15.0]);

@@ -1,4 +1,4 @@
-//! What a person does to verify a mechanism of their own, done to all of ours: random dimensions, and given ones.
+//! The verification that users run on their own mechanisms, run on all of ours: random dimensions, and given ones.
 //!
 //! The tables are printed: `cargo test -p kin-tests --test proof verify -- --nocapture`.
 

@@ -7,7 +7,7 @@ use kin_tests::random::Random;
 
 const NONSENSE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-/// What does not go as it should.
+/// The cases that do not end as they should.
 #[derive(Default)]
 struct Wrong(Vec<String>);
 

@@ -482,7 +482,7 @@ fn stewart_gough_leg_turns_by_roll_first() {
     assert_eq!(error.inputs.iter().last().map(|(name, _)| name), Some("pitch"));
 }
 
-/// What the declaration leaves out: all three coordinates of the loop, and that its links lead back to where they began in
+/// The parts that the declaration leaves out: all three coordinates of the loop, and that its links lead back to where they began in
 /// direction, too. At every order.
 #[test]
 fn bennett_closes_in_space() {

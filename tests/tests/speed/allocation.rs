@@ -37,7 +37,7 @@ fn allocations_are_counted() {
     assert_eq!((grown.count_total, grown.bytes_total), (1, 800));
 }
 
-/// What has been solved, and what was refused.
+/// The numbers of poses that were solved and refused.
 #[derive(Default)]
 struct Outcomes {
     poses: usize,

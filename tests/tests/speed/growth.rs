@@ -1,4 +1,4 @@
-//! What grows, and how: operations with the square of the order, and with the number of loops; and that high orders are right.
+//! Growth: operations with the square of the order, and with the number of loops; and that high orders are right.
 //!
 //! The counts are printed: `cargo test -p kin-tests --test speed growth -- --nocapture`.
 #![allow(missing_docs, unreachable_pub, reason = "declarations as a person writes them")]

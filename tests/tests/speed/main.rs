@@ -1,4 +1,4 @@
-//! What solving costs: operations, memory, growth with the order; and batches, which are faster and find the same poses.
+//! The cost of solving: operations, memory, growth with the order; and batches, which are faster and find the same poses.
 
 mod allocation;
 mod batches;

@@ -1,4 +1,4 @@
-//! What the solvers cost: the published constants of the library and of the test mechanisms, held in snapshots and proved by running
+//! The cost of the solvers: the published constants of the library and of the test mechanisms, held in snapshots and proved by running
 //! the solvers on numbers that count.
 
 use core::fmt::Write;

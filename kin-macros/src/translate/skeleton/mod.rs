@@ -24,11 +24,11 @@ use crate::syntax::{Declaration, EquationStatement, OutputStatement, Statement};
 use names::Names;
 use outline::Outline;
 
-/// What a declaration has of a picture.
+/// The generated items of the picture.
 pub(crate) struct Picture {
     /// The method `skeleton`, nothing if nothing can be drawn.
     pub(crate) method: TokenStream,
-    /// What the trait of all mechanisms asks for.
+    /// The items that the trait of all mechanisms requires.
     pub(crate) items: TokenStream,
 }
 
@@ -229,7 +229,7 @@ fn identifiers(tokens: TokenStream, found: &mut BTreeSet<String>) {
     }
 }
 
-/// What the method's documentation lists.
+/// The lists in the method's documentation.
 fn documentation(outline: &Outline<'_>) -> Vec<String> {
     let bodies = outline.bodies.iter().map(|body| format!(" - body `{}`", body.name));
     let points = outline.points.iter().map(|(name, _)| format!(" - point `{name}`"));

@@ -1,4 +1,4 @@
-//! What the names of a declaration mean to its picture.
+//! The meaning of names for the picture.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -51,12 +51,12 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// What an abbreviation stands for.
+    /// The formula of an abbreviation.
     pub(super) fn behind(&self, name: &Ident) -> Option<&'a Formula> {
         self.abbreviations.get(&name.to_string()).copied()
     }
 
-    /// What an abbreviation of a vector stands for.
+    /// The formula of an abbreviation of a vector.
     pub(super) fn vector_behind(&self, name: &Ident) -> Option<&'a Formula> {
         let value = self.translated.get(&name.to_string())?;
         (value.shape != Shape::Scalar).then(|| self.behind(name)).flatten()

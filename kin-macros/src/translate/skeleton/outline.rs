@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use super::terms::Term;
 use crate::model::Shape;
 
-/// What is drawn of a declaration.
+/// The drawn parts of a declaration.
 pub(super) struct Outline<'a> {
     /// Whether it is drawn in the plane or in space.
     pub(super) shape: Shape,

@@ -168,7 +168,7 @@ fn statements_replace_what_follows_from_the_equations() {
     );
 }
 
-/// What begins a statement of the picture may be the name of a quantity.
+/// A word that begins a statement of the picture may be the name of a quantity.
 #[test]
 fn words_of_the_picture_are_names_as_well() {
     let declaration = quote! {

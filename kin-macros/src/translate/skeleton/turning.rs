@@ -13,7 +13,7 @@ use crate::translate::vector_type;
 
 use super::{Names, in_picture};
 
-/// What a term turns with, without constants: equal for terms that keep their angle to each other, empty for those that do not turn.
+/// The angles that a term turns with, without constants: equal for terms that keep their angle to each other, empty for those that do not turn.
 pub(super) type Turning = String;
 
 /// How a term moves.

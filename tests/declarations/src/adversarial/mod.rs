@@ -10,7 +10,7 @@ use crate::random::Random;
 
 /// A family of declarations, one for each size.
 pub struct Family {
-    /// What it is called.
+    /// Its name.
     pub name: &'static str,
     /// The largest size that is drawn.
     pub largest: usize,

@@ -1,4 +1,4 @@
-//! What must hold whatever the numbers are.
+//! Checks that must hold for any numbers.
 
 mod assembly;
 mod batch;
@@ -65,7 +65,7 @@ struct Campaign<'e> {
     engine: &'e dyn Engine,
     tally: Tally,
     findings: Vec<Finding>,
-    /// What is being looked at, should something panic.
+    /// The case under test, to be reported after a panic.
     current: (Problem, Guide),
 }
 
