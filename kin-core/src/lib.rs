@@ -109,7 +109,7 @@ pub use assembly::{Assembly, Guess, Near};
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
 pub use mechanism::{Block, Description, Dimension, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive};
-pub use motion::{Direction, LinkMotion, Motion};
+pub use motion::{Direction, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Number, Operations, Row, series};

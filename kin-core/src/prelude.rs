@@ -5,6 +5,6 @@ pub use crate::failure::{Failure, SolveError};
 pub use crate::geometry::{Plane, Space};
 pub use crate::mechanism;
 pub use crate::mechanism::{Mechanism, Partials, Pose, PoseOf, Sensitive};
-pub use crate::motion::{Direction, Motion};
+pub use crate::motion::{Direction, Motion, rpm};
 pub use crate::number::{Number, Row};
 pub use crate::solve::Scalar;

@@ -1,9 +1,11 @@
 //! A value and its time derivatives.
 
 mod curve;
+mod degrees;
 mod direction;
 mod link;
 
+pub use degrees::rpm;
 pub use direction::Direction;
 pub use link::LinkMotion;
 
