@@ -5,7 +5,7 @@ use crate::random::Random;
 /// A number of ordinary size that is not zero.
 pub(crate) fn ordinary(random: &mut Random) -> String {
     let numbers = [
-        "2", "3", "0.5", "1.5", "1.25", "0.75", "2.0", "3.0f64", "1_0.5", "2f64", "25e-2", "1E0", "0.3", "1.7", "7",
+        "2", "3", "0.5", "1.5", "1.25", "0.75", "2.0", "3.0f64", "0.1_5", "2f64", "25e-2", "1E0", "0.3", "1.7", "0.7",
     ];
     (*random.pick(&numbers)).to_owned()
 }
