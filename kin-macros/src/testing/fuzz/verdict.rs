@@ -22,9 +22,30 @@ const STACK: usize = 8 << 20;
 const PATIENCE: Duration = Duration::from_mins(10);
 
 /// The bounds of look-ups and of turns of other loops, for each token read and operation written. A refused declaration
-/// may take as much work as an accepted one, but has no operations.
-const fn bounds(is_refused: bool) -> [usize; 2] {
-    if is_refused { [1_000, 2_000] } else { [100, 1_000] }
+/// may take as much work as an accepted one, but has no operations. It is refused after the derivation of every order at
+/// the latest, so its bounds grow with the orders that it asks for.
+fn bounds(is_refused: bool, order: usize) -> [usize; 2] {
+    if is_refused {
+        [1_000, 2_000].map(|bound| bound * (order.max(SNAP) + 1) / (SNAP + 1))
+    } else {
+        [100, 1_000]
+    }
+}
+
+/// The order of a declaration that does not ask for another.
+const SNAP: usize = 4;
+
+/// The largest order that a declaration asks for, as far as the macro allows it.
+fn order(tokens: &TokenStream) -> usize {
+    let mut words = tokens.clone().into_iter().map(|token| token.to_string());
+    let mut order = SNAP;
+    while let Some(word) = words.next() {
+        if word == "order" && words.next().as_deref() == Some("=") {
+            let asked = words.next().and_then(|number| number.parse().ok());
+            order = order.max(asked.unwrap_or(SNAP));
+        }
+    }
+    order.min(12)
 }
 
 /// The tokens that are put into groups without delimiters, by a seed.
@@ -147,7 +168,7 @@ fn expanded(declaration: &str, fragments: Fragments, twice: bool) -> Result<Expa
         Fragments::Operands(seed) => with_operands_as_fragments(&mut Random::new(seed), tokens),
         Fragments::Any(seed) => with_fragments(&mut Random::new(seed), tokens),
     };
-    let read = count(&tokens);
+    let (read, order) = (count(&tokens), order(&tokens));
     let again = twice.then(|| tokens.clone());
     let (output, work) = work::of(|| expand(tokens));
     if again.is_some_and(|tokens| expand(tokens).to_string() != output.to_string()) {
@@ -166,7 +187,7 @@ fn expanded(declaration: &str, fragments: Fragments, twice: bool) -> Result<Expa
         work,
     };
     let is_within = |(rate, bound)| rate < bound;
-    let bounds = bounds(expansion.refusal.is_some());
+    let bounds = bounds(expansion.refusal.is_some(), order);
     if expansion.rates().into_iter().zip(bounds).all(is_within) {
         Ok(expansion)
     } else {
@@ -256,6 +277,18 @@ mod tests {
         // u is a product after a cosine; its rate is a product of rate, length and sine with a change of sign
         assert_eq!((expansion.refusal, expansion.read, expansion.operations), (None, 29, 5));
         assert!(expansion.work.look_ups > 0);
+    }
+
+    #[test]
+    fn the_bounds_of_a_refusal_grow_with_the_order() {
+        let of = |declaration: &str| order(&declaration.parse().expect("these are tokens"));
+        assert_eq!(of("struct M { order: Length } input t: Angle;"), 4);
+        assert_eq!(of("struct M { a: Length } order = 2;"), 4);
+        assert_eq!(of("struct M { a: Length } order = 12; input t: Angle;"), 12);
+        assert_eq!(of("order = 99;"), 12);
+        assert_eq!(bounds(true, 4), [1_000, 2_000]);
+        assert_eq!(bounds(true, 12), [2_600, 5_200]);
+        assert_eq!(bounds(false, 12), [100, 1_000]);
     }
 
     #[test]
