@@ -51,7 +51,10 @@
 //! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
-//! | how the motion depends on the dimensions | [`Sensitive`] |
+//! | how the motion depends on the dimensions | [`Sensitive`], [`sensitivities_of`] |
+//! | how unknowns and outputs depend on the inputs | [`PoseOf::jacobian`] |
+//! | all positions of any mechanism | [`Mechanism::positions_at`] |
+//! | the forms of the blocks, with the lengths of links | [`BlockForm`] |
 //! | mechanisms ready to use | `library` (feature `library`) |
 //! | the closed forms, with their costs | [`solve`] |
 //! | verification of your own mechanism | `verify` (feature `num-dual`) |
@@ -108,7 +111,10 @@ pub use assemblies::{Assemblies, Choices, Positions, continuation};
 pub use assembly::{Assembly, Guess, Near};
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
-pub use mechanism::{Block, Description, Dimension, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive};
+pub use mechanism::{
+    Block, BlockForm, Description, Dimension, Mechanism, PartialMotions, Partials, Pose, PoseOf, PositionSearch,
+    Quantity, Sensitive, sensitivities_of,
+};
 pub use motion::{Direction, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;

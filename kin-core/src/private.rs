@@ -3,12 +3,14 @@
 pub use crate::__assert_verified as assert_verified;
 pub use crate::__in_parallel as in_parallel;
 pub use crate::__locals as locals;
-pub use crate::assemblies::{Assemblies, Choices, continuation, every};
+pub use crate::assemblies::{Assemblies, Choices, continuation, every, positions_near};
 pub use crate::assembly::{Assembly, Guess, Near};
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
-pub use crate::mechanism::{Block, Description, Dimension, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive};
-pub use crate::mechanism::{culprit, failed};
+pub use crate::mechanism::{
+    Block, BlockForm, Description, Dimension, Mechanism, Partials, Pose, PoseOf, PositionSearch, Quantity, Sensitive,
+};
+pub use crate::mechanism::{culprit, failed, length};
 pub use crate::motion::{Direction, Motion};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};

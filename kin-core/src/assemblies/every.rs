@@ -11,6 +11,8 @@ use crate::assemblies::{
 };
 use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, SolveError};
+use crate::mechanism::{Mechanism, PositionSearch};
+use crate::number::{Number, Row};
 
 /// The distance within which positions are the same, in radians or relative to their lengths. Regular positions lie
 /// further apart.
@@ -173,6 +175,32 @@ pub fn every<const N: usize, const CAPACITY: usize>(
             return Ok(all);
         }
     }
+}
+
+/// Passes on the positions that were found in double precision, each refined in the mechanism's own numbers.
+/// One that cannot be refined counts as singular.
+pub fn positions_near<M, const N: usize, const CAPACITY: usize>(
+    mechanism: &M,
+    inputs: M::Inputs<M::Scalar>,
+    all: &Assemblies<N, CAPACITY>,
+    mut found: impl FnMut(M::Assembly, M::Unknowns<M::Scalar>),
+) -> PositionSearch
+where
+    M: Mechanism<Assembly = Near<N>>,
+{
+    let mut search = PositionSearch::default();
+    (search.singular, search.is_complete) = (all.singular(), all.is_complete());
+    for near in all {
+        let guess = M::Unknowns::from_fn(|unknown| M::Scalar::constant(near.0[unknown]));
+        match mechanism.solve_position_near(inputs, guess) {
+            Ok(unknowns) => {
+                search.found += 1;
+                found(*near, unknowns);
+            }
+            Err(_) => search.singular += 1,
+        }
+    }
+    search
 }
 
 /// Whether two positions are the same up to whole turns.

@@ -1,26 +1,36 @@
 //! The common interface of all mechanisms, so that sweeps, tables and verification are written once.
 
+mod block_form;
 mod condition;
 mod description;
 pub(crate) mod factored_matrix;
 mod failed;
 mod pose_of;
+mod position_search;
 mod sensitive;
+mod sensitivities;
 
+pub use block_form::BlockForm;
+#[doc(hidden)]
+pub use block_form::length;
 pub use description::{Block, Description, Dimension, Quantity};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
 pub use pose_of::PoseOf;
+pub use position_search::PositionSearch;
 pub use sensitive::{Partials, Sensitive};
+pub use sensitivities::{PartialMotions, sensitivities_of};
 
 use core::fmt::Debug;
 
 use crate::failure::SolveError;
 use crate::number::Row;
-use crate::picture::{Outline, Place, Places, Skeleton};
+use crate::picture::{Outline, Place, Places, Skeleton, TransmissionAngle};
 use crate::solve::Scalar;
 
 /// A declared mechanism, as the `mechanism!` macro implements it.
+///
+/// Only the macro implements this trait. It may grow: a new version of this crate may add items without a default.
 ///
 /// The associated rows are arrays. Their lengths are the numbers of scalar parameters, inputs, unknowns and scalar
 /// equations. A point in the plane counts as two scalars, x and y, a point in space as three.
@@ -70,8 +80,14 @@ pub trait Mechanism: Copy + Debug {
     type Inputs<V: Copy>: Row<V>;
     /// A value for each unknown.
     type Unknowns<V: Copy>: Row<V>;
+    /// A value for each unknown, then for each scalar output.
+    type Results<V: Copy>: Row<V>;
     /// A value for each scalar equation.
     type Residuals<V: Copy>: Row<V>;
+    /// A value for each block, in the order of [`DESCRIPTION.blocks`](Description::blocks).
+    type Blocks<V: Copy>: Row<V>;
+    /// A value for each dyad of two links, or of a link and a slider.
+    type Dyads<V: Copy>: Row<V>;
     /// The joints of the skeleton and the directions of its slides: an array of points of the plane or of space.
     type Places: Places<Point: Place<Scalar = Self::Scalar>>;
 
@@ -152,6 +168,52 @@ pub trait Mechanism: Copy + Debug {
     fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<Self::Places> {
         let (inputs, unknowns) = pose.values();
         Skeleton::new(&Self::OUTLINE, self.places(inputs, unknowns))
+    }
+
+    /// The form of each block, with the lengths of its links as numbers from the parameters. See [`BlockForm`].
+    fn block_forms(&self) -> Self::Blocks<BlockForm<Self::Scalar>>;
+
+    /// The transmission angle of every dyad in a pose of any order, in the order in which the dyads are solved. The
+    /// request `with transmission_angles;` makes the same method inherent.
+    fn transmission_angles(&self, pose: &impl PoseOf<Self>) -> Self::Dyads<TransmissionAngle<Self::Scalar>>;
+
+    /// The Jacobian at the position closest to values of the unknowns: a row for each unknown and then for each scalar
+    /// output, with its derivative with respect to each input. [`PoseOf::jacobian`] returns that of a pose.
+    ///
+    /// # Errors
+    /// Returns the errors of [`solve_position_near`](Self::solve_position_near).
+    fn jacobian_near(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        near: Self::Unknowns<Self::Scalar>,
+    ) -> Result<Self::Results<Self::Inputs<Self::Scalar>>, SolveError>;
+
+    /// Calls `found` with every regular position at given inputs: its assembly, and the values of the unknowns.
+    ///
+    /// Where every block has a closed form, these are the assemblies in which the mechanism closes. Otherwise they are the
+    /// positions that the inherent method `assemblies_at` finds, in double precision, each refined in the mechanism's own
+    /// numbers. If there is no such method, nothing is found and the search is not complete.
+    ///
+    /// # Errors
+    /// Returns an error if a parameter or an input is not finite.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let mut rocker = 0.0;
+    /// let search = linkage.positions_at([1.0], |_, [_, theta4]| rocker += theta4)?;
+    /// assert_eq!(search.found, 2);
+    /// assert!(search.is_complete);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    fn positions_at(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        found: impl FnMut(Self::Assembly, Self::Unknowns<Self::Scalar>),
+    ) -> Result<PositionSearch, SolveError> {
+        position_search::by_assembly(self, inputs, found)
     }
 
     /// All assemblies; none if their number depends on the dimensions.

@@ -2,6 +2,7 @@
 
 use core::fmt::Debug;
 
+use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, condition};
 
 /// A pose of the mechanism `M` of any order: the position, with as many derivatives as were solved for.
@@ -34,6 +35,38 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
     /// in this form.
     fn unknowns(&self) -> M::Unknowns<M::Scalar> {
         self.values().1
+    }
+
+    /// The Jacobian of the pose: the partial derivatives of the unknowns, then of the scalar outputs, with respect to the
+    /// inputs.
+    ///
+    /// It has a row for each unknown and then for each scalar output, and in each row a number for each input, all in the
+    /// order in which they were declared. A point has a row for x, a row for y and, in space, a row for z. An entry has the
+    /// unit of its unknown or output over that of its input: radians per radian, lengths per radian, and so on. A row
+    /// times the velocities of the inputs is the velocity of its unknown or output, and the transposed rows turn forces
+    /// into the efforts of the inputs.
+    ///
+    /// It does not depend on the velocity of the pose, and never divides by it: the position is solved again from the
+    /// unknowns of the pose, and the velocity once for each input.
+    ///
+    /// # Errors
+    /// Returns the errors of `position_near`: the pose is not one of this mechanism, or so close to a singular position
+    /// that rounding decides whether it closes.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let pose = linkage.solve(Motion::at_constant_speed(1.1, 10.0), Assembly::Open)?;
+    /// let [[theta3], [theta4]] = pose.jacobian(&linkage)?;
+    /// assert!((10.0 * theta3 - pose.theta3.velocity()).abs() < 1e-13);
+    /// assert!((10.0 * theta4 - pose.theta4.velocity()).abs() < 1e-13);
+    /// # Ok::<(), SolveError>(())
+    /// ```
+    fn jacobian(&self, mechanism: &M) -> Result<M::Results<M::Inputs<M::Scalar>>, SolveError> {
+        let (inputs, unknowns) = self.values();
+        mechanism.jacobian_near(inputs, unknowns)
     }
 
     /// The condition of each unknown, in the unit of the unknown: rounding changes its value by about this times ε, the

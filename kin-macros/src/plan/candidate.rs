@@ -82,6 +82,7 @@ impl Candidate {
             orientation_symbols: extras.orientation_symbols,
             every: extras.every,
             transmission: extras.transmission,
+            lengths: extras.lengths,
             is_form_given_up,
             trials: Trials {
                 all: trials,

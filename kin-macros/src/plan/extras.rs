@@ -1,31 +1,33 @@
-//! Programs beside the motion: the assembly of a guess, all positions, the transmission angles.
+//! Programs beside the motion: the assembly of a guess, all positions, the transmission angles, the lengths of links.
+
+use std::collections::BTreeMap;
 
 use super::Task;
 use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble;
 use crate::passes::Passes;
-use crate::program::{Choice, Expression, Mode, Names, Program, Step, TransmissionAngles};
+use crate::program::{Choice, Component, Expression, Form, Lengths, Mode, Names, Program, Step, TransmissionAngles};
 use crate::schedule::{Style, schedule};
-use crate::structure::{Block, dyads};
+use crate::structure::{Block, block_forms, dyads};
 
 /// The programs beside the motion.
 pub(super) struct Extras {
     pub(super) orientations: Program<Expression>,
     pub(super) orientation_symbols: Vec<Symbol>,
     pub(super) every: Option<Program<Expression>>,
-    pub(super) transmission: Option<TransmissionAngles>,
+    pub(super) transmission: TransmissionAngles,
+    pub(super) lengths: Lengths,
 }
 
-/// Plans all of them: those that are requested and those that every mechanism has.
+/// Plans all of them.
 pub(super) fn extras(task: &Task<'_>, graph: &mut Graph, names: &Names, choices: &[Choice]) -> Extras {
     let (orientations, orientation_symbols) = orientations(graph, names, choices);
     Extras {
         orientations,
         orientation_symbols,
         every: every(task),
-        transmission: task
-            .has_transmission_angles
-            .then(|| transmission_angles(graph.clone(), names, task.residuals, task.blocks)),
+        transmission: transmission_angles(task.graph.clone(), task),
+        lengths: lengths(task.graph.clone(), task),
     }
 }
 
@@ -58,10 +60,10 @@ fn every(task: &Task<'_>) -> Option<Program<Expression>> {
 }
 
 /// All dyads, and the program of their angles.
-fn transmission_angles(mut graph: Graph, names: &Names, residuals: &[Node], blocks: &[Block]) -> TransmissionAngles {
-    let mut names = names.clone();
+fn transmission_angles(mut graph: Graph, task: &Task<'_>) -> TransmissionAngles {
+    let mut names = task.names.clone();
     let mut steps = Vec::new();
-    let dyads = dyads(&mut graph, residuals, blocks)
+    let dyads = dyads(&mut graph, task.residuals, task.blocks)
         .into_iter()
         .zip(1..)
         .map(|(dyad, number)| {
@@ -76,6 +78,43 @@ fn transmission_angles(mut graph: Graph, names: &Names, residuals: &[Node], bloc
         .collect();
     let program = scheduled(&graph, steps, names);
     TransmissionAngles { dyads, program }
+}
+
+/// The form of each block. Lengths that are parameters or numbers need no program.
+fn lengths(mut graph: Graph, task: &Task<'_>) -> Lengths {
+    let mut names = task.names.clone();
+    let (mut steps, mut known) = (Vec::new(), BTreeMap::new());
+    let mut component = |graph: &mut Graph, node: Node| {
+        if let Some(number) = graph.as_number(node) {
+            return Component::Number(number);
+        }
+        let (coefficient, positive) = graph.split_coefficient(node);
+        if let (1.0, Some(Symbol::Parameter(index))) = (coefficient.abs(), graph.as_symbol(positive)) {
+            return Component::Parameter(index);
+        }
+        Component::Value(*known.entry(node).or_insert_with(|| {
+            let (symbol, _) = graph.new_step();
+            names.name(symbol, "length");
+            steps.push(Step::Define { symbol, value: node });
+            symbol
+        }))
+    };
+    let forms = block_forms(&mut graph, task.residuals, task.blocks)
+        .into_iter()
+        .map(|form| Form {
+            kind: form.kind,
+            driver: form.driver,
+            lengths: form
+                .lengths
+                .into_iter()
+                .map(|length| length.map(|vector| [vector.re, vector.im].map(|part| component(&mut graph, part))))
+                .collect(),
+        })
+        .collect();
+    Lengths {
+        forms,
+        program: scheduled(&graph, steps, names),
+    }
 }
 
 fn scheduled(graph: &Graph, steps: Vec<Step<Node>>, names: Names) -> Program<Expression> {

@@ -23,7 +23,6 @@ pub(crate) struct Task<'a> {
     pub(crate) order: usize,
     /// The number of scalar parameters by which the motion is differentiated: all of them, or none.
     pub(crate) parameters: usize,
-    pub(crate) has_transmission_angles: bool,
     /// Names of parameters, inputs, unknowns and outputs.
     pub(crate) names: Names,
     /// The passes that make the program cheaper.
@@ -44,7 +43,6 @@ impl<'a> Task<'a> {
             inputs: model.inputs.len(),
             order: model.order,
             parameters: sensitive_parameters(model),
-            has_transmission_angles: model.is_requested(Request::TransmissionAngles),
             names: names(model),
             passes,
             most_expressions: MOST_EXPRESSIONS,

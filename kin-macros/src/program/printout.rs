@@ -23,10 +23,8 @@ impl Display for Solvers {
         let further = [
             ("assembly of a guess", Some(&self.orientations)),
             ("all positions", self.every.as_ref()),
-            (
-                "transmission angles",
-                self.transmission.as_ref().map(|angles| &angles.program),
-            ),
+            ("transmission angles", Some(&self.transmission.program)),
+            ("lengths", Some(&self.lengths.program)),
         ];
         for (title, program) in further {
             if let Some(program) = program.filter(|program| !program.stages[0].steps.is_empty()) {

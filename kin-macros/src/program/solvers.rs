@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{Choice, Directions, Expression, Names, Program, Stage, Trials};
 use crate::algebra::{Graph, Symbol};
-use crate::structure::Dyad;
+use crate::structure::{BlockKind, Dyad};
 
 /// The programs that a mechanism needs, and the decisions behind them.
 pub(crate) struct Solvers {
@@ -22,8 +22,8 @@ pub(crate) struct Solvers {
     pub(crate) orientation_symbols: Vec<Symbol>,
     /// The program that goes through all positions, if Newton's method solves a part and the equations are algebraic.
     pub(crate) every: Option<Program<Expression>>,
-    /// The transmission angles, if they are requested.
-    pub(crate) transmission: Option<TransmissionAngles>,
+    pub(crate) transmission: TransmissionAngles,
+    pub(crate) lengths: Lengths,
     /// Whether equations or outputs were too large to be multiplied out.
     pub(crate) is_form_given_up: bool,
     pub(crate) trials: Trials,
@@ -33,6 +33,27 @@ pub(crate) struct Solvers {
 pub(crate) struct TransmissionAngles {
     pub(crate) dyads: Vec<(Dyad, [Symbol; 2])>,
     pub(crate) program: Program<Expression>,
+}
+
+/// The form of each block with its lengths, and the program that computes those that are no parameters.
+pub(crate) struct Lengths {
+    pub(crate) forms: Vec<Form>,
+    pub(crate) program: Program<Expression>,
+}
+
+/// The form of a block. A length is given by its two components; a length that changes is `None`.
+pub(crate) struct Form {
+    pub(crate) kind: BlockKind,
+    pub(crate) driver: Option<Symbol>,
+    pub(crate) lengths: Vec<Option<[Component; 2]>>,
+}
+
+/// A component of a length, up to its sign.
+#[derive(Clone, Copy)]
+pub(crate) enum Component {
+    Number(f64),
+    Parameter(usize),
+    Value(Symbol),
 }
 
 impl Solvers {

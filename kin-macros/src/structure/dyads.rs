@@ -68,7 +68,7 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
                     along,
                 });
             }
-            _ => dyads.extend(slider_on_an_axis(graph, residuals, blocks, block)),
+            _ => dyads.extend(slider_on_an_axis(graph, residuals, blocks, block).map(|slider| slider.dyad(graph))),
         }
     }
     dyads
@@ -76,10 +76,50 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
 
 /// A link and a slider on one of the axes, solved one after the other. One part of the loop contains the link's angle
 /// alone, the other part contains the slider's travel as well.
+pub(super) struct AxisSlider {
+    pub(super) angle: usize,
+    pub(super) travel: usize,
+    /// The residual of the part with the angle alone.
+    pub(super) across: Node,
+    /// The residual of the part with the travel.
+    pub(super) along: Node,
+    /// The first and the second derivative of `across` with respect to the angle.
+    pub(super) slope: Node,
+    pub(super) bend: Node,
+    /// Whether the equation of `along` comes first.
+    is_along_first: bool,
+}
+
+impl AxisSlider {
+    fn dyad(&self, graph: &mut Graph) -> Dyad {
+        let coefficient = graph.partial(self.along, Symbol::Unknown(self.travel));
+        let normal = graph.multiply(self.bend, coefficient);
+        let mut unknowns = vec![self.angle, self.travel];
+        unknowns.sort_unstable();
+        Dyad {
+            unknowns,
+            kind: Kind::LinkAndSlider,
+            across: graph.multiply(self.slope, coefficient),
+            // x comes before y
+            along: if self.is_along_first {
+                graph.negate(normal)
+            } else {
+                normal
+            },
+        }
+    }
+}
+
+/// The link and the slider on an axis of which a block finds the angle.
 ///
 /// The part with the angle alone is, up to a constant, the link's component normal to the slide. Its derivative is the
 /// component along the slide, which the other part has to contain. Its second derivative is its own opposite.
-fn slider_on_an_axis(graph: &mut Graph, residuals: &[Node], blocks: &[Block], block: &Block) -> Option<Dyad> {
+pub(super) fn slider_on_an_axis(
+    graph: &mut Graph,
+    residuals: &[Node],
+    blocks: &[Block],
+    block: &Block,
+) -> Option<AxisSlider> {
     let ([angle], [equation]) = (block.unknowns.as_slice(), block.equations.as_slice()) else {
         return None;
     };
@@ -112,20 +152,14 @@ fn slider_on_an_axis(graph: &mut Graph, residuals: &[Node], blocks: &[Block], bl
         if !graph.same(change, bend) && !graph.same(change, mirrored) {
             continue;
         }
-        let coefficient = graph.partial(residuals[*partner], Symbol::Unknown(*travel));
-        let normal = graph.multiply(bend, coefficient);
-        let mut unknowns = vec![*angle, *travel];
-        unknowns.sort_unstable();
-        return Some(Dyad {
-            unknowns,
-            kind: Kind::LinkAndSlider,
-            across: graph.multiply(slope, coefficient),
-            // x comes before y
-            along: if partner < equation {
-                graph.negate(normal)
-            } else {
-                normal
-            },
+        return Some(AxisSlider {
+            angle: *angle,
+            travel: *travel,
+            across: residuals[*equation],
+            along: residuals[*partner],
+            slope,
+            bend,
+            is_along_first: partner < equation,
         });
     }
     None

@@ -8,6 +8,7 @@ mod arm;
 mod closed_form;
 mod complex;
 mod dyads;
+mod form;
 mod matching;
 mod order;
 mod polynomials;
@@ -20,6 +21,7 @@ pub(crate) use arm::Arm;
 pub(crate) use closed_form::ClosedForm;
 pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
+pub(crate) use form::{BlockKind, block_forms};
 pub(crate) use polynomials::{PolynomialSystem, Variable};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};

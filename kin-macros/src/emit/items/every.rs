@@ -4,27 +4,59 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::algebra::Symbol;
-use crate::emit::compiled::Compiled;
+use crate::emit::compiled::{Compiled, local};
 use crate::emit::text::Text;
+use crate::program::{Expression, Program};
 
-/// The method `assemblies_at`; nothing if the equations are not algebraic, or if there are too many assemblies.
-pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
-    /// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
-    const LARGEST: usize = 4096;
+/// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
+const LARGEST: usize = 4096;
 
-    let Some(program) = &mechanism.solvers.every else {
-        return TokenStream::new();
-    };
-    let (text, stage) = (Text::of_every(mechanism, program), &program.stages[0]);
+/// The program that goes through all positions, and the number of paths; `None` if the equations are not algebraic, or
+/// if there are too many assemblies.
+fn search<'a>(mechanism: &Compiled<'a>) -> Option<(&'a Program<Expression>, usize)> {
+    let program = mechanism.solvers.every.as_ref()?;
     let paths = mechanism
         .blocks
         .iter()
         .fold(1_usize << mechanism.choices().len().min(20), |product, block| {
             product.saturating_mul(block.all.as_ref().map_or(1, |system| system.paths))
         });
-    if paths > LARGEST {
+    (paths <= LARGEST).then_some((program, paths))
+}
+
+/// The method `positions_at` of the trait, for a mechanism with coupled blocks.
+pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
+    if search(mechanism).is_none() {
         return TokenStream::new();
     }
+    let runtime = mechanism.runtime;
+    let name = &mechanism.model.name;
+    let [inputs, found, plain] = ["inputs", "found", "plain"].map(local);
+    let [input_count, unknown_count] =
+        [mechanism.model.inputs.len(), mechanism.model.unknowns.len()].map(Literal::usize_unsuffixed);
+    let values = (0..mechanism.model.inputs.len()).map(|place| {
+        let place = Literal::usize_unsuffixed(place);
+        quote!(#runtime::Number::real(#inputs[#place]))
+    });
+    quote! {
+        fn positions_at(
+            &self,
+            #inputs: [T; #input_count],
+            #found: impl ::core::ops::FnMut(Self::Assembly, [T; #unknown_count]),
+        ) -> ::core::result::Result<#runtime::PositionSearch, #runtime::SolveError> {
+            let #plain: #name<::core::primitive::f64> = self.convert(#runtime::Number::real);
+            let #plain = #plain.assemblies_at(#(#values),*)?;
+            ::core::result::Result::Ok(#runtime::positions_near(self, #inputs, &#plain, #found))
+        }
+    }
+}
+
+/// The method `assemblies_at`, if all assemblies can be found.
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
+    let Some((program, paths)) = search(mechanism) else {
+        return TokenStream::new();
+    };
+    let (text, stage) = (Text::of_every(mechanism, program), &program.stages[0]);
     let runtime = mechanism.runtime;
     let inputs = mechanism.input_names();
     let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::{Attribute, Expr, Lit, Meta};
 
-use super::assembly;
+use super::{assembly, every, forms, jacobian, transmission};
 use crate::emit::compiled::{Compiled, local};
 use crate::model::Dimension;
 use crate::translate::vector_type;
@@ -138,6 +138,11 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream) -
             quote!(self.solve_near(#(#places,)* #near)),
         )
     };
+    let (forms, jacobian) = (forms::tokens(mechanism), jacobian::tokens(mechanism));
+    let (angles, positions) = (
+        transmission::implementation(mechanism),
+        every::implementation(mechanism),
+    );
     quote! {
         impl<T: #runtime::Scalar> #runtime::Mechanism for #name<T> {
             type Scalar = T;
@@ -215,6 +220,14 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream) -
             fn residuals(&self, #inputs: [T; #input_count], #unknowns: [T; #unknown_count]) -> [T; #residual_count] {
                 self.closure(#(#places,)* #unknowns)
             }
+
+            #forms
+
+            #angles
+
+            #jacobian
+
+            #positions
 
             #picture
         }

@@ -1,4 +1,4 @@
-//! The transmission angles of all dyads, if they are requested.
+//! The transmission angles of all dyads.
 
 use std::collections::BTreeSet;
 
@@ -9,29 +9,18 @@ use super::values;
 use crate::algebra::Symbol;
 use crate::emit::compiled::Compiled;
 use crate::emit::text::Text;
+use crate::model::Request;
 use crate::program::{Step, TransmissionAngles};
 use crate::structure::Dyad;
 
-/// The method `transmission_angles`.
+/// The inherent method `transmission_angles`, if it is requested.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
-    let Some(TransmissionAngles { dyads, program }) = &mechanism.solvers.transmission else {
+    if !mechanism.is_requested(Request::TransmissionAngles) {
         return TokenStream::new();
-    };
-    let (runtime, model) = (mechanism.runtime, mechanism.model);
-    let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
-    let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
+    }
+    let runtime = mechanism.runtime;
+    let dyads = &mechanism.solvers.transmission.dyads;
     let (pose, argument) = values::argument(mechanism);
-    let inputs: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
-    let unknowns: Vec<Symbol> = (0..model.unknowns.len()).map(Symbol::Unknown).collect();
-    let readings = text.readings(stage, &[inputs.as_slice(), unknowns.as_slice()].concat());
-    let inputs = values::bound(&text, &used, &inputs, &quote!(#pose.input_values()));
-    let unknowns = values::bound(&text, &used, &unknowns, &quote!(#pose.unknowns()));
-    let body = text.plain_steps(stage);
-    let angles = dyads.iter().map(|(dyad, parts)| {
-        let [across, along] = parts.map(|symbol| text.name(symbol));
-        let label = label(mechanism, dyad);
-        quote!(#runtime::TransmissionAngle::of(#label, #across, #along))
-    });
     let lines = dyads.iter().enumerate().map(|(place, (dyad, _))| {
         format!(
             " - `[{place}]`: `{}`, {}",
@@ -46,13 +35,43 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             #(#[doc = #lines])*
             #[must_use]
             pub fn transmission_angles(&self, #argument) -> [#runtime::TransmissionAngle<T>; #count] {
-                #inputs
-                #unknowns
-                #readings
-                #body
-                [#(#angles),*]
+                #runtime::Mechanism::transmission_angles(self, #pose)
             }
 
+    }
+}
+
+/// The row of the dyads and the method `transmission_angles` of the trait.
+pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
+    let (runtime, model) = (mechanism.runtime, mechanism.model);
+    let TransmissionAngles { dyads, program } = &mechanism.solvers.transmission;
+    let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
+    let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
+    let (pose, argument) = values::argument(mechanism);
+    let inputs: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
+    let unknowns: Vec<Symbol> = (0..model.unknowns.len()).map(Symbol::Unknown).collect();
+    let readings = text.readings(stage, &[inputs.as_slice(), unknowns.as_slice()].concat());
+    let inputs = values::bound(&text, &used, &inputs, &quote!(#pose.input_values()));
+    let unknowns = values::bound(&text, &used, &unknowns, &quote!(#pose.unknowns()));
+    let body = text.plain_steps(stage);
+    let angles = dyads.iter().map(|(dyad, parts)| {
+        let [across, along] = parts.map(|symbol| text.name(symbol));
+        let label = label(mechanism, dyad);
+        quote!(#runtime::TransmissionAngle::of(#label, #across, #along))
+    });
+    let count = Literal::usize_unsuffixed(dyads.len());
+    let unused = dyads.is_empty().then(|| quote!(let _ = #pose;));
+    quote! {
+        type Dyads<Element: ::core::marker::Copy> = [Element; #count];
+
+        fn transmission_angles(&self, #argument) -> [#runtime::TransmissionAngle<T>; #count] {
+            #unused
+            #inputs
+            #unknowns
+            #readings
+            #body
+            [#(#angles),*]
+        }
     }
 }
 
