@@ -115,7 +115,7 @@ pub use mechanism::{
     Block, BlockForm, Description, Dimension, Mechanism, PartialMotions, Partials, Pose, PoseOf, PositionSearch,
     Quantity, Sensitive, sensitivities_of,
 };
-pub use motion::{Direction, LinkMotion, Motion, rpm};
+pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Number, Operations, Row, series};

@@ -9,9 +9,9 @@ pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
     Block, BlockForm, Description, Dimension, Mechanism, Partials, Pose, PoseOf, PositionSearch, Quantity, Sensitive,
+    culprit, failed, length,
 };
-pub use crate::mechanism::{culprit, failed, length};
-pub use crate::motion::{Direction, Motion};
+pub use crate::motion::{Direction, IntoMotion, Motion};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
 pub use crate::solve::Scalar;
@@ -24,6 +24,7 @@ pub use kin_macros::mechanism_in;
 pub mod methods {
     pub use crate::batch::{MotionColumns as _, Parameter as _};
     pub use crate::mechanism::PoseOf as _;
+    pub use crate::motion::IntoMotion as _;
     pub use crate::number::Number as _;
 }
 

@@ -17,20 +17,56 @@ pub struct Near<const N: usize>(
     pub [f64; N],
 );
 
-/// The values of `N` unknowns near the wanted position.
+/// The values of `N` unknowns near the wanted position, for `position_near`, `solve_near` and all solvers of mechanisms
+/// with coupled blocks.
+///
+/// | given | means |
+/// |---|---|
+/// | a pose of the mechanism, of any order | its unknowns |
+/// | `[0.4, 1.9]` | the unknowns in the order in which they were declared |
+/// | [`Near`] | the same, in double precision |
+/// | a reference to one of these | the same |
+///
+/// ```
+/// use kin_core::library::FourBar;
+/// use kin_core::prelude::*;
+///
+/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+/// let mut pose = linkage.position(1.0, Assembly::Open)?;
+/// for step in 1..=10 {
+///     pose = linkage.position_near(1.0 + 0.05 * f64::from(step), pose)?;
+/// }
+/// assert!((pose.theta2.position() - 1.5).abs() < 1e-15);
+/// # Ok::<(), SolveError>(())
+/// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not tell the assembly of coupled equations, which have no closed form",
-    label = "give values of the unknowns near the position, as in `Near([..])` or `position_near(.., [..])`",
-    note = "`assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
+    message = "`{Self}` does not tell values of the {N} unknowns near the position",
+    label = "give a pose of this mechanism, or the unknowns in their order, as in `[..]` or `Near([..])`",
+    note = "coupled equations have no closed form, so the assembly is chosen by values near it and not by `Assembly`: \
+            `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
 )]
 pub trait Guess<T, const N: usize> {
     /// The values.
     fn values(self) -> [T; N];
 }
 
+impl<T, const N: usize> Guess<T, N> for [T; N] {
+    #[inline(always)]
+    fn values(self) -> Self {
+        self
+    }
+}
+
 impl<T: Number, const N: usize> Guess<T, N> for Near<N> {
     #[inline]
     fn values(self) -> [T; N] {
         self.0.map(T::constant)
+    }
+}
+
+impl<T, const N: usize, G: Guess<T, N> + Copy> Guess<T, N> for &G {
+    #[inline(always)]
+    fn values(self) -> [T; N] {
+        (*self).values()
     }
 }

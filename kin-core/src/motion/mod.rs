@@ -3,10 +3,12 @@
 mod curve;
 mod degrees;
 mod direction;
+mod given;
 mod link;
 
 pub use degrees::rpm;
 pub use direction::Direction;
+pub use given::IntoMotion;
 pub use link::LinkMotion;
 
 use core::array;
@@ -294,26 +296,6 @@ impl<T, const N: usize> From<Motion<T, N>> for [T; N] {
         motion.derivatives
     }
 }
-
-macro_rules! from_tuple {
-    ($length:literal: $($entry:ident),+) => {
-        impl<T> From<($(from_tuple!(@type $entry T),)+)> for Motion<T, $length> {
-            #[inline]
-            fn from(($($entry,)+): ($(from_tuple!(@type $entry T),)+)) -> Self {
-                Self::new([$($entry),+])
-            }
-        }
-    };
-    (@type $entry:ident $type:ident) => { $type };
-}
-
-from_tuple!(1: value);
-from_tuple!(2: value, velocity);
-from_tuple!(3: value, velocity, acceleration);
-from_tuple!(4: value, velocity, acceleration, jerk);
-from_tuple!(5: value, velocity, acceleration, jerk, snap);
-from_tuple!(6: value, velocity, acceleration, jerk, snap, crackle);
-from_tuple!(7: value, velocity, acceleration, jerk, snap, crackle, pop);
 
 /// Defines an accessor for each length of motion that contains the entry, so asking for a missing derivative does not
 /// compile.

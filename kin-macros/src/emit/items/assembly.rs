@@ -36,9 +36,10 @@ fn all(mechanism: &Compiled<'_>) -> TokenStream {
     quote! {
             /// `solve` in every assembly, in the order of `ASSEMBLIES`.
             #[must_use]
-            pub fn solve_all(&self, #(#inputs: #runtime::Motion<T, #length>),*)
+            pub fn solve_all(&self, #(#inputs: impl #runtime::IntoMotion<T, #length>),*)
                 -> [::core::result::Result<#pose<T>, #runtime::SolveError>; #size]
             {
+                #(let #inputs = #inputs.into_motion();)*
                 ::core::array::from_fn(|#index| self.solve(#(#inputs,)* #by_number))
             }
 

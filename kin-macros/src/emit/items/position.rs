@@ -66,9 +66,10 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     } else {
         quote!(#[inline])
     };
+    let guess = quote!(#near: impl #runtime::Guess<T, #count>);
     let (choice, chosen) = if is_coupled {
-        let chosen = quote!(self.position_near(#(#inputs,)* #runtime::Guess::values(#near)));
-        (quote!(#near: impl #runtime::Guess<T, #count>), chosen)
+        let chosen = quote!(self.position_near(#(#inputs,)* #near));
+        (guess.clone(), chosen)
     } else {
         let chosen = quote!(self.__position(#(#inputs,)* #value ::core::option::Option::None));
         (assembly, chosen)
@@ -110,9 +111,10 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             /// # Errors
             #[doc = #near_errors]
             #inline_near
-            pub fn position_near(&self, #(#inputs: T,)* #near: [T; #count])
+            pub fn position_near(&self, #(#inputs: T,)* #guess)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
+                let #near = #runtime::Guess::values(#near);
                 #turns
                 #found
                 self.__position(#(#inputs,)* #near_choice #near_value)

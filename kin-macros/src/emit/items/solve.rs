@@ -18,12 +18,14 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let length = Literal::usize_unsuffixed(order + 1);
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let [position, near] = ["position", "near"].map(|name| mechanism.own(name));
+    let guess = quote!(#near: impl #runtime::Guess<T, #count>);
     let (assembly, value) = if mechanism.is_coupled() {
-        (quote!(#near: impl #runtime::Guess<T, #count>), quote!(#near))
+        (guess.clone(), quote!(#near))
     } else {
         (assembly, value)
     };
     let positions: Vec<TokenStream> = inputs.iter().map(|input| quote!(#input.position())).collect();
+    let motions = quote!(#(let #inputs = #inputs.into_motion();)*);
     let closure = closure::tokens(mechanism.declaration, model, runtime);
     let summary = format!(
         " Position and all time derivatives to {} in one call.",
@@ -41,9 +43,10 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             /// # Errors
             /// As for `position`. Also if a rate is not finite.
             #[inline]
-            pub fn solve(&self, #(#inputs: #runtime::Motion<T, #length>,)* #assembly)
+            pub fn solve(&self, #(#inputs: impl #runtime::IntoMotion<T, #length>,)* #assembly)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
+                #motions
                 let #position = self.position(#(#positions,)* #value)?;
                 self.__complete(#position, #(#inputs),*)
             }
@@ -53,9 +56,10 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             /// # Errors
             /// As for `solve`.
             #[inline]
-            pub fn solve_near(&self, #(#inputs: #runtime::Motion<T, #length>,)* #near: [T; #count])
+            pub fn solve_near(&self, #(#inputs: impl #runtime::IntoMotion<T, #length>,)* #guess)
                 -> ::core::result::Result<#pose<T>, #runtime::SolveError>
             {
+                #motions
                 let #position = self.position_near(#(#positions,)* #near)?;
                 self.__complete(#position, #(#inputs),*)
             }

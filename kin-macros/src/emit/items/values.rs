@@ -9,7 +9,7 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::Compiled;
 use crate::emit::text::Text;
 
-/// `impl PoseOf`, for the pose of each order.
+/// `impl PoseOf` and `impl Guess`, for the pose of each order.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let name = &model.name;
@@ -25,6 +25,11 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
                 impl<T: #runtime::Scalar> #runtime::PoseOf<#name<T>> for #pose<T> {
                     fn values(&self) -> ([T; #input_count], [T; #unknown_count]) {
                         ([#(self.#inputs.value()),*], [#(#unknowns),*])
+                    }
+                }
+                impl<T: #runtime::Scalar> #runtime::Guess<T, #unknown_count> for #pose<T> {
+                    fn values(self) -> [T; #unknown_count] {
+                        self.unknowns()
                     }
                 }
             }
