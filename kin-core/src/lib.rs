@@ -103,6 +103,8 @@ mod number;
 mod picture;
 pub mod prelude;
 pub mod solve;
+#[cfg(feature = "serde")]
+pub mod stored;
 mod track;
 #[cfg(feature = "num-dual")]
 pub mod verify;
@@ -275,6 +277,14 @@ macro_rules! __in_parallel {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __in_parallel {
+    ($($tokens:tt)*) => {};
+}
+
+/// The implementations of serde's traits for generated items: without the feature `serde`, none.
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __stored {
     ($($tokens:tt)*) => {};
 }
 

@@ -3,6 +3,7 @@
 pub use crate::__assert_verified as assert_verified;
 pub use crate::__in_parallel as in_parallel;
 pub use crate::__locals as locals;
+pub use crate::__stored as stored;
 pub use crate::assemblies::{Assemblies, Choices, continuation, every, positions_near};
 pub use crate::assembly::{Assembly, Guess, Near};
 pub use crate::failure::{Failure, InputValues, SolveError};
@@ -19,6 +20,8 @@ pub use crate::track::{TrackErrorOf, track_to};
 pub use crate::{batch, solve};
 pub use core;
 pub use kin_macros::mechanism_in;
+#[cfg(feature = "serde")]
+pub use serde;
 
 /// The traits whose methods generated code calls.
 pub mod methods {

@@ -31,6 +31,7 @@ use core::fmt;
 /// }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Assembly {
     /// The assembly in which an ordinary four-bar linkage above its ground link does not cross itself.
     Open,

@@ -26,6 +26,8 @@ mod slider_crank_series;
 mod spherical_four_bar;
 mod stephenson_six_bars;
 mod stewart_gough_leg;
+#[cfg(feature = "serde")]
+mod stored;
 mod universal_joint;
 mod watt_six_bars;
 mod whitworth_quick_return;

@@ -4,6 +4,7 @@ use crate::number::Operations;
 
 /// The description of a mechanism: its quantities, equations, blocks and costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Description {
     /// The name of the structure.
     pub name: &'static str,
@@ -27,6 +28,7 @@ pub struct Description {
 
 /// A named quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Quantity {
     /// The name of the quantity; the parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`.
     pub name: &'static str,
@@ -70,6 +72,7 @@ impl Quantity {
 
 /// The dimension of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Dimension {
     /// A length, in the mechanism's own unit.
     Length,
@@ -81,6 +84,7 @@ pub enum Dimension {
 
 /// A block: unknowns that are solved together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Block {
     /// The names of the unknowns, separated by commas.
     pub unknowns: &'static str,

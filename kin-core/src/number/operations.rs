@@ -2,6 +2,7 @@
 
 /// The number of operations of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Operations {
     /// Additions and subtractions.
     pub additions: usize,

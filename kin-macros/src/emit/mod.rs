@@ -16,8 +16,8 @@ use crate::syntax::Declaration;
 use crate::translate::skeleton;
 use compiled::{Compiled, local};
 use items::{
-    assembly, batch, description, every, interface, poses, position, sensitivities, solve, test, track, transmission,
-    values,
+    assembly, batch, description, every, interface, poses, position, sensitivities, solve, stored, test, track,
+    transmission, values,
 };
 
 /// The whole expansion of a declaration.
@@ -70,6 +70,7 @@ pub(crate) fn tokens(
         interface::tokens(inside, &picture.items),
         sensitivities::tokens(inside),
         batch::tokens(inside),
+        stored::tokens(inside),
     ];
     let name = &model.name;
     let implementations = quote! {

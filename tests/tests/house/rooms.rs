@@ -55,6 +55,7 @@ pub(crate) const CORE: House = House {
         room("assemblies", &["assemblies/"], "all positions"),
         room("track", &["track/"], "from pose to pose"),
         room("batch", &["batch/"], "columns, in lanes"),
+        room("stored", &["stored/"], "traits of serde"),
         room("interop", &["interop/"], "other crates' types"),
         room("verify", &["verify/"], "two oracles"),
         room("library", &["library/"], "declared mechanisms"),

@@ -13,6 +13,7 @@ pub(super) mod position;
 mod rates;
 pub(super) mod sensitivities;
 pub(super) mod solve;
+pub(super) mod stored;
 pub(super) mod test;
 pub(super) mod track;
 pub(super) mod transmission;
