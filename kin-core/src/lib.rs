@@ -118,6 +118,7 @@ pub use mechanism::{
     Quantity, Sensitive, sensitivities_of,
 };
 pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
+    Block, Description, Dimension, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive,
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Number, Operations, Row, series};

@@ -13,6 +13,8 @@ pub use crate::mechanism::{
     culprit, failed, length,
 };
 pub use crate::motion::{Direction, IntoMotion, Motion};
+    Block, Description, Dimension, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive,
+pub use crate::mechanism::{culprit, failed};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
 pub use crate::solve::Scalar;

@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 
+use crate::formulas::formulas;
 use crate::mistakes::Mistakes;
 use crate::model::Model;
 use crate::passes::Passes;
@@ -26,7 +27,13 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     };
     #[cfg(test)]
     crate::testing::definitions::assert_defined(&solvers);
-    emit::tokens(&declaration, &model, &structure.blocks, &solvers, &runtime)
+    let Structure {
+        graph,
+        residuals,
+        blocks,
+    } = structure;
+    let formulas = formulas(&declaration, &model, graph, &residuals, &blocks);
+    emit::tokens(&declaration, &model, &blocks, &solvers, &formulas, &runtime)
 }
 
 /// The passes between syntax and text; `None` if the declaration has mistakes.

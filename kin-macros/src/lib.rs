@@ -75,6 +75,7 @@ mod derive;
 mod emit;
 mod expand;
 mod fallback;
+mod formulas;
 mod mistakes;
 mod model;
 mod passes;

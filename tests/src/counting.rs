@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use kin_core::{Description, Mechanism, Outline, Scalar, SolveError};
+use kin_core::{Description, Formulas, Mechanism, Outline, Scalar, SolveError};
 
 thread_local! {
     static CALLS: Cell<Calls> = const { Cell::new(Calls { solutions: 0, closures: 0 }) };
@@ -47,6 +47,7 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     type Places = M::Places;
 
     const DESCRIPTION: Description = M::DESCRIPTION;
+    const FORMULAS: Formulas = M::FORMULAS;
     const ASSEMBLY_COUNT: usize = M::ASSEMBLY_COUNT;
     const OUTLINE: Outline = M::OUTLINE;
 

@@ -5,6 +5,7 @@ mod condition;
 mod description;
 pub(crate) mod factored_matrix;
 mod failed;
+mod formulas;
 mod pose_of;
 mod position_search;
 mod sensitive;
@@ -16,6 +17,7 @@ pub use block_form::length;
 pub use description::{Block, Description, Dimension, Quantity};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
+pub use formulas::{Formula, Formulas};
 pub use pose_of::PoseOf;
 pub use position_search::PositionSearch;
 pub use sensitive::{Partials, Sensitive};
@@ -93,6 +95,8 @@ pub trait Mechanism: Copy + Debug {
 
     /// The names, dimensions and equations, and the methods that solve them.
     const DESCRIPTION: Description;
+    /// The equations and their solution in the notation of textbooks, as text, MathML and LaTeX.
+    const FORMULAS: Formulas;
     /// The number of assemblies, or zero if it depends on the dimensions.
     const ASSEMBLY_COUNT: usize;
     /// Which joints of the skeleton belong together, [`Outline::NONE`] if nothing can be drawn.

@@ -9,12 +9,14 @@ use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::geometry::Plane;
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
-use crate::mechanism::{Block, Description, Dimension, Mechanism, Pose, Quantity};
+use crate::mechanism::{Block, Description, Dimension, Formula, Formulas, Mechanism, Pose, Quantity};
 use crate::motion::Motion;
 use crate::number::{Number, Operations};
 use crate::picture::Outline;
 use crate::solve::Scalar;
 
+/// The tests read no formulas.
+const NOTHING: Formula = Formula::new("", "", "");
 /// One more than the order of the [`Hyperbola`].
 const LENGTH: usize = 7;
 /// The order of a wrong derivative if nothing is wrong.
@@ -122,6 +124,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         order: LENGTH - 1,
         operations: &[Operations::NONE; LENGTH],
     };
+    const FORMULAS: Formulas = Formulas::new(NOTHING, &[], &[], NOTHING, NOTHING);
     const ASSEMBLY_COUNT: usize = 0;
     const OUTLINE: Outline = Outline::NONE;
 

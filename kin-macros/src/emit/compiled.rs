@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::algebra::Symbol;
+use crate::formulas::Formulas;
 use crate::model::{Dimension, Model, Request, Shape};
 use crate::program::{Mode, Names, Solvers, order_name};
 use crate::structure::{Block, Part};
@@ -17,6 +18,7 @@ pub(super) struct Compiled<'a> {
     pub(super) model: &'a Model,
     pub(super) blocks: &'a [Block],
     pub(super) solvers: &'a Solvers,
+    pub(super) formulas: &'a Formulas,
     /// The path to the items that generated code calls.
     pub(super) runtime: &'a TokenStream,
 }

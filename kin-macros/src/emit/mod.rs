@@ -9,6 +9,7 @@ mod text;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use crate::formulas::Formulas;
 use crate::model::{Model, Request};
 use crate::program::Solvers;
 use crate::structure::Block;
@@ -16,8 +17,8 @@ use crate::syntax::Declaration;
 use crate::translate::skeleton;
 use compiled::{Compiled, local};
 use items::{
-    assembly, batch, description, every, interface, poses, position, sensitivities, solve, stored, test, track,
-    transmission, values,
+    assembly, batch, description, every, formulas, interface, poses, position, sensitivities, solve, stored, test,
+    track, transmission, values,
 };
 
 /// The whole expansion of a declaration.
@@ -26,6 +27,7 @@ pub(crate) fn tokens(
     model: &Model,
     blocks: &[Block],
     solvers: &Solvers,
+    formulas: &Formulas,
     runtime: &TokenStream,
 ) -> TokenStream {
     let alias = alias(&model.name.to_string());
@@ -34,6 +36,7 @@ pub(crate) fn tokens(
         model,
         blocks,
         solvers,
+        formulas,
         runtime,
     };
     let inside = &Compiled {
@@ -52,6 +55,7 @@ pub(crate) fn tokens(
         assembly::list(inside),
         description::tokens(inside),
         sensitivities::cost(inside),
+        formulas::inherent(inside),
         every::tokens(inside),
     ];
     let methods = [

@@ -77,6 +77,7 @@ pub(crate) const MACROS: House = House {
         room("syntax", &["syntax/"], "tokens to tree"),
         room("model", &["model/"], "names, dimensions"),
         room("structure", &["structure/"], "blocks and parts"),
+        room("formulas", &["formulas/"], "text, MathML, LaTeX"),
         room("passes", &["passes.rs"], "switches for tests"),
         room("program", &["program/"], "the middle language"),
         room("refuse", &["refuse.rs"], "what has no solution"),

@@ -87,6 +87,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream) -
         quote!(self.assembly_at(#(#places,)* #near))
     };
     let description = description(mechanism);
+    let formulas = super::formulas::constant(mechanism);
     let unknown_motions = model.unknowns.iter().enumerate().map(|(index, unknown)| {
         let field = &unknown.name;
         if mechanism.is_direction(index) {
@@ -156,6 +157,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream) -
             type Residuals<Element: ::core::marker::Copy> = [Element; #residual_count];
 
             const DESCRIPTION: #runtime::Description = #description;
+            const FORMULAS: #runtime::Formulas = #formulas;
             const ASSEMBLY_COUNT: ::core::primitive::usize = #assembly_count;
 
             fn assembly(#index: ::core::primitive::usize) -> ::core::option::Option<Self::Assembly> {

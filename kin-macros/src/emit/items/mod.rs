@@ -6,6 +6,7 @@ pub(super) mod description;
 mod documentation;
 pub(super) mod every;
 mod forms;
+pub(super) mod formulas;
 pub(super) mod interface;
 mod jacobian;
 pub(super) mod poses;

@@ -42,6 +42,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     } else {
         (TokenStream::new(), quote!(self.assembly_at(#(#inputs,)* #near),))
     };
+    let formulas = mechanism.position_formulas();
     let input_line = format!(" Inputs: {}.", mechanism.input_line());
     let assemblies = mechanism.assembly_lines();
     let (equations, blocks, cost) = (
@@ -93,6 +94,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             /// block by block:
             #(#[doc = #blocks])*
             #(#[doc = #assemblies])*
+            #formulas
             ///
             #[doc = #cost]
             ///

@@ -61,8 +61,10 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>, order: usize) -> TokenSt
         mechanism.cost_line(order),
         if order == 1 { approach.as_str() } else { "" },
     );
+    let formulas = mechanism.rate_formulas(order);
     quote! {
             #[doc = #summary]
+            #formulas
             #[inline(always)]
             #[must_use]
             pub fn #method(&self, #(#arguments: T),*) -> #pose<T> {

@@ -1,0 +1,74 @@
+//! The formulas to be read: as a constant, and in the documentation of the solvers.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::compiled::Compiled;
+use crate::formulas::Formula;
+
+/// The value of the trait's constant.
+pub(in crate::emit) fn constant(mechanism: &Compiled<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    let formulas = mechanism.formulas;
+    let one = |Formula { text, mathml, latex }: &Formula| quote!(#runtime::Formula::new(#text, #mathml, #latex));
+    let [closure, rates, outputs] = [&formulas.closure, &formulas.rates, &formulas.outputs].map(one);
+    let [position, velocity] = [&formulas.position, &formulas.velocity].map(|blocks| {
+        let blocks = blocks.iter().map(one);
+        quote!(&[#(#blocks),*])
+    });
+    quote!(#runtime::Formulas::new(#closure, #position, #velocity, #rates, #outputs))
+}
+
+/// The constant of the structure.
+pub(in crate::emit) fn inherent(mechanism: &Compiled<'_>) -> TokenStream {
+    let runtime = mechanism.runtime;
+    quote! {
+        /// The equations and their solution in the notation of textbooks, as text, MathML and LaTeX.
+        pub const FORMULAS: #runtime::Formulas = <Self as #runtime::Mechanism>::FORMULAS;
+    }
+}
+
+impl Compiled<'_> {
+    /// The equations, the outputs, and the solution of each block, as documentation.
+    pub(super) fn position_formulas(&self) -> TokenStream {
+        let formulas = self.formulas;
+        let closure = shown(" In the notation of textbooks, the equations are", &formulas.closure);
+        let outputs = if self.model.outputs.is_empty() {
+            TokenStream::new()
+        } else {
+            shown(" and the outputs are", &formulas.outputs)
+        };
+        let blocks = self.blocks.iter().zip(&formulas.position).map(|(block, formula)| {
+            let line = format!(" `{}`, {}:", self.names(&block.unknowns), self.solution(block));
+            shown(&line, formula)
+        });
+        quote!(#closure #outputs #(#blocks)*)
+    }
+
+    /// The linear equations of an order, as documentation.
+    pub(super) fn rate_formulas(&self, order: usize) -> TokenStream {
+        let formulas = self.formulas;
+        if let Some(higher) = order.checked_sub(2) {
+            let line = " Where **A** ẋ = **b** are the linear equations of a block's velocities:";
+            return shown(line, &formulas.higher[higher]);
+        }
+        let blocks = self.blocks.iter().zip(&formulas.velocity).map(|(block, formula)| {
+            let line = format!(" The linear equations of `{}`:", self.names(&block.unknowns));
+            shown(&line, formula)
+        });
+        quote!(#(#blocks)*)
+    }
+}
+
+/// A formula below a line. A page of documentation shows MathML. An editor, which cannot, shows text.
+fn shown(line: &str, formula: &Formula) -> TokenStream {
+    let mathml = format!(" <div style=\"overflow-x:auto\">{}</div>", formula.mathml);
+    let text = format!(" ```text\n {}\n ```", formula.text.replace('\n', "\n "));
+    quote! {
+        ///
+        #[doc = #line]
+        ///
+        #[cfg_attr(doc, doc = #mathml)]
+        #[cfg_attr(not(doc), doc = #text)]
+    }
+}

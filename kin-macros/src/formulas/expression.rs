@@ -1,0 +1,305 @@
+//! Expressions of the graph in the notation of the field.
+
+use std::collections::BTreeMap;
+
+use super::name::Name;
+use super::names::Names;
+use super::term::Term;
+use super::typed::{complex, elementary};
+use crate::algebra::{Function, Graph, Node, NodeKind, Symbol};
+use crate::syntax::Axis;
+
+/// The largest number of symbols of an expression that is printed.
+const LARGEST: usize = 60;
+
+/// The largest divisor of a number that is printed as a fraction.
+const LARGEST_DIVISOR: u32 = 64;
+
+/// The longest decimal number that is printed as it is, if it is a fraction.
+const LONGEST_DECIMAL: usize = 5;
+
+/// Turns expressions into terms.
+pub(super) struct Expressions<'a> {
+    pub(super) graph: &'a Graph,
+    pub(super) names: &'a Names,
+    /// The names of results within a solution.
+    pub(super) results: &'a BTreeMap<Symbol, Name>,
+}
+
+/// A number times factors, and the unit vector of an angle.
+#[derive(Clone, PartialEq)]
+struct Turning {
+    coefficient: f64,
+    factors: Vec<(Node, i32)>,
+    /// The angle of the unit vector, if there is one.
+    angle: Option<Node>,
+    is_mirrored: bool,
+    /// Whether there is a factor i.
+    is_quarter: bool,
+    /// The vector that a real and an imaginary part make up.
+    vector: Option<Name>,
+}
+
+impl Expressions<'_> {
+    /// A scalar; `None` if it is too long to be read.
+    pub(super) fn scalar(&self, node: Node) -> Option<Term> {
+        let mut room = LARGEST;
+        self.convert(node, &mut room)
+    }
+
+    fn convert(&self, node: Node, room: &mut usize) -> Option<Term> {
+        *room = room.checked_sub(1)?;
+        Some(match self.graph.kind(node) {
+            NodeKind::Number(value) => number(value.get()),
+            NodeKind::Pi => Term::Pi,
+            NodeKind::Symbol(symbol) => Term::Name(self.name(*symbol)?),
+            NodeKind::Sum(constant, terms) => {
+                let mut sum = Vec::new();
+                for &(node, coefficient) in terms {
+                    let term = self.convert(node, room)?;
+                    sum.push(scaled(coefficient.get(), term));
+                }
+                sum.push(number(constant.get()));
+                positive_first(sum)
+            }
+            NodeKind::Product(factors) => self.factors(factors, room)?,
+            NodeKind::Call(function, arguments) => {
+                let arguments: Option<Vec<Term>> =
+                    arguments.iter().map(|&argument| self.convert(argument, room)).collect();
+                elementary(*function, arguments?)
+            }
+        })
+    }
+
+    fn name(&self, symbol: Symbol) -> Option<Name> {
+        self.results.get(&symbol).cloned().or_else(|| self.names.symbol(symbol))
+    }
+
+    /// A product of powers, as a quotient if some exponents are negative. Functions come last.
+    fn factors(&self, factors: &[(Node, i32)], room: &mut usize) -> Option<Term> {
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        for &(node, exponent) in factors {
+            let term = self.convert(node, room)?;
+            let power = term.power(i32::try_from(exponent.unsigned_abs()).ok()?);
+            if exponent > 0 { &mut above } else { &mut below }.push(power);
+        }
+        let product = functions_last(above);
+        Some(if below.is_empty() {
+            product
+        } else {
+            product.over(functions_last(below))
+        })
+    }
+
+    /// A vector of the plane as a complex number; `None` if it is too long to be read. Sines and cosines with one factor
+    /// become unit vectors, and the parts of a vector become the vector.
+    pub(super) fn complex(&self, re: Node, im: Node) -> Option<Term> {
+        let (re, mut im) = (self.terms(re), self.terms(im));
+        let (mut turning, mut real) = (Vec::new(), Vec::new());
+        for (coefficient, factors) in re {
+            match self.turning(coefficient, &factors, &mut im) {
+                Some(found) => turning.push(found),
+                None => real.push((coefficient, factors)),
+            }
+        }
+        let plain = |(coefficient, factors), is_quarter| Turning {
+            coefficient,
+            factors,
+            angle: None,
+            is_mirrored: false,
+            is_quarter,
+            vector: None,
+        };
+        turning.extend(real.into_iter().map(|term| plain(term, false)));
+        turning.extend(im.into_iter().map(|term| plain(term, true)));
+        self.merge(&mut turning);
+
+        let mut room = LARGEST;
+        let (mut sum, mut imaginary) = (Vec::new(), Vec::new());
+        for Turning {
+            coefficient,
+            factors,
+            angle,
+            is_mirrored,
+            is_quarter,
+            vector,
+        } in turning
+        {
+            let mut parts = vec![self.factors(&factors, &mut room)?];
+            parts.extend(vector.map(Term::Name));
+            if let Some(angle) = angle {
+                let angle = self.convert(angle, &mut room)?;
+                parts.extend(is_quarter.then_some(Term::Imaginary));
+                parts.push(Term::direction(if is_mirrored { angle.negative() } else { angle }));
+                sum.push(scaled(coefficient, Term::product(parts)));
+            } else if is_quarter {
+                imaginary.push(scaled(coefficient, Term::product(parts)));
+            } else {
+                sum.push(scaled(coefficient, Term::product(parts)));
+            }
+        }
+        sum.push(complex(Term::Number(0.0), positive_first(imaginary)));
+        Some(positive_first(sum))
+    }
+
+    /// The terms of a sum, each as a number and powers.
+    fn terms(&self, node: Node) -> Vec<(f64, Vec<(Node, i32)>)> {
+        let factors = |node: Node| match self.graph.kind(node) {
+            NodeKind::Product(factors) => factors.clone(),
+            _ => vec![(node, 1)],
+        };
+        match self.graph.kind(node) {
+            NodeKind::Number(value) if value.get() == 0.0 => Vec::new(),
+            NodeKind::Number(value) => vec![(value.get(), Vec::new())],
+            NodeKind::Sum(constant, terms) => {
+                let constant = (constant.get() != 0.0).then(|| (constant.get(), Vec::new()));
+                terms
+                    .iter()
+                    .map(|&(term, coefficient)| (coefficient.get(), factors(term)))
+                    .chain(constant)
+                    .collect()
+            }
+            _ => vec![(1.0, factors(node))],
+        }
+    }
+
+    /// A real part with a sine or a cosine, together with the imaginary part that makes it a unit vector.
+    fn turning(
+        &self,
+        coefficient: f64,
+        factors: &[(Node, i32)],
+        imaginary: &mut Vec<(f64, Vec<(Node, i32)>)>,
+    ) -> Option<Turning> {
+        let without = |factors: &[(Node, i32)], place: usize| {
+            let mut rest = factors.to_vec();
+            rest.remove(place);
+            rest
+        };
+        for (place, &(node, exponent)) in factors.iter().enumerate() {
+            let NodeKind::Call(function @ (Function::Sin | Function::Cos), arguments) = self.graph.kind(node) else {
+                continue;
+            };
+            let (Some(partner), 1, &[angle]) = (function.partner(), exponent, arguments.as_slice()) else {
+                continue;
+            };
+            let rest = without(factors, place);
+            let matching = imaginary.iter().enumerate().find_map(|(index, (other, factors))| {
+                let is_partner = |&(node, exponent): &(Node, i32)| {
+                    let NodeKind::Call(function, arguments) = self.graph.kind(node) else {
+                        return false;
+                    };
+                    *function == partner && exponent == 1 && arguments.as_slice() == [angle]
+                };
+                let place = factors.iter().position(is_partner)?;
+                (other.abs() == coefficient.abs() && without(factors, place) == rest).then_some((index, *other))
+            });
+            let Some((index, other)) = matching else { continue };
+            imaginary.remove(index);
+            // c (cos + i sin), c (cos - i sin), c (i cos - sin), c (i cos + sin)
+            let is_quarter = *function == Function::Sin;
+            return Some(Turning {
+                coefficient: if is_quarter { other } else { coefficient },
+                factors: rest,
+                angle: Some(angle),
+                is_mirrored: (other == coefficient) == is_quarter,
+                is_quarter,
+                vector: None,
+            });
+        }
+        None
+    }
+
+    /// Joins the terms of a vector's two parts, p_x + i p_y.
+    fn merge(&self, terms: &mut Vec<Turning>) {
+        let part = |turning: &Turning, wanted: Axis| {
+            turning
+                .factors
+                .iter()
+                .enumerate()
+                .find_map(|(place, &(node, exponent))| {
+                    let symbol = self.graph.as_symbol(node)?;
+                    let (name, axis) = self.names.part(symbol)?;
+                    let mut rest = turning.factors.clone();
+                    rest.remove(place);
+                    (axis == wanted && exponent == 1).then(|| (name.clone(), rest))
+                })
+        };
+        let mut first = 0;
+        while first < terms.len() {
+            let found = part(&terms[first], Axis::X).filter(|_| !terms[first].is_quarter);
+            let joined = found.and_then(|(name, rest)| {
+                let whole = Turning {
+                    factors: rest,
+                    vector: Some(name),
+                    ..terms[first].clone()
+                };
+                let partner = terms.iter().position(|other| {
+                    other.is_quarter
+                        && part(other, Axis::Y).is_some_and(|(name, rest)| {
+                            let other = Turning {
+                                factors: rest,
+                                vector: Some(name),
+                                is_quarter: false,
+                                ..other.clone()
+                            };
+                            other == whole
+                        })
+                })?;
+                Some((whole, partner))
+            });
+            if let Some((whole, partner)) = joined {
+                terms[first] = whole;
+                terms.remove(partner);
+                first -= usize::from(partner < first);
+            }
+            first += 1;
+        }
+    }
+}
+
+/// A number of either sign: short decimals as they are, others as fractions of small numbers where they are such.
+fn number(value: f64) -> Term {
+    let size = value.abs();
+    if size.to_string().len() > LONGEST_DECIMAL {
+        for divisor in 2..=LARGEST_DIVISOR {
+            let dividend = (size * f64::from(divisor)).round();
+            if dividend > 0.0 && dividend < 1e6 && dividend / f64::from(divisor) == size {
+                let fraction = Term::Number(dividend).over(Term::Number(f64::from(divisor)));
+                return if value < 0.0 { fraction.negative() } else { fraction };
+            }
+        }
+    }
+    Term::number(value)
+}
+
+/// A number times a term. A half becomes a quotient.
+fn scaled(coefficient: f64, term: Term) -> Term {
+    let size = coefficient.abs();
+    let product = match (1.0 / size, number(size)) {
+        (_, Term::Quotient(dividend, divisor)) => Term::product([*dividend, term]).over(*divisor),
+        (divisor @ (2.0 | 4.0 | 8.0), _) => term.over(Term::Number(divisor)),
+        (_, number) => Term::product([number, term]),
+    };
+    if coefficient < 0.0 { product.negative() } else { product }
+}
+
+/// A product with the functions behind all other factors, so that their arguments need no parentheses.
+pub(super) fn functions_last(factors: Vec<Term>) -> Term {
+    let is_function = |term: &Term| match term {
+        Term::Call(..) => true,
+        Term::Power(base, _) => matches!(**base, Term::Call(..)),
+        _ => false,
+    };
+    let (functions, others): (Vec<Term>, Vec<Term>) = factors.into_iter().partition(is_function);
+    Term::product(others.into_iter().chain(functions))
+}
+
+/// A sum that begins with a positive term, if it has one.
+fn positive_first(mut terms: Vec<Term>) -> Term {
+    terms.retain(|term| *term != Term::Number(0.0));
+    if let Some(positive) = terms.iter().position(|term| !matches!(term, Term::Negative(_))) {
+        let first = terms.remove(positive);
+        terms.insert(0, first);
+    }
+    Term::sum(terms)
+}

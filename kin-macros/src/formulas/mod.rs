@@ -1,0 +1,186 @@
+//! Formulas to be read: the equations and their solution in the notation of textbooks, as text, MathML and LaTeX.
+//!
+//! Equations, abbreviations and outputs keep the shape in which they were typed. The solutions of the blocks and the
+//! linear equations of the rates come from the graph. All of them become terms (`term.rs`), and one printer
+//! (`print.rs`) writes terms in all three forms. The printer alone decides where parentheses stand.
+
+mod expression;
+mod form;
+mod name;
+mod names;
+mod print;
+mod rates;
+mod solution;
+mod term;
+#[cfg(test)]
+mod tests;
+mod typed;
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Graph, Node};
+use crate::model::Model;
+use crate::structure::Block;
+use crate::syntax::{Comparison, Declaration, RangeKind, Statement};
+use names::Names;
+use rates::{Residuals, equations, partials, recurrence, velocity};
+use solution::Solutions;
+use term::{Line, Term};
+use typed::term;
+
+/// A formula, or several below each other, in three forms.
+pub(crate) struct Formula {
+    /// Lines for a terminal or an editor.
+    pub(crate) text: String,
+    pub(crate) mathml: String,
+    /// For the mathematical mode, with the relations below each other.
+    pub(crate) latex: String,
+}
+
+/// The formulas of a mechanism.
+pub(crate) struct Formulas {
+    /// The abbreviations, the equations, and the ranges of the unknowns.
+    pub(crate) closure: Formula,
+    /// The solution of each block, in order.
+    pub(crate) position: Vec<Formula>,
+    /// The linear equations of each block's velocities.
+    pub(crate) velocity: Vec<Formula>,
+    /// The linear equations of each order from the acceleration on.
+    pub(crate) higher: Vec<Formula>,
+    /// The linear equations of all orders from the acceleration on.
+    pub(crate) rates: Formula,
+    /// The outputs.
+    pub(crate) outputs: Formula,
+}
+
+/// The formulas of a declaration without mistakes, whose scalar equations are `residual == 0`.
+pub(crate) fn formulas(
+    declaration: &Declaration,
+    model: &Model,
+    mut graph: Graph,
+    residuals: &[Node],
+    blocks: &[Block],
+) -> Formulas {
+    let names = Names::new(declaration, model);
+    let is_cis = names.look_complex();
+    let formula = |lines: &[Line]| print::formula(lines, is_cis);
+    let partials = partials(&mut graph, model, residuals);
+    let residuals = Residuals::new(declaration, model, &names, residuals);
+    let position = {
+        let mut solutions = Solutions::new(&mut graph, model, &names, &residuals);
+        blocks.iter().map(|block| formula(&solutions.block(block))).collect()
+    };
+    let velocity = blocks
+        .iter()
+        .map(|block| formula(&velocity(&graph, &partials, &residuals, block)))
+        .collect();
+    Formulas {
+        closure: formula(&closure(declaration, &names)),
+        position,
+        velocity,
+        higher: (2..=model.order)
+            .map(|order| formula(&recurrence(&names, order..=order)))
+            .collect(),
+        rates: formula(&recurrence(&names, 2..=model.order)),
+        outputs: formula(&outputs(declaration, &names)),
+    }
+}
+
+/// The equations, after the abbreviations that they use, and before the ranges of the unknowns.
+fn closure(declaration: &Declaration, names: &Names) -> Vec<Line> {
+    let mut used = BTreeSet::new();
+    for equation in equations(declaration) {
+        for side in [&equation.left, &equation.right] {
+            side.visit_names(&mut |name| {
+                used.insert(name.to_string());
+            });
+        }
+    }
+    let mut lines = abbreviations(declaration, names, used);
+    lines.extend(
+        equations(declaration)
+            .map(|equation| Line::equation(term(names, &equation.left), term(names, &equation.right))),
+    );
+    for statement in &declaration.statements {
+        let Statement::Unknowns(items) = statement else {
+            continue;
+        };
+        for item in items {
+            if let Some(clause) = &item.range {
+                lines.extend(range(names, &item.quantity.name.to_string(), &clause.kind));
+            }
+        }
+    }
+    lines
+}
+
+/// The outputs, after the abbreviations that only they use.
+fn outputs(declaration: &Declaration, names: &Names) -> Vec<Line> {
+    let outputs = || {
+        declaration.statements.iter().filter_map(|statement| match statement {
+            Statement::Output(output) => Some(output),
+            _ => None,
+        })
+    };
+    let mut used = BTreeSet::new();
+    for output in outputs() {
+        output.value.visit_names(&mut |name| {
+            used.insert(name.to_string());
+        });
+    }
+    let mut lines = abbreviations(declaration, names, used);
+    lines.extend(
+        outputs().map(|output| Line::equation(named(names, &output.name.to_string()), term(names, &output.value))),
+    );
+    lines
+}
+
+/// The abbreviations among some names, and those that they use themselves, in the order of the declaration.
+fn abbreviations(declaration: &Declaration, names: &Names, mut used: BTreeSet<String>) -> Vec<Line> {
+    let mut lines = Vec::new();
+    // an abbreviation comes after those that it uses
+    for statement in declaration.statements.iter().rev() {
+        if let Statement::Let(statement) = statement
+            && used.contains(&statement.name.to_string())
+        {
+            statement.value.visit_names(&mut |name| {
+                used.insert(name.to_string());
+            });
+            lines.push(Line::equation(
+                named(names, &statement.name.to_string()),
+                term(names, &statement.value),
+            ));
+        }
+    }
+    lines.reverse();
+    lines
+}
+
+/// The range of an unknown, as one or two comparisons.
+fn range(names: &Names, unknown: &str, kind: &RangeKind) -> Vec<Line> {
+    let line = |relation, bound| Line {
+        left: named(names, unknown),
+        relation,
+        right: term(names, bound),
+    };
+    match kind {
+        RangeKind::Comparison { comparison, bound, .. } => {
+            let relation = match comparison {
+                Comparison::Less => "<",
+                Comparison::LessOrEqual => "≤",
+                Comparison::Greater => ">",
+                Comparison::GreaterOrEqual => "≥",
+            };
+            vec![line(relation, bound)]
+        }
+        RangeKind::Between { low, high, closed } => {
+            vec![line("≥", low), line(if *closed { "≤" } else { "<" }, high)]
+        }
+    }
+}
+
+fn named(names: &Names, identifier: &str) -> Term {
+    names
+        .of(identifier)
+        .map_or(Term::Dots, |(name, _)| Term::Name(name.clone()))
+}

@@ -1,0 +1,187 @@
+//! The linear equations of the rates.
+
+use std::collections::BTreeMap;
+
+use super::expression::{Expressions, functions_last};
+use super::name::Name;
+use super::names::Names;
+use super::term::{Line, Term};
+use super::typed::{complex, term};
+use crate::algebra::{Graph, Node, Symbol};
+use crate::model::{Model, Shape};
+use crate::room::with_room;
+use crate::structure::Block;
+use crate::syntax::{Declaration, EquationStatement, Statement};
+
+/// The scalar equations f = 0, with their names.
+pub(super) struct Residuals<'a> {
+    names: &'a Names,
+    nodes: &'a [Node],
+    /// For each scalar equation, the declared one to which it belongs.
+    origins: Vec<usize>,
+    shapes: Vec<Shape>,
+    equations: Vec<&'a EquationStatement>,
+}
+
+impl<'a> Residuals<'a> {
+    pub(super) fn new(declaration: &'a Declaration, model: &Model, names: &'a Names, nodes: &'a [Node]) -> Self {
+        let (_, origins) = model.scalar_equations();
+        Self {
+            names,
+            nodes,
+            origins: origins.into_iter().map(|origin| origin.equation).collect(),
+            shapes: model
+                .equations
+                .iter()
+                .map(|equation| equation.residual.shape())
+                .collect(),
+            equations: equations(declaration).collect(),
+        }
+    }
+
+    /// The index of a scalar equation.
+    pub(super) fn place(&self, residual: Node) -> Option<usize> {
+        self.nodes.iter().position(|&node| node == residual)
+    }
+
+    /// The name of the left side minus the right side of a scalar equation.
+    pub(super) fn name(&self, place: usize) -> Name {
+        let name = self.names.fresh('f');
+        if self.nodes.len() == 1 {
+            name
+        } else {
+            name.indexed((place + 1).to_string())
+        }
+    }
+
+    /// The definitions of the names of some scalar equations.
+    pub(super) fn definitions(&self, places: &[usize]) -> Vec<Line> {
+        let mut declared: Vec<usize> = places.iter().map(|&place| self.origins[place]).collect();
+        declared.sort_unstable();
+        declared.dedup();
+        declared
+            .into_iter()
+            .map(|equation| {
+                let parts = (0..self.nodes.len()).filter(|&place| self.origins[place] == equation);
+                let mut parts: Vec<Term> = parts.map(|place| Term::Name(self.name(place))).collect();
+                let left = match (self.shapes[equation], parts.len()) {
+                    (Shape::Plane, 2) => complex(parts.remove(0), parts.remove(0)),
+                    (_, 1) => parts.remove(0),
+                    _ => Term::Tuple(parts),
+                };
+                let typed = self.equations[equation];
+                let right = term(self.names, &typed.left).minus(term(self.names, &typed.right));
+                Line::equation(left, right)
+            })
+            .collect()
+    }
+}
+
+/// The equations of a declaration.
+pub(super) fn equations(declaration: &Declaration) -> impl Iterator<Item = &EquationStatement> {
+    declaration.statements.iter().filter_map(|statement| match statement {
+        Statement::Equation(equation) => Some(equation),
+        _ => None,
+    })
+}
+
+/// ∂f/∂x
+pub(super) fn change_over(of: &Name, by: &Name) -> Term {
+    Term::Change('∂', of.clone()).over(Term::Change('∂', by.clone()))
+}
+
+/// The partial derivatives of each scalar equation by the unknowns and inputs that it contains, without zeros.
+pub(super) fn partials(graph: &mut Graph, model: &Model, residuals: &[Node]) -> Vec<Vec<(Symbol, Node)>> {
+    let unknowns = (0..model.unknowns.len()).map(Symbol::Unknown);
+    let symbols: Vec<Symbol> = unknowns.chain((0..model.inputs.len()).map(Symbol::Input)).collect();
+    with_room(|| {
+        let mut rows = Vec::new();
+        for &residual in residuals {
+            let mut row = Vec::new();
+            for &symbol in &symbols {
+                if graph.contains(residual, symbol) {
+                    let partial = graph.partial(residual, symbol);
+                    row.extend((!graph.is_zero(partial)).then_some((symbol, partial)));
+                }
+            }
+            rows.push(row);
+        }
+        rows
+    })
+}
+
+/// The linear equations of a block's velocities, given the partial derivatives of all scalar equations. The rates of the
+/// block's unknowns are on the left, those of all other quantities on the right.
+pub(super) fn velocity(
+    graph: &Graph,
+    partials: &[Vec<(Symbol, Node)>],
+    residuals: &Residuals<'_>,
+    block: &Block,
+) -> Vec<Line> {
+    let names = residuals.names;
+    let is_own = |symbol| matches!(symbol, Symbol::Unknown(unknown) if block.unknowns.contains(&unknown));
+    let (mut rows, mut named) = (Vec::new(), Vec::new());
+    for &place in &block.equations {
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        for &(symbol, partial) in &partials[place] {
+            let Some(name) = names.symbol(symbol) else { continue };
+            let expressions = Expressions {
+                graph,
+                names,
+                results: &BTreeMap::new(),
+            };
+            let rate = Term::Rate(name.clone(), 1);
+            let term = expressions.scalar(partial).map_or_else(
+                || {
+                    named.push(place);
+                    Term::product([change_over(&residuals.name(place), &name), rate.clone()])
+                },
+                |coefficient| times(coefficient, rate.clone()),
+            );
+            if is_own(symbol) {
+                left.push(term);
+            } else {
+                right.push(term.negative());
+            }
+        }
+        rows.push(Line::equation(Term::sum(left), Term::sum(right)));
+    }
+    let mut lines = residuals.definitions(&named);
+    lines.extend(rows);
+    lines
+}
+
+/// A coefficient times a rate, which stands before the functions.
+fn times(coefficient: Term, rate: Term) -> Term {
+    match coefficient {
+        Term::Negative(of) => times(*of, rate).negative(),
+        Term::Product(mut factors) => {
+            factors.push(rate);
+            functions_last(factors)
+        }
+        sum @ Term::Sum(_) => Term::Product(vec![sum, rate]),
+        other => functions_last(vec![other, rate]),
+    }
+}
+
+/// The same linear equations at the orders from acceleration to `order`, by Leibniz's rule from A ẋ = b.
+pub(super) fn recurrence(names: &Names, orders: std::ops::RangeInclusive<usize>) -> Vec<Line> {
+    let [matrix, right, unknowns] = ['A', 'b', 'x'].map(|letter| names.fresh(letter).as_vector(true));
+    let derivative = |name: &Name, order: usize| match order {
+        0 => Term::Name(name.clone()),
+        order => Term::Rate(name.clone(), order),
+    };
+    let row = |order: usize| {
+        let mut terms = vec![derivative(&right, order - 1)];
+        let mut binomial = 1;
+        for below in 1..order {
+            binomial = binomial * (order - below) / below;
+            let factor = Term::Number(f64::from(u32::try_from(binomial).unwrap_or(u32::MAX)));
+            let product = [factor, derivative(&matrix, below), derivative(&unknowns, order - below)];
+            terms.push(Term::product(product).negative());
+        }
+        let left = Term::product([Term::Name(matrix.clone()), derivative(&unknowns, order)]);
+        Line::equation(left, Term::sum(terms))
+    };
+    orders.map(row).collect()
+}
