@@ -22,7 +22,12 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let Some(declaration) = syntax::parse(tokens, &mut mistakes) else {
         return fallback::tokens(None, mistakes, &runtime);
     };
-    let Some((model, structure, solvers)) = solvers(&declaration, &mut mistakes) else {
+    let solved = if declaration.holds_prose {
+        None
+    } else {
+        solvers(&declaration, &mut mistakes)
+    };
+    let Some((model, structure, solvers)) = solved else {
         return fallback::tokens(Some(&declaration), mistakes, &runtime);
     };
     #[cfg(test)]

@@ -38,6 +38,11 @@ impl Mistakes {
         self.errors.is_empty()
     }
 
+    /// Drops the mistakes, because a reported one explains them.
+    pub(crate) fn forget(mut self) {
+        self.errors.clear();
+    }
+
     /// One `compile_error!` for each mistake, in the order in which they were found.
     pub(crate) fn into_compile_errors(self) -> TokenStream {
         self.into_each_compile_error().into_iter().collect()

@@ -165,6 +165,16 @@ pub trait Mechanism: Copy + Debug {
         unknowns: Self::Unknowns<Self::Scalar>,
     ) -> Self::Residuals<Self::Scalar>;
 
+    /// The inherent method of this name exists `with sensitivities;` only. Without it this one is found instead, and the
+    /// compiler names the request that is missing.
+    #[doc(hidden)]
+    fn sensitivities(&self, pose: &Self::Pose) -> Self::Parameters<<Self as Sensitive>::Partials>
+    where
+        Self: Sensitive,
+    {
+        self.sensitivities_of(pose)
+    }
+
     /// The joints of the skeleton and the directions of its slides, for any values of inputs and unknowns.
     fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places;
 

@@ -36,6 +36,11 @@ use crate::number::{Operations, Row};
 /// println!("{} rad/s for each unit of length", by.r3.theta4.velocity());
 /// # Ok::<(), SolveError>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is declared without sensitivities",
+    label = "not declared `with sensitivities;`",
+    note = "write `with sensitivities;` in its declaration"
+)]
 pub trait Sensitive: Mechanism {
     /// The derivatives with respect to one parameter.
     type Partials: Partials<

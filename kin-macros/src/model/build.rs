@@ -120,7 +120,7 @@ fn quantities(
                         documentation: quantity.documentation.clone(),
                         dimension: quantity.dimension,
                         range: range.as_ref().and_then(|clause| {
-                            range::range(clause, &quantity.name, quantity.dimension, declaration, mistakes)
+                            range::range(clause, &quantity.name, quantity.dimension, declaration, scope, mistakes)
                         }),
                     });
                 }

@@ -1,5 +1,7 @@
 //! Formulas to graph nodes: names are looked up, dimensions checked, and vectors split into scalars.
 
+use std::iter;
+
 use proc_macro2::Span;
 
 use crate::algebra::{Function, Gives, Graph, Node, Takes};
@@ -105,6 +107,9 @@ impl Lowering<'_, '_> {
                 product?
             }
             FormulaKind::Call { callee, arguments, .. } => {
+                if let (Callee::Elementary(Function::Exp), [argument]) = (callee, arguments.as_slice()) {
+                    self.expect_real(formula, argument)?;
+                }
                 let typed: Vec<Option<Typed>> = arguments.iter().map(|argument| self.formula(argument)).collect();
                 let typed: Vec<Typed> = typed.into_iter().collect::<Option<_>>()?;
                 self.call(*callee, arguments, &typed)?
@@ -154,6 +159,31 @@ impl Lowering<'_, '_> {
         };
         let value = self.fitting(formula.extent, typed.value)?;
         Some(Typed { value, ..typed })
+    }
+
+    /// Refuses `exp(i * angle)`, which is written `cis(angle)`.
+    fn expect_real(&mut self, exponential: &Formula, exponent: &Formula) -> Option<()> {
+        let FormulaKind::Product { first, rest } = &exponent.kind else {
+            return Some(());
+        };
+        let factors = || iter::once(&**first).chain(rest.iter().map(|operation| &operation.formula));
+        let is_imaginary = |factor: &&Formula| {
+            let FormulaKind::Name(name) = &factor.kind else {
+                return false;
+            };
+            let word = name.to_string();
+            (word == "i" || word == "j") && self.scope.is_free(&word)
+        };
+        if rest.iter().any(|operation| operation.operator == Operator::Divide) || !factors().any(|it| is_imaginary(&it)) {
+            return Some(());
+        }
+        let angle: Vec<String> = factors().filter(|it| !is_imaginary(it)).map(Formula::to_string).collect();
+        exponent.visit_names(&mut |name| self.scope.mean(&name.to_string()));
+        self.mistakes.error(
+            exponential.extent,
+            format!("the exponential of an imaginary number is a unit vector: write `cis({})`", angle.join(" * ")),
+        );
+        None
     }
 
     /// A new value, if its constants and powers are within the limits. Its operands have been checked before.

@@ -16,6 +16,7 @@ pub(super) fn range(
     unknown: &Ident,
     dimension: Dimension,
     declaration: &Declaration,
+    scope: &mut Scope<'_>,
     mistakes: &mut Mistakes,
 ) -> Option<Range> {
     let (low, high) = match &clause.kind {
@@ -24,22 +25,24 @@ pub(super) fn range(
             comparison,
             bound,
         } => {
+            bound.visit_names(&mut |name| scope.mean(&name.to_string()));
             if name != unknown {
+                scope.mean(&name.to_string());
                 mistakes.error(
                     name,
                     format!("the range of `{unknown}` can only compare `{unknown}`: write `where {unknown} > …`"),
                 );
                 return None;
             }
-            let bound = constant(bound, declaration, mistakes)?;
+            let bound = constant(bound, declaration, scope, mistakes)?;
             match comparison {
                 Comparison::Less | Comparison::LessOrEqual => (f64::NEG_INFINITY, bound),
                 Comparison::Greater | Comparison::GreaterOrEqual => (bound, f64::INFINITY),
             }
         }
         RangeKind::Between { low, high, .. } => {
-            let low = constant(low, declaration, mistakes);
-            let high = constant(high, declaration, mistakes);
+            let low = constant(low, declaration, scope, mistakes);
+            let high = constant(high, declaration, scope, mistakes);
             (low?, high?)
         }
     };
@@ -56,7 +59,13 @@ pub(super) fn range(
 }
 
 /// The end of a range, which consists of literals and PI.
-fn constant(bound: &Formula, declaration: &Declaration, mistakes: &mut Mistakes) -> Option<f64> {
+fn constant(
+    bound: &Formula,
+    declaration: &Declaration,
+    scope: &mut Scope<'_>,
+    mistakes: &mut Mistakes,
+) -> Option<f64> {
+    bound.visit_names(&mut |name| scope.mean(&name.to_string()));
     if let Some(name) = first_name(bound) {
         mistakes.error(
             name,

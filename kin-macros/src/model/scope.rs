@@ -54,6 +54,8 @@ pub(super) struct Scope<'a> {
     declaration: &'a Declaration,
     /// Names that a misspelt name was probably meant for. They count as used.
     meant: BTreeSet<String>,
+    /// Names that are declared more than once. Which declaration is used cannot be said.
+    twice: BTreeSet<String>,
 }
 
 impl<'a> Scope<'a> {
@@ -63,6 +65,7 @@ impl<'a> Scope<'a> {
             places: BTreeMap::new(),
             declaration,
             meant: BTreeSet::new(),
+            twice: BTreeSet::new(),
         }
     }
 
@@ -83,6 +86,7 @@ impl<'a> Scope<'a> {
                 format!("the first `{word}` is declared here, as {}", with_article(first.role)),
             ));
             mistakes.push(error);
+            self.twice.insert(word);
             return;
         }
         self.places.insert(word, self.entries.len());
@@ -148,20 +152,39 @@ impl<'a> Scope<'a> {
             .chain(broken.iter().filter(|name| !is_keyword(name)).cloned())
             .chain(["PI".to_owned()])
             .collect();
+        let likely = nearest(word, usable.iter().map(String::as_str));
         let near = if word.eq_ignore_ascii_case("tau") {
             "; write `2 * PI` for the full turn".to_owned()
+        } else if is_constant_of_rust(word) && likely.is_none_or(|near| !near.eq_ignore_ascii_case(word)) {
+            ": constants of Rust are not seen here; make it a parameter, or write its value".to_owned()
         } else {
             suggestion(word, usable.iter().map(String::as_str))
         };
-        self.meant
-            .extend(nearest(word, usable.iter().map(String::as_str)).map(str::to_owned));
+        self.meant.extend(likely.map(str::to_owned));
         format!("no parameter, input, unknown or `let` is called `{word}`{near}")
     }
 
-    /// Whether a name counts as used: it is used itself, or a misspelt name was probably meant for it.
-    pub(super) fn is_meant(&self, word: &str) -> bool {
-        self.meant.contains(word)
+    /// Counts a name in a wrong place as used, because the mistake there has been reported.
+    pub(super) fn mean(&mut self, word: &str) {
+        self.meant.insert(word.to_owned());
     }
+
+    /// Whether no parameter, input, unknown, `let` or output has this name.
+    pub(super) fn is_free(&self, word: &str) -> bool {
+        !self.places.contains_key(word) && !self.declaration.broken.contains(word)
+    }
+
+    /// Whether a name counts as used, because a reported mistake is about it: a misspelt name was probably meant for it,
+    /// or it is declared twice.
+    pub(super) fn is_meant(&self, word: &str) -> bool {
+        self.meant.contains(word) || self.twice.contains(word)
+    }
+}
+
+/// Whether a word is spelt as Rust spells its constants: two capitals or more, and no small letter.
+fn is_constant_of_rust(word: &str) -> bool {
+    word.chars().filter(|letter| letter.is_uppercase()).count() > 1
+        && !word.chars().any(char::is_lowercase)
 }
 
 fn with_article(role: Role) -> String {

@@ -92,6 +92,20 @@ impl Dimension {
         }
     }
 
+    /// The dimension that other libraries call by this word.
+    fn named_elsewhere(word: &str) -> Option<Self> {
+        Some(match word.to_ascii_lowercase().as_str() {
+            "vec2" | "vec2d" | "vector2" | "vector2d" | "vec" | "plane" | "complex" => Self::Vector,
+            "vec3" | "vec3d" | "vector3d" | "space" => Self::Vector3,
+            "point2" | "point2d" => Self::Point,
+            "point3d" => Self::Point3,
+            "f64" | "f32" | "float" | "double" | "real" | "number" | "ratio" => Self::Scalar,
+            "distance" | "meter" | "meters" | "metre" | "metres" | "mm" | "millimeter" | "millimetre" => Self::Length,
+            "rad" | "radian" | "radians" | "deg" | "degree" | "degrees" | "rotation" => Self::Angle,
+            _ => return None,
+        })
+    }
+
     /// Reads the dimension of a quantity other than an unknown. `what` names its kind in messages: `an input`.
     pub(crate) fn parse_of(input: ParseStream<'_>, what: &str, name: &Ident) -> Result<Self> {
         let at = input.span();
@@ -130,7 +144,10 @@ impl Dimension {
             _ => {
                 let near = match known {
                     Some(_) => String::new(),
-                    None => suggestion(&text, Self::ALL.map(Self::word)),
+                    None => match Self::named_elsewhere(&text) {
+                        Some(dimension) => format!("; did you mean `{}`?", dimension.word()),
+                        None => suggestion(&text, Self::ALL.map(Self::word)),
+                    },
                 };
                 Err(wrong(&TokenTree::Ident(word), &format!("`{text}`"), &near))
             }

@@ -254,6 +254,7 @@ fn member(input: ParseStream<'_>, dot: Span, of: Formula) -> Result<Formula> {
                 format!("`{word}` is a function: write `.{word}()`"),
             ));
         }
+        _ if is_derivative(&word) => return Err(syn::Error::new(member.span(), about_derivative(&word))),
         _ => {
             return Err(syn::Error::new(
                 member.span(),
@@ -425,6 +426,9 @@ fn word(input: ParseStream<'_>) -> Result<Formula> {
     if text.starts_with("r#") {
         return at(format!("`{text}` is a raw identifier; choose a plain name"));
     }
+    if is_function(&text) && (input.peek(syn::Ident) || input.peek(Lit)) {
+        return Err(without_parentheses(input, &word));
+    }
     let kind = if text == "PI" {
         FormulaKind::Pi
     } else {
@@ -455,6 +459,23 @@ fn foreign(word: &str) -> Option<&'static str> {
     })
 }
 
+/// Reports an argument that follows a function without parentheses: `cis t`.
+fn without_parentheses(input: ParseStream<'_>, function: &Ident) -> syn::Error {
+    let mut extent = Extent::at(function.span());
+    let mut instead = form(&function.to_string()).unwrap_or_default().to_owned();
+    if let Ok(argument) = input.parse::<TokenTree>() {
+        extent = extent.to(Extent::at(argument.span()));
+        let alone = input.is_empty() || !input.peek(token::Paren) && !input.peek(Token![.]);
+        if alone && Callee::from_name(&function.to_string()).is_some_and(|callee| callee.arity() == 1) {
+            instead = format!("{function}({argument})");
+        }
+    }
+    syn::Error::new_spanned(
+        extent,
+        format!("a function takes its arguments in parentheses: write `{instead}`"),
+    )
+}
+
 /// Reports a path `a::b`. It was probably meant as PI or as a function.
 fn path(input: ParseStream<'_>, first: &Ident) -> syn::Error {
     let mut last = first.clone();
@@ -480,6 +501,9 @@ fn path(input: ParseStream<'_>, first: &Ident) -> syn::Error {
 
 fn unknown_function(name: &Ident, method: bool) -> syn::Error {
     let word = name.to_string();
+    if is_derivative(&word) {
+        return syn::Error::new(name.span(), about_derivative(&word));
+    }
     let instead = match word.as_str() {
         "pow" | "powf" => "; write `powi(x, 2)` for a whole power, `sqrt(x)` for a square root".to_owned(),
         "hypot" => "; write `norm(vec2(x, y))`".to_owned(),
@@ -510,6 +534,18 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
             function_names().collect::<Vec<_>>().join(", ")
         ),
     )
+}
+
+/// Whether a word names a time derivative, as the methods of a motion do.
+fn is_derivative(word: &str) -> bool {
+    matches!(
+        word,
+        "velocity" | "acceleration" | "jerk" | "snap" | "crackle" | "pop" | "derivative"
+    )
+}
+
+fn about_derivative(word: &str) -> String {
+    format!("a formula contains no derivatives, they are in every result: read `.{word}()` of an unknown or an output")
 }
 
 /// The function here named with `a` whose name elsewhere begins with `arc` or `ar`.

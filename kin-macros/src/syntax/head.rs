@@ -50,6 +50,7 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
         has_fields: !head.fields.is_empty(),
         complete: head.mistake.is_none(),
         breaks_off: false,
+        holds_prose: false,
     };
     let readable = head.mistake.is_none();
     if let Some(mistake) = head.mistake {

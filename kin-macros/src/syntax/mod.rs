@@ -4,6 +4,7 @@
 //! mistake in another.
 
 mod callee;
+mod comment;
 mod dimension;
 mod formula;
 mod head;
@@ -46,6 +47,8 @@ pub(crate) struct Declaration {
     pub(crate) complete: bool,
     /// Whether a formula ends too early. The names that it would have used are unknown.
     pub(crate) breaks_off: bool,
+    /// Whether prose stands among the statements, so that further mistakes would only follow from it.
+    pub(crate) holds_prose: bool,
 }
 
 /// A field of the struct.
@@ -256,6 +259,22 @@ pub(crate) enum Callee {
 /// Reads a declaration. Mistakes are added to `mistakes`. The readable part is returned even then; the result is `None`
 /// only if there is no struct.
 pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
+    let Some((mark, tokens)) = comment::without_mark(&tokens) else {
+        return read(tokens, mistakes);
+    };
+    let mut following = Mistakes::new();
+    let declaration = read(tokens, &mut following);
+    following.forget();
+    mistakes.error_at(mark, "comments begin with `//`");
+    declaration.map(|declaration| Declaration {
+        complete: false,
+        holds_prose: true,
+        ..declaration
+    })
+}
+
+/// Reads a declaration without comments of other languages.
+fn read(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
     let tokens = nesting::cut(tokens, mistakes);
     let (mut declaration, body) = head::parse(tokens, mistakes)?;
     for chunk in split::statements(body, mistakes) {

@@ -1,0 +1,10 @@
+use kin_core::mechanism;
+
+mechanism! {
+    struct Crank { a: Length, b: Length }
+    input theta: Angle;
+    unknown x: Length where y > 0, phi: Angle;
+    a * cis(theta) + b * cis(phi) == vec2(x, 0);
+}
+
+fn main() {}
