@@ -114,11 +114,10 @@ pub use assembly::{Assembly, Guess, Near};
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
 pub use mechanism::{
-    Block, BlockForm, Description, Dimension, Mechanism, PartialMotions, Partials, Pose, PoseOf, PositionSearch,
-    Quantity, Sensitive, sensitivities_of,
+    Block, BlockForm, Description, Dimension, Formula, Formulas, Mechanism, PartialMotions, Partials, Pose, PoseOf,
+    PositionSearch, Quantity, Sensitive, sensitivities_of,
 };
 pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
-    Block, Description, Dimension, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive,
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Number, Operations, Row, series};

@@ -9,12 +9,10 @@ pub use crate::assembly::{Assembly, Guess, Near};
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
-    Block, BlockForm, Description, Dimension, Mechanism, Partials, Pose, PoseOf, PositionSearch, Quantity, Sensitive,
-    culprit, failed, length,
+    Block, BlockForm, Description, Dimension, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, PositionSearch,
+    Quantity, Sensitive, culprit, failed, length,
 };
 pub use crate::motion::{Direction, IntoMotion, Motion};
-    Block, Description, Dimension, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, Quantity, Sensitive,
-pub use crate::mechanism::{culprit, failed};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
 pub use crate::solve::Scalar;

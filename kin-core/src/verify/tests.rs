@@ -16,7 +16,7 @@ use crate::picture::Outline;
 use crate::solve::Scalar;
 
 /// The tests read no formulas.
-const NOTHING: Formula = Formula::new("", "", "");
+const NO_FORMULA: Formula = Formula::new("", "", "");
 /// One more than the order of the [`Hyperbola`].
 const LENGTH: usize = 7;
 /// The order of a wrong derivative if nothing is wrong.
@@ -124,7 +124,7 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         order: LENGTH - 1,
         operations: &[Operations::NONE; LENGTH],
     };
-    const FORMULAS: Formulas = Formulas::new(NOTHING, &[], &[], NOTHING, NOTHING);
+    const FORMULAS: Formulas = Formulas::new(NO_FORMULA, &[], &[], NO_FORMULA, NO_FORMULA);
     const ASSEMBLY_COUNT: usize = 0;
     const OUTLINE: Outline = Outline::NONE;
 
