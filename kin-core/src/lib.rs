@@ -40,6 +40,7 @@
 //! |---|---|
 //! | the language of declarations | [`mechanism!`] |
 //! | a value with its time derivatives | [`Motion`] |
+//! | motion laws of cams and servo drives | [`law`] |
 //! | an angle as a unit vector, without an arctangent | [`Direction`] |
 //! | the tangent and curvature of a point's path | [`Motion`], the methods of points |
 //! | the instant centre of a link | [`LinkMotion`] |
@@ -95,6 +96,7 @@ pub mod batch;
 mod failure;
 mod geometry;
 mod interop;
+pub mod law;
 #[cfg(feature = "library")]
 pub mod library;
 mod mechanism;

@@ -1,5 +1,6 @@
 //! A value and its time derivatives.
 
+mod chain;
 mod curve;
 mod degrees;
 mod direction;

@@ -2,9 +2,10 @@
 
 mod diagrams;
 mod gallery;
+mod laws;
 mod rates;
 
-use kin_core::SolveError;
+use std::error::Error;
 
 pub use gallery::{Entry, gallery};
 
@@ -20,8 +21,8 @@ pub struct Figure {
 /// All figures, in the order in which they are written.
 ///
 /// # Errors
-/// Where a mechanism does not close; the dimensions of the figures are such that it does.
-pub fn all() -> Result<Vec<Figure>, SolveError> {
+/// Where a mechanism does not close, or where there is no such motion law; the numbers of the figures are such that neither happens.
+pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
     let mut figures = vec![
         diagrams::four_bar()?,
         diagrams::open_and_crossed()?,
@@ -29,6 +30,7 @@ pub fn all() -> Result<Vec<Figure>, SolveError> {
         diagrams::torn_triad(),
         diagrams::coupler_curve()?,
         rates::jerk_and_snap()?,
+        laws::motion_laws()?,
         diagrams::pipeline(),
     ];
     figures.extend(gallery()?.iter().map(Entry::figure));

@@ -50,6 +50,7 @@ pub(crate) const CORE: House = House {
         room("assembly", &["assembly/"], "open, crossed, near"),
         room("solve", &["solve/"], "closed forms, Newton"),
         room("motion", &["motion/"], "values with rates"),
+        room("law", &["law/"], "motion laws"),
         room("picture", &["picture/"], "skeletons, angles"),
         room("mechanism", &["mechanism/"], "traits of mechanisms"),
         room("assemblies", &["assemblies/"], "all positions"),

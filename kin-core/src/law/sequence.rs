@@ -1,0 +1,94 @@
+//! Laws one after the other.
+
+use super::LawError;
+use super::error::positive;
+use super::piecewise::{Piecewise, Side};
+use crate::number::Number;
+
+/// Laws one after the other, over time or over a driving angle.
+///
+/// Each law states its own values; [`Law::joints`](super::Law::joints) tells where they do not fit together.
+///
+/// ```
+/// use kin_core::law::{Dwell, Law, Rise, Sequence, Shape};
+///
+/// // a cam: 30 mm up within 120 degrees, 60 degrees of dwell, down within 180 degrees
+/// let [first, dwell, last] = [120.0_f64, 60.0, 180.0].map(f64::to_radians);
+/// let up = Rise::new(Shape::ModifiedTrapezoid, 0.0, 30.0, first)?;
+/// let high = Dwell::new(30.0, dwell)?;
+/// let down = Rise::new(Shape::Cycloidal, 30.0, 0.0, last)?;
+/// let cam = Sequence::new([&up, &high, &down])?.repeated();
+/// assert_eq!(cam.at::<1>(-0.5 * last).value(), 15.0);
+/// # Ok::<(), kin_core::law::LawError>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Sequence<'a, T, const K: usize> {
+    laws: [&'a dyn Piecewise<T>; K],
+}
+
+impl<'a, T: Number, const K: usize> Sequence<'a, T, K> {
+    /// The laws in the order of their times.
+    ///
+    /// # Errors
+    /// [`LawError::Empty`] without laws, [`LawError::NotPositive`] if the duration of one is not positive.
+    pub fn new(laws: [&'a dyn Piecewise<T>; K]) -> Result<Self, LawError> {
+        if K == 0 {
+            return Err(LawError::Empty);
+        }
+        for law in laws {
+            positive("duration of a law in a sequence", law.duration())?;
+        }
+        Ok(Self { laws })
+    }
+
+    /// The law to which a piece belongs, its number there, and the time at which that law starts.
+    fn owner(&self, piece: usize) -> (&'a dyn Piecewise<T>, usize, T) {
+        let mut start = T::constant(0.0);
+        let (mut own, mut owner) = (piece, self.laws[0]);
+        for law in self.laws {
+            owner = law;
+            let count = law.pieces();
+            if own < count {
+                break;
+            }
+            own -= count;
+            start = start + law.duration();
+        }
+        (owner, own, start)
+    }
+}
+
+impl<T: Number, const K: usize> Piecewise<T> for Sequence<'_, T, K> {
+    fn pieces(&self) -> usize {
+        self.laws.iter().map(|law| law.pieces()).sum()
+    }
+
+    fn end(&self, piece: usize) -> T {
+        let (law, own, start) = self.owner(piece);
+        start + law.end(own)
+    }
+
+    fn write(&self, piece: usize, time: T, derivatives: &mut [T]) {
+        let (law, own, start) = self.owner(piece);
+        law.write(own, time - start, derivatives);
+    }
+
+    fn duration(&self) -> T {
+        self.laws.iter().fold(T::constant(0.0), |sum, law| sum + law.duration())
+    }
+
+    fn piece(&self, time: f64, side: Side) -> usize {
+        let (mut before, mut start) = (0, T::constant(0.0));
+        let mut found = 0;
+        for (place, law) in self.laws.iter().enumerate() {
+            let own = start.real();
+            if place > 0 && !(own < time || (own == time && side == Side::Right)) {
+                break;
+            }
+            found = before + law.piece(time - own, side);
+            before += law.pieces();
+            start = start + law.duration();
+        }
+        found
+    }
+}
