@@ -69,6 +69,8 @@ pub struct SCurve<T = f64> {
     direction: T,
     /// The time at which each phase of the acceleration starts.
     starts: [T; PHASES],
+    /// The length of each phase. The differences of the starts would be rounded to parts of the duration.
+    lengths: [T; PHASES],
     /// Distance, velocity, acceleration and jerk there.
     states: [[T; 4]; PHASES],
     snap: T,
@@ -94,8 +96,10 @@ impl<T: Number> SCurve<T> {
             positive("limit of the snap", snap)?;
         }
         let plan = Plan::new(distance, limits);
+        let (starts, states) = plan.phases();
+        let duration = starts[PHASES - 1] + plan.lengths[PHASES - 1] + starts[PHASES - 1];
         for (quantity, value) in [
-            ("duration of the S-curve", plan.duration()),
+            ("duration of the S-curve", duration),
             ("velocity of the S-curve", plan.velocity),
             ("acceleration of the S-curve", plan.acceleration),
             ("jerk of the S-curve", plan.jerk),
@@ -105,15 +109,15 @@ impl<T: Number> SCurve<T> {
                 value: value.real(),
             })?;
         }
-        let (starts, states) = plan.phases();
         Ok(Self {
             from,
             to,
             direction,
             starts,
+            lengths: plan.lengths,
             states,
             snap: limits.snap.unwrap_or(T::constant(0.0)),
-            duration: plan.duration(),
+            duration,
         })
     }
 }
@@ -124,12 +128,8 @@ impl<T: Number> SCurve<T> {
     /// A time is rounded to a part of the duration, which may be much of a short phase: without this the phase would last longer, and
     /// exceed a limit.
     fn within(&self, phase: usize, since: T) -> T {
-        let end = match self.starts.get(phase + 1) {
-            Some(next) => (*next - self.starts[phase]).real(),
-            None => f64::INFINITY,
-        };
         let time = since.real();
-        since - T::constant(time - time.max(0.0).min(end))
+        since - T::constant(time - time.max(0.0).min(self.lengths[phase].real()))
     }
 }
 
@@ -201,9 +201,9 @@ enum Bound {
     Distance,
 }
 
-/// The times w₁ to w₄, and the peaks.
+/// The lengths of the phases, and the peaks.
 struct Plan<T> {
-    times: [T; 4],
+    lengths: [T; PHASES],
     velocity: T,
     acceleration: T,
     jerk: T,
@@ -260,31 +260,33 @@ impl<T: Number> Plan<T> {
             };
             (shortest, velocity, bound)
         };
+        let [at_jerk, at_acceleration] = [second - first, third - shortest];
         let shortest = shortest + third;
-        let fourth = if bound == Bound::Velocity {
-            at_least(distance / velocity, shortest)
+        let at_velocity = if bound == Bound::Velocity {
+            at_least(distance / velocity, shortest) - shortest
         } else {
-            shortest
+            T::constant(0.0)
         };
         Self {
-            times: [first, second, third, fourth],
+            lengths: [
+                first,
+                at_jerk,
+                first,
+                at_acceleration,
+                first,
+                at_jerk,
+                first,
+                at_velocity,
+            ],
             velocity,
             acceleration,
             jerk,
         }
     }
 
-    fn duration(&self) -> T {
-        let [first, second, third, fourth] = self.times;
-        first + second + third + fourth
-    }
-
     /// The start of each phase, and distance, velocity, acceleration and jerk there.
     fn phases(&self) -> ([T; PHASES], [[T; 4]; PHASES]) {
-        let [first, second, third, _] = self.times;
-        let at_jerk = second - first;
-        let at_acceleration = third - (first + second);
-        let lengths = [first, at_jerk, first, at_acceleration, first, at_jerk, first];
+        let [first, ..] = self.lengths;
         let half = T::constant(0.5);
         let zero = T::constant(0.0);
         let early = half * self.jerk * first;
@@ -304,7 +306,7 @@ impl<T: Number> Plan<T> {
             let [distance, velocity] = match phase.checked_sub(1) {
                 None => [zero, zero],
                 Some(before) => {
-                    let length = lengths[before];
+                    let length = self.lengths[before];
                     starts[phase] = starts[before] + length;
                     self.after(states[before], SNAP[before], length)
                 }
@@ -322,8 +324,9 @@ impl<T: Number> Plan<T> {
     /// Distance and velocity after a phase.
     fn after(&self, [distance, velocity, acceleration, jerk]: [T; 4], sign: f64, length: T) -> [T; 2] {
         // the snap is the rate at which the jerk reaches its peak
-        let snap = if self.times[0].real() > 0.0 {
-            self.jerk / self.times[0] * T::constant(sign)
+        let [first, ..] = self.lengths;
+        let snap = if first.real() > 0.0 {
+            self.jerk / first * T::constant(sign)
         } else {
             T::constant(0.0)
         };

@@ -58,15 +58,22 @@ fn limits_hold_and_one_is_always_reached() {
         let mut sizes = [0.0; 5];
         sizes[0] = (to - from).abs() + from.abs();
         sizes[1..].copy_from_slice(&limits);
-        for joint in law.joints::<5>() {
-            let jump = joint.jump().derivatives();
+        for meeting in own.windows(2) {
+            let [left, right]: [[f64; 5]; 2] = [
+                of_piece(&law, meeting[0].0, meeting[0].2),
+                of_piece(&law, meeting[1].0, meeting[1].1),
+            ];
             for order in 0..orders {
                 let rounding = f64::EPSILON * (16.0 * sizes[order] + 4.0 * duration * sizes[order + 1]);
-                assert!(jump[order].abs() <= rounding, "{law:?}: {jump:?}");
+                let jump = right[order] - left[order];
+                assert!(jump.abs() <= rounding, "{law:?}: order {order} jumps by {jump}");
             }
+        }
+        if number % 16 < 2 {
+            let mut joints = law.joints::<5>();
             assert!(
-                joint.first_jump().is_none_or(|order| order >= orders),
-                "{law:?}: {joint}"
+                joints.all(|joint| joint.first_jump().is_none_or(|order| order >= orders)),
+                "{law:?}"
             );
         }
     }
