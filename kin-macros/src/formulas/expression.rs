@@ -12,8 +12,11 @@ use crate::syntax::Axis;
 /// The largest number of symbols of an expression that is printed.
 const LARGEST: usize = 60;
 
-/// The largest divisor of a number that is printed as a fraction.
-const LARGEST_DIVISOR: u32 = 64;
+/// The largest number of symbols of a coefficient that is printed.
+const LARGEST_COEFFICIENT: usize = 30;
+
+/// The largest divisors of a number that is printed as a fraction: of any kind, and among the powers of two.
+const LARGEST_DIVISORS: [u32; 2] = [64, 1024];
 
 /// The longest decimal number that is printed as it is, if it is a fraction.
 const LONGEST_DECIMAL: usize = 5;
@@ -44,6 +47,12 @@ impl Expressions<'_> {
     /// A scalar; `None` if it is too long to be read.
     pub(super) fn scalar(&self, node: Node) -> Option<Term> {
         let mut room = LARGEST;
+        self.convert(node, &mut room)
+    }
+
+    /// A scalar that stands among others; `None` if it is too long to be read.
+    pub(super) fn coefficient(&self, node: Node) -> Option<Term> {
+        let mut room = LARGEST_COEFFICIENT;
         self.convert(node, &mut room)
     }
 
@@ -125,11 +134,12 @@ impl Expressions<'_> {
             vector,
         } in turning
         {
-            let mut parts = vec![self.factors(&factors, &mut room)?];
+            let mut parts = Vec::new();
+            parts.extend((is_quarter && angle.is_some()).then_some(Term::Imaginary));
+            parts.push(self.factors(&factors, &mut room)?);
             parts.extend(vector.map(Term::Name));
             if let Some(angle) = angle {
                 let angle = self.convert(angle, &mut room)?;
-                parts.extend(is_quarter.then_some(Term::Imaginary));
                 parts.push(Term::direction(if is_mirrored { angle.negative() } else { angle }));
                 sum.push(scaled(coefficient, Term::product(parts)));
             } else if is_quarter {
@@ -261,7 +271,9 @@ impl Expressions<'_> {
 fn number(value: f64) -> Term {
     let size = value.abs();
     if size.to_string().len() > LONGEST_DECIMAL {
-        for divisor in 2..=LARGEST_DIVISOR {
+        let [all, powers_of_two] = LARGEST_DIVISORS;
+        let is_allowed = |divisor: &u32| *divisor <= all || divisor.is_power_of_two();
+        for divisor in (2..=powers_of_two).filter(is_allowed) {
             let dividend = (size * f64::from(divisor)).round();
             if dividend > 0.0 && dividend < 1e6 && dividend / f64::from(divisor) == size {
                 let fraction = Term::Number(dividend).over(Term::Number(f64::from(divisor)));
@@ -272,15 +284,46 @@ fn number(value: f64) -> Term {
     Term::number(value)
 }
 
-/// A number times a term. A half becomes a quotient.
+/// A number times a term. Fractions become one fraction, and signs are taken into sums of both signs.
 fn scaled(coefficient: f64, term: Term) -> Term {
-    let size = coefficient.abs();
-    let product = match (1.0 / size, number(size)) {
-        (_, Term::Quotient(dividend, divisor)) => Term::product([*dividend, term]).over(*divisor),
-        (divisor @ (2.0 | 4.0 | 8.0), _) => term.over(Term::Number(divisor)),
-        (_, number) => Term::product([number, term]),
-    };
-    if coefficient < 0.0 { product.negative() } else { product }
+    let (mut above, mut below) = (Vec::new(), Vec::new());
+    let inverse = 1.0 / coefficient.abs();
+    match number(coefficient.abs()) {
+        // a half rather than 0.5
+        _ if [2.0, 4.0, 8.0].contains(&inverse) => below.push(Term::Number(inverse)),
+        Term::Quotient(dividend, divisor) => {
+            above.push(*dividend);
+            below.push(*divisor);
+        }
+        number => above.push(number),
+    }
+    match (below.is_empty(), above.as_slice(), term) {
+        (true, [Term::Number(1.0)], term) if coefficient < 0.0 => opposite(term),
+        (_, _, Term::Quotient(dividend, divisor)) => {
+            above.push(*dividend);
+            below.push(*divisor);
+            signed(coefficient, Term::product(above).over(Term::product(below)))
+        }
+        (_, _, term) => {
+            above.push(term);
+            signed(coefficient, Term::product(above).over(Term::product(below)))
+        }
+    }
+}
+
+fn signed(sign: f64, term: Term) -> Term {
+    if sign < 0.0 { term.negative() } else { term }
+}
+
+/// The opposite of a term. A sum of both signs changes its signs, and so does a fraction with such a sum above.
+fn opposite(term: Term) -> Term {
+    match term {
+        Term::Sum(terms) if terms.iter().any(|term| matches!(term, Term::Negative(_))) => {
+            positive_first(terms.into_iter().map(Term::negative).collect())
+        }
+        Term::Quotient(dividend, divisor) => opposite(*dividend).over(*divisor),
+        other => other.negative(),
+    }
 }
 
 /// A product with the functions behind all other factors, so that their arguments need no parentheses.

@@ -77,10 +77,6 @@ impl Names {
         self.known.get(identifier)
     }
 
-    pub(super) fn input(&self, index: usize) -> &Name {
-        &self.inputs[index]
-    }
-
     pub(super) fn unknown(&self, index: usize) -> &Name {
         &self.unknowns[index]
     }
@@ -112,13 +108,22 @@ impl Names {
         })
     }
 
-    /// A name of the formulas' own: a letter that no name of the declaration begins with, with primes if need be.
-    pub(super) fn fresh(&self, letter: char) -> Name {
-        let mut name = Name::letter(letter);
-        if self.taken.iter().any(|taken| taken.base == name.base) {
-            name.primes = 1;
-        }
-        name
+    /// A name of the formulas' own: the wanted letter or one in its place, whichever no name of the declaration begins
+    /// with. If all are taken, it is the wanted one with a prime.
+    pub(super) fn fresh(&self, wanted: char) -> Name {
+        let is_free = |letter: &char| !self.taken.iter().any(|taken| taken.base == Base::Letter(*letter));
+        let others = IN_PLACE
+            .iter()
+            .find(|(letter, _)| *letter == wanted)
+            .map_or("", |(_, others)| others);
+        let letter = [wanted].into_iter().chain(others.chars()).find(is_free);
+        letter.map_or_else(
+            || Name {
+                primes: 1,
+                ..Name::letter(wanted)
+            },
+            Name::letter,
+        )
     }
 
     /// Whether a name looks like the base or the imaginary unit of e^(iθ).
@@ -127,6 +132,23 @@ impl Names {
         self.taken.iter().any(looks)
     }
 }
+
+/// The letters in the place of others that are taken. Those of one solution are different.
+const IN_PLACE: [(char, &str); 13] = [
+    ('a', "pA"),
+    ('b', "qB"),
+    ('c', "sC"),
+    ('d', "wD"),
+    ('f', "F"),
+    ('g', "G"),
+    ('h', "H"),
+    ('k', "mK"),
+    ('u', "nU"),
+    ('x', "qX"),
+    ('y', "zY"),
+    ('A', "MK"),
+    ('e', "E"),
+];
 
 /// The part of a vector along an axis.
 pub(super) fn component(name: Name, axis: Axis) -> Name {

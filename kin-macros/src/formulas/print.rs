@@ -35,6 +35,13 @@ pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
             format!("{left} &{right}")
         })
         .collect();
+    if lines.is_empty() {
+        return Formula {
+            text: String::new(),
+            mathml: String::new(),
+            latex: String::new(),
+        };
+    }
     Formula {
         text: text.join("\n"),
         mathml: format!(
@@ -89,7 +96,7 @@ impl Printer {
     /// How tightly the outermost operator binds. A fraction with a bar needs parentheses only as the base of a power.
     fn precedence(&self, term: &Term) -> Precedence {
         match term {
-            Term::Sum(_) | Term::Negative(_) | Term::Either(_) | Term::Words(_) => Precedence::Sum,
+            Term::Sum(_) | Term::Negative(_) | Term::Either(_) => Precedence::Sum,
             Term::Product(_) | Term::Dot(..) | Term::Cross(..) => Precedence::Product,
             Term::Number(value) if is_scientific(*value) => Precedence::Product,
             Term::Quotient(..) if self.is_text() => Precedence::Product,
@@ -99,6 +106,7 @@ impl Printer {
             | Term::Pi
             | Term::Imaginary
             | Term::Dots
+            | Term::Words(_)
             | Term::Name(_)
             | Term::Rate(..)
             | Term::Change(..)
@@ -283,7 +291,7 @@ impl Printer {
             Form::Text { .. } => {
                 self.term(dividend, Place::new(Precedence::Product, false));
                 self.push("/");
-                self.term(divisor, Place::new(Precedence::Atom, false));
+                self.term(divisor, Place::new(Precedence::Sign, false));
             }
             Form::MathMl => self.element("mfrac", |printer| {
                 printer.element("mrow", |printer| printer.term(dividend, Place::ALONE));
@@ -444,7 +452,12 @@ fn is_wide(factor: &Term) -> bool {
     match factor {
         Term::Name(name) | Term::Rate(name, _) => name.is_word(),
         Term::Power(base, _) => is_wide(base),
-        Term::Call(..) | Term::Quotient(..) | Term::Root(_) | Term::Function(..) | Term::Change(..) => true,
+        Term::Words(_)
+        | Term::Call(..)
+        | Term::Quotient(..)
+        | Term::Root(_)
+        | Term::Function(..)
+        | Term::Change(..) => true,
         _ => false,
     }
 }

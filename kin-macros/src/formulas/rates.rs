@@ -131,7 +131,7 @@ pub(super) fn velocity(
                 results: &BTreeMap::new(),
             };
             let rate = Term::Rate(name.clone(), 1);
-            let term = expressions.scalar(partial).map_or_else(
+            let term = expressions.coefficient(partial).map_or_else(
                 || {
                     named.push(place);
                     Term::product([change_over(&residuals.name(place), &name), rate.clone()])
@@ -158,6 +158,11 @@ fn times(coefficient: Term, rate: Term) -> Term {
         Term::Product(mut factors) => {
             factors.push(rate);
             functions_last(factors)
+        }
+        // a sum begins with a minus sign only if all its terms do
+        Term::Sum(terms) if matches!(terms.first(), Some(Term::Negative(_))) => {
+            let opposite = Term::sum(terms.into_iter().map(Term::negative));
+            Term::Product(vec![opposite, rate]).negative()
         }
         sum @ Term::Sum(_) => Term::Product(vec![sum, rate]),
         other => functions_last(vec![other, rate]),

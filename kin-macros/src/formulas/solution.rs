@@ -86,7 +86,7 @@ impl<'a> Solutions<'a> {
                 let other = Term::Pi.minus(angle.clone());
                 vec![
                     Line::equation(self.unknown(*unknown), angle),
-                    Line::equation(self.unknown(*unknown), Term::Sum(vec![Term::Words("or "), other])),
+                    Line::equation(Term::product([Term::Words("or"), self.unknown(*unknown)]), other),
                 ]
             }
             ClosedForm::CosineSine { unknown, a, b, c } => self.cosine_and_sine(*unknown, [*a, *b, *c]),
@@ -151,7 +151,7 @@ impl<'a> Solutions<'a> {
                 let [d] = self.fresh(['d']);
                 vec![
                     Line::equation(self.arm(arm), d.clone()),
-                    Line::equation(d.clone(), self.complex(*target)),
+                    self.definition(d.clone(), &[target.re, target.im]),
                     self.angle_of(arm, d),
                 ]
             }
@@ -169,7 +169,7 @@ impl<'a> Solutions<'a> {
     fn quadratic(&self, unknown: usize, coefficients: [Node; 3]) -> Vec<Line> {
         let [a, b, c] = self.fresh(['a', 'b', 'c']);
         let x = self.unknown(unknown);
-        let values = coefficients.map(|coefficient| self.scalar(coefficient));
+
         let product = Term::product([Term::Number(4.0), a.clone(), c.clone()]);
         let root = b.clone().squared().minus(product).root();
         let equation = Term::sum([
@@ -180,12 +180,9 @@ impl<'a> Solutions<'a> {
         let solution = Term::Sum(vec![b.clone().negative(), Term::Either(Box::new(root))])
             .over(Term::product([Term::Number(2.0), a.clone()]));
         let mut lines = vec![Line::equation(equation, Term::Number(0.0))];
-        lines.extend(
-            [a, b, c]
-                .into_iter()
-                .zip(values)
-                .map(|(name, value)| Line::equation(name, value)),
-        );
+        let named = [a, b, c].into_iter().zip(coefficients);
+        lines.extend(named.map(|(name, value)| self.definition(name, &[value])));
+
         lines.push(Line::equation(x, solution));
         lines
     }
@@ -194,7 +191,7 @@ impl<'a> Solutions<'a> {
     fn cosine_and_sine(&self, unknown: usize, coefficients: [Node; 3]) -> Vec<Line> {
         let [a, b, c] = self.fresh(['a', 'b', 'c']);
         let x = self.unknown(unknown);
-        let values = coefficients.map(|coefficient| self.scalar(coefficient));
+
         let equation = Term::sum([
             Term::product([a.clone(), Term::Call("cos", vec![x.clone()])]),
             Term::product([b.clone(), Term::Call("sin", vec![x.clone()])]),
@@ -205,12 +202,9 @@ impl<'a> Solutions<'a> {
             Term::Either(Box::new(Term::Call("arccos", vec![c.clone().over(radius)]))),
         ]);
         let mut lines = vec![Line::equation(equation, c.clone())];
-        lines.extend(
-            [a, b, c]
-                .into_iter()
-                .zip(values)
-                .map(|(name, value)| Line::equation(name, value)),
-        );
+        let named = [a, b, c].into_iter().zip(coefficients);
+        lines.extend(named.map(|(name, value)| self.definition(name, &[value])));
+
         lines.push(Line::equation(x, solution));
         lines
     }
@@ -229,6 +223,12 @@ impl<'a> Solutions<'a> {
         ]);
         let solution = Term::product([d.clone(), turned]).over(Term::product([Term::Number(2.0), square.clone()]));
         let rest = d.clone().minus(first.clone());
+        let excess = if own == other {
+            square
+        } else {
+            Term::sum([square, own]).minus(other)
+        };
+
         // the opposite of a link that is subtracted
         let last = match &second {
             Term::Negative(link) => Line::equation((**link).clone(), first.clone().minus(d.clone())),
@@ -236,8 +236,8 @@ impl<'a> Solutions<'a> {
         };
         vec![
             Line::equation(Term::sum([first.clone(), second]), d.clone()),
-            Line::equation(d, self.complex(target)),
-            Line::equation(k, Term::sum([square, own]).minus(other)),
+            self.definition(d, &[target.re, target.im]),
+            Line::equation(k, excess),
             Line::equation(first, solution),
             last,
         ]
@@ -256,8 +256,8 @@ impl<'a> Solutions<'a> {
         let travel = Term::product([x.clone(), u.clone()]);
         vec![
             Line::equation(Term::sum([link.clone(), travel.clone()]), d.clone()),
-            Line::equation(d.clone(), self.complex(target)),
-            Line::equation(u.clone(), self.complex(direction)),
+            self.definition(d.clone(), &[target.re, target.im]),
+            self.definition(u.clone(), &[direction.re, direction.im]),
             Line::equation(k, Term::Dot(Box::new(u), Box::new(d.clone()))),
             Line::equation(x, solution),
             Line::equation(link, d.minus(travel)),
@@ -294,7 +294,7 @@ impl<'a> Solutions<'a> {
         let direction = Term::Call("arg", vec![d.clone().over(whole.clone())]);
         vec![
             Line::equation(Term::product([whole, Term::direction(turned)]), d.clone()),
-            Line::equation(d, self.complex(target)),
+            self.definition(d, &[target.re, target.im]),
             Line::equation(x, solution),
             Line::equation(theta, if is_mirrored { direction.negative() } else { direction }),
         ]
@@ -308,13 +308,18 @@ impl<'a> Solutions<'a> {
             .collect();
         let known: Vec<usize> = places.iter().copied().flatten().collect();
         let mut lines = self.residuals.definitions(&known);
-        for (&residual, place) in residuals.iter().zip(&places) {
+        for (index, (&residual, place)) in residuals.iter().zip(&places).enumerate() {
             let name = match place {
                 Some(place) => self.residuals.name(*place),
                 // an equation that an earlier part has changed
                 None => {
                     let name = self.names.fresh('g');
-                    lines.push(Line::equation(Term::Name(name.clone()), self.scalar(residual)));
+                    let name = if residuals.len() == 1 {
+                        name
+                    } else {
+                        name.indexed((index + 1).to_string())
+                    };
+                    lines.push(self.definition(Term::Name(name.clone()), &[residual]));
                     name
                 }
             };
@@ -349,14 +354,16 @@ impl<'a> Solutions<'a> {
 
     /// The square of a vector's length.
     fn square(&self, vector: ComplexNode) -> Term {
-        let term = match self.complex(vector) {
-            Term::Negative(of) => *of,
-            other => other,
-        };
-        if vector.is_real(self.graph) {
-            term.squared()
+        let real = if vector.is_real(self.graph) {
+            vector.re
+        } else if self.graph.is_zero(vector.re) {
+            vector.im
         } else {
-            term.norm().squared()
+            return self.complex(vector).norm().squared();
+        };
+        match self.scalar(real) {
+            Term::Negative(of) => of.squared(),
+            other => other.squared(),
         }
     }
 
@@ -376,21 +383,34 @@ impl<'a> Solutions<'a> {
         }
     }
 
+    /// The definition of a name: a scalar, or a vector of the plane by its two parts.
+    fn definition(&self, name: Term, parts: &[Node]) -> Line {
+        let value = match *parts {
+            [re, im] => self.expressions().complex(re, im),
+            _ => parts.first().and_then(|&part| self.expressions().scalar(part)),
+        };
+        let value = value.unwrap_or_else(|| match &name {
+            Term::Name(name) => self.dependence(name.clone(), parts),
+            _ => Term::Dots,
+        });
+        Line::equation(name, value)
+    }
+
     /// A scalar, or the quantities that it depends on if it is too long to be read.
     fn scalar(&self, node: Node) -> Term {
         self.expressions()
             .scalar(node)
-            .unwrap_or_else(|| self.dependence(&[node]))
+            .unwrap_or_else(|| self.dependence(self.names.fresh('h'), &[node]))
     }
 
     /// A vector of the plane, or the quantities that it depends on if it is too long to be read.
     fn complex(&self, vector: ComplexNode) -> Term {
         let term = self.expressions().complex(vector.re, vector.im);
-        term.unwrap_or_else(|| self.dependence(&[vector.re, vector.im]))
+        term.unwrap_or_else(|| self.dependence(self.names.fresh('h'), &[vector.re, vector.im]))
     }
 
     /// An expression that is too long to be read, as a function of the inputs and unknowns that it contains.
-    fn dependence(&self, nodes: &[Node]) -> Term {
+    fn dependence(&self, name: Name, nodes: &[Node]) -> Term {
         let inputs = (0..self.model.inputs.len()).map(Symbol::Input);
         let unknowns = (0..self.model.unknowns.len()).map(Symbol::Unknown);
         let contained = inputs
@@ -399,7 +419,12 @@ impl<'a> Solutions<'a> {
             .filter(|&symbol| nodes.iter().any(|&node| self.graph.contains(node, symbol)));
         let names =
             contained.filter_map(|symbol| self.names.symbol(symbol).or_else(|| self.results.get(&symbol).cloned()));
-        Term::Function(self.names.fresh('h'), names.map(Term::Name).collect())
+        let names: Vec<Term> = names.map(Term::Name).collect();
+        if names.is_empty() {
+            Term::Words("constant")
+        } else {
+            Term::Function(name, names)
+        }
     }
 }
 

@@ -6,7 +6,7 @@ mod expansion;
 mod families;
 mod fuzz;
 mod growth;
-mod library;
+pub(crate) mod library;
 mod limits;
 mod optimiser;
 
