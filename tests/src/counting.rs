@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use kin_core::{Description, Formulas, Mechanism, Outline, Scalar, SolveError};
+use kin_core::{BlockForm, Description, Formulas, Mechanism, Outline, Scalar, SolveError, TransmissionAngle};
 
 thread_local! {
     static CALLS: Cell<Calls> = const { Cell::new(Calls { solutions: 0, closures: 0 }) };
@@ -43,7 +43,10 @@ impl<M: Mechanism> Mechanism for Counting<M> {
     type Parameters<V: Copy> = M::Parameters<V>;
     type Inputs<V: Copy> = M::Inputs<V>;
     type Unknowns<V: Copy> = M::Unknowns<V>;
+    type Results<V: Copy> = M::Results<V>;
     type Residuals<V: Copy> = M::Residuals<V>;
+    type Blocks<V: Copy> = M::Blocks<V>;
+    type Dyads<V: Copy> = M::Dyads<V>;
     type Places = M::Places;
 
     const DESCRIPTION: Description = M::DESCRIPTION;
@@ -116,5 +119,25 @@ impl<M: Mechanism> Mechanism for Counting<M> {
 
     fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places {
         self.0.places(inputs, unknowns)
+    }
+
+    fn block_forms(&self) -> Self::Blocks<BlockForm<Self::Scalar>> {
+        self.0.block_forms()
+    }
+
+    fn transmission_angles_at(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> Self::Dyads<TransmissionAngle<Self::Scalar>> {
+        self.0.transmission_angles_at(inputs, unknowns)
+    }
+
+    fn jacobian_near(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        near: Self::Unknowns<Self::Scalar>,
+    ) -> Result<Self::Results<Self::Inputs<Self::Scalar>>, SolveError> {
+        self.0.jacobian_near(inputs, near)
     }
 }

@@ -13,9 +13,10 @@
 
 use kin_core::prelude::*;
 use kin_core::verify::Inputs;
-use kin_core::{Dimension, Quantity};
+use kin_core::{Dimension, Quantity, sensitivities_of};
 use num_dual::{Dual, Dual3, Dual64};
 
+use crate::mechanisms::cases::ThroughSnap;
 use crate::mechanisms::sensitive::SensitiveThroughSnap;
 use crate::oracles::{ALLOWED, Gauge, Motions};
 
@@ -33,29 +34,28 @@ pub struct Column {
 
 /// The partial derivatives to be proved: a column for each parameter.
 pub fn generated<M: SensitiveThroughSnap>(mechanism: &M, pose: &M::Pose) -> Vec<Column> {
-    mechanism
-        .sensitivities_of(pose)
-        .as_ref()
-        .iter()
-        .map(|partials| Column {
-            unknowns: partials
-                .unknown_partials()
-                .as_ref()
-                .iter()
-                .map(Motion::derivatives)
-                .collect(),
-            outputs: partials
-                .output_partials()
-                .as_ref()
-                .iter()
-                .map(Motion::derivatives)
-                .collect(),
-        })
-        .collect()
+    mechanism.sensitivities_of(pose).as_ref().iter().map(column).collect()
+}
+
+/// Those that any mechanism has, by numbers that carry a derivative.
+///
+/// # Panics
+/// If the mechanism does not close.
+pub fn at_run_time<M: ThroughSnap>(mechanism: &M, inputs: &Inputs<M>, assembly: M::Assembly) -> Vec<Column> {
+    let partials = sensitivities_of(mechanism, *inputs, assembly).expect("it closes");
+    partials.as_ref().iter().map(column).collect()
+}
+
+fn column<P: Partials<Motion = Motion<f64, 5>>>(partials: &P) -> Column {
+    let (unknowns, outputs) = (partials.unknown_partials(), partials.output_partials());
+    Column {
+        unknowns: unknowns.as_ref().iter().map(Motion::derivatives).collect(),
+        outputs: outputs.as_ref().iter().map(Motion::derivatives).collect(),
+    }
 }
 
 /// The mechanism with one parameter as the variable of dual numbers.
-fn seeded<M: SensitiveThroughSnap, S: Scalar>(mechanism: &M, parameter: usize, step: S) -> M::With<S> {
+fn seeded<M: ThroughSnap, S: Scalar>(mechanism: &M, parameter: usize, step: S) -> M::With<S> {
     let mut next = 0;
     mechanism.convert(|value| {
         next += 1;
@@ -68,11 +68,7 @@ fn seeded<M: SensitiveThroughSnap, S: Scalar>(mechanism: &M, parameter: usize, s
 ///
 /// # Panics
 /// If the mechanism closes, but not on dual numbers.
-pub fn by_differentiation<M: SensitiveThroughSnap>(
-    mechanism: &M,
-    inputs: &Inputs<M>,
-    assembly: M::Assembly,
-) -> Vec<Column> {
+pub fn by_differentiation<M: ThroughSnap>(mechanism: &M, inputs: &Inputs<M>, assembly: M::Assembly) -> Vec<Column> {
     type Lifted<M> = <M as Mechanism>::With<Dual64>;
     let parameters = mechanism.parameters().as_ref().len();
     let inputs = <<Lifted<M> as Mechanism>::Inputs<M::Motion<Dual64>> as Row<_>>::from_fn(|index| {
@@ -102,7 +98,7 @@ fn in_time([x, v, a, j, s]: Orders) -> Dual<Dual3<f64>> {
 }
 
 /// Oracle (b): what is left of each equation, order by order, for one parameter.
-pub fn closure<M: SensitiveThroughSnap>(
+pub fn closure<M: ThroughSnap>(
     mechanism: &M,
     inputs: &Inputs<M>,
     unknowns: &Motions<M>,
@@ -146,19 +142,25 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// Solves at one motion and holds all sensitivities against both oracles. Motions at which the mechanism does not close
+    /// Solves at one motion and holds the sensitivities of the pose against both oracles. Motions at which the mechanism does not close
     /// are passed over.
     ///
     /// # Panics
     /// If the mechanism closes, but not on dual numbers.
-    pub fn check<M: SensitiveThroughSnap>(&mut self, mechanism: &M, inputs: Inputs<M>, assembly: M::Assembly) {
+    pub fn check<M: ThroughSnap>(
+        &mut self,
+        mechanism: &M,
+        inputs: Inputs<M>,
+        assembly: M::Assembly,
+        columns: impl Fn(&M::Pose) -> Vec<Column>,
+    ) {
         let Ok(pose) = mechanism.solve_motion(inputs, assembly) else {
             return;
         };
         let unknowns = pose.unknown_motions();
         let outputs = pose.output_motions();
         let gauge = Gauge::new(mechanism, &inputs, &unknowns);
-        let columns = generated(mechanism, &pose);
+        let columns = columns(&pose);
         let expected = by_differentiation(mechanism, &inputs, assembly);
         let parameters = mechanism.parameters();
         for (parameter, (own, other)) in columns.iter().zip(&expected).enumerate() {

@@ -187,9 +187,20 @@ pub trait Mechanism: Copy + Debug {
     /// The form of each block, with the lengths of its links as numbers from the parameters. See [`BlockForm`].
     fn block_forms(&self) -> Self::Blocks<BlockForm<Self::Scalar>>;
 
-    /// The transmission angle of every dyad in a pose of any order, in the order in which the dyads are solved. The
-    /// request `with transmission_angles;` makes the same method inherent.
-    fn transmission_angles(&self, pose: &impl PoseOf<Self>) -> Self::Dyads<TransmissionAngle<Self::Scalar>>;
+    /// The transmission angle of every dyad, in the order in which the dyads are solved, for any values of inputs and
+    /// unknowns.
+    fn transmission_angles_at(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> Self::Dyads<TransmissionAngle<Self::Scalar>>;
+
+    /// The transmission angle of every dyad in a pose of any order. The request `with transmission_angles;` makes the same
+    /// method inherent.
+    fn transmission_angles(&self, pose: &impl PoseOf<Self>) -> Self::Dyads<TransmissionAngle<Self::Scalar>> {
+        let (inputs, unknowns) = pose.values();
+        self.transmission_angles_at(inputs, unknowns)
+    }
 
     /// The Jacobian at the position closest to values of the unknowns: a row for each unknown and then for each scalar
     /// output, with its derivative with respect to each input. [`PoseOf::jacobian`] returns that of a pose.

@@ -9,10 +9,10 @@ use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::geometry::Plane;
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
-use crate::mechanism::{Block, Description, Dimension, Formula, Formulas, Mechanism, Pose, Quantity};
+use crate::mechanism::{Block, BlockForm, Description, Dimension, Formula, Formulas, Mechanism, Pose, Quantity};
 use crate::motion::Motion;
 use crate::number::{Number, Operations};
-use crate::picture::Outline;
+use crate::picture::{Outline, TransmissionAngle};
 use crate::solve::Scalar;
 
 /// The tests read no formulas.
@@ -105,7 +105,10 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     type Parameters<V: Copy> = [V; 1];
     type Inputs<V: Copy> = [V; 1];
     type Unknowns<V: Copy> = [V; 1];
+    type Results<V: Copy> = [V; 2];
     type Residuals<V: Copy> = [V; 1];
+    type Blocks<V: Copy> = [V; 1];
+    type Dyads<V: Copy> = [V; 0];
     type Places = [Plane<T>; 0];
 
     const DESCRIPTION: Description = Description {
@@ -180,6 +183,20 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
 
     fn places(&self, _: [T; 1], _: [T; 1]) -> [Plane<T>; 0] {
         []
+    }
+
+    fn block_forms(&self) -> [BlockForm<T>; 1] {
+        [BlockForm::Coupled]
+    }
+
+    fn transmission_angles_at(&self, _: [T; 1], _: [T; 1]) -> [TransmissionAngle<T>; 0] {
+        []
+    }
+
+    fn jacobian_near(&self, [x]: [T; 1], near: [T; 1]) -> Result<[[T; 1]; 2], SolveError> {
+        let [y] = self.solve_position_near([x], near)?;
+        let slope = x / y;
+        Ok([[slope], [y + x * slope]])
     }
 }
 

@@ -1,5 +1,6 @@
 //! The language: its declarations, their meaning, and the code that they become.
 
+mod block_forms;
 mod directions;
 mod hygiene;
 mod interface;

@@ -6,6 +6,7 @@
 mod three_ways;
 
 mod high_precision;
+mod jacobians;
 mod notes_are_consistent;
 mod notes_formulas;
 mod oracles;

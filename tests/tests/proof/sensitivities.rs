@@ -17,7 +17,7 @@ use kin_tests::mechanisms::sensitive::{
 };
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
-use kin_tests::sensitivities::{Worst, generated};
+use kin_tests::sensitivities::{Worst, at_run_time, generated};
 
 /// A grid of inputs with random rates; dimensions vary.
 fn grid<M: SensitiveThroughSnap>(case: Case, mut look: impl FnMut(&M, M::Inputs<Motion<f64, 5>>, M::Assembly)) {
@@ -41,7 +41,25 @@ fn both_oracles() {
         fn visit<M: SensitiveThroughSnap>(&mut self, case: Case) {
             let mut worst = Worst::default();
             grid(case, |mechanism: &M, inputs, assembly| {
-                worst.check(mechanism, inputs, assembly);
+                worst.check(mechanism, inputs, assembly, |pose| generated(mechanism, pose));
+            });
+            worst.report(M::DESCRIPTION.name);
+        }
+    }
+    sensitive::all(&mut Prove);
+}
+
+/// Without a request, at run time, to the same tolerance.
+#[test]
+fn both_oracles_of_those_at_run_time() {
+    struct Prove;
+    impl Visitor for Prove {
+        fn visit<M: SensitiveThroughSnap>(&mut self, case: Case) {
+            let mut worst = Worst::default();
+            grid(case, |mechanism: &M, inputs, assembly| {
+                worst.check(mechanism, inputs, assembly, |_| {
+                    at_run_time(mechanism, &inputs, assembly)
+                });
             });
             worst.report(M::DESCRIPTION.name);
         }
@@ -55,7 +73,7 @@ where
     M: SensitiveThroughSnap + Mechanism<Assembly = Near<UNKNOWNS>>,
 {
     let mut random = Random::new(M::DESCRIPTION.name.bytes().map(u64::from).sum());
-    let mut worst = Worst::default();
+    let (mut worst, mut worst_at_run_time) = (Worst::default(), Worst::default());
     for _ in 0..200 {
         let Built {
             mechanism,
@@ -63,9 +81,13 @@ where
             unknowns,
         } = built(&mut random);
         let inputs = M::Inputs::from_fn(|_| Motion::new(random.motion(input)));
-        worst.check(&mechanism, inputs, Near(unknowns));
+        worst.check(&mechanism, inputs, Near(unknowns), |pose| generated(&mechanism, pose));
+        worst_at_run_time.check(&mechanism, inputs, Near(unknowns), |_| {
+            at_run_time(&mechanism, &inputs, Near(unknowns))
+        });
     }
     worst.report(M::DESCRIPTION.name);
+    worst_at_run_time.report(M::DESCRIPTION.name);
 }
 
 /// Of one unknown; reduced to two by turns, or by what stands alone; of six, by the factors that the position leaves.

@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::values;
 use crate::algebra::Symbol;
-use crate::emit::compiled::Compiled;
+use crate::emit::compiled::{Compiled, local};
 use crate::emit::text::Text;
 use crate::model::Request;
 use crate::program::{Step, TransmissionAngles};
@@ -41,18 +41,18 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// The row of the dyads and the method `transmission_angles` of the trait.
+/// The row of the dyads and the method `transmission_angles_at` of the trait.
 pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let TransmissionAngles { dyads, program } = &mechanism.solvers.transmission;
     let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
     let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
-    let (pose, argument) = values::argument(mechanism);
+    let arguments @ [input_row, unknown_row] = &["inputs", "unknowns"].map(local);
     let inputs: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
     let unknowns: Vec<Symbol> = (0..model.unknowns.len()).map(Symbol::Unknown).collect();
     let readings = text.readings(stage, &[inputs.as_slice(), unknowns.as_slice()].concat());
-    let inputs = values::bound(&text, &used, &inputs, &quote!(#pose.input_values()));
-    let unknowns = values::bound(&text, &used, &unknowns, &quote!(#pose.unknowns()));
+    let inputs = values::bound(&text, &used, &inputs, &quote!(#input_row));
+    let unknowns = values::bound(&text, &used, &unknowns, &quote!(#unknown_row));
     let body = text.plain_steps(stage);
     let angles = dyads.iter().map(|(dyad, parts)| {
         let [across, along] = parts.map(|symbol| text.name(symbol));
@@ -60,12 +60,19 @@ pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
         quote!(#runtime::TransmissionAngle::of(#label, #across, #along))
     });
     let count = Literal::usize_unsuffixed(dyads.len());
-    let unused = dyads.is_empty().then(|| quote!(let _ = #pose;));
+    let [input_count, unknown_count] = [model.inputs.len(), model.unknowns.len()].map(Literal::usize_unsuffixed);
+    let unused = arguments
+        .iter()
+        .zip([&inputs, &unknowns])
+        .filter(|(_, bound)| bound.is_empty());
+    let unused = unused.map(|(argument, _)| argument);
     quote! {
         type Dyads<Element: ::core::marker::Copy> = [Element; #count];
 
-        fn transmission_angles(&self, #argument) -> [#runtime::TransmissionAngle<T>; #count] {
-            #unused
+        fn transmission_angles_at(&self, #input_row: [T; #input_count], #unknown_row: [T; #unknown_count])
+            -> [#runtime::TransmissionAngle<T>; #count]
+        {
+            #(let _ = #unused;)*
             #inputs
             #unknowns
             #readings
