@@ -104,6 +104,7 @@ mod motion;
 mod number;
 mod picture;
 pub mod prelude;
+mod quantity;
 pub mod solve;
 #[cfg(feature = "serde")]
 pub mod stored;
@@ -112,18 +113,19 @@ mod track;
 pub mod verify;
 
 pub use assemblies::{Assemblies, Choices, Positions, continuation};
-pub use assembly::{Assembly, Guess, Near};
+pub use assembly::{Assembly, Guess, IntoAssembly, Near};
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
 pub use mechanism::{
-    Block, BlockForm, Description, Dimension, Formula, Formulas, Mechanism, PartialMotions, Partials, Pose, PoseOf,
-    PositionSearch, Quantity, Sensitive, sensitivities_of,
+    Block, BlockForm, Description, Formula, Formulas, Mechanism, PartialMotions, Partials, Pose, PoseOf,
+    PositionSearch, Sensitive, sensitivities_of,
 };
-pub use motion::{Direction, IntoMotion, LinkMotion, Motion, rpm};
+pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Number, Operations, Row, series};
 pub use picture::{Body, Outline, Place, Places, Skeleton, Slide, TransmissionAngle};
+pub use quantity::{Dimension, Quantity};
 pub use solve::Scalar;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 
@@ -263,6 +265,41 @@ macro_rules! mechanism {
 macro_rules! __locals {
     ($($name:ident),*) => {
         use $crate::__private::{$(local as $name),*};
+    };
+}
+
+/// The traits that the poses of all mechanisms implement in the same way, for the poses of one mechanism.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __poses {
+    ($mechanism:ident, $unknowns:literal, $fields:tt, $($pose:ident)*) => {
+        $(
+            #[diagnostic::do_not_recommend]
+            impl<T: $crate::Scalar> $crate::Guess<T, $unknowns> for $pose<T> {
+                fn values(self) -> [T; $unknowns] {
+                    $crate::PoseOf::<$mechanism<T>>::unknowns(&self)
+                }
+            }
+
+            impl<T: $crate::Scalar> $crate::__private::core::fmt::Display for $pose<T> {
+                fn fmt(
+                    &self,
+                    formatter: &mut $crate::__private::core::fmt::Formatter<'_>,
+                ) -> $crate::__private::core::fmt::Result {
+                    let fields = $crate::__private::fields!(self $fields);
+                    $crate::__private::fmt_pose::<$mechanism<T>>(formatter, fields)
+                }
+            }
+        )*
+    };
+}
+
+/// References to fields of a pose, in a slice.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __fields {
+    ($pose:ident [$($field:ident)*]) => {
+        &[$(&$pose.$field as &dyn $crate::__private::Shown),*]
     };
 }
 

@@ -1,20 +1,23 @@
 //! The items that generated code uses. They are not for direct use, and may change at any time.
 
 pub use crate::__assert_verified as assert_verified;
+pub use crate::__fields as fields;
 pub use crate::__in_parallel as in_parallel;
 pub use crate::__locals as locals;
+pub use crate::__poses as poses;
 pub use crate::__stored as stored;
 pub use crate::assemblies::{Assemblies, Choices, continuation, every, positions_near};
-pub use crate::assembly::{Assembly, Guess, Near};
+pub use crate::assembly::{Assembly, Guess, IntoAssembly, Near};
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
-    Block, BlockForm, Description, Dimension, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, PositionSearch,
-    Quantity, Sensitive, culprit, failed, length,
+    Block, BlockForm, Description, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, PositionSearch, Sensitive,
+    Shown, culprit, failed, fmt_pose, length,
 };
 pub use crate::motion::{Direction, IntoMotion, Motion};
 pub use crate::number::{Number, Operations, Row, series};
 pub use crate::picture::{Body, Outline, Skeleton, Slide, TransmissionAngle};
+pub use crate::quantity::{Dimension, Quantity};
 pub use crate::solve::Scalar;
 pub use crate::track::{TrackErrorOf, track_to};
 pub use crate::{batch, solve};

@@ -1,7 +1,9 @@
 //! The two assemblies of a dyad.
 
+mod given;
 mod near;
 
+pub use given::IntoAssembly;
 pub use near::{Guess, Near};
 
 use core::fmt;

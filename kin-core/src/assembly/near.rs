@@ -40,7 +40,7 @@ pub struct Near<const N: usize>(
 /// # Ok::<(), SolveError>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not tell values of the {N} unknowns near the position",
+    message = "`{Self}` does not give values of the {N} unknowns near the position",
     label = "give a pose of this mechanism, or the unknowns in their order, as in `[..]` or `Near([..])`",
     note = "coupled equations have no closed form, so the assembly is chosen by values near it and not by `Assembly`: \
             `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"

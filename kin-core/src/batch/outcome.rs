@@ -133,7 +133,7 @@ mod tests {
     use crate::failure::{Failure, InputValues, SolveError};
 
     fn error(failure: Failure) -> SolveError {
-        failure.at("theta3, theta4", InputValues::new(&["theta2"], &[1.1]))
+        failure.at("theta3, theta4", InputValues::new(&[], &[]))
     }
 
     const OUT_OF_REACH: Failure = Failure::OutOfReach { margin: -0.25 };

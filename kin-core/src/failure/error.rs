@@ -3,7 +3,8 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::failure::{InputValues, digits::Digits};
+use crate::failure::InputValues;
+use crate::quantity::{Digits, Told};
 
 /// The reason why a solver found no position.
 ///
@@ -33,6 +34,8 @@ pub enum Failure {
         low: f64,
         /// The upper end of the range.
         high: f64,
+        /// Whether the unknown is an angle, so that these numbers are in radians.
+        is_angle: bool,
     },
     /// Both solutions lie in the range declared for the unknown.
     Ambiguous {
@@ -42,6 +45,8 @@ pub enum Failure {
         first: f64,
         /// The other solution.
         second: f64,
+        /// Whether the unknown is an angle, so that both are in radians.
+        is_angle: bool,
     },
     /// An argument lies outside the domain of a function in the declaration.
     OutsideDomain {
@@ -132,20 +137,28 @@ impl fmt::Display for Failure {
                 value,
                 low,
                 high,
-            } => write!(
-                formatter,
-                "{unknown} = {} lies outside its declared range from {} to {}; \
-                 widen the range, or change dimensions or inputs",
-                Digits(value),
-                Digits(low),
-                Digits(high)
-            ),
-            Self::Ambiguous { unknown, first, second } => write!(
-                formatter,
-                "the declared range of {unknown} holds both solutions, {} and {}; narrow it until one is left",
-                Digits(first),
-                Digits(second)
-            ),
+                is_angle,
+            } => {
+                let [value, low, high] = [value, low, high].map(|value| Told { value, is_angle });
+                write!(
+                    formatter,
+                    "{unknown} = {value} lies outside its declared range from {low} to {high}; \
+                     widen the range, or change dimensions or inputs"
+                )
+            }
+            Self::Ambiguous {
+                unknown,
+                first,
+                second,
+                is_angle,
+            } => {
+                let [first, second] = [first, second].map(|value| Told { value, is_angle });
+                write!(
+                    formatter,
+                    "the declared range of {unknown} holds both solutions, {first} and {second}; \
+                     narrow it until one is left"
+                )
+            }
             Self::OutsideDomain { function, argument } => write!(
                 formatter,
                 "{function} is not defined for {}; change dimensions or inputs",
@@ -171,8 +184,14 @@ impl fmt::Display for Failure {
                 formatter,
                 "the guess for {unknown} is {}, where neighbouring numbers are {} apart and define no direction; \
                  subtract whole turns from the guess",
-                Digits(guess),
-                Digits(spacing)
+                Told {
+                    value: guess,
+                    is_angle: true
+                },
+                Told {
+                    value: spacing,
+                    is_angle: true
+                }
             ),
             Self::NotFinite { quantity } => write!(
                 formatter,
@@ -188,16 +207,19 @@ impl Error for Failure {}
 /// The reason why a solver found no position, and where.
 ///
 /// ```
-/// use kin_core::{Failure, InputValues};
+/// use kin_core::{Failure, InputValues, Quantity};
 ///
-/// let inputs = InputValues::new(&["theta2"], &[1.956]);
+/// const INPUTS: [Quantity; 1] = [Quantity::angle("theta2", "crank")];
+/// let inputs = InputValues::new(&INPUTS, &[1.956]);
 /// let error = Failure::OutOfReach { margin: -0.0123 }.at("theta3, theta4", inputs);
 /// assert!(error.to_string().starts_with(
-///     "theta3, theta4 cannot be found at theta2 = 1.956: out of reach by 0.0123"
+///     "theta3, theta4 cannot be found at theta2 = 1.956 rad (112.1°): out of reach by 0.0123"
 /// ));
 /// assert_eq!(error.margin(), Some(-0.0123));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// `Debug` prints the same sentence, because that is what `unwrap` and a `main` that returns the error show.
+#[derive(Clone, Copy, PartialEq)]
 pub struct SolveError {
     /// The reason.
     pub failure: Failure,
@@ -230,6 +252,12 @@ impl fmt::Display for SolveError {
     }
 }
 
+impl fmt::Debug for SolveError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, formatter)
+    }
+}
+
 impl Error for SolveError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         // The message already contains the message of the failure.
@@ -241,7 +269,8 @@ impl Error for SolveError {
 mod tests {
     use super::{Failure, SolveError};
     use crate::failure::InputValues;
-    use std::string::ToString;
+    use crate::quantity::Quantity;
+    use std::{format, string::ToString};
 
     #[test]
     fn a_result_stays_small_enough_to_return() {
@@ -251,11 +280,12 @@ mod tests {
 
     #[test]
     fn messages_say_what_where_and_what_to_do() {
-        let inputs = InputValues::new(&["theta2", "x"], &[1.954, 3.0]);
+        const INPUTS: [Quantity; 2] = [Quantity::angle("theta2", ""), Quantity::length("x", "")];
+        let inputs = InputValues::new(&INPUTS, &[1.954, 3.0]);
         for (failure, message) in [
             (
                 Failure::Singular { determinant: 0.0 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: singular position, a dead point or the limit of the \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: singular position, a dead point or the limit of the \
                  range, where the two assemblies meet and rates are not defined (determinant 0); \
                  stop short of it, or drive the mechanism by another input",
             ),
@@ -265,17 +295,19 @@ mod tests {
                     value: 4.0,
                     low: 0.0,
                     high: core::f64::consts::PI,
+                    is_angle: true,
                 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: theta3 = 4 lies outside its declared range \
-                 from 0 to 3.141593; widen the range, or change dimensions or inputs",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: theta3 = 4 rad (229.2°) lies outside its \
+                 declared range from 0 rad (0.0°) to 3.141593 rad (180.0°); widen the range, or change dimensions or inputs",
             ),
             (
                 Failure::Ambiguous {
                     unknown: "theta3",
                     first: -1.0,
                     second: 1.0,
+                    is_angle: false,
                 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: the declared range of theta3 holds both solutions, \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the declared range of theta3 holds both solutions, \
                  -1 and 1; narrow it until one is left",
             ),
             (
@@ -283,7 +315,7 @@ mod tests {
                     function: "asin",
                     argument: 1.25,
                 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: asin is not defined for 1.25; \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: asin is not defined for 1.25; \
                  change dimensions or inputs",
             ),
             (
@@ -292,7 +324,7 @@ mod tests {
                     iterations: 12,
                     condition: 3.5e9,
                 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: no solution found near the guess, a residual of 0.25 \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: no solution found near the guess, a residual of 0.25 \
                  is left after 12 steps (condition of the Jacobian 3.5e9); start from a better guess, \
                  track from a known pose, or bring the inputs back within reach",
             ),
@@ -302,16 +334,18 @@ mod tests {
                     guess: 1e15,
                     spacing: 0.125,
                 },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: the guess for theta3 is 1e15, where neighbouring \
-                 numbers are 0.125 apart and define no direction; subtract whole turns from the guess",
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: the guess for theta3 is 1e15 rad, where neighbouring \
+                 numbers are 0.125 rad (7.2°) apart and define no direction; subtract whole turns from the guess",
             ),
             (
                 Failure::NotFinite { quantity: "r1" },
-                "theta3 cannot be found at theta2 = 1.954, x = 3: r1: not finite, that is NaN, infinite, or too large \
+                "theta3 cannot be found at theta2 = 1.954 rad (112.0°), x = 3: r1: not finite, that is NaN, infinite, or too large \
                  or too small for the number type; check parameters and inputs",
             ),
         ] {
-            assert_eq!(failure.at("theta3", inputs).to_string(), message);
+            let error = failure.at("theta3", inputs);
+            assert_eq!(error.to_string(), message);
+            assert_eq!(format!("{error:?}"), message, "what a `main` that fails prints");
         }
     }
 

@@ -1,6 +1,5 @@
 //! The failures of a solver, in numbers and words.
 
-pub(crate) mod digits;
 mod error;
 mod inputs;
 

@@ -1,5 +1,6 @@
 //! Points, vectors and rotations.
 
+mod numbers;
 mod plane;
 mod rotation;
 mod space;

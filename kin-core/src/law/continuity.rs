@@ -4,9 +4,9 @@ use core::fmt;
 use core::marker::PhantomData;
 
 use super::piecewise::{Piecewise, of_piece};
-use crate::failure::digits::Digits;
 use crate::motion::Motion;
 use crate::number::Number;
+use crate::quantity::Digits;
 
 /// Jumps of this many roundings of a piece's own size are none. The formulas of the pieces take some tens of roundings each.
 const ROUNDINGS: f64 = 256.0;

@@ -3,8 +3,8 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::failure::digits::Digits;
 use crate::number::Number;
+use crate::quantity::Digits;
 
 /// The reason why a law cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq)]

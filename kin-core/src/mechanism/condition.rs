@@ -1,8 +1,9 @@
 //! The condition of a position: how strongly it depends on rounding of the numbers it was found from.
 
+use crate::mechanism::Mechanism;
 use crate::mechanism::factored_matrix::FactoredMatrix;
-use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::number::{Number, Row, series::Series};
+use crate::quantity::{Dimension, Quantity};
 
 /// A value and its first-order change.
 type Change = Series<2>;

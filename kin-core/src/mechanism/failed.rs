@@ -10,12 +10,11 @@ pub fn failed<M: Mechanism>(
     mechanism: &M,
     failure: Failure,
     block: &'static str,
-    names: &'static [&'static str],
     inputs: M::Inputs<M::Scalar>,
 ) -> SolveError {
     let parameters = mechanism.parameters();
     let quantities = M::DESCRIPTION.parameters.iter().map(|parameter| parameter.name);
-    let quantities = quantities.chain(names.iter().copied());
+    let quantities = quantities.chain(M::DESCRIPTION.inputs.iter().map(|input| input.name));
     let values = parameters.as_ref().iter().chain(inputs.as_ref());
     let failure = quantities
         .zip(values)
@@ -25,7 +24,7 @@ pub fn failed<M: Mechanism>(
     for (place, value) in kept.iter_mut().zip(inputs.as_ref()) {
         *place = value.real();
     }
-    failure.at(block, InputValues::new(names, &kept))
+    failure.at(block, InputValues::new(M::DESCRIPTION.inputs, &kept))
 }
 
 /// The error of the first result that is not finite. It names the first input that is not finite, or else the result.

@@ -10,11 +10,12 @@ mod pose_of;
 mod position_search;
 mod sensitive;
 mod sensitivities;
+mod shown;
 
 pub use block_form::BlockForm;
 #[doc(hidden)]
 pub use block_form::length;
-pub use description::{Block, Description, Dimension, Quantity};
+pub use description::{Block, Description};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
 pub use formulas::{Formula, Formulas};
@@ -22,6 +23,8 @@ pub use pose_of::PoseOf;
 pub use position_search::PositionSearch;
 pub use sensitive::{Partials, Sensitive};
 pub use sensitivities::{PartialMotions, sensitivities_of};
+#[doc(hidden)]
+pub use shown::{Shown, fmt_pose};
 
 use core::fmt::Debug;
 

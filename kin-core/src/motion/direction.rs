@@ -45,7 +45,7 @@ use crate::solve::{self, Scalar};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Direction<T = f64, const N: usize = 4> {
     unit: Plane<T>,
-    rates: [T; N],
+    pub(super) rates: [T; N],
 }
 
 impl<T, const N: usize> Direction<T, N> {
@@ -185,48 +185,6 @@ impl<T: Scalar, const N: usize> Direction<T, N> {
         self.unit.x.is_finite() && self.unit.y.is_finite() && self.rates.iter().all(|rate| rate.is_finite())
     }
 }
-
-/// Defines an accessor for each number of derivatives that contains the derivative, so asking for a missing one does
-/// not compile.
-macro_rules! accessor {
-    ($doc:literal $name:ident = $index:literal, for $($length:literal)+) => {
-        $(
-            impl<T: Copy> Direction<T, $length> {
-                #[doc = $doc]
-                #[inline]
-                #[must_use]
-                pub const fn $name(&self) -> T {
-                    self.rates[$index]
-                }
-            }
-        )+
-    };
-}
-
-accessor!("The angle's derivative of order 1."
-    velocity = 0, for 1 2 3 4 5 6 7 8 9 10 11 12);
-accessor!("The angle's derivative of order 2."
-    acceleration = 1, for 2 3 4 5 6 7 8 9 10 11 12);
-accessor!("The angle's derivative of order 3."
-    jerk = 2, for 3 4 5 6 7 8 9 10 11 12);
-accessor!("The angle's derivative of order 4."
-    snap = 3, for 4 5 6 7 8 9 10 11 12);
-accessor!("The angle's derivative of order 5."
-    crackle = 4, for 5 6 7 8 9 10 11 12);
-accessor!("The angle's derivative of order 6."
-    pop = 5, for 6 7 8 9 10 11 12);
-accessor!("The angle's derivative of order 7."
-    derivative_7 = 6, for 7 8 9 10 11 12);
-accessor!("The angle's derivative of order 8."
-    derivative_8 = 7, for 8 9 10 11 12);
-accessor!("The angle's derivative of order 9."
-    derivative_9 = 8, for 9 10 11 12);
-accessor!("The angle's derivative of order 10."
-    derivative_10 = 9, for 10 11 12);
-accessor!("The angle's derivative of order 11."
-    derivative_11 = 10, for 11 12);
-accessor!("The angle's derivative of order 12."
-    derivative_12 = 11, for 12);
 
 /// Defines the methods that change the number of derivatives, or include the angle among them.
 macro_rules! lengths {

@@ -1,19 +1,23 @@
 //! A value and its time derivatives.
 
+mod arithmetic;
 mod chain;
 mod curve;
 mod degrees;
 mod direction;
+mod entries;
 mod given;
 mod link;
+mod order;
 
 pub use degrees::rpm;
 pub use direction::Direction;
 pub use given::IntoMotion;
 pub use link::LinkMotion;
+pub use order::Contains;
 
 use core::array;
-use core::ops::{Add, Index, IndexMut, Mul, Neg, Sub};
+use core::ops::{Index, IndexMut};
 
 use crate::geometry::{Plane, Space};
 use crate::number::{Number, Row};
@@ -82,6 +86,13 @@ impl<T: Copy, const N: usize> Motion<T, N> {
     pub const fn value(&self) -> T {
         const { assert!(N > 0, "a motion has a value at least") };
         self.derivatives[0]
+    }
+
+    /// The value, the derivative of order 0.
+    #[inline]
+    #[must_use]
+    pub const fn position(&self) -> T {
+        self.value()
     }
 
     /// The derivative of the given order, if there is one.
@@ -298,50 +309,6 @@ impl<T, const N: usize> From<Motion<T, N>> for [T; N] {
     }
 }
 
-/// Defines an accessor for each length of motion that contains the entry, so asking for a missing derivative does not
-/// compile.
-macro_rules! accessor {
-    ($doc:literal $name:ident = $order:literal, for $($length:literal)+) => {
-        $(
-            impl<T: Copy> Motion<T, $length> {
-                #[doc = $doc]
-                #[inline]
-                #[must_use]
-                pub const fn $name(&self) -> T {
-                    self.derivatives[$order]
-                }
-            }
-        )+
-    };
-}
-
-accessor!("The value, the derivative of order 0."
-    position = 0, for 1 2 3 4 5 6 7 8 9 10 11 12 13);
-accessor!("The derivative of order 1."
-    velocity = 1, for 2 3 4 5 6 7 8 9 10 11 12 13);
-accessor!("The derivative of order 2."
-    acceleration = 2, for 3 4 5 6 7 8 9 10 11 12 13);
-accessor!("The derivative of order 3."
-    jerk = 3, for 4 5 6 7 8 9 10 11 12 13);
-accessor!("The derivative of order 4."
-    snap = 4, for 5 6 7 8 9 10 11 12 13);
-accessor!("The derivative of order 5."
-    crackle = 5, for 6 7 8 9 10 11 12 13);
-accessor!("The derivative of order 6."
-    pop = 6, for 7 8 9 10 11 12 13);
-accessor!("The derivative of order 7."
-    derivative_7 = 7, for 8 9 10 11 12 13);
-accessor!("The derivative of order 8."
-    derivative_8 = 8, for 9 10 11 12 13);
-accessor!("The derivative of order 9."
-    derivative_9 = 9, for 10 11 12 13);
-accessor!("The derivative of order 10."
-    derivative_10 = 10, for 11 12 13);
-accessor!("The derivative of order 11."
-    derivative_11 = 11, for 12 13);
-accessor!("The derivative of order 12."
-    derivative_12 = 12, for 13);
-
 macro_rules! and {
     ($($length:literal -> $longer:literal: $($entry:ident)+;)+) => {
         $(
@@ -449,49 +416,6 @@ impl<T: Number, const N: usize> Motion<Space<T>, N> {
         self.derivatives
             .iter()
             .all(|vector| vector.x.is_finite() && vector.y.is_finite() && vector.z.is_finite())
-    }
-}
-
-impl<T: Copy + Add<Output = T>, const N: usize> Add for Motion<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self::new(array::from_fn(|order| {
-            self.derivatives[order] + other.derivatives[order]
-        }))
-    }
-}
-
-impl<T: Copy + Sub<Output = T>, const N: usize> Sub for Motion<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self::new(array::from_fn(|order| {
-            self.derivatives[order] - other.derivatives[order]
-        }))
-    }
-}
-
-impl<T: Neg<Output = T>, const N: usize> Neg for Motion<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        self.map(Neg::neg)
-    }
-}
-
-/// Leibniz's rule for the derivatives of a product.
-impl<T: Number, const N: usize> Mul for Motion<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        Self::new(array::from_fn(|order| {
-            leibniz(&self.derivatives[..=order], &other.derivatives[..=order])
-        }))
     }
 }
 

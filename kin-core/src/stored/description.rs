@@ -3,8 +3,9 @@
 use std::string::String;
 use std::vec::Vec;
 
-use crate::mechanism::{Block, Description, Dimension, Quantity};
+use crate::mechanism::{Block, Description};
 use crate::number::Operations;
+use crate::quantity::{Dimension, Quantity};
 
 /// A [`Description`] that owns its texts, so that a program can read it. It is written like the description.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]

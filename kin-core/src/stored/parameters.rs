@@ -9,8 +9,9 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::names::Name;
 use super::{finite, rows::whole};
 use crate::geometry::{Plane, Space};
-use crate::mechanism::{Mechanism, Quantity};
+use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::quantity::Quantity;
 
 /// The parameters of a mechanism as they are stored: by name, points as maps of their coordinates.
 ///

@@ -9,9 +9,10 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use super::names::Name;
 use super::{finite, rows::whole};
 use crate::failure::SolveError;
-use crate::mechanism::{Description, Mechanism, Pose, Quantity};
+use crate::mechanism::{Description, Mechanism, Pose};
 use crate::motion::{Direction, Motion};
 use crate::number::Row;
+use crate::quantity::Quantity;
 
 type Outputs<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<V>;
 

@@ -31,6 +31,7 @@ pub enum FailureRecord<S> {
         low: f64,
         #[serde(with = "lenient")]
         high: f64,
+        is_angle: bool,
     },
     /// [`Failure::Ambiguous`]
     Ambiguous {
@@ -39,6 +40,7 @@ pub enum FailureRecord<S> {
         first: f64,
         #[serde(with = "lenient")]
         second: f64,
+        is_angle: bool,
     },
     /// [`Failure::OutsideDomain`]
     OutsideDomain {
@@ -76,16 +78,24 @@ impl<S: From<&'static str>> From<Failure> for FailureRecord<S> {
                 value,
                 low,
                 high,
+                is_angle,
             } => Self::OutOfRange {
                 unknown: unknown.into(),
                 value,
                 low,
                 high,
+                is_angle,
             },
-            Failure::Ambiguous { unknown, first, second } => Self::Ambiguous {
+            Failure::Ambiguous {
+                unknown,
+                first,
+                second,
+                is_angle,
+            } => Self::Ambiguous {
                 unknown: unknown.into(),
                 first,
                 second,
+                is_angle,
             },
             Failure::OutsideDomain { function, argument } => Self::OutsideDomain {
                 function: function.into(),

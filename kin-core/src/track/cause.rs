@@ -9,8 +9,9 @@ use super::{
     ANCHOR, BLUR, FAR, Halt, Obstacle, ObstacleOf, SECANTS, Station, TrackError, TrackErrorOf, predicted, rates,
 };
 use crate::failure::{Failure, SolveError};
-use crate::mechanism::{Dimension, Mechanism};
+use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::quantity::Dimension;
 
 /// The largest difference of the unknowns between the last station and the change point behind it.
 const BESIDE: f64 = 0.05;
@@ -331,7 +332,10 @@ mod tests {
         let way = Way::new(linkage, [0.5], &start, [1.5]);
         let here = station(&way, 0.0, start).ok().expect("the linkage closes there");
         let failure = Failure::NotFinite { quantity: "something" };
-        let error = failure.at("theta3, theta4", InputValues::new(&["theta2"], &[0.5]));
+        let error = failure.at(
+            "theta3, theta4",
+            InputValues::new(FourBar::<f64>::DESCRIPTION.inputs, &[0.5]),
+        );
         let blocked = |error| blocked(&way, &here, &here, &here.sides, error, &Steps::NONE);
         assert_eq!(blocked(Some(error)), TrackError::Failed(error));
         let none = blocked(None);

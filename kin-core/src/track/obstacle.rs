@@ -3,8 +3,8 @@
 use core::error::Error;
 use core::fmt::{self, Debug};
 
-use crate::failure::{SolveError, digits::Digits};
-use crate::mechanism::Quantity;
+use crate::failure::SolveError;
+use crate::quantity::{Digits, Quantity, Told};
 
 /// The largest effect of rounding errors on the unknowns. Beyond it, nothing is certain about the neighbourhood.
 pub(super) const FIRM: f64 = 1e-3;
@@ -93,9 +93,24 @@ impl fmt::Display for Location<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (name, value)) in self.names.iter().zip(self.inputs).enumerate() {
             let before = if index == 0 { " at " } else { ", " };
-            write!(formatter, "{before}{} = {}", name.name, Digits(*value))?;
+            write!(
+                formatter,
+                "{before}{} = {}",
+                name.name,
+                Told::new(*value, name.dimension)
+            )?;
         }
         write!(formatter, ", after {} of the way", Digits(self.fraction))
+    }
+}
+
+/// The unknowns of a block as subject, and their verb.
+struct Reaching(&'static str);
+
+impl fmt::Display for Reaching {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let verb = if self.0.contains(',') { "reach" } else { "reaches" };
+        write!(formatter, "{} {verb}", self.0)
     }
 }
 
@@ -124,16 +139,16 @@ impl<I: AsRef<[f64]>, U> fmt::Display for TrackError<I, U> {
         match self {
             Self::Limit(limit) => write!(
                 formatter,
-                "{} reach a limit position{}: two assemblies meet there and neither continues; stop short of it, or \
+                "{} a limit position{}: two assemblies meet there and neither continues; stop short of it, or \
                  drive the mechanism by another input",
-                limit.block,
+                Reaching(limit.block),
                 limit.place()
             ),
             Self::ChangePoint(point) => write!(
                 formatter,
-                "{} reach a change point{}: two assemblies cross there and geometry does not determine which one the \
+                "{} a change point{}: two assemblies cross there and geometry does not determine which one the \
                  mechanism follows; stop short of it, change the dimensions a little, or start again on the other side",
-                point.block,
+                Reaching(point.block),
                 point.place()
             ),
             Self::Unbounded(pole) => write!(
@@ -194,16 +209,10 @@ impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Halt<I, U> {
     }
 }
 
-impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for TrackError<I, U> {
+/// The sentence of `Display`, because that is what `unwrap` and a `main` that returns the error show.
+impl<I: AsRef<[f64]>, U> Debug for TrackError<I, U> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Limit(limit) => formatter.debug_tuple("Limit").field(limit).finish(),
-            Self::ChangePoint(point) => formatter.debug_tuple("ChangePoint").field(point).finish(),
-            Self::Unbounded(pole) => formatter.debug_tuple("Unbounded").field(pole).finish(),
-            Self::TooManySteps(halt) => formatter.debug_tuple("TooManySteps").field(halt).finish(),
-            Self::Lost(halt) => formatter.debug_tuple("Lost").field(halt).finish(),
-            Self::Failed(error) => formatter.debug_tuple("Failed").field(error).finish(),
-        }
+        fmt::Display::fmt(self, formatter)
     }
 }
 

@@ -1,8 +1,9 @@
 //! The line along which the inputs move, and the closure on it.
 
 use super::SHORTEST;
-use crate::mechanism::{Dimension, Mechanism};
+use crate::mechanism::Mechanism;
 use crate::number::{Row, series::Series};
+use crate::quantity::Dimension;
 
 /// A value with its first and second derivative, as coefficients of a series.
 type Second = Series<3>;

@@ -5,7 +5,8 @@ use std::vec::Vec;
 use super::gradients::{gradients, jacobian_rates, rounding_errors, values};
 use super::matrix_condition::condition;
 use super::{Inputs, Unknowns};
-use crate::mechanism::{Dimension, Mechanism, Quantity};
+use crate::mechanism::Mechanism;
+use crate::quantity::{Dimension, Quantity};
 
 /// The units of error at a pose.
 ///

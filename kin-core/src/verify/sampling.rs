@@ -4,8 +4,9 @@ use core::f64::consts::PI;
 use std::vec::Vec;
 
 use super::{Inputs, Random, Report, Worst};
-use crate::mechanism::{Dimension, Mechanism, Quantity};
+use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::quantity::{Dimension, Quantity};
 
 /// The number and the choice of poses to verify.
 ///

@@ -9,10 +9,11 @@ use crate::assembly::{Assembly, Near};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::geometry::Plane;
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
-use crate::mechanism::{Block, BlockForm, Description, Dimension, Formula, Formulas, Mechanism, Pose, Quantity};
+use crate::mechanism::{Block, BlockForm, Description, Formula, Formulas, Mechanism, Pose};
 use crate::motion::Motion;
 use crate::number::{Number, Operations};
 use crate::picture::{Outline, TransmissionAngle};
+use crate::quantity::{Dimension, Quantity};
 use crate::solve::Scalar;
 
 /// The tests read no formulas.
@@ -167,7 +168,9 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
     /// refused.
     fn solve_position_near(&self, [x]: [T; 1], [near]: [T; 1]) -> Result<[T; 1], SolveError> {
         if near.real().abs() > 10.0 {
-            return Err(Failure::OutOfReach { margin: -1.0 }.at("y", InputValues::new(&["x"], &[x.real()])));
+            return Err(
+                Failure::OutOfReach { margin: -1.0 }.at("y", InputValues::new(Self::DESCRIPTION.inputs, &[x.real()]))
+            );
         }
         let square = x * x + self.a * self.a;
         let mut y = near;

@@ -6,7 +6,8 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::{Gauge, Inputs, allowed, by_differentiation, closure};
-use crate::mechanism::{Mechanism, Pose, Quantity};
+use crate::mechanism::{Mechanism, Pose};
+use crate::quantity::Quantity;
 
 /// The reference for a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

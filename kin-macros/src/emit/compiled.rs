@@ -258,6 +258,20 @@ impl Compiled<'_> {
         quote!(#assembly: #kind)
     }
 
+    /// The assembly as a program gives it, and its conversion. Instead of a structure of several choices, the solvers
+    /// take a trait, whose message says how to write the structure.
+    pub(super) fn given_assembly(&self) -> (TokenStream, TokenStream) {
+        let (runtime, value) = (self.runtime, self.assembly_value());
+        if self.choices().len() < 2 {
+            return (self.assembly_argument(), value);
+        }
+        let kind = self.assembly_type();
+        (
+            quote!(#value: impl #runtime::IntoAssembly<#kind>),
+            quote!(#runtime::IntoAssembly::into_assembly(#value)),
+        )
+    }
+
     /// The assembly as a value that is passed on.
     pub(super) fn assembly_value(&self) -> TokenStream {
         if self.choices().is_empty() {

@@ -46,6 +46,7 @@ pub(crate) const CORE: House = House {
     rooms: &[
         room("number", &["number/"], "numbers and rows"),
         room("geometry", &["geometry/"], "vectors and rotations"),
+        room("quantity", &["quantity/"], "names, dimensions"),
         room("failure", &["failure/"], "typed errors"),
         room("assembly", &["assembly/"], "open, crossed, near"),
         room("solve", &["solve/"], "closed forms, Newton"),

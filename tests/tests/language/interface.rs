@@ -420,14 +420,17 @@ fn number_types() {
 fn errors() {
     let error = SAMPLE.position(2.0, Assembly::Open).expect_err("out of reach");
     assert_eq!(error.block, "theta3, theta4");
-    assert_eq!(error.inputs, InputValues::new(&["theta2"], &[2.0]));
+    assert_eq!(
+        error.inputs,
+        InputValues::new(FourBar::<f64>::DESCRIPTION.inputs, &[2.0])
+    );
     // the diagonal is longer than coupler and rocker together
     let diagonal = (90.0_f64.powi(2) + 30.0_f64.powi(2) - 2.0 * 90.0 * 30.0 * 2.0_f64.cos()).sqrt();
     let margin = error.margin().expect("it is a matter of reach");
     assert!((margin - (105.0 - diagonal)).abs() < 1e-12, "{margin}");
     let message = error.to_string();
     assert!(
-        message.starts_with("theta3, theta4 cannot be found at theta2 = 2: out of reach by "),
+        message.starts_with("theta3, theta4 cannot be found at theta2 = 2 rad (114.6°): out of reach by "),
         "{message}"
     );
     let boxed: Box<dyn Error + Send + Sync> = error.into();

@@ -1,6 +1,7 @@
 //! The language: its declarations, their meaning, and the code that they become.
 
 mod block_forms;
+mod calls;
 mod directions;
 mod hygiene;
 mod interface;

@@ -42,6 +42,7 @@ fn a_coupler_that_points_upwards() {
                     value,
                     low,
                     high,
+                    is_angle: true,
                 } = error.failure
                 else {
                     panic!("{error}");
@@ -58,6 +59,7 @@ fn a_coupler_that_points_upwards() {
                     unknown: "theta3",
                     first: first.theta3.value(),
                     second: second.theta3.value(),
+                    is_angle: true,
                 };
                 assert_eq!(error.failure, expected);
                 ambiguous += 1;
@@ -129,7 +131,8 @@ fn lengths_of_either_sign() {
             unknown: "x",
             value: 10.5,
             low: 0.0,
-            high: 10.0
+            high: 10.0,
+            is_angle: false
         }
     );
 }

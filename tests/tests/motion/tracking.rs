@@ -389,7 +389,7 @@ fn messages_say_where_and_what_to_do() {
     let error = track(&DOUBLE_ROCKER, [0.5], start, [3.0]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "theta3, theta4 reach a limit position at theta2 = 1.955193, after 0.5820772 of the way: two assemblies meet there \
+        "theta3, theta4 reach a limit position at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two assemblies meet there \
          and neither continues; stop short of it, or drive the mechanism by another input"
     );
 }

@@ -212,7 +212,7 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
             if !(span.tells_angle::<T>(first) && span.tells_angle::<T>(second)) {
                 return Err(IN_DOUBT);
             }
-            return choose(self.unknown, first, second, span);
+            return choose(self.unknown, first, second, span, self.is_angle);
         }
         if !(span.tells::<T>(first) && span.tells::<T>(second)) {
             return Err(IN_DOUBT);
@@ -220,7 +220,7 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
         match (first >= low && first <= high, second >= low && second <= high) {
             (true, false) if second.is_finite() => Ok(Assembly::Open),
             (false, true) if first.is_finite() => Ok(Assembly::Crossed),
-            _ => choose(self.unknown, first, second, span),
+            _ => choose(self.unknown, first, second, span, self.is_angle),
         }
     }
 
@@ -240,7 +240,7 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
     }
 }
 
-fn choose(unknown: &'static str, first: f64, second: f64, span: Span) -> Result<Assembly, Failure> {
+fn choose(unknown: &'static str, first: f64, second: f64, span: Span, is_angle: bool) -> Result<Assembly, Failure> {
     if !(first.is_finite() && second.is_finite()) {
         return Err(Failure::NotFinite { quantity: unknown });
     }
@@ -253,7 +253,12 @@ fn choose(unknown: &'static str, first: f64, second: f64, span: Span) -> Result<
             (true, false) => return Ok(Assembly::Open),
             (false, true) => return Ok(Assembly::Crossed),
             (true, true) => {
-                return Err(Failure::Ambiguous { unknown, first, second });
+                return Err(Failure::Ambiguous {
+                    unknown,
+                    first,
+                    second,
+                    is_angle,
+                });
             }
             (false, false) => {}
         }
@@ -263,15 +268,22 @@ fn choose(unknown: &'static str, first: f64, second: f64, span: Span) -> Result<
     } else {
         first
     };
-    Err(out_of_range(unknown, value, span.low, span.high))
+    Err(out_of_range(unknown, value, span.low, span.high, is_angle))
 }
 
 #[cold]
-pub(in crate::solve) fn out_of_range(unknown: &'static str, value: f64, low: f64, high: f64) -> Failure {
+pub(in crate::solve) fn out_of_range(
+    unknown: &'static str,
+    value: f64,
+    low: f64,
+    high: f64,
+    is_angle: bool,
+) -> Failure {
     Failure::OutOfRange {
         unknown,
         value,
         low,
         high,
+        is_angle,
     }
 }

@@ -82,7 +82,7 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
     value.provided(ValueInRange { value, low, high }).ok_or_else(|| {
         let real = value.real();
         if real.is_finite() {
-            out_of_range(unknown, real, low, high)
+            out_of_range(unknown, real, low, high, false)
         } else {
             Failure::NotFinite { quantity: unknown }
         }
@@ -107,7 +107,7 @@ pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
         let real = value.real();
         return Err(if real.is_finite() {
             let nearest = Span::new(low, high, real, T::EPSILON).representative(real);
-            out_of_range(unknown, nearest, low, high)
+            out_of_range(unknown, nearest, low, high, true)
         } else {
             Failure::NotFinite { quantity: unknown }
         });
@@ -142,7 +142,8 @@ mod tests {
             Err(Failure::Ambiguous {
                 unknown: "e",
                 first: 1.0,
-                second: 2.0
+                second: 2.0,
+                is_angle: false
             })
         );
         assert_eq!(
@@ -151,7 +152,8 @@ mod tests {
                 unknown: "e",
                 value: 11.0,
                 low: 0.0,
-                high: 10.0
+                high: 10.0,
+                is_angle: false
             })
         );
         assert_eq!(choose(1.0, f64::NAN), Err(Failure::NotFinite { quantity: "e" }));
@@ -177,7 +179,8 @@ mod tests {
             Err(Failure::Ambiguous {
                 unknown: "gamma",
                 first: -3.0,
-                second: -0.1 - TAU
+                second: -0.1 - TAU,
+                is_angle: true
             })
         );
     }
@@ -192,7 +195,8 @@ mod tests {
                 unknown: "s",
                 value: -1.0,
                 low: 0.0,
-                high: f64::INFINITY
+                high: f64::INFINITY,
+                is_angle: false
             })
         );
         for value in [f64::NAN, f64::INFINITY] {

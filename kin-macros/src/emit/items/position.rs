@@ -72,8 +72,14 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         let chosen = quote!(self.position_near(#(#inputs,)* #near));
         (guess.clone(), chosen)
     } else {
-        let chosen = quote!(self.__position(#(#inputs,)* #value ::core::option::Option::None));
-        (assembly, chosen)
+        let (given, converted) = mechanism.given_assembly();
+        let then = if converted.is_empty() {
+            converted
+        } else {
+            quote!(#converted,)
+        };
+        let chosen = quote!(self.__position(#(#inputs,)* #then ::core::option::Option::None));
+        (given, chosen)
     };
     let (near_type, near_value) = if is_coupled {
         (quote!([T; #count]), quote!(#near))

@@ -14,7 +14,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let order = mechanism.order();
     let pose = mechanism.pose(order);
     let inputs = mechanism.input_names();
-    let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
+    let ((assembly, _), value) = (mechanism.given_assembly(), mechanism.assembly_value());
     let length = Literal::usize_unsuffixed(order + 1);
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let [position, near] = ["position", "near"].map(|name| mechanism.own(name));
@@ -135,7 +135,7 @@ pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
             #block: &'static ::core::primitive::str,
             #(#inputs: T),*
         ) -> #runtime::SolveError {
-            #runtime::failed(self, #failure, #block, &[#(#labels),*], [#(#inputs),*])
+            #runtime::failed(self, #failure, #block, [#(#inputs),*])
         }
     }
 }

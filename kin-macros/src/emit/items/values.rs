@@ -9,7 +9,7 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::Compiled;
 use crate::emit::text::Text;
 
-/// `impl PoseOf` and `impl Guess`, for the pose of each order.
+/// `impl PoseOf`, `impl Guess` and `impl Display`, for the pose of each order.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let name = &model.name;
@@ -18,23 +18,23 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         .collect();
     let inputs: Vec<_> = model.inputs.iter().map(|input| &input.name).collect();
     let [input_count, unknown_count] = [inputs.len(), model.unknowns.len()].map(Literal::usize_unsuffixed);
-    (0..=mechanism.order())
-        .map(|order| {
-            let pose = mechanism.pose(order);
-            quote! {
-                impl<T: #runtime::Scalar> #runtime::PoseOf<#name<T>> for #pose<T> {
-                    fn values(&self) -> ([T; #input_count], [T; #unknown_count]) {
-                        ([#(self.#inputs.value()),*], [#(#unknowns),*])
-                    }
-                }
-                impl<T: #runtime::Scalar> #runtime::Guess<T, #unknown_count> for #pose<T> {
-                    fn values(self) -> [T; #unknown_count] {
-                        self.unknowns()
-                    }
+    let outputs = model.outputs.iter().map(|output| &output.name);
+    let unknown_fields = model.unknowns.iter().map(|unknown| &unknown.name);
+    let fields: Vec<_> = inputs.iter().copied().chain(unknown_fields).chain(outputs).collect();
+    let poses: Vec<_> = (0..=mechanism.order()).map(|order| mechanism.pose(order)).collect();
+    let implementations = poses.iter().map(|pose| {
+        quote! {
+            impl<T: #runtime::Scalar> #runtime::PoseOf<#name<T>> for #pose<T> {
+                fn values(&self) -> ([T; #input_count], [T; #unknown_count]) {
+                    ([#(self.#inputs.value()),*], [#(#unknowns),*])
                 }
             }
-        })
-        .collect()
+        }
+    });
+    quote! {
+        #(#implementations)*
+        #runtime::poses! { #name, #unknown_count, [#(#fields)*], #(#poses)* }
+    }
 }
 
 /// The argument for a pose of any order, and its name.

@@ -1,0 +1,63 @@
+//! Named quantities, and their values in messages.
+
+mod digits;
+mod told;
+
+pub(crate) use digits::Digits;
+pub(crate) use told::Told;
+
+/// A named quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Quantity {
+    /// The name of the quantity; the parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`.
+    pub name: &'static str,
+    /// The dimension of the quantity.
+    pub dimension: Dimension,
+    /// The first paragraph of its documentation, or an empty string.
+    pub description: &'static str,
+}
+
+impl Quantity {
+    /// A length.
+    #[must_use]
+    pub const fn length(name: &'static str, description: &'static str) -> Self {
+        Self {
+            name,
+            dimension: Dimension::Length,
+            description,
+        }
+    }
+
+    /// An angle.
+    #[must_use]
+    pub const fn angle(name: &'static str, description: &'static str) -> Self {
+        Self {
+            name,
+            dimension: Dimension::Angle,
+            description,
+        }
+    }
+
+    /// A plain number.
+    #[must_use]
+    pub const fn scalar(name: &'static str, description: &'static str) -> Self {
+        Self {
+            name,
+            dimension: Dimension::Scalar,
+            description,
+        }
+    }
+}
+
+/// The dimension of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Dimension {
+    /// A length, in the mechanism's own unit.
+    Length,
+    /// An angle, in radians.
+    Angle,
+    /// A plain number.
+    Scalar,
+}

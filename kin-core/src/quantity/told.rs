@@ -1,0 +1,69 @@
+//! Values with their units.
+
+use core::fmt;
+
+use super::{Digits, Dimension};
+
+/// The largest number of degrees that is told beside radians. Beyond it, people think in turns.
+const MOST_DEGREES: f64 = 1e4;
+
+/// A value for people: an angle has its unit, and its degrees in parentheses.
+///
+/// Lengths have the mechanism's own unit, which has no name. Without a precision, the number has seven significant figures.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Told {
+    pub(crate) value: f64,
+    pub(crate) is_angle: bool,
+}
+
+impl Told {
+    pub(crate) fn new(value: f64, dimension: Dimension) -> Self {
+        Self {
+            value,
+            is_angle: dimension == Dimension::Angle,
+        }
+    }
+}
+
+impl fmt::Display for Told {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match formatter.precision() {
+            Some(precision) => write!(formatter, "{:.precision$}", self.value)?,
+            None => write!(formatter, "{}", Digits(self.value))?,
+        }
+        if !self.is_angle {
+            return Ok(());
+        }
+        formatter.write_str(" rad")?;
+        let degrees = self.value.to_degrees();
+        if degrees.abs() < MOST_DEGREES {
+            write!(formatter, " ({degrees:.1}°)")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{format, string::ToString};
+
+    use super::Told;
+    use crate::quantity::Dimension;
+
+    #[test]
+    fn angles_are_told_in_degrees_too() {
+        let angle = |value| Told::new(value, Dimension::Angle).to_string();
+        assert_eq!(angle(0.855_211_333), "0.8552113 rad (49.0°)");
+        assert_eq!(angle(-core::f64::consts::PI), "-3.141593 rad (-180.0°)");
+        assert_eq!(angle(0.0), "0 rad (0.0°)");
+        assert_eq!(angle(1e15), "1e15 rad");
+        assert_eq!(angle(f64::INFINITY), "inf rad");
+        assert_eq!(angle(f64::NAN), "NaN rad");
+        assert_eq!(
+            format!("{:.2}", Told::new(0.855_211_333, Dimension::Angle)),
+            "0.86 rad (49.0°)"
+        );
+        assert_eq!(Told::new(0.25, Dimension::Length).to_string(), "0.25");
+        assert_eq!(Told::new(0.25, Dimension::Scalar).to_string(), "0.25");
+    }
+}
