@@ -2,6 +2,8 @@
 //!
 //! Both oracles are run over the whole library in the tests of `proof`.
 
+mod stored;
+
 use core::f64::consts::{PI, TAU};
 
 use kin_core::library::*;
