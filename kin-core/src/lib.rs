@@ -73,6 +73,7 @@
 //! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`] and adds `verify`. The feature
 //! `nalgebra` converts to and from the points and vectors of that crate.
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(
     test,
     allow(
