@@ -297,22 +297,28 @@ fn scaled(coefficient: f64, term: Term) -> Term {
         }
         number => above.push(number),
     }
-    match (below.is_empty(), above.as_slice(), term) {
-        (true, [Term::Number(1.0)], term) if coefficient < 0.0 => opposite(term),
-        (_, _, Term::Quotient(dividend, divisor)) => {
+    if coefficient == -1.0 {
+        return opposite(term);
+    }
+    let (first, rest) = match term {
+        Term::Product(mut factors) if !below.is_empty() => (factors.remove(0), factors),
+        other => (other, Vec::new()),
+    };
+    let rest = match first {
+        Term::Quotient(dividend, divisor) => {
             above.push(*dividend);
             below.push(*divisor);
-            signed(coefficient, Term::product(above).over(Term::product(below)))
+            rest
         }
-        (_, _, term) => {
-            above.push(term);
-            signed(coefficient, Term::product(above).over(Term::product(below)))
+        first => {
+            above.push(first);
+            above.extend(rest);
+            Vec::new()
         }
-    }
-}
-
-fn signed(sign: f64, term: Term) -> Term {
-    if sign < 0.0 { term.negative() } else { term }
+    };
+    let fraction = Term::product(above).over(Term::product(below));
+    let product = Term::product([fraction].into_iter().chain(rest));
+    if coefficient < 0.0 { product.negative() } else { product }
 }
 
 /// The opposite of a term. A sum of both signs changes its signs, and so does a fraction with such a sum above.

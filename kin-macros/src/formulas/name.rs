@@ -31,12 +31,12 @@ impl Name {
 
     /// An identifier as it is typed, for names that the notation would confuse with others.
     pub(super) fn verbatim(identifier: &str) -> Self {
-        Self::of(Base::Word(plain(identifier).to_owned()))
+        Self::of(Base::Word(identifier.to_owned()))
     }
 
     /// The notation of an identifier.
     pub(super) fn of_identifier(identifier: &str) -> Self {
-        let mut parts = plain(identifier).split('_').filter(|part| !part.is_empty());
+        let mut parts = identifier.split('_').filter(|part| !part.is_empty());
         let Some(first) = parts.next() else {
             return Self::verbatim(identifier);
         };
@@ -83,11 +83,6 @@ impl Name {
     pub(super) const fn is_word(&self) -> bool {
         matches!(self.base, Base::Word(_))
     }
-}
-
-/// An identifier without the mark of a raw one.
-fn plain(identifier: &str) -> &str {
-    identifier.strip_prefix("r#").unwrap_or(identifier)
 }
 
 fn base(stem: &str) -> Base {
@@ -173,7 +168,6 @@ mod tests {
         assert_eq!(parts("r1_x"), letter('r', &["1", "x"], 0));
         assert_eq!(parts("omega_dot"), letter('ω', &[], 1));
         assert_eq!(parts("k_alpha"), letter('k', &["α"], 0));
-        assert_eq!(parts("r#in1"), (Base::Word("in".to_owned()), vec!["1".to_owned()], 0));
         assert_eq!(parts("lower_axle").0, Base::Word("lower".to_owned()));
         assert_eq!(parts("pi").0, Base::Word("pi".to_owned()));
         assert_eq!(parts("__").0, Base::Word("__".to_owned()));

@@ -6,6 +6,12 @@ use super::name::Name;
 use super::term::{Line, Term};
 use crate::precedence::Precedence;
 
+/// The cell before a relation. Chromium knows no `columnalign`, and others no `-webkit-right`.
+const RIGHT: &str = "<mtd style=\"text-align:-webkit-right;padding-right:0\">";
+
+/// The cell that begins with a relation.
+const LEFT: &str = "<mtd style=\"text-align:-webkit-left;padding-left:0\">";
+
 /// Lines below each other, with their relations below each other, in all three forms.
 pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
     let both = |line: &Line, form: Form| {
@@ -23,9 +29,7 @@ pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
         .iter()
         .map(|line| {
             let (left, right) = both(line, Form::MathMl);
-            format!(
-                "<mtr><mtd style=\"text-align:right\">{left}</mtd><mtd style=\"text-align:left\">{right}</mtd></mtr>"
-            )
+            format!("<mtr>{RIGHT}{left}</mtd>{LEFT}{right}</mtd></mtr>")
         })
         .collect();
     let latex: Vec<String> = lines
@@ -45,7 +49,7 @@ pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
     Formula {
         text: text.join("\n"),
         mathml: format!(
-            "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mtable displaystyle=\"true\">{mathml}</mtable></math>"
+            "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mtable displaystyle=\"true\" columnalign=\"right left\">{mathml}</mtable></math>"
         ),
         latex: format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", latex.join(" \\\\\n")),
     }
@@ -55,6 +59,8 @@ pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
 struct Printer {
     form: Form,
     text: String,
+    /// Whether the nearest fence outside is a bar, which cannot be told from a second one.
+    is_between_bars: bool,
 }
 
 /// The surroundings of a formula.
@@ -80,6 +86,7 @@ impl Printer {
         let mut printer = Self {
             form,
             text: beginning.to_owned(),
+            is_between_bars: false,
         };
         printer.term(term, Place::ALONE);
         printer.text
@@ -121,7 +128,8 @@ impl Printer {
         let own = self.precedence(term);
         // a time derivative above the line would be taken for a power, and the other way round
         let is_crowded = place.precedence == Precedence::Atom && matches!(term, Term::Rate(_, 3..));
-        if own.needs_parentheses(place.precedence) || is_crowded {
+        let is_in_bars = self.is_between_bars && matches!(term, Term::Norm(_));
+        if own.needs_parentheses(place.precedence) || is_crowded || is_in_bars {
             self.fenced('(', ')', |printer| printer.bare(term, Place::ALONE));
         } else {
             self.bare(term, place);
@@ -275,7 +283,12 @@ impl Printer {
                     self.push(self.form.between_factors(is_wide));
                 }
             }
-            self.term(factor, Place::new(Precedence::Sign, is_last));
+            // a power of ten in front is read as a part of the product
+            let place = match factor {
+                Term::Number(_) if index == 0 => Precedence::Product,
+                _ => Precedence::Sign,
+            };
+            self.term(factor, Place::new(place, is_last));
         }
     }
 
@@ -362,10 +375,10 @@ impl Printer {
     fn arguments(&mut self, arguments: &[Term], is_last: bool) {
         match arguments {
             [only] if is_last && is_short(only) && !self.is_text() => {
-                self.push(match self.form {
-                    Form::MathMl => "<mspace width=\"0.17em\"></mspace>",
-                    Form::Text { .. } | Form::Latex => " ",
-                });
+                // a command of LaTeX ends with a space of its own
+                if self.form == Form::MathMl {
+                    self.push("<mspace width=\"0.17em\"></mspace>");
+                }
                 self.term(only, Place::new(Precedence::Product, true));
             }
             _ => self.list(arguments),
@@ -388,7 +401,9 @@ impl Printer {
 
     fn fenced(&mut self, open: char, close: char, inside: impl FnOnce(&mut Self)) {
         self.push(&self.form.fence(open));
+        let outside = std::mem::replace(&mut self.is_between_bars, open == '|');
         inside(self);
+        self.is_between_bars = outside;
         let close = self.form.fence(close).replace("prefix", "postfix");
         self.push(&close);
     }
@@ -441,8 +456,12 @@ fn is_call(term: &Term) -> bool {
 /// Whether an argument needs no parentheses: a name, a number, or a number of times a name.
 fn is_short(term: &Term) -> bool {
     match term {
-        Term::Name(_) | Term::Pi | Term::Number(_) | Term::Degrees(_) => true,
-        Term::Product(factors) => matches!(factors.as_slice(), [Term::Number(_), Term::Name(_) | Term::Pi]),
+        Term::Name(_) | Term::Pi | Term::Degrees(_) => true,
+        Term::Number(value) => !is_scientific(*value),
+        Term::Product(factors) => match factors.as_slice() {
+            [number @ Term::Number(_), Term::Name(_) | Term::Pi] => is_short(number),
+            _ => false,
+        },
         _ => false,
     }
 }

@@ -62,7 +62,10 @@ impl Compiled<'_> {
 
 /// A formula below a line. A page of documentation shows MathML. An editor, which cannot, shows text.
 fn shown(line: &str, formula: &Formula) -> TokenStream {
-    let mathml = format!(" <div style=\"overflow-x:auto\">{}</div>", formula.mathml);
+    let mathml = format!(
+        " <div style=\"overflow-x:auto;margin:0.7em 0\">{}</div>",
+        formula.mathml
+    );
     let text = format!(" ```text\n {}\n ```", formula.text.replace('\n', "\n "));
     quote! {
         ///
