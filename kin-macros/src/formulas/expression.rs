@@ -219,7 +219,7 @@ impl Expressions<'_> {
         None
     }
 
-    /// Joins the terms of a vector's two parts, p_x + i p_y.
+    /// Joins the terms of a vector's two parts, `p_x + i p_y`.
     fn merge(&self, terms: &mut Vec<Turning>) {
         let part = |turning: &Turning, wanted: Axis| {
             turning

@@ -1,5 +1,7 @@
 //! The three forms of a formula, letter by letter: text, MathML and LaTeX.
 
+use std::fmt::Write as _;
+
 use super::name::{Base, Name, command};
 
 /// The form in which a formula is printed.
@@ -122,7 +124,7 @@ fn text(name: &Name, dots: usize, superscript: usize) -> String {
     }
     text.push_str(&"′".repeat(name.primes));
     if superscript > 0 {
-        text.push_str(&format!("⁽{}⁾", superscript_text(&superscript.to_string())));
+        let _ = write!(text, "⁽{}⁾", superscript_text(&superscript.to_string()));
     }
     text
 }
@@ -138,7 +140,8 @@ fn mathml(name: &Name, dots: usize, superscript: usize) -> String {
         Base::Word(word) => format!("<mi{style}>{}</mi>", escaped(word)),
     };
     if let Some(accent) = ["", "˙", "¨"].get(dots).filter(|accent| !accent.is_empty()) {
-        base = format!("<mover accent=\"true\">{base}<mo>{accent}</mo></mover>");
+        // without a font for mathematics, dots touch tall letters
+        base = format!("<mover accent=\"true\">{base}<mo style=\"padding-bottom:0.15em\">{accent}</mo></mover>");
     }
     let below = name.indices.join(",");
     let below = match below.chars().next() {
@@ -176,13 +179,17 @@ fn latex(name: &Name, dots: usize, superscript: usize) -> String {
     };
     if !name.indices.is_empty() {
         let indices: Vec<String> = name.indices.iter().map(|index| latex_index(index)).collect();
-        latex.push_str(&format!("_{{{}}}", indices.join(",")));
+        let _ = write!(latex, "_{{{}}}", indices.join(","));
     }
     let primes = "\\prime".repeat(name.primes);
     match (superscript, primes.is_empty()) {
         (0, true) => {}
-        (0, false) => latex.push_str(&format!("^{{{primes}}}")),
-        (order, _) => latex.push_str(&format!("^{{{primes}({order})}}")),
+        (0, false) => {
+            let _ = write!(latex, "^{{{primes}}}");
+        }
+        (order, _) => {
+            let _ = write!(latex, "^{{{primes}({order})}}");
+        }
     }
     latex
 }
@@ -276,7 +283,7 @@ mod tests {
             all(&name, 1),
             [
                 "θ\u{307}₃",
-                "<msub><mover accent=\"true\"><mi>θ</mi><mo>˙</mo></mover><mn>3</mn></msub>",
+                "<msub><mover accent=\"true\"><mi>θ</mi><mo style=\"padding-bottom:0.15em\">˙</mo></mover><mn>3</mn></msub>",
                 "\\dot{\\theta}_{3}"
             ]
         );
@@ -289,7 +296,7 @@ mod tests {
                 "\\theta_{3}^{(3)}"
             ]
         );
-        let vector = Name::of_identifier("p").as_vector(true);
+        let vector = Name::of_identifier("p").marked_as_vector(true);
         assert_eq!(
             all(&vector, 0),
             [

@@ -74,7 +74,7 @@ impl Name {
     }
 
     /// The name, marked as that of a vector or of a number.
-    pub(super) fn as_vector(mut self, is_vector: bool) -> Self {
+    pub(super) fn marked_as_vector(mut self, is_vector: bool) -> Self {
         self.is_vector = is_vector;
         self
     }

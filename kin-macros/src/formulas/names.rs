@@ -40,7 +40,7 @@ impl Names {
             let is_unique = seen[&printed(&name)] == 1 && !is_rate;
             let name = if is_unique { name } else { Name::verbatim(&identifier) };
             let is_vector = matches!(shape, Shape::Plane | Shape::Space);
-            known.insert(identifier, (name.as_vector(is_vector), shape));
+            known.insert(identifier, (name.marked_as_vector(is_vector), shape));
         }
         let of = |identifier: &str| {
             let entry: Option<&(Name, Shape)> = known.get(identifier);
@@ -152,7 +152,7 @@ const IN_PLACE: [(char, &str); 13] = [
 
 /// The part of a vector along an axis.
 pub(super) fn component(name: Name, axis: Axis) -> Name {
-    name.as_vector(false).indexed(axis.to_string())
+    name.marked_as_vector(false).indexed(axis.to_string())
 }
 
 /// All declared names with their shapes, in the order of the declaration.

@@ -29,7 +29,7 @@ pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
         .iter()
         .map(|line| {
             let (left, right) = both(line, Form::MathMl);
-            format!("<mtr>{RIGHT}{left}</mtd>{LEFT}{right}</mtd></mtr>")
+            ["<mtr>", RIGHT, &left, "</mtd>", LEFT, &right, "</mtd></mtr>"].concat()
         })
         .collect();
     let latex: Vec<String> = lines

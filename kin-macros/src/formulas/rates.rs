@@ -171,7 +171,7 @@ fn times(coefficient: Term, rate: Term) -> Term {
 
 /// The same linear equations at the orders from acceleration to `order`, by Leibniz's rule from A ẋ = b.
 pub(super) fn recurrence(names: &Names, orders: std::ops::RangeInclusive<usize>) -> Vec<Line> {
-    let [matrix, right, unknowns] = ['A', 'b', 'x'].map(|letter| names.fresh(letter).as_vector(true));
+    let [matrix, right, unknowns] = ['A', 'b', 'x'].map(|letter| names.fresh(letter).marked_as_vector(true));
     let derivative = |name: &Name, order: usize| match order {
         0 => Term::Name(name.clone()),
         order => Term::Rate(name.clone(), order),

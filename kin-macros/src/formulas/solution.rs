@@ -309,19 +309,18 @@ impl<'a> Solutions<'a> {
         let known: Vec<usize> = places.iter().copied().flatten().collect();
         let mut lines = self.residuals.definitions(&known);
         for (index, (&residual, place)) in residuals.iter().zip(&places).enumerate() {
-            let name = match place {
-                Some(place) => self.residuals.name(*place),
+            let name = if let Some(place) = place {
+                self.residuals.name(*place)
+            } else {
                 // an equation that an earlier part has changed
-                None => {
-                    let name = self.names.fresh('g');
-                    let name = if residuals.len() == 1 {
-                        name
-                    } else {
-                        name.indexed((index + 1).to_string())
-                    };
-                    lines.push(self.definition(Term::Name(name.clone()), &[residual]));
+                let name = self.names.fresh('g');
+                let name = if residuals.len() == 1 {
                     name
-                }
+                } else {
+                    name.indexed((index + 1).to_string())
+                };
+                lines.push(self.definition(Term::Name(name.clone()), &[residual]));
+                name
             };
             let steps: Vec<Term> = unknowns
                 .iter()

@@ -74,7 +74,7 @@ impl Term {
     pub(super) fn negative(self) -> Self {
         match self {
             Self::Negative(of) => *of,
-            Self::Number(value) if value == 0.0 => self,
+            Self::Number(0.0) => self,
             other => Self::Negative(Box::new(other)),
         }
     }

@@ -312,3 +312,59 @@ fn formulas_of_the_library_in_text() {
         std::fs::write(file, latex).expect("the file can be written");
     }
 }
+
+#[test]
+#[ignore = "temporary"]
+fn share_of_time() {
+    let mut all = (0.0, 0.0, 0.0);
+    for declared in library() {
+        let tokens = quote!((::kin_core));
+        let whole: TokenStream = {
+            let d = &declared.declaration;
+            quote!(#tokens #d)
+        };
+        let mut best = (f64::MAX, f64::MAX, f64::MAX);
+        for _ in 0..7 {
+            let start = std::time::Instant::now();
+            std::hint::black_box(expand::expand(whole.clone()));
+            best.0 = best.0.min(start.elapsed().as_secs_f64());
+            let mut mistakes = Mistakes::new();
+            let declaration = syntax::parse(declared.declaration.clone(), &mut mistakes).unwrap();
+            let model = model::build(&declaration, &mut mistakes).unwrap();
+            let structure = expand::structure(&declaration, &model, &mut mistakes).unwrap();
+            let start = std::time::Instant::now();
+            let f = std::hint::black_box(formulas(
+                &declaration,
+                &model,
+                structure.graph,
+                &structure.residuals,
+                &structure.blocks,
+            ));
+            best.1 = best.1.min(start.elapsed().as_secs_f64());
+            let size: usize = parts(&f)
+                .iter()
+                .map(|(_, f)| f.text.len() + f.mathml.len() + f.latex.len())
+                .sum();
+            best.2 = size as f64;
+        }
+        let length = expand::expand(whole).to_string().len();
+        println!(
+            "{:32} {:8.2} ms {:6.3} ms {:5.1} %  {:6} bytes of {length}",
+            declared.name,
+            best.0 * 1e3,
+            best.1 * 1e3,
+            100.0 * best.1 / best.0,
+            best.2
+        );
+        all.0 += best.0;
+        all.1 += best.1;
+        all.2 += best.2;
+    }
+    println!(
+        "{:.2} ms {:.2} ms {:.2} % {} bytes",
+        all.0 * 1e3,
+        all.1 * 1e3,
+        100.0 * all.1 / all.0,
+        all.2
+    );
+}

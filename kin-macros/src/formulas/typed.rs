@@ -56,7 +56,7 @@ fn convert(names: &Names, formula: &Formula) -> Term {
                 return Term::Name(component(name.clone(), *axis));
             }
             // the part of a formula is its product with the unit vector of the axis
-            let unit = component(names.fresh('e'), *axis).as_vector(true);
+            let unit = component(names.fresh('e'), *axis).marked_as_vector(true);
             Term::Dot(Box::new(convert(names, of)), Box::new(Term::Name(unit)))
         }
         FormulaKind::Call { callee, arguments, .. } => {
