@@ -20,6 +20,7 @@ chapters! {
     tracking: "../../docs/tracking.md";
     errors: "../../docs/errors.md";
     outputs: "../../docs/outputs.md";
+    motion_laws: "../../docs/motion-laws.md";
     batches: "../../docs/batches.md";
     library: "../../docs/library.md";
     gallery: "../../docs/gallery.md";

@@ -55,7 +55,7 @@ impl<T: Number, const N: usize> Joint<T, N> {
     }
 }
 
-/// For instance `C2 at 2.094395: jerk jumps by 40`.
+/// For instance `C2 at 2.094395: jerk jumps by 40, snap jumps by -120`.
 impl<T: Number, const N: usize> fmt::Display for Joint<T, N> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.continuity() {

@@ -27,7 +27,7 @@
 //! let dwell = Dwell::new(90_f64.to_radians(), 0.1)?;
 //! let servo = Sequence::new([&rise, &dwell])?;
 //!
-//! let press = SliderCrank { r2: 0.1, r3: 0.3 };
+//! let press = SliderCrank { r: 0.1, l: 0.3 };
 //! let pose = press.solve(servo.at(0.15), Assembly::Open)?;
 //! println!("the slider's jerk: {} m/s³", pose.s.jerk());
 //!

@@ -20,7 +20,9 @@ use crate::number::Number;
 /// let start = Motion::from([0.0, 0.0, 0.0, 0.0]);
 /// let end = Motion::from([10.0, 5.0, 0.0, 0.0]);
 /// let law: Polynomial<f64, 8> = Polynomial::between(start, end, 2.0)?;
-/// assert_eq!(law.at::<2>(2.0).derivatives(), [10.0, 5.0]);
+/// let last = law.at::<4>(2.0);
+/// assert_eq!(last.position(), 10.0);
+/// assert!((last.velocity() - 5.0).abs() < 1e-14);
 /// # Ok::<(), kin_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

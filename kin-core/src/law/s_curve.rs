@@ -55,7 +55,7 @@ const JERK: [f64; PHASES] = [0.0, 1.0, 1.0, 0.0, 0.0, -1.0, -1.0, 0.0];
 /// use kin_core::law::{Law, Limits, Piecewise, SCurve};
 ///
 /// let limits = Limits { velocity: 2.0, acceleration: 10.0, jerk: 200.0, snap: None };
-/// let servo = SCurve::new(0.0, 1.0, limits)?;
+/// let servo: SCurve = SCurve::new(0.0, 1.0, limits)?;
 /// // 1/2 s at full speed, 1/5 s of acceleration, and 1/20 s until it is reached
 /// assert!((servo.duration() - 0.75).abs() < 1e-15);
 /// assert_eq!(servo.at::<3>(0.375).derivatives(), [0.5, 2.0, 0.0]);
