@@ -116,7 +116,7 @@ pub trait Law<T: Number>: Piecewise<T> {
     /// Where two pieces meet, they are those of the right side, the later piece. Before its start and after its end a law rests at the
     /// value there, unless it repeats; at the end itself the motion is that of the last piece.
     ///
-    /// A time that is NaN gives NaN, and derivatives that exceed the range of the number type are infinite or NaN: `solve` refuses both with
+    /// A time that is not finite may give NaN, and derivatives that exceed the range of the number type are infinite or NaN: `solve` refuses both with
     /// [`Failure::NotFinite`](crate::Failure::NotFinite).
     ///
     /// ```

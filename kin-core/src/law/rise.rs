@@ -18,14 +18,14 @@ use crate::number::Number;
 ///
 /// | shape | Cv | Ca | Cj | Cs | first jump beside a dwell |
 /// |---|---|---|---|---|---|
-/// | constant speed | 1 | 0 | 0 | 0 | velocity |
+/// | constant speed | 1.0000 | 0 | 0 | 0 | velocity |
 /// | simple harmonic | 1.5708 | 4.9348 | 15.503 | 48.705 | acceleration |
-/// | 3-4-5 | 1.8750 | 5.7735 | 60 | 360 | jerk |
-/// | cycloidal | 2 | 6.2832 | 39.478 | 248.05 | jerk |
+/// | 3-4-5 | 1.8750 | 5.7735 | 60.000 | 360.00 | jerk |
+/// | cycloidal | 2.0000 | 6.2832 | 39.478 | 248.05 | jerk |
 /// | modified sine | 1.7596 | 5.5280 | 69.466 | 872.94 | jerk |
-/// | modified trapezoid | 2 | 4.8881 | 61.426 | 771.90 | jerk |
-/// | 4-5-6-7 | 2.1875 | 7.5132 | 52.5 | 840 | snap |
-/// | 5-6-7-8-9 | 2.4609 | 9.3720 | 78.75 | 622.53 | fifth derivative |
+/// | modified trapezoid | 2.0000 | 4.8881 | 61.426 | 771.90 | jerk |
+/// | 4-5-6-7 | 2.1875 | 7.5132 | 52.500 | 840.00 | snap |
+/// | 5-6-7-8-9 | 2.4609 | 9.3720 | 78.750 | 622.53 | fifth derivative |
 ///
 /// Sources: R. L. Norton, *Cam Design and Manufacturing Handbook*, Industrial Press; VDI 2143 Blatt 1.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use crate::number::Number;
 
 /// Laws one after the other, over time or over a driving angle.
 ///
-/// Each law states its own values; [`Law::joints`](super::Law::joints) tells where they do not fit together.
+/// A law that repeats takes part with one cycle. Each law states its own values; [`Law::joints`](super::Law::joints) tells where they do not fit together.
 ///
 /// ```
 /// use kin_core::law::{Dwell, Law, Rise, Sequence, Shape};

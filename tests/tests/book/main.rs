@@ -1,4 +1,5 @@
 //! The texts that people read: the chapters of the book, and the messages about mistakes.
 
 mod chapters;
+mod laws;
 mod mistakes;
