@@ -94,6 +94,9 @@ pub mod __private;
 mod assemblies;
 mod assembly;
 pub mod batch;
+#[cfg(rust_analyzer)]
+#[doc(hidden)]
+pub mod editor;
 mod failure;
 mod geometry;
 mod interop;
@@ -256,6 +259,26 @@ pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, trac
 macro_rules! mechanism {
     ($($declaration:tt)*) => {
         $crate::__private::mechanism_in! { ($crate) $($declaration)* }
+    };
+}
+
+/// A type that contains a reported mistake, so that no further errors are reported about it. An editor sees a number.
+#[cfg(not(rust_analyzer))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __unexpanded {
+    ($($mistake:tt)*) => {
+        <[(); $($mistake)*] as ::core::ops::Deref>::Target
+    };
+}
+
+/// A type that contains a reported mistake, so that no further errors are reported about it. An editor sees a number.
+#[cfg(rust_analyzer)]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __unexpanded {
+    ($($mistake:tt)*) => {
+        ::core::primitive::f64
     };
 }
 

@@ -6,8 +6,11 @@ pub use crate::__in_parallel as in_parallel;
 pub use crate::__locals as locals;
 pub use crate::__poses as poses;
 pub use crate::__stored as stored;
+pub use crate::__unexpanded as unexpanded;
 pub use crate::assemblies::{Assemblies, Choices, continuation, every, positions_near};
 pub use crate::assembly::{Assembly, Guess, IntoAssembly, Near};
+#[cfg(rust_analyzer)]
+pub use crate::editor;
 pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
@@ -37,3 +40,9 @@ pub mod methods {
 /// The function as which local names of generated code are imported, so that in patterns they cannot refer to constants
 /// of the user.
 pub const fn local() {}
+
+/// A mechanism whose declaration contains mistakes.
+pub trait Numeric {
+    /// Its number type, by default an error of the compiler.
+    type Number;
+}

@@ -12,7 +12,7 @@ use crate::program::Solvers;
 use crate::room::with_room;
 use crate::structure::Structure;
 use crate::syntax::Declaration;
-use crate::{emit, fallback, model, refuse, structure, syntax};
+use crate::{editor, emit, fallback, model, refuse, structure, syntax};
 
 /// Expands `(path::to::kin) declaration`. Each pass reports the mistakes that it finds. After the last check no pass
 /// can fail.
@@ -22,13 +22,15 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let Some(declaration) = syntax::parse(tokens, &mut mistakes) else {
         return fallback::tokens(None, mistakes, &runtime);
     };
+    let editor = editor::tokens(&declaration, &runtime);
     let solved = if declaration.holds_prose {
         None
     } else {
         solvers(&declaration, &mut mistakes)
     };
     let Some((model, structure, solvers)) = solved else {
-        return fallback::tokens(Some(&declaration), mistakes, &runtime);
+        let fallback = fallback::tokens(Some(&declaration), mistakes, &runtime);
+        return quote!(#editor #fallback);
     };
     #[cfg(test)]
     crate::testing::definitions::assert_defined(&solvers);
@@ -38,7 +40,8 @@ pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
         blocks,
     } = structure;
     let formulas = formulas(&declaration, &model, graph, &residuals, &blocks);
-    emit::tokens(&declaration, &model, &blocks, &solvers, &formulas, &runtime)
+    let mechanism = emit::tokens(&declaration, &model, &blocks, &solvers, &formulas, &runtime);
+    quote!(#editor #mechanism)
 }
 
 /// The passes between syntax and text; `None` if the declaration has mistakes.

@@ -72,6 +72,7 @@ mod algebra;
 mod assemble;
 mod bug;
 mod derive;
+mod editor;
 mod emit;
 mod expand;
 mod fallback;

@@ -33,6 +33,16 @@ pub(super) fn attributes() -> TokenStream {
     quote!(#[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
+/// The type of a mechanism's pose through an order: `FourBarVelocity`.
+pub(crate) fn pose_name(mechanism: &Ident, order: usize) -> Ident {
+    let mut name = order_name(order);
+    if let Some(first) = name.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    let name: String = name.split('_').collect();
+    format_ident!("{mechanism}{name}", span = mechanism.span())
+}
+
 impl Compiled<'_> {
     pub(super) fn is_requested(&self, request: Request) -> bool {
         self.model.is_requested(request)
@@ -45,12 +55,7 @@ impl Compiled<'_> {
 
     /// The type of the pose through an order: `FourBarVelocity`.
     pub(super) fn pose(&self, order: usize) -> Ident {
-        let mut name = order_name(order);
-        if let Some(first) = name.get_mut(..1) {
-            first.make_ascii_uppercase();
-        }
-        let name: String = name.split('_').collect();
-        format_ident!("{}{name}", self.model.name, span = self.model.name.span())
+        pose_name(&self.model.name, order)
     }
 
     /// The parts of all blocks, in the order in which they are solved.

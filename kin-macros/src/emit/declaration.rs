@@ -21,22 +21,34 @@ pub(crate) fn tokens(model: &Model, runtime: &TokenStream) -> TokenStream {
             Some(parameter.dimension),
         )
     });
-    structure(&model.attributes, &model.visibility, &model.name, fields, runtime)
+    let number = quote!(::core::primitive::f64);
+    structure(
+        &model.attributes,
+        &model.visibility,
+        &model.name,
+        fields,
+        &number,
+        runtime,
+    )
 }
 
-/// The struct of given fields, for models and for declarations with mistakes.
+/// The struct of given fields and a default number type, for models and for declarations with mistakes.
 pub(crate) fn structure<'a>(
     attributes: &[Attribute],
     visibility: &Visibility,
     name: &Ident,
     fields: impl Iterator<Item = Field<'a>>,
+    number: &TokenStream,
     runtime: &TokenStream,
 ) -> TokenStream {
+    let mechanism = name;
     let numeric = Ident::new("T", Span::mixed_site());
     let mut fields: Vec<TokenStream> = fields
         .map(|(attributes, visibility, name, dimension)| {
             let held = if let Some(vector) = dimension.map(Dimension::shape).and_then(vector_type) {
                 quote!(#runtime::#vector<#numeric>)
+            } else if dimension.is_none() {
+                quote!(<#mechanism as #runtime::Numeric>::Number)
             } else {
                 quote!(#numeric)
             };
@@ -51,7 +63,7 @@ pub(crate) fn structure<'a>(
         #(#attributes)*
         #derives
         #[allow(non_snake_case)]
-        #visibility struct #name<#numeric = ::core::primitive::f64> {
+        #visibility struct #name<#numeric = #number> {
             #(#fields,)*
         }
     }

@@ -15,6 +15,7 @@ use crate::program::Solvers;
 use crate::structure::Block;
 use crate::syntax::Declaration;
 use crate::translate::skeleton;
+pub(crate) use compiled::pose_name;
 use compiled::{Compiled, local};
 use items::{
     assembly, batch, description, every, formulas, interface, poses, position, sensitivities, solve, stored, test,

@@ -174,14 +174,21 @@ impl Lowering<'_, '_> {
             let word = name.to_string();
             (word == "i" || word == "j") && self.scope.is_free(&word)
         };
-        if rest.iter().any(|operation| operation.operator == Operator::Divide) || !factors().any(|it| is_imaginary(&it)) {
+        if rest.iter().any(|operation| operation.operator == Operator::Divide) || !factors().any(|it| is_imaginary(&it))
+        {
             return Some(());
         }
-        let angle: Vec<String> = factors().filter(|it| !is_imaginary(it)).map(Formula::to_string).collect();
+        let angle: Vec<String> = factors()
+            .filter(|it| !is_imaginary(it))
+            .map(Formula::to_string)
+            .collect();
         exponent.visit_names(&mut |name| self.scope.mean(&name.to_string()));
         self.mistakes.error(
             exponential.extent,
-            format!("the exponential of an imaginary number is a unit vector: write `cis({})`", angle.join(" * ")),
+            format!(
+                "the exponential of an imaginary number is a unit vector: write `cis({})`",
+                angle.join(" * ")
+            ),
         );
         None
     }

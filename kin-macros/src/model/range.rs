@@ -59,12 +59,7 @@ pub(super) fn range(
 }
 
 /// The end of a range, which consists of literals and PI.
-fn constant(
-    bound: &Formula,
-    declaration: &Declaration,
-    scope: &mut Scope<'_>,
-    mistakes: &mut Mistakes,
-) -> Option<f64> {
+fn constant(bound: &Formula, declaration: &Declaration, scope: &mut Scope<'_>, mistakes: &mut Mistakes) -> Option<f64> {
     bound.visit_names(&mut |name| scope.mean(&name.to_string()));
     if let Some(name) = first_name(bound) {
         mistakes.error(

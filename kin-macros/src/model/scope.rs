@@ -112,7 +112,8 @@ impl<'a> Scope<'a> {
     pub(super) fn resolve(&mut self, name: &Ident, mistakes: &mut Mistakes) -> Option<Typed> {
         let word = name.to_string();
         let Some(&place) = self.places.get(&word) else {
-            if self.declaration.has_fields && !self.declaration.broken.contains(&word) {
+            // one of the names that are declared twice was probably meant to be this one
+            if self.declaration.has_fields && !self.declaration.broken.contains(&word) && self.twice.is_empty() {
                 mistakes.error(name, self.unknown_name(&word));
             }
             return None;
@@ -174,6 +175,11 @@ impl<'a> Scope<'a> {
         !self.places.contains_key(word) && !self.declaration.broken.contains(word)
     }
 
+    /// Whether a name is declared more than once.
+    pub(super) fn has_twins(&self) -> bool {
+        !self.twice.is_empty()
+    }
+
     /// Whether a name counts as used, because a reported mistake is about it: a misspelt name was probably meant for it,
     /// or it is declared twice.
     pub(super) fn is_meant(&self, word: &str) -> bool {
@@ -183,8 +189,7 @@ impl<'a> Scope<'a> {
 
 /// Whether a word is spelt as Rust spells its constants: two capitals or more, and no small letter.
 fn is_constant_of_rust(word: &str) -> bool {
-    word.chars().filter(|letter| letter.is_uppercase()).count() > 1
-        && !word.chars().any(char::is_lowercase)
+    word.chars().filter(|letter| letter.is_uppercase()).count() > 1 && !word.chars().any(char::is_lowercase)
 }
 
 fn with_article(role: Role) -> String {

@@ -91,7 +91,7 @@ pub(super) fn unknowns_in_equations(
             }
             found.extend(contained);
         }
-        if unknowns.is_empty() || idle.is_empty() {
+        if unknowns.is_empty() || idle.is_empty() || scope.has_twins() {
             continue;
         }
         let whole = idle.len() == parts.len();

@@ -44,6 +44,8 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
         visibility: head.visibility,
         name: head.name,
         parameters: Vec::new(),
+        fields: split::fields(head.fields.clone()),
+        source: Vec::new(),
         statements: Vec::new(),
         broken: BTreeSet::new(),
         mentioned: BTreeSet::new(),
@@ -71,7 +73,7 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
             "a condition here would remove the struct and leave its solvers: write it before `mechanism!`",
         );
     }
-    for field in split::fields(head.fields) {
+    for field in declaration.fields.clone() {
         match parameter.parse2(field.clone()) {
             Ok((mut parameter, None)) => {
                 for attribute in take_conditions(&mut parameter.attributes) {
@@ -83,7 +85,10 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<(Dec
                 }
                 declaration.parameters.push(parameter);
             }
-            Ok((parameter, Some(mistake))) => {
+            Ok((mut parameter, Some(mistake))) => {
+                if let Some(name) = split::name_before_colon(&field) {
+                    parameter.name = name;
+                }
                 mistakes.push(mistake);
                 declaration.poison(&field);
                 declaration.parameters.push(parameter);

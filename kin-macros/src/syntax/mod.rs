@@ -36,6 +36,10 @@ pub(crate) struct Declaration {
     pub(crate) visibility: Visibility,
     pub(crate) name: Ident,
     pub(crate) parameters: Vec<ParameterField>,
+    /// The fields of the struct as typed.
+    pub(crate) fields: Vec<TokenStream>,
+    /// The statements as typed, readable or not.
+    pub(crate) source: Vec<TokenStream>,
     pub(crate) statements: Vec<Statement>,
     /// Names whose declarations could not be read. Their uses are not mistakes.
     pub(crate) broken: BTreeSet<String>,
@@ -278,6 +282,7 @@ fn read(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
     let tokens = nesting::cut(tokens, mistakes);
     let (mut declaration, body) = head::parse(tokens, mistakes)?;
     for chunk in split::statements(body, mistakes) {
+        declaration.source.push(chunk.tokens.clone());
         if nesting::is_cut(&chunk.tokens) {
             declaration.poison(&chunk.tokens);
             declaration.breaks_off = true;

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Delimiter, Group, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Spacing, TokenStream, TokenTree};
 
 use crate::mistakes::Mistakes;
-use crate::syntax::name::STATEMENT_WORDS;
+use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{picture, request};
 
 /// The tokens of one statement without its `;`.
@@ -103,6 +103,17 @@ pub(crate) fn declared_names(tokens: &TokenStream, names: &mut BTreeSet<String>)
             names.insert(declared.to_string());
         }
     }
+}
+
+/// The name before the first `:`, whatever stands before it.
+pub(crate) fn name_before_colon(tokens: &TokenStream) -> Option<Ident> {
+    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    tokens.windows(2).find_map(|pair| match pair {
+        [TokenTree::Ident(name), colon] if is_punct(colon, ':') && !name::keyword(&name.to_string()) => {
+            Some(name.clone())
+        }
+        _ => None,
+    })
 }
 
 /// Removes groups without delimiters, which come from fragments of other macros. A single token needs no group; several
