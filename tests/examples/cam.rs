@@ -15,6 +15,7 @@ use std::path::Path;
 use kin_core::law::{Dwell, Law, Rise, Sequence, Shape};
 use kin_core::prelude::*;
 use plotters::coord::Shift;
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -49,18 +50,14 @@ mechanism! {
 
     lever * cis(theta2) + coupler * cis(theta3) == ground + rocker * cis(theta4);
 
-    output
-        /// The pin of the lever and the coupler.
-        elbow: Point = lever * cis(theta2);
-    output
-        /// The pin of the coupler and the rocker.
-        pin: Point = ground + rocker * cis(theta4);
-    output
-        /// The centre of the roller.
-        roller: Point = arm * cis(theta2 + bend);
-    output
-        /// The centre of the roller, as seen from the turning cam.
-        pitch: Point = cis(-phi) * (arm * cis(theta2 + bend) - axis);
+    // The pin of the lever and the coupler.
+    output elbow: Point = lever * cis(theta2);
+    // The pin of the coupler and the rocker.
+    output pin: Point = ground + rocker * cis(theta4);
+    // The centre of the roller.
+    output roller: Point = arm * cis(theta2 + bend);
+    // The centre of the roller, as seen from the turning cam.
+    output pitch: Point = cis(-phi) * (arm * cis(theta2 + bend) - axis);
 }
 
 /// The roller's radius, in mm like all lengths.
@@ -83,6 +80,9 @@ const INK: RGBColor = RGBColor(34, 34, 34);
 const GREY: RGBColor = RGBColor(119, 119, 119);
 const FONT: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
 const SIZE: (u32, u32) = (960, 560);
+
+/// The backend knows whole pixels only, so that it draws so many times as large.
+const FINE: u32 = 8;
 
 /// The cam at one angle.
 struct Row {
@@ -148,8 +148,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     for joint in law.joints::<5>() {
         println!("  {:>5.0} degrees: {joint}", joint.time.to_degrees());
     }
-    let rows = (0..=720)
-        .map(|step| row(&linkage, &law, 0.5 * f64::from(step)))
+    let rows = (0..=360)
+        .map(|step| row(&linkage, &law, f64::from(step)))
         .collect::<Result<Vec<_>, _>>()?;
     let steepest = rows
         .iter()
@@ -171,10 +171,27 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let shown = row(&linkage, &law, SHOWN)?;
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/figures/cam.svg");
-    let area = SVGBackend::new(&path, SIZE).into_drawing_area();
+    let mut picture = String::new();
+    draw(&linkage, &rows, &shown, &mut picture)?;
+    let (width, height) = SIZE;
+    let large = format!(r#"width="{}" height="{}""#, FINE * width, FINE * height);
+    std::fs::write(
+        path,
+        picture.replacen(&large, &format!(r#"width="{width}" height="{height}""#), 1),
+    )?;
+    println!("figure docs/figures/cam.svg");
+    Ok(())
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// The whole picture.
+fn draw(linkage: &CamLinkage, rows: &[Row], shown: &Row, picture: &mut String) -> Result<(), Box<dyn Error>> {
+    let (width, height) = SIZE;
+    let area = SVGBackend::with_string(picture, (FINE * width, FINE * height)).into_drawing_area();
     area.fill(&WHITE)?;
-    let (left, right) = area.split_horizontally(470);
-    machine(&left, &linkage, &rows, &shown)?;
+    let (left, right) = area.split_horizontally(470 * FINE);
+    machine(&left, linkage, rows, shown)?;
     let [first, second, third] = &right.split_evenly((3, 1))[..] else {
         return Err("three plots have three places".into());
     };
@@ -186,14 +203,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         "rocker, in degrees",
         &points(|row| Some(row.rocker)),
         70.0..110.0,
-        20,
+        10,
     )?;
     plot(
         second,
         "pressure angle, in degrees",
         &points(|row| Some(row.pressure)),
         -30.0..30.0,
-        15,
+        10,
     )?;
     plot(
         third,
@@ -203,32 +220,27 @@ fn main() -> Result<(), Box<dyn Error>> {
         100,
     )?;
     area.present()?;
-    println!("figure docs/figures/cam.svg");
     Ok(())
 }
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// A quantity over a turn of the cam.
+/// A quantity over a turn of the cam, whose axis is divided into quarters of a turn.
 fn plot(
     area: &Area<'_>,
-    title: &str,
+    title: &'static str,
     points: &[(f64, f64)],
     range: std::ops::Range<f64>,
     step: u32,
 ) -> Result<(), Box<dyn Error>> {
     let labels = (range.end - range.start) / f64::from(step);
     let top = range.end;
+    let place = [44 * FINE, 12 * FINE].map(u32::cast_signed);
+    area.draw(&Text::new(title, (place[0], place[1]), label(HPos::Left, &INK)))?;
     let mut chart = ChartBuilder::on(area)
-        .caption(title, (FONT, 14).into_font().color(&INK))
-        .margin_right(22)
-        .margin_top(8)
-        .x_label_area_size(26)
-        .y_label_area_size(44)
-        .build_cartesian_2d(
-            (0.0..360.0).with_key_points((0..=4).map(|part| 90.0 * f64::from(part)).collect()),
-            range,
-        )?;
+        .margin_right(22 * FINE)
+        .margin_top(26 * FINE)
+        .x_label_area_size(26 * FINE)
+        .y_label_area_size(44 * FINE)
+        .build_cartesian_2d(0.0..4.0, range)?;
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -240,29 +252,38 @@ fn plot(
         .x_labels(5)
         .y_labels(count)
         .max_light_lines(0)
-        .x_label_formatter(&|degrees| format!("{degrees:.0}°"))
+        .set_all_tick_mark_size(4 * FINE)
+        .x_label_formatter(&|quarters| format!("{:.0}°", 90.0 * quarters))
         .y_label_formatter(&|value| format!("{value:.0}").replace('-', "−"))
-        .label_style((FONT, 12).into_font().color(&INK))
-        .axis_style(GREY)
-        .bold_line_style(BLACK.mix(0.12))
+        .label_style((FONT, 12 * FINE).into_font().color(&INK))
+        .axis_style(GREY.stroke_width(FINE))
+        .bold_line_style(BLACK.mix(0.12).stroke_width(FINE))
         .draw()?;
     // the parts of the law
     let mut border = 0.0;
     for part in &PARTS[..3] {
-        border += part;
+        border += part / 90.0;
         let line = [(border, chart.y_range().start), (border, top)];
-        chart.draw_series(DashedLineSeries::new(line, 3, 3, GREY.stroke_width(1)))?;
+        chart.draw_series(DashedLineSeries::new(
+            line,
+            3 * FINE,
+            3 * FINE,
+            GREY.stroke_width(1 * FINE),
+        ))?;
     }
-    let inside = points.iter().copied().filter(|&(_, value)| value <= top);
+    let inside = points
+        .iter()
+        .filter(|(_, value)| *value <= top)
+        .map(|&(degrees, value)| (degrees / 90.0, value));
     // where the curve leaves the plot, it is interrupted
     let mut piece: Vec<(f64, f64)> = Vec::new();
     for point in inside {
-        if piece.last().is_some_and(|last| point.0 - last.0 > 0.6) {
-            chart.draw_series(LineSeries::new(piece.drain(..), BLUE.stroke_width(2)))?;
+        if piece.last().is_some_and(|last| point.0 - last.0 > 0.02) {
+            chart.draw_series(LineSeries::new(piece.drain(..), BLUE.stroke_width(2 * FINE)))?;
         }
         piece.push(point);
     }
-    chart.draw_series(LineSeries::new(piece, BLUE.stroke_width(2)))?;
+    chart.draw_series(LineSeries::new(piece, BLUE.stroke_width(2 * FINE)))?;
     Ok(())
 }
 
@@ -270,7 +291,7 @@ fn plot(
 fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> Result<(), Box<dyn Error>> {
     // one millimetre is as many pixels in both directions
     let (width, height) = area.dim_in_pixel();
-    let scale = 1.38;
+    let scale = 1.38 * f64::from(FINE);
     let (left, top) = (-142.0, 138.0);
     let right = left + f64::from(width) / scale;
     let bottom = top - f64::from(height) / scale;
@@ -284,17 +305,16 @@ fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> 
     };
     let at = |point: Plane| (point.x, point.y);
     let pixels = |length: f64| length * scale;
-    let text = |anchor: HPos, colour: &RGBColor| {
-        TextStyle::from((FONT, 14).into_font())
-            .color(colour)
-            .pos(Pos::new(anchor, VPos::Center))
-    };
-
     let profile: Vec<(f64, f64)> = rows.iter().map(|row| fixed(row.profile)).collect();
     page.draw(&Polygon::new(profile.clone(), BLUE.mix(0.12)))?;
-    page.draw(&PathElement::new(profile, BLUE.stroke_width(2)))?;
+    page.draw(&PathElement::new(profile, BLUE.stroke_width(2 * FINE)))?;
     let pitch = rows.iter().map(|row| fixed(row.pitch));
-    page.draw(&DashedPathElement::new(pitch, 5, 4, BLUE.stroke_width(1)))?;
+    page.draw(&DashedPathElement::new(
+        pitch,
+        5 * FINE,
+        4 * FINE,
+        BLUE.stroke_width(1 * FINE),
+    ))?;
 
     // the direction of the push, and that in which the roller can move
     let push = Plane::new(
@@ -306,33 +326,47 @@ fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> 
         let end = shown.roller + direction.scale(62.0 / ROLLER);
         page.draw(&PathElement::new(
             vec![at(shown.roller), at(end)],
-            colour.stroke_width(1),
+            colour.stroke_width(1 * FINE),
         ))?;
     }
 
-    let ink = INK.stroke_width(3);
+    let angle = |direction: Plane| direction.y.atan2(direction.x);
+    let arc = (0..=20).map(|part| {
+        let (sine, cosine) = (angle(push) + (angle(way) - angle(push)) * f64::from(part) / 20.0).sin_cos();
+        at(shown.roller + Plane::new(cosine, sine).scale(50.0))
+    });
+    page.draw(&PathElement::new(
+        arc.collect::<Vec<_>>(),
+        VERMILION.stroke_width(2 * FINE),
+    ))?;
+
+    let ink = INK.stroke_width(3 * FINE);
     let pivots = [Plane::new(0.0, 0.0), Plane::new(linkage.ground, 0.0), linkage.axis];
     let bell = vec![at(shown.elbow), at(pivots[0]), at(shown.roller)];
     page.draw(&PathElement::new(bell, ink))?;
     page.draw(&PathElement::new(vec![at(shown.elbow), at(shown.pin)], ink))?;
     page.draw(&PathElement::new(vec![at(shown.pin), at(pivots[1])], ink))?;
-    #[expect(clippy::cast_possible_truncation, reason = "a radius of some pixels")]
-    let size = pixels(ROLLER) as i32;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a radius of some pixels"
+    )]
+    let size = pixels(ROLLER) as u32;
     page.draw(&Circle::new(at(shown.roller), size, WHITE.mix(0.6).filled()))?;
-    page.draw(&Circle::new(at(shown.roller), size, INK.stroke_width(2)))?;
+    page.draw(&Circle::new(at(shown.roller), size, INK.stroke_width(2 * FINE)))?;
     for pivot in pivots {
         ground(page, pivot)?;
     }
     for joint in pivots.into_iter().chain([shown.elbow, shown.pin, shown.roller]) {
-        page.draw(&Circle::new(at(joint), 5, WHITE.filled()))?;
-        page.draw(&Circle::new(at(joint), 5, INK.stroke_width(2)))?;
+        page.draw(&Circle::new(at(joint), 5 * FINE, WHITE.filled()))?;
+        page.draw(&Circle::new(at(joint), 5 * FINE, INK.stroke_width(2 * FINE)))?;
     }
     let middle = |one: Plane, other: Plane| (one + other).scale(0.5);
-    let labels: [(&str, Plane, HPos, &RGBColor); 7] = [
-        ("cam", linkage.axis + Plane::new(-52.0, -14.0), HPos::Center, &BLUE),
+    let labels: [(&str, Plane, HPos, &'static RGBColor); 7] = [
+        ("cam", linkage.axis + Plane::new(36.0, 0.0), HPos::Center, &BLUE),
         (
             "pitch curve",
-            linkage.axis + Plane::new(-122.0, 62.0),
+            linkage.axis + Plane::new(-118.0, 62.0),
             HPos::Left,
             &BLUE,
         ),
@@ -354,18 +388,25 @@ fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> 
             HPos::Right,
             &INK,
         ),
-        ("roller", shown.roller + Plane::new(24.0, -14.0), HPos::Left, &INK),
+        ("roller", shown.roller + Plane::new(22.0, 4.0), HPos::Left, &INK),
         (
             "pressure angle",
-            shown.roller + Plane::new(34.0, 42.0),
+            shown.roller + Plane::new(36.0, 36.0),
             HPos::Left,
             &VERMILION,
         ),
     ];
     for (name, place, anchor, colour) in labels {
-        page.draw(&Text::new(name, at(place), text(anchor, colour)))?;
+        page.draw(&Text::new(name, at(place), label(anchor, colour)))?;
     }
     Ok(())
+}
+
+/// The style of a name in the picture.
+fn label(anchor: HPos, colour: &'static RGBColor) -> TextStyle<'static> {
+    TextStyle::from((FONT, 14 * FINE).into_font())
+        .color(colour)
+        .pos(Pos::new(anchor, VPos::Center))
 }
 
 /// The hatched triangle below a pivot.
@@ -375,12 +416,12 @@ fn ground<C: plotters::coord::CoordTranslate<From = (f64, f64)>>(
 ) -> Result<(), Box<dyn Error>> {
     let at = |x: f64, y: f64| (pivot.x + x, pivot.y + y);
     let stand = vec![at(0.0, 0.0), at(-9.0, -15.0), at(9.0, -15.0), at(0.0, 0.0)];
-    page.draw(&PathElement::new(stand, GREY.stroke_width(1)))?;
+    page.draw(&PathElement::new(stand, GREY.stroke_width(1 * FINE)))?;
     for stroke in -2..=2 {
         let x = 4.5 * f64::from(stroke);
         page.draw(&PathElement::new(
             vec![at(x, -15.0), at(x - 4.0, -20.0)],
-            GREY.stroke_width(1),
+            GREY.stroke_width(1 * FINE),
         ))?;
     }
     Ok(())

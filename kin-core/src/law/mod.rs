@@ -1,6 +1,6 @@
 //! Motion laws: how an input moves over time, or over a driving angle.
 //!
-//! A law gives the value and the derivatives of any order at any time, `law.at(time)`, as the [`Motion`] that `solve` takes. The
+//! A law gives the value and the derivatives of any order at any time, `law.at(time)`, as the [`Motion`](crate::Motion) that `solve` takes. The
 //! derivatives are closed formulas, so that they are exact up to rounding. Nothing allocates.
 //!
 //! | law | what it is |
@@ -64,6 +64,3 @@ pub use rise::{Rise, Shape};
 pub use s_curve::{Limits, SCurve};
 pub use scca::Scca;
 pub use sequence::Sequence;
-
-#[expect(unused_imports, reason = "the documentation links to it")]
-use crate::motion::Motion;

@@ -1,6 +1,6 @@
 //! Sequences, their sides, and the report of their joints.
 
-use super::{Random, shapes};
+use super::{Random, Scca, shapes};
 use crate::law::{ConstantSpeed, Dwell, Fourier, Law as _, Limits, Piecewise as _, Rise, SCurve, Sequence, Shape};
 use crate::motion::Motion;
 use std::string::ToString;
@@ -44,6 +44,20 @@ fn inner_joints_are_reported() {
     let first: std::vec::Vec<_> = joints.iter().map(|joint| joint.first_jump()).collect();
     // at the middle two cosines meet that continue each other
     assert_eq!(first, [Some(3), Some(4), Some(4), None, Some(4), Some(4), Some(3)]);
+}
+
+/// Sine and cosine meet with continuous jerk; constant speed begins and ends with a jump of it.
+#[test]
+fn constant_speed_joins_sine_and_cosine() {
+    let shape = Shape::Scca(Scca::new(0.2, 0.0, 0.6).expect("they fit"));
+    let rise = Rise::new(shape, 0.0, 1.0, 1.0).expect("it is one");
+    let joints: std::vec::Vec<_> = rise.joints::<5>().collect();
+    for (joint, time) in joints.iter().zip([0.0, 0.1, 0.4, 0.6, 0.9, 1.0]) {
+        assert!((joint.time - time).abs() <= f64::EPSILON);
+    }
+    let first: std::vec::Vec<_> = joints.iter().map(|joint| joint.first_jump()).collect();
+    assert_eq!(first, [Some(3), Some(4), Some(3), Some(3), Some(4), Some(3)]);
+    assert_eq!(rise.at::<1>(0.5).value(), 0.5);
 }
 
 #[test]
