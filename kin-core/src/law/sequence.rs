@@ -60,7 +60,7 @@ impl<'a, T: Number, const K: usize> Sequence<'a, T, K> {
 
 impl<T: Number, const K: usize> Piecewise<T> for Sequence<'_, T, K> {
     fn pieces(&self) -> usize {
-        self.laws.iter().map(|law| law.pieces()).sum()
+        self.laws.iter().map(Piecewise::pieces).sum()
     }
 
     fn end(&self, piece: usize) -> T {

@@ -1,7 +1,9 @@
 //! Sequences, their sides, and the report of their joints.
 
 use super::{Random, Scca, shapes};
-use crate::law::{ConstantSpeed, Dwell, Fourier, Law as _, Limits, Piecewise as _, Rise, SCurve, Sequence, Shape};
+use crate::law::{
+    ConstantSpeed, Dwell, Fourier, Joint, Law as _, Limits, Piecewise as _, Rise, SCurve, Sequence, Shape,
+};
 use crate::motion::Motion;
 use std::string::ToString;
 
@@ -41,7 +43,7 @@ fn inner_joints_are_reported() {
     let joints: std::vec::Vec<_> = rise.joints::<5>().collect();
     let times: std::vec::Vec<f64> = joints.iter().map(|joint| joint.time).collect();
     assert_eq!(times, [0.0, 0.125, 0.375, 0.5, 0.625, 0.875, 1.0]);
-    let first: std::vec::Vec<_> = joints.iter().map(|joint| joint.first_jump()).collect();
+    let first: std::vec::Vec<_> = joints.iter().map(Joint::first_jump).collect();
     // at the middle two cosines meet that continue each other
     assert_eq!(first, [Some(3), Some(4), Some(4), None, Some(4), Some(4), Some(3)]);
 }
@@ -52,10 +54,10 @@ fn constant_speed_joins_sine_and_cosine() {
     let shape = Shape::Scca(Scca::new(0.2, 0.0, 0.6).expect("they fit"));
     let rise = Rise::new(shape, 0.0, 1.0, 1.0).expect("it is one");
     let joints: std::vec::Vec<_> = rise.joints::<5>().collect();
-    for (joint, time) in joints.iter().zip([0.0, 0.1, 0.4, 0.6, 0.9, 1.0]) {
+    for (joint, time) in joints.iter().zip([0.0, 0.1, 0.4, 0.6, 0.9, 1.0_f64]) {
         assert!((joint.time - time).abs() <= f64::EPSILON);
     }
-    let first: std::vec::Vec<_> = joints.iter().map(|joint| joint.first_jump()).collect();
+    let first: std::vec::Vec<_> = joints.iter().map(Joint::first_jump).collect();
     assert_eq!(first, [Some(3), Some(4), Some(3), Some(3), Some(4), Some(3)]);
     assert_eq!(rise.at::<1>(0.5).value(), 0.5);
 }
