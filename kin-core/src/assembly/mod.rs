@@ -32,6 +32,9 @@ use core::fmt;
 ///     println!("{assembly}");
 /// }
 /// ```
+#[doc(alias = "branch")]
+#[doc(alias = "circuit")]
+#[doc(alias = "configuration")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Assembly {

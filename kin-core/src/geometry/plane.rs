@@ -18,6 +18,9 @@ use crate::number::Number;
 /// assert_eq!(arm.times(quarter_turn), Plane::new(-4.0, 3.0));
 /// assert_eq!(arm.cross(Plane::new(-4.0, 3.0)), 25.0);
 /// ```
+#[doc(alias = "Vec2")]
+#[doc(alias = "Point")]
+#[doc(alias = "Complex")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plane<T = f64> {
     /// The first coordinate, or the real part.

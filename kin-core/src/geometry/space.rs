@@ -17,6 +17,8 @@ use crate::number::Number;
 /// assert_eq!(arm.dot(axis), 2.0);
 /// assert_eq!(axis.cross(arm), Space::new(-2.0, 1.0, 0.0));
 /// ```
+#[doc(alias = "Vec3")]
+#[doc(alias = "Point3")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Space<T = f64> {
     /// The first coordinate.

@@ -16,6 +16,8 @@ impl<T: Number, const N: usize> Motion<T, N> {
     /// assert!((crank.position() - PI / 3.0).abs() < 1e-15);
     /// assert!((crank.velocity() - PI).abs() < 1e-15);
     /// ```
+    #[doc(alias = "deg")]
+    #[doc(alias = "from_degrees")]
     #[inline]
     #[must_use]
     pub fn degrees(derivatives: [T; N]) -> Self {
@@ -33,6 +35,7 @@ impl<T: Number, const N: usize> Motion<T, N> {
     /// let rocker = Motion::from([FRAC_PI_2, -FRAC_PI_2]);
     /// assert_eq!(rocker.to_degrees().derivatives(), [90.0, -90.0]);
     /// ```
+    #[doc(alias = "deg")]
     #[inline]
     #[must_use]
     pub fn to_degrees(self) -> Self {
@@ -53,6 +56,7 @@ impl<T: Number, const N: usize> Motion<T, N> {
 /// let crank: Motion = Motion::at_constant_speed(0.0, rpm(1500.0));
 /// # assert_eq!(crank.velocity(), 50.0 * PI);
 /// ```
+#[doc(alias = "revolutions")]
 #[inline]
 #[must_use]
 pub fn rpm<T: Number>(revolutions_per_minute: T) -> T {

@@ -43,6 +43,8 @@ use crate::number::{Number, Row};
 /// let steady: Motion<f64, 4> = Motion::at_constant_speed(0.5, 10.0);
 /// assert_eq!(steady.derivatives(), [0.5, 10.0, 0.0, 0.0]);
 /// ```
+#[doc(alias = "derivative")]
+#[doc(alias = "rate")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T = f64, const N: usize = 5> {
     derivatives: [T; N],

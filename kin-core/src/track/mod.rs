@@ -121,6 +121,8 @@ type HaltOf<M> = Halt<<M as Mechanism>::Inputs<f64>, <M as Mechanism>::Unknowns<
 /// assert_eq!(limit.block, "theta3, theta4");
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[doc(alias = "simulate")]
+#[doc(alias = "continuation")]
 pub fn track<M: Mechanism>(
     mechanism: &M,
     from_inputs: M::Inputs<M::Scalar>,
