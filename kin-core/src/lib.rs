@@ -71,7 +71,8 @@
 //! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm`
 //! supplies the floating-point functions. The feature `library` adds declared mechanisms, and `rayon` solves batches on
 //! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`] and adds `verify`. The feature
-//! `nalgebra` converts to and from the points and vectors of that crate.
+//! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
+//! a tolerance by the traits of that crate.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(
