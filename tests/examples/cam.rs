@@ -234,7 +234,7 @@ fn plot(
     let labels = (range.end - range.start) / f64::from(step);
     let top = range.end;
     let place = [44 * FINE, 12 * FINE].map(u32::cast_signed);
-    area.draw(&Text::new(title, (place[0], place[1]), label(HPos::Left, &INK)))?;
+    area.draw(&Text::new(title, (place[0], place[1]), label(HPos::Left, INK)))?;
     let mut chart = ChartBuilder::on(area)
         .margin_right(22 * FINE)
         .margin_top(26 * FINE)
@@ -264,12 +264,7 @@ fn plot(
     for part in &PARTS[..3] {
         border += part / 90.0;
         let line = [(border, chart.y_range().start), (border, top)];
-        chart.draw_series(DashedLineSeries::new(
-            line,
-            3 * FINE,
-            3 * FINE,
-            GREY.stroke_width(1 * FINE),
-        ))?;
+        chart.draw_series(DashedLineSeries::new(line, 3 * FINE, 3 * FINE, GREY.stroke_width(FINE)))?;
     }
     let inside = points
         .iter()
@@ -313,7 +308,7 @@ fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> 
         pitch,
         5 * FINE,
         4 * FINE,
-        BLUE.stroke_width(1 * FINE),
+        BLUE.stroke_width(FINE),
     ))?;
 
     // the direction of the push, and that in which the roller can move
@@ -326,7 +321,7 @@ fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> 
         let end = shown.roller + direction.scale(62.0 / ROLLER);
         page.draw(&PathElement::new(
             vec![at(shown.roller), at(end)],
-            colour.stroke_width(1 * FINE),
+            colour.stroke_width(FINE),
         ))?;
     }
 
@@ -362,38 +357,33 @@ fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> 
         page.draw(&Circle::new(at(joint), 5 * FINE, INK.stroke_width(2 * FINE)))?;
     }
     let middle = |one: Plane, other: Plane| (one + other).scale(0.5);
-    let labels: [(&str, Plane, HPos, &'static RGBColor); 7] = [
-        ("cam", linkage.axis + Plane::new(36.0, 0.0), HPos::Center, &BLUE),
-        (
-            "pitch curve",
-            linkage.axis + Plane::new(-118.0, 62.0),
-            HPos::Left,
-            &BLUE,
-        ),
+    let labels: [(&str, Plane, HPos, RGBColor); 7] = [
+        ("cam", linkage.axis + Plane::new(36.0, 0.0), HPos::Center, BLUE),
+        ("pitch curve", linkage.axis + Plane::new(-118.0, 62.0), HPos::Left, BLUE),
         (
             "lever",
             middle(pivots[0], shown.elbow) + Plane::new(-10.0, 6.0),
             HPos::Right,
-            &INK,
+            INK,
         ),
         (
             "coupler",
             middle(shown.elbow, shown.pin) + Plane::new(0.0, 16.0),
             HPos::Center,
-            &INK,
+            INK,
         ),
         (
             "rocker",
             middle(shown.pin, pivots[1]) + Plane::new(-8.0, 0.0),
             HPos::Right,
-            &INK,
+            INK,
         ),
-        ("roller", shown.roller + Plane::new(22.0, 4.0), HPos::Left, &INK),
+        ("roller", shown.roller + Plane::new(22.0, 4.0), HPos::Left, INK),
         (
             "pressure angle",
             shown.roller + Plane::new(36.0, 36.0),
             HPos::Left,
-            &VERMILION,
+            VERMILION,
         ),
     ];
     for (name, place, anchor, colour) in labels {
@@ -403,10 +393,11 @@ fn machine(area: &Area<'_>, linkage: &CamLinkage, rows: &[Row], shown: &Row) -> 
 }
 
 /// The style of a name in the picture.
-fn label(anchor: HPos, colour: &'static RGBColor) -> TextStyle<'static> {
-    TextStyle::from((FONT, 14 * FINE).into_font())
-        .color(colour)
-        .pos(Pos::new(anchor, VPos::Center))
+fn label(anchor: HPos, colour: RGBColor) -> TextStyle<'static> {
+    TextStyle {
+        color: colour.to_backend_color(),
+        ..TextStyle::from((FONT, 14 * FINE).into_font()).pos(Pos::new(anchor, VPos::Center))
+    }
 }
 
 /// The hatched triangle below a pivot.
@@ -416,12 +407,12 @@ fn ground<C: plotters::coord::CoordTranslate<From = (f64, f64)>>(
 ) -> Result<(), Box<dyn Error>> {
     let at = |x: f64, y: f64| (pivot.x + x, pivot.y + y);
     let stand = vec![at(0.0, 0.0), at(-9.0, -15.0), at(9.0, -15.0), at(0.0, 0.0)];
-    page.draw(&PathElement::new(stand, GREY.stroke_width(1 * FINE)))?;
+    page.draw(&PathElement::new(stand, GREY.stroke_width(FINE)))?;
     for stroke in -2..=2 {
         let x = 4.5 * f64::from(stroke);
         page.draw(&PathElement::new(
             vec![at(x, -15.0), at(x - 4.0, -20.0)],
-            GREY.stroke_width(1 * FINE),
+            GREY.stroke_width(FINE),
         ))?;
     }
     Ok(())
