@@ -60,6 +60,7 @@
 //! | the closed forms, with their costs | [`solve`] |
 //! | verification of your own mechanism | `verify` (feature `num-dual`) |
 //! | all solutions of a block without a closed form | [`continuation`], [`Positions`], [`Assemblies`] |
+//! | files and messages: JSON and other formats | `stored` (feature `serde`) |
 //! | number types | [`Number`] and [`Scalar`], and [`series`] for truncated Taylor series |
 //!
 //! # Units
@@ -72,7 +73,10 @@
 //! supplies the floating-point functions. The feature `library` adds declared mechanisms, and `rayon` solves batches on
 //! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`] and adds `verify`. The feature
 //! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
-//! a tolerance by the traits of that crate.
+//! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses.
+//!
+//! The features stand for one version of each crate: `num-dual` 0.15, `nalgebra` 0.35, `approx` 0.5, `serde` 1. With another
+//! version, pass vectors as their coordinates.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![cfg_attr(

@@ -220,6 +220,7 @@ impl Error for Failure {}
 ///
 /// `Debug` prints the same sentence, because that is what `unwrap` and a `main` that returns the error show.
 #[derive(Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SolveError {
     /// The reason.
     pub failure: Failure,

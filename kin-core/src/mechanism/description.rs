@@ -6,6 +6,7 @@ use crate::quantity::Quantity;
 /// The description of a mechanism: its quantities, equations, blocks and costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Description {
     /// The name of the structure.
     pub name: &'static str,
@@ -27,9 +28,40 @@ pub struct Description {
     pub operations: &'static [Operations],
 }
 
+impl Description {
+    /// The description that generated code makes.
+    #[doc(hidden)]
+    #[expect(clippy::too_many_arguments, reason = "one for each field, in their order")]
+    #[must_use]
+    pub const fn __new(
+        name: &'static str,
+        parameters: &'static [Quantity],
+        inputs: &'static [Quantity],
+        unknowns: &'static [Quantity],
+        outputs: &'static [Quantity],
+        equations: &'static [&'static str],
+        blocks: &'static [Block],
+        order: usize,
+        operations: &'static [Operations],
+    ) -> Self {
+        Self {
+            name,
+            parameters,
+            inputs,
+            unknowns,
+            outputs,
+            equations,
+            blocks,
+            order,
+            operations,
+        }
+    }
+}
+
 /// A block: unknowns that are solved together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Block {
     /// The names of the unknowns, separated by commas.
     pub unknowns: &'static str,
@@ -40,4 +72,23 @@ pub struct Block {
     /// The indices of the scalar equations that determine them, in ascending order. There are as many equations as
     /// unknowns.
     pub equations: &'static [usize],
+}
+
+impl Block {
+    /// The block that generated code makes.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn __new(
+        unknowns: &'static str,
+        solution: &'static str,
+        members: &'static [usize],
+        equations: &'static [usize],
+    ) -> Self {
+        Self {
+            unknowns,
+            solution,
+            members,
+            equations,
+        }
+    }
 }

@@ -33,7 +33,9 @@ use crate::number::Row;
 use crate::picture::{Outline, Place, Places, Skeleton, TransmissionAngle};
 use crate::solve::Scalar;
 
-/// A declared mechanism, as the `mechanism!` macro implements it.
+/// A declared mechanism.
+///
+/// Only [`mechanism!`](crate::mechanism!) implements it. A new version may add items.
 ///
 /// Only the macro implements this trait. It may grow: a new version of this crate may add items without a default.
 ///
@@ -251,6 +253,8 @@ pub trait Mechanism: Copy + Debug {
 }
 
 /// The motion of a mechanism in all its orders.
+///
+/// Only [`mechanism!`](crate::mechanism!) implements it. A new version may add items.
 pub trait Pose: Copy + Debug {
     /// The number type.
     type Scalar: Scalar;

@@ -3,6 +3,7 @@
 /// The number of operations of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Operations {
     /// Additions and subtractions.
     pub additions: usize,
@@ -34,6 +35,32 @@ impl Operations {
         arc_tangents: 0,
         others: 0,
     };
+
+    /// The counts that generated code states, in the order of the fields.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn __of(counts: [usize; 8]) -> Self {
+        let [
+            additions,
+            multiplications,
+            divisions,
+            negations,
+            square_roots,
+            sine_cosines,
+            arc_tangents,
+            others,
+        ] = counts;
+        Self {
+            additions,
+            multiplications,
+            divisions,
+            negations,
+            square_roots,
+            sine_cosines,
+            arc_tangents,
+            others,
+        }
+    }
 
     /// Additions, subtractions, multiplications, divisions and changes of sign together.
     #[must_use]

@@ -9,6 +9,7 @@ pub(crate) use told::Told;
 /// A named quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Quantity {
     /// The name of the quantity; the parts of a point `p` are `p.x`, `p.y` and, in space, `p.z`.
     pub name: &'static str,

@@ -19,7 +19,7 @@ const REASON: &str = ", and only finite numbers can be stored";
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotFinite {
     /// The place and the number: `unknowns.theta4[3] is NaN`.
-    text: Text,
+    text: Text<SHORT>,
 }
 
 impl NotFinite {
@@ -75,19 +75,23 @@ pub(super) fn write<V: Serialize, S: Serializer>(value: &V, serializer: S) -> Re
     value.serialize(serializer)
 }
 
-/// A short text without allocation. The rest of a longer one is cut off.
+/// The length of a place, so that results of the search stay small.
+const SHORT: usize = 104;
+
+/// The length of a place with the reason.
+const LONG: usize = SHORT + REASON.len();
+
+/// A text without allocation. The rest of a longer one is cut off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Text {
-    bytes: [u8; Self::CAPACITY],
+struct Text<const CAPACITY: usize> {
+    bytes: [u8; CAPACITY],
     length: usize,
 }
 
-impl Text {
-    const CAPACITY: usize = 160;
-
+impl<const CAPACITY: usize> Text<CAPACITY> {
     fn of(content: impl Display) -> Self {
         let mut text = Self {
-            bytes: [0; Self::CAPACITY],
+            bytes: [0; CAPACITY],
             length: 0,
         };
         // It fails only if the content does, and then the text ends there.
@@ -101,7 +105,7 @@ impl Text {
     }
 }
 
-impl fmt::Write for Text {
+impl<const CAPACITY: usize> fmt::Write for Text<CAPACITY> {
     fn write_str(&mut self, part: &str) -> fmt::Result {
         for letter in part.chars() {
             let end = self.length + letter.len_utf8();
@@ -146,14 +150,10 @@ impl Error for Found {}
 impl ser::Error for Found {
     /// The types of this crate that are parts of the value search their own numbers, and report them by this message.
     fn custom<M: Display>(message: M) -> Self {
-        let mut text = Text::of(message);
-        match text.as_str().strip_suffix(REASON) {
-            Some(found) => {
-                text.length = found.len();
-                Self::Number(NotFinite { text })
-            }
-            None => Self::Other,
-        }
+        let text = Text::<LONG>::of(message);
+        text.as_str()
+            .strip_suffix(REASON)
+            .map_or(Self::Other, |found| Self::Number(NotFinite { text: Text::of(found) }))
     }
 }
 
@@ -271,7 +271,7 @@ struct Members {
     /// The number of the next part of a sequence.
     index: usize,
     /// The key of the next value of a map.
-    key: Option<Text>,
+    key: Option<Text<SHORT>>,
 }
 
 impl Members {
@@ -342,7 +342,7 @@ impl ser::SerializeMap for Members {
 
     fn serialize_value<V: Serialize + ?Sized>(&mut self, value: &V) -> Result<(), Found> {
         let key = self.key.take();
-        let key = key.as_ref().map_or("", Text::as_str);
+        let key = key.as_ref().map_or("", |key| key.as_str());
         value.serialize(Search).map_err(|found| found.inside(key))
     }
 

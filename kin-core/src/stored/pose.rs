@@ -44,6 +44,7 @@ type Outputs<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<V>;
 /// assert_eq!(record.solve(&linkage)?, pose);
 /// # Ok::<(), SolveError>(())
 /// ```
+#[derive(Clone, Copy)]
 pub struct PoseRecord<M: Mechanism, const LENGTH: usize = 5> {
     /// The motions of the inputs, in the order in which they were declared.
     pub inputs: M::Inputs<Motion<M::Scalar, LENGTH>>,
@@ -77,14 +78,6 @@ where
         mechanism.solve_motion_near(self.inputs.into(), self.near())
     }
 }
-
-impl<M: Mechanism, const LENGTH: usize> Clone for PoseRecord<M, LENGTH> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M: Mechanism, const LENGTH: usize> Copy for PoseRecord<M, LENGTH> {}
 
 impl<M: Mechanism, const LENGTH: usize> PartialEq for PoseRecord<M, LENGTH>
 where

@@ -13,6 +13,7 @@ pub(super) const FIRM: f64 = 1e-3;
 ///
 /// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays of the declared lengths.
 #[derive(Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Obstacle<I, U> {
     /// The unknowns of the singular block, separated by commas.
     pub block: &'static str,
@@ -30,6 +31,7 @@ pub struct Obstacle<I, U> {
 ///
 /// `I` and `U` are rows of the mechanism's inputs and unknowns: arrays of the declared lengths.
 #[derive(Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Halt<I, U> {
     /// The number of steps taken or tried.
     pub steps: u32,

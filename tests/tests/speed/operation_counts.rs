@@ -185,16 +185,16 @@ const ANGLE: f64 = 1.1;
 
 /// The largest number of each kind of operation.
 fn larger(a: Operations, b: Operations) -> Operations {
-    Operations {
-        additions: a.additions.max(b.additions),
-        multiplications: a.multiplications.max(b.multiplications),
-        divisions: a.divisions.max(b.divisions),
-        negations: a.negations.max(b.negations),
-        square_roots: a.square_roots.max(b.square_roots),
-        sine_cosines: a.sine_cosines.max(b.sine_cosines),
-        arc_tangents: a.arc_tangents.max(b.arc_tangents),
-        others: a.others.max(b.others),
-    }
+    let mut larger = a;
+    larger.additions = a.additions.max(b.additions);
+    larger.multiplications = a.multiplications.max(b.multiplications);
+    larger.divisions = a.divisions.max(b.divisions);
+    larger.negations = a.negations.max(b.negations);
+    larger.square_roots = a.square_roots.max(b.square_roots);
+    larger.sine_cosines = a.sine_cosines.max(b.sine_cosines);
+    larger.arc_tangents = a.arc_tangents.max(b.arc_tangents);
+    larger.others = a.others.max(b.others);
+    larger
 }
 
 /// Runs a mechanism on counting numbers in every assembly, and compares the dearest with what was declared.

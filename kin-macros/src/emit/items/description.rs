@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::compiled::{Compiled, local};
+use crate::emit::compiled::Compiled;
 use crate::program::Cost;
 
 /// `OPERATIONS`: position, velocity, ….
@@ -31,28 +31,16 @@ fn operations(mechanism: &Compiled<'_>) -> TokenStream {
 
 /// One cost.
 pub(in crate::emit) fn operations_of(runtime: &TokenStream, cost: Cost) -> TokenStream {
-    let fields = [
-        ("additions", cost.additions),
-        ("multiplications", cost.multiplications),
-        ("divisions", cost.divisions),
-        ("negations", cost.negations),
-        ("square_roots", cost.square_roots),
-        ("sine_cosines", cost.sine_cosines),
-        ("arc_tangents", cost.arc_tangents),
-        ("others", cost.others),
-    ];
-    let all = fields.len();
-    let fields: Vec<TokenStream> = fields
-        .into_iter()
-        .filter(|&(_, count)| count > 0)
-        .map(|(name, count)| {
-            let (name, count) = (local(name), Literal::usize_unsuffixed(count));
-            quote!(#name: #count)
-        })
-        .collect();
-    match fields.len() {
-        0 => quote!(#runtime::Operations::NONE),
-        count if count == all => quote!(#runtime::Operations { #(#fields),* }),
-        _ => quote!(#runtime::Operations { #(#fields,)* ..#runtime::Operations::NONE }),
-    }
+    let counts = [
+        cost.additions,
+        cost.multiplications,
+        cost.divisions,
+        cost.negations,
+        cost.square_roots,
+        cost.sine_cosines,
+        cost.arc_tangents,
+        cost.others,
+    ]
+    .map(Literal::usize_unsuffixed);
+    quote!(#runtime::Operations::__of([#(#counts),*]))
 }

@@ -330,28 +330,23 @@ fn description(mechanism: &Compiled<'_>) -> TokenStream {
                 .collect::<Vec<_>>()
         });
         quote! {
-            #runtime::Block {
-                unknowns: #unknowns,
-                solution: #solution,
-                members: &[#(#members),*],
-                equations: &[#(#equations),*],
-            }
+            #runtime::Block::__new(#unknowns, #solution, &[#(#members),*], &[#(#equations),*])
         }
     });
     let order = Literal::usize_unsuffixed(mechanism.order());
     let operations = &mechanism.model.name;
     quote! {
-        #runtime::Description {
-            name: #name,
-            parameters: &[#(#parameters),*],
-            inputs: &[#(#inputs),*],
-            unknowns: &[#(#unknowns),*],
-            outputs: &[#(#outputs),*],
-            equations: &[#(#equations),*],
-            blocks: &[#(#blocks),*],
-            order: #order,
-            operations: &#operations::<::core::primitive::f64>::OPERATIONS,
-        }
+        #runtime::Description::__new(
+            #name,
+            &[#(#parameters),*],
+            &[#(#inputs),*],
+            &[#(#unknowns),*],
+            &[#(#outputs),*],
+            &[#(#equations),*],
+            &[#(#blocks),*],
+            #order,
+            &#operations::<::core::primitive::f64>::OPERATIONS,
+        )
     }
 }
 
