@@ -58,7 +58,7 @@
 //! | the forms of the blocks, with the lengths of links | [`BlockForm`] |
 //! | mechanisms ready to use | `library` (feature `library`) |
 //! | the closed forms, with their costs | [`solve`] |
-//! | verification of your own mechanism | `verify` (feature `num-dual`) |
+//! | verification of your own mechanism | `verify` (feature `std`) |
 //! | all solutions of a block without a closed form | [`continuation`], [`Positions`], [`Assemblies`] |
 //! | files and messages: JSON and other formats | `stored` (feature `serde`) |
 //! | number types | [`Number`] and [`Scalar`], and [`series`] for truncated Taylor series |
@@ -71,7 +71,7 @@
 //!
 //! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm`
 //! supplies the floating-point functions. The feature `library` adds declared mechanisms, and `rayon` solves batches on
-//! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`] and adds `verify`. The feature
+//! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature
 //! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
 //! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses.
 //!
@@ -118,7 +118,7 @@ pub mod solve;
 #[cfg(feature = "serde")]
 pub mod stored;
 mod track;
-#[cfg(feature = "num-dual")]
+#[cfg(feature = "std")]
 pub mod verify;
 
 pub use assemblies::{Assemblies, Choices, Positions, continuation};
@@ -356,8 +356,63 @@ macro_rules! __stored {
     ($($tokens:tt)*) => {};
 }
 
+/// `Debug` of poses, by the names of inputs, unknowns and outputs. Values that only later orders need are left out.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __readable {
+    ([$($pose:ident)*] $fields:tt) => {
+        $($crate::__readable! { @pose $pose $fields })*
+    };
+    (@pose $pose:ident { $($field:ident)* }) => {
+        impl<T: ::core::fmt::Debug> ::core::fmt::Debug for $pose<T> {
+            fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                let mut shown = formatter.debug_struct(::core::stringify!($pose));
+                $(shown.field(::core::stringify!($field), &self.$field);)*
+                shown.finish()
+            }
+        }
+    };
+}
+
+/// The methods of a structure of assemblies. For each block: its field, the method that sets it, and its unknowns.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __choices {
+    ($assembly:ident { $($field:ident $setter:ident $unknowns:literal)* }) => {
+        #[allow(unreachable_pub)]
+        impl $assembly {
+            /// The same assembly for every block.
+            #[must_use]
+            pub const fn all(assembly: $crate::Assembly) -> Self {
+                Self { $($field: assembly),* }
+            }
+
+            $(
+                #[doc = ::core::concat!("Another assembly for the block that finds `", $unknowns, "`.")]
+                #[must_use]
+                pub const fn $setter(mut self, assembly: $crate::Assembly) -> Self {
+                    self.$field = assembly;
+                    self
+                }
+            )*
+        }
+
+        /// Writes the assembly of each block, as in `theta3_theta4: open, phi: crossed`.
+        impl ::core::fmt::Display for $assembly {
+            fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                let choices = [$((::core::stringify!($field), self.$field)),*];
+                for (place, (block, assembly)) in choices.into_iter().enumerate() {
+                    let separator = if place == 0 { "" } else { ", " };
+                    ::core::write!(formatter, "{separator}{block}: {assembly}")?;
+                }
+                ::core::result::Result::Ok(())
+            }
+        }
+    };
+}
+
 /// The body of the test that a declaration asks for.
-#[cfg(feature = "num-dual")]
+#[cfg(feature = "std")]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __assert_verified {
@@ -366,15 +421,15 @@ macro_rules! __assert_verified {
     };
 }
 
-/// The replacement of that body without the feature `num-dual`.
-#[cfg(not(feature = "num-dual"))]
+/// The replacement of that body without the feature `std`.
+#[cfg(not(feature = "std"))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __assert_verified {
     ($mechanism:ty) => {
         compile_error!(
-            "the test of a mechanism needs the feature `num-dual` of kin-core: in Cargo.toml, under [dev-dependencies], write \
-             kin-core = { version = \"0.1\", features = [\"num-dual\"] }"
+            "the test of a mechanism needs the feature `std` of kin-core: repeat the dependency under [dev-dependencies] \
+             of Cargo.toml, with the same path or version and with features = [\"std\"]"
         )
     };
 }

@@ -1,10 +1,12 @@
 //! The items that generated code uses. They are not for direct use, and may change at any time.
 
 pub use crate::__assert_verified as assert_verified;
+pub use crate::__choices as choices;
 pub use crate::__fields as fields;
 pub use crate::__in_parallel as in_parallel;
 pub use crate::__locals as locals;
 pub use crate::__poses as poses;
+pub use crate::__readable as readable;
 pub use crate::__stored as stored;
 pub use crate::__unexpanded as unexpanded;
 pub use crate::assemblies::{Assemblies, Choices, continuation, every, positions_near};

@@ -1,5 +1,6 @@
 //! Numbers that carry time derivatives.
 
+#[cfg(feature = "num-dual")]
 use num_dual::{HyperDual, HyperDual64};
 
 use crate::number::series::Series;
@@ -19,12 +20,29 @@ pub(super) trait Carrier: Scalar {
     }
 }
 
-/// A carrier up to the fourth order. With two steps inside and two outside, every subset of k steps holds the k-th
+/// The carrier up to the fourth order: nested dual numbers.
+///
+/// With two steps inside and two outside, every subset of k steps holds the k-th
 /// derivative (J. A. Fike and J. J. Alonso, "The development of hyper-dual numbers for exact second-derivative
 /// calculations", AIAA 2011-886).
-pub(super) type Nested = HyperDual<HyperDual64>;
+#[cfg(feature = "num-dual")]
+pub(super) type ThroughSnap = HyperDual<HyperDual64>;
 
-impl Carrier for Nested {
+/// The carrier up to the fourth order: a truncated Taylor series.
+#[cfg(not(feature = "num-dual"))]
+pub(super) type ThroughSnap = Series<5>;
+
+/// The name of the numbers that carry derivatives up to an order.
+pub(super) const fn numbers_through(order: usize) -> &'static str {
+    if cfg!(feature = "num-dual") && order <= 4 {
+        "dual numbers"
+    } else {
+        "truncated Taylor series"
+    }
+}
+
+#[cfg(feature = "num-dual")]
+impl Carrier for ThroughSnap {
     fn carrying(derivatives: &[f64]) -> Self {
         let at = |order: usize| derivatives.get(order).copied().unwrap_or(0.0);
         let inner = |order: usize| HyperDual64::new(at(order), at(order + 1), at(order + 1), at(order + 2));

@@ -3,7 +3,7 @@
 use std::vec::Vec;
 
 use super::Inputs;
-use super::carrier::{Carrier, Nested};
+use super::carrier::{Carrier, ThroughSnap};
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Row, series::Series};
@@ -19,8 +19,8 @@ pub struct Differentiated {
 
 /// The motions of unknowns and outputs by automatic differentiation of the position solution.
 ///
-/// The numbers are nested dual numbers for mechanisms up to the fourth order, and truncated Taylor series beyond, up to
-/// the sixteenth.
+/// With the feature `num-dual`, the numbers are nested dual numbers for mechanisms up to the fourth order. Otherwise they
+/// are truncated Taylor series, up to the sixteenth order.
 ///
 /// ```
 /// use kin_core::library::FourBar;
@@ -44,7 +44,7 @@ pub fn by_differentiation<M: Mechanism<Scalar = f64>>(
 ) -> Result<Differentiated, SolveError> {
     // Constant conditions, so that only one of the solvers is compiled.
     if const { M::DESCRIPTION.order <= 4 } {
-        carried::<M, Nested>(mechanism, inputs, assembly)
+        carried::<M, ThroughSnap>(mechanism, inputs, assembly)
     } else if const { M::DESCRIPTION.order <= 8 } {
         carried::<M, Series<9>>(mechanism, inputs, assembly)
     } else {

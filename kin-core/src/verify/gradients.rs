@@ -1,13 +1,13 @@
-//! The partial derivatives of a mechanism's equations, by dual numbers, and the rounding errors of the equations.
+//! The partial derivatives of a mechanism's equations, by numbers that carry a change, and the rounding errors of the equations.
 
 use std::vec::Vec;
 
-use num_dual::{Dual, Dual64};
-
-use super::carrier::{Carrier, Nested};
+use super::carrier::Carrier;
+use super::changing::Changing;
 use super::rounded::Rounded;
 use super::{Inputs, Unknowns};
 use crate::mechanism::Mechanism;
+use crate::number::series::Series;
 use crate::number::{Number, Row};
 
 /// The value of each motion.
@@ -27,7 +27,7 @@ pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
     inputs: &Inputs<M>,
     unknowns: &Unknowns<M>,
 ) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
-    type D = Dual64;
+    type D = Changing<f64>;
     let (unknowns, inputs) = (values(unknowns.as_ref()), values(inputs.as_ref()));
     let parameters = mechanism.parameters().as_ref().to_vec();
     // The column of one quantity, counted through unknowns, parameters and inputs.
@@ -48,7 +48,7 @@ pub(super) fn gradients<M: Mechanism<Scalar = f64>>(
             .residuals(lifted_inputs, lifted_unknowns)
             .as_ref()
             .iter()
-            .map(|left| left.eps)
+            .map(|left| left.change)
             .collect()
     };
     let by_unknowns: Vec<Vec<f64>> = (0..unknowns.len()).map(column).collect();
@@ -79,11 +79,11 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
     unknowns: &Unknowns<M>,
 ) -> Vec<Vec<[f64; 4]>> {
     // The outer number differentiates along one unknown, the inner one along time.
-    type D = Dual<Nested>;
+    type Time = Series<5>;
+    type D = Changing<Time>;
     let lifted = mechanism.convert(<D as Number>::constant);
-    let number = |motion: &M::Motion<f64>, seed: f64| {
-        D::new(Nested::carrying(motion.as_ref()), <Nested as Number>::constant(seed))
-    };
+    let number =
+        |motion: &M::Motion<f64>, seed: f64| D::new(Time::carrying(motion.as_ref()), <Time as Number>::constant(seed));
     let columns: Vec<Vec<D>> = (0..unknowns.as_ref().len())
         .map(|seeded| {
             let inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| number(&inputs[index], 0.0));
@@ -93,7 +93,7 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
             lifted.residuals(inputs, unknowns).as_ref().to_vec()
         })
         .collect();
-    let rates = |entry: &D| [1, 2, 3, 4].map(|order| entry.eps.derivative(order));
+    let rates = |entry: &D| [1, 2, 3, 4].map(|order| entry.change.derivative(order));
     (0..columns.len())
         .map(|row| columns.iter().map(|column| rates(&column[row])).collect())
         .collect()

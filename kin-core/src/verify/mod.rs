@@ -5,8 +5,9 @@
 //!
 //! - **Differentiation.** The position solution is run on numbers that carry time derivatives, along the Taylor
 //!   polynomials of the inputs. The results are the derivatives of unknowns and outputs that the generated solvers
-//!   should give. The numbers are nested dual numbers (`num-dual`) up to the fourth order, and the truncated Taylor
-//!   series of [`series`](crate::series) beyond. See [`by_differentiation`].
+//!   should give. The numbers are the truncated Taylor series of [`series`](crate::series). With the feature `num-dual`
+//!   they are nested dual numbers up to the fourth order, which share nothing with the second oracle. The report names
+//!   them. See [`by_differentiation`].
 //! - **Closure.** The generated motions are put into the equations as declared, as truncated Taylor series. The
 //!   residuals must vanish at every order. See [`closure`].
 //!
@@ -44,11 +45,10 @@
 //! assert!(report.passed());
 //! ```
 //!
-//! This module needs the feature `num-dual`. If only your tests verify, write
-//! `kin-core = { version = "…", features = ["num-dual"] }` under `[dev-dependencies]`, in addition to the ordinary
-//! dependency.
+//! This module needs the feature `std`, which is on by default.
 
 mod carrier;
+mod changing;
 mod closure;
 mod differentiation;
 mod gauge;

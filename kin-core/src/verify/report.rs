@@ -29,6 +29,8 @@ pub struct Report {
     pub needed: usize,
     /// The seed of the random numbers.
     pub seed: u64,
+    /// The numbers that carry derivatives through the position solution: `dual numbers` or `truncated Taylor series`.
+    pub numbers: &'static str,
 }
 
 impl Report {
@@ -65,7 +67,11 @@ impl fmt::Display for Report {
             self.name, self.worst.poses, self.closed, self.tried, self.seed
         )?;
         if self.worst.poses > 0 {
-            writeln!(formatter, "worst errors in units of the condition and the motion:")?;
+            writeln!(
+                formatter,
+                "worst errors in units of the condition and the motion, differentiation by {}:",
+                self.numbers
+            )?;
             write!(formatter, "{}", self.worst)?;
         }
         if !self.worst.is_allowed()

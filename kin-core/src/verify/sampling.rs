@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 use std::vec::Vec;
 
+use super::carrier::numbers_through;
 use super::{Inputs, Random, Report, Worst};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -105,6 +106,7 @@ impl Sampling {
             closed,
             needed,
             seed: self.seed,
+            numbers: numbers_through(M::DESCRIPTION.order),
         }
     }
 }

@@ -334,6 +334,17 @@ impl Graph {
         }
     }
 
+    /// Whether an expression is a symbol or its opposite.
+    pub(crate) fn is_signed_symbol(&self, node: Node, symbol: Symbol) -> bool {
+        match self.kind(node) {
+            NodeKind::Symbol(own) => *own == symbol,
+            NodeKind::Sum(constant, terms) if constant.get() == 0.0 => {
+                matches!(terms[..], [(term, factor)] if factor.get().abs() == 1.0 && self.as_symbol(term) == Some(symbol))
+            }
+            _ => false,
+        }
+    }
+
     pub(crate) fn is_zero(&self, node: Node) -> bool {
         self.as_number(node) == Some(0.0)
     }

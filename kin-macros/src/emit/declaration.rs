@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Path, Token, Visibility};
+use syn::{Attribute, Path, Token, Visibility, parse_quote};
 
 use crate::model::{Dimension, Model};
 use crate::translate::vector_type;
@@ -11,8 +11,8 @@ use crate::translate::vector_type;
 /// A field: attributes, visibility, name and dimension.
 pub(crate) type Field<'a> = (&'a [Attribute], &'a Visibility, &'a Ident, Option<Dimension>);
 
-/// The struct of a model.
-pub(crate) fn tokens(model: &Model, runtime: &TokenStream) -> TokenStream {
+/// The struct of a model. The lines follow the user's own documentation.
+pub(crate) fn tokens(model: &Model, lines: &[String], runtime: &TokenStream) -> TokenStream {
     let fields = model.parameters.iter().map(|parameter| {
         (
             parameter.attributes.as_slice(),
@@ -21,15 +21,10 @@ pub(crate) fn tokens(model: &Model, runtime: &TokenStream) -> TokenStream {
             Some(parameter.dimension),
         )
     });
+    let generated = lines.iter().map(|line| parse_quote!(#[doc = #line]));
+    let attributes: Vec<Attribute> = model.attributes.iter().cloned().chain(generated).collect();
     let number = quote!(::core::primitive::f64);
-    structure(
-        &model.attributes,
-        &model.visibility,
-        &model.name,
-        fields,
-        &number,
-        runtime,
-    )
+    structure(&attributes, &model.visibility, &model.name, fields, &number, runtime)
 }
 
 /// The struct of given fields and a default number type, for models and for declarations with mistakes.

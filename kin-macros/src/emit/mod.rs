@@ -18,8 +18,8 @@ use crate::translate::skeleton;
 pub(crate) use compiled::pose_name;
 use compiled::{Compiled, local};
 use items::{
-    assembly, batch, description, every, formulas, interface, poses, position, sensitivities, solve, stored, test,
-    track, transmission, values,
+    assembly, batch, description, every, formulas, interface, page, poses, position, readable, sensitivities, solve,
+    stored, test, track, transmission, values,
 };
 
 /// The whole expansion of a declaration.
@@ -45,7 +45,7 @@ pub(crate) fn tokens(
         ..*outside
     };
     let structures = [
-        declaration::tokens(model, runtime),
+        declaration::tokens(model, &page::lines(outside), runtime),
         assembly::structure(outside),
         poses::structures(outside),
         batch::structure(outside),
@@ -76,6 +76,8 @@ pub(crate) fn tokens(
         sensitivities::tokens(inside),
         batch::tokens(inside),
         stored::tokens(inside),
+        readable::tokens(inside),
+        assembly::methods(inside),
     ];
     let name = &model.name;
     let implementations = quote! {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::values;
 use crate::algebra::Symbol;
@@ -77,6 +77,23 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
         #visibility struct #name {
             #(#fields,)*
         }
+    }
+}
+
+/// The methods of that structure: one call, which kin-core answers.
+pub(in crate::emit) fn methods(mechanism: &Compiled<'_>) -> TokenStream {
+    let choices = mechanism.choices();
+    if choices.len() < 2 {
+        return TokenStream::new();
+    }
+    let (runtime, name) = (mechanism.runtime, mechanism.assembly_structure());
+    let fields = mechanism.assembly_fields();
+    let setters = fields
+        .iter()
+        .map(|field| format_ident!("with_{field}", span = field.span()));
+    let unknowns = choices.into_iter().map(|part| mechanism.part_name(part));
+    quote! {
+        #runtime::choices! { #name { #(#fields #setters #unknowns)* } }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::algebra::Symbol;
 use crate::emit::compiled::Compiled;
 use crate::model::{Dimension, Quantity, Unknown};
 use crate::program::Cost;
-use crate::structure::{Block, Method, Part};
+use crate::structure::{Arm, Block, ClosedForm, Method, Part};
 
 impl Compiled<'_> {
     /// The equations as a list of code lines.
@@ -67,11 +67,97 @@ impl Compiled<'_> {
                 self.solution_of_part(self.parts()[part])
             ),
             String::new(),
-            format!(
-                " Open if `{}`, crossed if the expression is negative.",
-                self.criterion(part)
-            ),
+            format!(" Open if {}. Crossed otherwise.", self.open_in_words(part)),
         ]
+    }
+
+    /// The condition of a part's open assembly in words, if there are words for it, and in symbols.
+    pub(in crate::emit) fn open_in_words(&self, part: usize) -> String {
+        let symbols = format!("`{}`", self.criterion(part));
+        match &self.parts()[part].method {
+            Method::Closed(form) => match self.words(form, part) {
+                Some(words) => format!("{words}: {symbols}"),
+                None => symbols,
+            },
+            Method::Newton { .. } => symbols,
+        }
+    }
+
+    fn words(&self, form: &ClosedForm, part: usize) -> Option<String> {
+        let name = |unknown: &usize| &self.model.unknowns[*unknown].name;
+        Some(match form {
+            ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } | ClosedForm::Direction { .. } => return None,
+            ClosedForm::Inverse { then, .. } => return self.words(then, part),
+            ClosedForm::SquareRoot { unknown, .. } => format!("`{}` is positive", name(unknown)),
+            ClosedForm::Polar { length, offset, .. } if self.solvers.graph.is_zero(offset.re) => {
+                format!("`{}` is positive", name(length))
+            }
+            ClosedForm::Quadratic { unknown, .. }
+            | ClosedForm::EvenInverse { unknown, .. }
+            | ClosedForm::AngleLength { length: unknown, .. }
+            | ClosedForm::Polar { length: unknown, .. } => {
+                format!("`{}` is the larger of its two solutions", name(unknown))
+            }
+            ClosedForm::CosineSine { unknown, .. } => {
+                format!(
+                    "`{}` is less than half a turn ahead of its other solution",
+                    name(unknown)
+                )
+            }
+            ClosedForm::InverseCosine { unknown, .. } => {
+                format!("`{}` is between zero and half a turn", name(unknown))
+            }
+            ClosedForm::InverseSine { unknown, .. } => {
+                format!("`{}` is within a quarter turn of zero", name(unknown))
+            }
+            ClosedForm::TwoAngles { arms, .. } => return self.turn_of_links(arms, part),
+        })
+    }
+
+    /// Which of two links is turned clockwise from the other in the open assembly, if all lengths are positive. `None` if
+    /// the angles are not simply the directions of the links.
+    fn turn_of_links(&self, arms: &[Arm; 2], part: usize) -> Option<String> {
+        let graph = &self.solvers.graph;
+        let orientation = self.solvers.choices[part].orientation?;
+        let [Some(first), Some(second)] = arms.each_ref().map(|arm| match arm.angle.0[..] {
+            [(Symbol::Unknown(angle), 1)] if !arm.mirrored && arm.factor.is_real(graph) => Some(angle),
+            _ => None,
+        }) else {
+            return None;
+        };
+        // with the second angle a quarter turn ahead of the first
+        let quarter = graph.evaluate(orientation, &|symbol| match symbol {
+            Symbol::Unknown(angle) if angle == first => 0.0,
+            Symbol::Unknown(angle) if angle == second => std::f64::consts::FRAC_PI_2,
+            _ => 1.0,
+        });
+        let links = [(first, &arms[0]), (second, &arms[1])].map(|(angle, arm)| {
+            let angle = &self.model.unknowns[angle].name;
+            match self.link_name(arm) {
+                Some(link) => format!("the link `{link}` at `{angle}`"),
+                None => format!("the direction `{angle}`"),
+            }
+        });
+        let [behind, ahead] = if quarter > 0.0 {
+            [&links[0], &links[1]]
+        } else if quarter < 0.0 {
+            [&links[1], &links[0]]
+        } else {
+            return None;
+        };
+        Some(format!(
+            "{behind} is turned clockwise from {ahead}, by less than half a turn"
+        ))
+    }
+
+    /// The parameter that is a link's length.
+    fn link_name(&self, arm: &Arm) -> Option<String> {
+        let graph = &self.solvers.graph;
+        let scalars = self.scalar_parameters();
+        (0..scalars.len()).find_map(|index| {
+            let is_own = graph.is_signed_symbol(arm.factor.re, Symbol::Parameter(index));
+            is_own.then(|| scalars[index].0.clone())
+        })
     }
 
     /// The meaning of the assembly as a separate paragraph; nothing if there is no choice.

@@ -24,6 +24,11 @@ fn search<'a>(mechanism: &Compiled<'a>) -> Option<(&'a Program<Expression>, usiz
     (paths <= LARGEST).then_some((program, paths))
 }
 
+/// Whether the mechanism has the method `assemblies_at`.
+pub(super) fn is_found(mechanism: &Compiled<'_>) -> bool {
+    search(mechanism).is_some()
+}
+
 /// The method `positions_at` of the trait, for a mechanism with coupled blocks.
 pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
     if search(mechanism).is_none() {

@@ -98,8 +98,7 @@ fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
     });
     quote! {
         #[doc = #summary]
-        #[derive(::core::clone::Clone, ::core::marker::Copy)]
-        #[derive(::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::cmp::PartialEq)]
         #attributes
         #visibility struct #name<T = ::core::primitive::f64> {
             #(#inputs,)*
