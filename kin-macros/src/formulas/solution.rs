@@ -1,6 +1,6 @@
 //! The solution of each block, line by line.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::expression::Expressions;
 use super::name::Name;
@@ -410,12 +410,14 @@ impl<'a> Solutions<'a> {
 
     /// An expression that is too long to be read, as a function of the inputs and unknowns that it contains.
     fn dependence(&self, name: Name, nodes: &[Node]) -> Term {
+        let reachable = self.graph.reachable(nodes).into_iter();
+        let symbols: BTreeSet<Symbol> = reachable.filter_map(|node| self.graph.as_symbol(node)).collect();
         let inputs = (0..self.model.inputs.len()).map(Symbol::Input);
         let unknowns = (0..self.model.unknowns.len()).map(Symbol::Unknown);
         let contained = inputs
             .chain(unknowns)
             .chain(self.results.keys().copied())
-            .filter(|&symbol| nodes.iter().any(|&node| self.graph.contains(node, symbol)));
+            .filter(|symbol| symbols.contains(symbol));
         let names =
             contained.filter_map(|symbol| self.names.symbol(symbol).or_else(|| self.results.get(&symbol).cloned()));
         let names: Vec<Term> = names.map(Term::Name).collect();

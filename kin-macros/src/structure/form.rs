@@ -210,7 +210,7 @@ fn on_an_axis(graph: &mut Graph, slider: &AxisSlider) -> BlockForm {
 /// The crank of a vector ground + link · cis(± driver) + constant, if nothing else moves.
 fn crank(graph: &mut Graph, vector: ComplexNode) -> Option<Crank> {
     let movers: Vec<Symbol> = graph.movers(&[vector.re, vector.im]);
-    let [driver] = movers[..] else {
+    let [driver @ (Symbol::Input(_) | Symbol::Unknown(_))] = movers[..] else {
         return None;
     };
     let parts = [vector.re, vector.im];
@@ -298,5 +298,29 @@ impl Graph {
     fn at_zero(&mut self, node: Node, symbol: Symbol) -> Node {
         let (symbol, zero) = (self.symbol(symbol), self.zero());
         self.substitute(node, &mut BTreeMap::from([(symbol, zero)]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use crate::expand::expand;
+    use crate::passes::Passes;
+    use crate::testing::sound;
+
+    /// The solution of a function's inverse contains symbols of its own.
+    #[test]
+    fn forms_of_inverse_functions() {
+        let declaration = quote! {
+            struct RssrByLength { crank: Length, pivot: Point3, axis: Vector3, arm: Vector3, rod: Length }
+            input theta: Angle;
+            unknown phi: Angle;
+            norm(rot_z(theta) * vec3(crank, 0, 0) - pivot - rot(axis, phi) * arm) == rod;
+        };
+        let solvers = sound(declaration.clone()).solvers(Passes::ALL);
+        assert_eq!(solvers.lengths.forms.len(), 1);
+        let tokens = expand(quote!((::kin_core) #declaration)).to_string();
+        assert!(!tokens.contains("compile_error"), "{tokens}");
     }
 }
