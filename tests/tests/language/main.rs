@@ -7,6 +7,7 @@ mod hygiene;
 mod interface;
 mod long_and_deep;
 mod ranges;
+mod reading;
 mod recognition;
 mod skeletons;
 mod transmission_angles;
