@@ -431,24 +431,9 @@ impl<'a> Solutions<'a> {
 
 /// The argument of a function with a known value.
 fn inverted(function: Function, value: Term) -> Term {
-    let call = |name| Term::Call(name, vec![value.clone()]);
-    match function {
-        Function::Sin => call("arcsin"),
-        Function::Cos => call("arccos"),
-        Function::Tan => call("arctan"),
-        Function::Asin => call("sin"),
-        Function::Acos => call("cos"),
-        Function::Atan => call("tan"),
-        Function::Sinh => call("arsinh"),
-        Function::Cosh => call("arcosh"),
-        Function::Tanh => call("artanh"),
-        Function::Asinh => call("sinh"),
-        Function::Acosh => call("cosh"),
-        Function::Atanh => call("tanh"),
-        Function::Exp => call("ln"),
-        Function::Ln => call("exp"),
-        Function::Sqrt => value.squared(),
-        // it has two arguments and no inverse
-        Function::Atan2 => value,
+    match function.undone_by() {
+        Some(inverse) => Term::Call(inverse, vec![value]),
+        // the square root
+        None => value.squared(),
     }
 }

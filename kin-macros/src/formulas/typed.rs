@@ -97,20 +97,7 @@ pub(super) fn elementary(function: Function, mut arguments: Vec<Term>) -> Term {
     if function == Function::Sqrt && arguments.len() == 1 {
         return arguments.remove(0).root();
     }
-    Term::Call(notation(function), arguments)
-}
-
-/// The usual name of a function.
-fn notation(function: Function) -> &'static str {
-    match function {
-        Function::Asin => "arcsin",
-        Function::Acos => "arccos",
-        Function::Atan => "arctan",
-        Function::Asinh => "arsinh",
-        Function::Acosh => "arcosh",
-        Function::Atanh => "artanh",
-        other => other.name(),
-    }
+    Term::Call(function.notation(), arguments)
 }
 
 /// The shape of a formula without mistakes; `known` gives the shapes of the names.

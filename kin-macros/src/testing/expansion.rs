@@ -29,11 +29,28 @@ fn four_bar() -> TokenStream {
     }
 }
 
+/// The lines of an expansion without the formulas to be read, which are constants.
+fn lines_of_code(expansion: &str) -> usize {
+    let (mut count, mut end) = (0, None);
+    for line in expansion.lines().map(str::trim) {
+        if let Some(last) = end {
+            end = (line != last).then_some(last);
+        } else if line == "#[cfg_attr(" {
+            end = Some(")]");
+        } else if line.starts_with("const FORMULAS") {
+            end = Some(");");
+        } else {
+            count += 1;
+        }
+    }
+    count
+}
+
 /// Code that is the same for all mechanisms belongs in `kin-core`, not in every expansion.
 #[test]
 fn an_expansion_is_short() {
-    let lines = pretty(&four_bar()).lines().count();
-    assert!(lines <= 1080, "{lines} lines");
+    let lines = lines_of_code(&pretty(&four_bar()));
+    assert!(lines <= 1050, "{lines} lines");
 }
 
 /// A chain of scalar equations, with ranges and three choices.

@@ -6,6 +6,8 @@ use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse
 pub(super) const ACOS: Elementary = Elementary {
     name: "acos",
     form: "acos(x)",
+    notation: "arccos",
+    undone_by: Some("cos"),
     arity: 1,
     takes: Takes::number("a ratio"),
     gives: Gives::Angle,

@@ -6,6 +6,8 @@ use crate::algebra::Function;
 pub(super) const ACOSH: Elementary = Elementary {
     name: "acosh",
     form: "acosh(x)",
+    notation: "arcosh",
+    undone_by: Some("cosh"),
     arity: 1,
     takes: Takes::number("a ratio"),
     gives: Gives::Number,

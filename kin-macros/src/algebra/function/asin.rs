@@ -14,6 +14,8 @@ pub(super) fn leg(graph: &mut Graph, x: Node) -> Node {
 pub(super) const ASIN: Elementary = Elementary {
     name: "asin",
     form: "asin(x)",
+    notation: "arcsin",
+    undone_by: Some("sin"),
     arity: 1,
     takes: Takes::number("a ratio"),
     gives: Gives::Angle,

@@ -6,6 +6,8 @@ use crate::algebra::Function;
 pub(super) const ASINH: Elementary = Elementary {
     name: "asinh",
     form: "asinh(x)",
+    notation: "arsinh",
+    undone_by: Some("sinh"),
     arity: 1,
     takes: Takes::number("a ratio"),
     gives: Gives::Number,

@@ -5,6 +5,8 @@ use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse
 pub(super) const ATAN: Elementary = Elementary {
     name: "atan",
     form: "atan(x)",
+    notation: "arctan",
+    undone_by: Some("tan"),
     arity: 1,
     takes: Takes::Number {
         wanted: "a ratio",

@@ -5,6 +5,8 @@ use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, 
 pub(super) const ATAN2: Elementary = Elementary {
     name: "atan2",
     form: "atan2(y, x)",
+    notation: "atan2",
+    undone_by: None,
     arity: 2,
     takes: Takes::Alike,
     gives: Gives::Angle,

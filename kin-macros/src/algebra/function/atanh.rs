@@ -13,6 +13,8 @@ pub(super) const AREA: Checked = Checked {
 pub(super) const ATANH: Elementary = Elementary {
     name: "atanh",
     form: "atanh(x)",
+    notation: "artanh",
+    undone_by: Some("tanh"),
     arity: 1,
     takes: Takes::number("a ratio"),
     gives: Gives::Number,

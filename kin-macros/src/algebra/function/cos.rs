@@ -6,6 +6,8 @@ use crate::algebra::Function;
 pub(super) const COS: Elementary = Elementary {
     name: "cos",
     form: "cos(x)",
+    notation: "cos",
+    undone_by: Some("arccos"),
     arity: 1,
     takes: Takes::Angle,
     gives: Gives::Number,

@@ -6,6 +6,8 @@ use crate::algebra::Function;
 pub(super) const COSH: Elementary = Elementary {
     name: "cosh",
     form: "cosh(x)",
+    notation: "cosh",
+    undone_by: Some("arcosh"),
     arity: 1,
     takes: Takes::number("a plain number"),
     gives: Gives::Number,

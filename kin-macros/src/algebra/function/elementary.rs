@@ -8,6 +8,10 @@ pub(super) struct Elementary {
     pub(super) name: &'static str,
     /// The spelling of a call, as messages show it.
     pub(super) form: &'static str,
+    /// The usual name, in formulas to be read.
+    pub(super) notation: &'static str,
+    /// The usual name of the function that gives the argument for a value, if it has a name.
+    pub(super) undone_by: Option<&'static str>,
     /// The number of arguments.
     pub(super) arity: usize,
     /// The dimension of the arguments.

@@ -6,6 +6,8 @@ use super::ln::LOGARITHM;
 pub(super) const EXP: Elementary = Elementary {
     name: "exp",
     form: "exp(x)",
+    notation: "exp",
+    undone_by: Some("ln"),
     arity: 1,
     takes: Takes::number("a plain number"),
     gives: Gives::Number,

@@ -13,6 +13,8 @@ pub(super) const LOGARITHM: Checked = Checked {
 pub(super) const LN: Elementary = Elementary {
     name: "ln",
     form: "ln(x)",
+    notation: "ln",
+    undone_by: Some("exp"),
     arity: 1,
     takes: Takes::number("a plain number"),
     gives: Gives::Number,

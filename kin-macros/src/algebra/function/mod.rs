@@ -85,6 +85,16 @@ impl Function {
         self.elementary().form
     }
 
+    /// The usual name, in formulas to be read.
+    pub(crate) const fn notation(self) -> &'static str {
+        self.elementary().notation
+    }
+
+    /// The usual name of the function that gives the argument for a value, if it has a name.
+    pub(crate) const fn undone_by(self) -> Option<&'static str> {
+        self.elementary().undone_by
+    }
+
     /// The number of arguments.
     pub(crate) const fn arity(self) -> usize {
         self.elementary().arity

@@ -6,6 +6,8 @@ use crate::algebra::Function;
 pub(super) const SIN: Elementary = Elementary {
     name: "sin",
     form: "sin(x)",
+    notation: "sin",
+    undone_by: Some("arcsin"),
     arity: 1,
     takes: Takes::Angle,
     gives: Gives::Number,

@@ -6,6 +6,8 @@ use crate::algebra::Function;
 pub(super) const SINH: Elementary = Elementary {
     name: "sinh",
     form: "sinh(x)",
+    notation: "sinh",
+    undone_by: Some("arsinh"),
     arity: 1,
     takes: Takes::number("a plain number"),
     gives: Gives::Number,

@@ -5,6 +5,8 @@ use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse
 pub(super) const SQRT: Elementary = Elementary {
     name: "sqrt",
     form: "sqrt(x)",
+    notation: "sqrt",
+    undone_by: None,
     arity: 1,
     takes: Takes::Anything,
     gives: Gives::Root,

@@ -5,6 +5,8 @@ use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, 
 pub(super) const TAN: Elementary = Elementary {
     name: "tan",
     form: "tan(x)",
+    notation: "tan",
+    undone_by: Some("arctan"),
     arity: 1,
     takes: Takes::Angle,
     gives: Gives::Number,

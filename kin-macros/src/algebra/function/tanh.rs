@@ -6,6 +6,8 @@ use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Inverse
 pub(super) const TANH: Elementary = Elementary {
     name: "tanh",
     form: "tanh(x)",
+    notation: "tanh",
+    undone_by: Some("artanh"),
     arity: 1,
     takes: Takes::number("a plain number"),
     gives: Gives::Number,

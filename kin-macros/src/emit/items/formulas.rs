@@ -32,46 +32,59 @@ impl Compiled<'_> {
     /// The equations, the outputs, and the solution of each block, as documentation.
     pub(super) fn position_formulas(&self) -> TokenStream {
         let formulas = self.formulas;
-        let closure = shown(" In the notation of textbooks, the equations are", &formulas.closure);
-        let outputs = if self.model.outputs.is_empty() {
-            TokenStream::new()
-        } else {
-            shown(" and the outputs are", &formulas.outputs)
-        };
-        let blocks = self.blocks.iter().zip(&formulas.position).map(|(block, formula)| {
-            let line = format!(" `{}`, {}:", self.names(&block.unknowns), self.solution(block));
-            shown(&line, formula)
-        });
-        quote!(#closure #outputs #(#blocks)*)
+        let mut shown = vec![(
+            "In the notation of textbooks, the equations are".to_owned(),
+            &formulas.closure,
+        )];
+        if !self.model.outputs.is_empty() {
+            shown.push(("and the outputs are".to_owned(), &formulas.outputs));
+        }
+        shown.extend(self.blocks.iter().zip(&formulas.position).map(|(block, formula)| {
+            let line = format!("`{}`, {}:", self.names(&block.unknowns), self.solution(block));
+            (line, formula)
+        }));
+        documentation(&shown)
     }
 
     /// The linear equations of an order, as documentation.
     pub(super) fn rate_formulas(&self, order: usize) -> TokenStream {
         let formulas = self.formulas;
         if let Some(higher) = order.checked_sub(2) {
-            let line = " Where **A** ẋ = **b** are the linear equations of a block's velocities:";
-            return shown(line, &formulas.higher[higher]);
+            let line = "Where **A** ẋ = **b** are the linear equations of a block's velocities:".to_owned();
+            return documentation(&[(line, &formulas.higher[higher])]);
         }
-        let blocks = self.blocks.iter().zip(&formulas.velocity).map(|(block, formula)| {
-            let line = format!(" The linear equations of `{}`:", self.names(&block.unknowns));
-            shown(&line, formula)
-        });
-        quote!(#(#blocks)*)
+        let blocks = self.blocks.iter().zip(&formulas.velocity);
+        let shown: Vec<(String, &Formula)> = blocks
+            .map(|(block, formula)| {
+                (
+                    format!("The linear equations of `{}`:", self.names(&block.unknowns)),
+                    formula,
+                )
+            })
+            .collect();
+        documentation(&shown)
     }
 }
 
-/// A formula below a line. A page of documentation shows MathML. An editor, which cannot, shows text.
-fn shown(line: &str, formula: &Formula) -> TokenStream {
-    let mathml = format!(
-        " <div style=\"overflow-x:auto;margin:0.7em 0\">{}</div>",
-        formula.mathml
-    );
-    let text = format!(" ```text\n {}\n ```", formula.text.replace('\n', "\n "));
+/// Formulas, each below a line. A page of documentation shows MathML. An editor, which cannot, shows text.
+fn documentation(shown: &[(String, &Formula)]) -> TokenStream {
+    let (mut pages, mut editors) = (String::new(), String::new());
+    for (line, Formula { text, mathml, .. }) in shown {
+        pages.push_str(
+            &[
+                "\n ",
+                line,
+                "\n\n <div style=\"overflow-x:auto;margin:0.7em 0\">",
+                mathml,
+                "</div>\n",
+            ]
+            .concat(),
+        );
+        let text = text.replace('\n', "\n ");
+        editors.push_str(&["\n ", line, "\n\n ```text\n ", &text, "\n ```\n"].concat());
+    }
     quote! {
-        ///
-        #[doc = #line]
-        ///
-        #[cfg_attr(doc, doc = #mathml)]
-        #[cfg_attr(not(doc), doc = #text)]
+        #[cfg_attr(doc, doc = #pages)]
+        #[cfg_attr(not(doc), doc = #editors)]
     }
 }
