@@ -289,9 +289,17 @@ fn messages_say_where_it_is() {
         "theta3, theta4 reach a limit position at theta2 = 1.955193 rad (112.0°), after 0.5820772 of the way: two assemblies meet there \
          and neither continues; stop short of it, or drive the mechanism by another input"
     );
-    let debugged = format!("{error:?}");
+    assert_eq!(
+        format!("{error:?}"),
+        error.to_string(),
+        "what a `main` that fails prints"
+    );
+    let TrackError::Limit(obstacle) = error else {
+        panic!("{error}");
+    };
+    let debugged = format!("{obstacle:?}");
     assert!(
-        debugged.starts_with("Limit(Obstacle { block: \"theta3, theta4\", fraction: 0.58"),
+        debugged.starts_with("Obstacle { block: \"theta3, theta4\", fraction: 0.58"),
         "{debugged}"
     );
 }
