@@ -12,4 +12,5 @@ pub mod notes;
 pub mod oracles;
 pub mod random;
 pub mod reference;
+pub mod samples;
 pub mod sensitivities;

@@ -6,10 +6,6 @@
 /// assert!([100, 400].contains(&kin_tests::samples::of(400)));
 /// ```
 #[must_use]
-pub const fn of(every: u32) -> u32 {
-    if cfg!(feature = "every-case") {
-        every
-    } else {
-        every.div_ceil(4)
-    }
+pub const fn of(every: usize) -> usize {
+    if cfg!(feature = "every-case") { every } else { every.div_ceil(4) }
 }

@@ -59,11 +59,14 @@ pub trait Visitor {
     fn visit<M: ThroughSnap>(&mut self, case: Case);
 }
 
-/// A function for each group of mechanisms, that leads a visitor through it.
+/// A function for each group of mechanisms, that leads a visitor through it. The mechanisms after `besides` are solved as
+/// others of their group are, and are visited only with the feature `every-case`: each of them is compiled again for each
+/// visitor.
 macro_rules! groups {
     ($(
         $(#[$documentation:meta])*
         $group:ident of $module:ident { $($mechanism:ident [$($parameter:expr),*] at $([$low:expr, $high:expr])+;)+ }
+        $(+ besides { $($other:ident [$($number:expr),*] at $([$from:expr, $to:expr])+;)+ })?
     )+) => {
         $(
             $(#[$documentation])*
@@ -72,9 +75,50 @@ macro_rules! groups {
                     parameters: &[$($parameter),*],
                     inputs: &[$(($low, $high)),+],
                 });)+
+                #[cfg(feature = "every-case")]
+                others::$group(visitor);
             }
         )+
+
+        /// The mechanisms that the groups leave out without the feature `every-case`.
+        mod others {
+            use super::*;
+
+            $(
+                #[allow(unused, reason = "a group may leave nothing out, and some groups are not described")]
+                pub(super) fn $group(visitor: &mut impl Visitor) {
+                    $($(visitor.visit::<$module::$other>(Case {
+                        parameters: &[$($number),*],
+                        inputs: &[$(($from, $to)),+],
+                    });)+)?
+                }
+            )+
+        }
     };
+}
+
+/// All whose assemblies have names, whatever the features: for visitors that only read descriptions, which cost nothing to
+/// compile.
+pub fn described(visitor: &mut impl Visitor) {
+    macro_rules! whole {
+        ($($group:ident)+) => {
+            $(
+                $group(visitor);
+                if cfg!(not(feature = "every-case")) {
+                    others::$group(visitor);
+                }
+            )+
+        };
+    }
+    whole! { four_bars slider_cranks inverted_slider_cranks loops chains scalars }
+    hyperbolic::all(visitor);
+    whole! { ranges in_space with_outputs as_directions library_of_each_form library_besides }
+}
+
+/// The library's mechanisms whose assemblies have names.
+pub fn library(visitor: &mut impl Visitor) {
+    library_of_each_form(visitor);
+    library_besides(visitor);
 }
 
 /// All whose assemblies have names.
@@ -97,12 +141,18 @@ groups! {
     /// One four-bar linkage in many typings.
     four_bars of four_bar_typings {
         FourBarPlain [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarComponents [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarConjugate [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarHalfAngles [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarClockwiseRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        FourBarRelativeRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+    }
+    + besides {
         FourBarSidesSwapped [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarReordered [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarMovedAcross [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarSumToZero [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarZeroToSum [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        FourBarComponents [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarComponentsSwapped [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarNegatedComponent [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarMixedComponents [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
@@ -110,21 +160,17 @@ groups! {
         FourBarScaledByGround [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarScaledApart [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarDivided [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        FourBarConjugate [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarTurned [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarInCrankFrame [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarPolar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarCoordinates [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarProduct [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        FourBarHalfAngles [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarLets [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarRockerFromPin [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarCouplerFromRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarRockerFromUpright [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarQuarterTurn [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        FourBarClockwiseRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarClockwiseCoupler [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        FourBarRelativeRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarUnknownsSwapped [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FourBarRenamed [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
     }
@@ -132,6 +178,13 @@ groups! {
     /// One slider-crank in many typings, and driven elsewhere.
     slider_cranks of slider_crank_typings {
         SliderCrankLoop [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankClockwise [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        SliderCrankInclined [1.0, 3.0, 0.4, 0.7] at [-3.1, 3.1];
+        SliderCrankAlongVector [1.0, 3.0, 0.2, -0.3, 1.5, 2.0] at [-3.1, 3.1];
+        SliderCrankDrivenAtSlider [1.0, 3.0, 0.4] at [1.9, 4.1];
+        SliderCrankDrivenByRod [1.0, 3.0, 0.4] at [-0.4, 0.6];
+    }
+    + besides {
         SliderCrankSidesSwapped [1.0, 3.0, 0.4] at [-3.1, 3.1];
         SliderCrankSumToZero [1.0, 3.0, 0.4] at [-3.1, 3.1];
         SliderCrankComponents [1.0, 3.0, 0.4] at [-3.1, 3.1];
@@ -139,28 +192,25 @@ groups! {
         SliderCrankTurned [1.0, 3.0, 0.4] at [-3.1, 3.1];
         SliderCrankMixedComponents [1.0, 3.0, 0.4] at [-3.1, 3.1];
         SliderCrankRodFromSlider [1.0, 3.0, 0.4] at [-3.1, 3.1];
-        SliderCrankClockwise [1.0, 3.0, 0.4] at [-3.1, 3.1];
         SliderCrankBackwards [1.0, 3.0, 0.4] at [-3.1, 3.1];
         SliderCrankUpright [1.0, 3.0, 0.4] at [-3.1, 3.1];
-        SliderCrankInclined [1.0, 3.0, 0.4, 0.7] at [-3.1, 3.1];
-        SliderCrankAlongVector [1.0, 3.0, 0.2, -0.3, 1.5, 2.0] at [-3.1, 3.1];
-        SliderCrankDrivenAtSlider [1.0, 3.0, 0.4] at [1.9, 4.1];
-        SliderCrankDrivenByRod [1.0, 3.0, 0.4] at [-0.4, 0.6];
     }
 
     /// One inverted slider-crank in many typings, with and without offset, and driven elsewhere.
     inverted_slider_cranks of inverted_slider_crank_typings {
         InvertedLoop [2.0, 0.8] at [-3.1, 3.1];
-        InvertedPolar [2.0, 0.8] at [-3.1, 3.1];
-        InvertedComponents [2.0, 0.8] at [-3.1, 3.1];
         InvertedInCrankFrame [2.0, 0.8] at [-3.1, 3.1];
-        InvertedFromPin [2.0, 0.8] at [-3.1, 3.1];
-        InvertedClockwise [2.0, 0.8] at [-3.1, 3.1];
         InvertedOffset [2.0, 0.8, 0.5] at [-3.1, 3.1];
-        InvertedOffsetAtRightAngles [2.0, 0.8, 0.5] at [-3.1, 3.1];
-        InvertedOffsetComponents [2.0, 0.8, 0.5] at [-3.1, 3.1];
         InvertedOffsetInLeverFrame [2.0, 0.8, 0.5] at [-3.1, 3.1];
         InvertedDrivenByCylinder [2.0, 0.8] at [1.1, 2.9];
+    }
+    + besides {
+        InvertedPolar [2.0, 0.8] at [-3.1, 3.1];
+        InvertedComponents [2.0, 0.8] at [-3.1, 3.1];
+        InvertedFromPin [2.0, 0.8] at [-3.1, 3.1];
+        InvertedClockwise [2.0, 0.8] at [-3.1, 3.1];
+        InvertedOffsetAtRightAngles [2.0, 0.8, 0.5] at [-3.1, 3.1];
+        InvertedOffsetComponents [2.0, 0.8, 0.5] at [-3.1, 3.1];
     }
 
     /// Single loops of other kinds.
@@ -178,12 +228,14 @@ groups! {
     /// Several loops, one after the other.
     chains of multi_loop {
         FourBarsInSeries [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] at [-3.1, 3.1];
+        ToggleOnCoupler [4.0, 1.0, 3.0, 2.5, 4.0, 0.4] at [-3.1, 3.1];
+        GearedYoke [4.0, 1.0, 3.0, 2.5, 2.5, 0.7] at [-3.1, 3.1];
+    }
+    + besides {
         FourBarsInSeriesShuffled [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] at [-3.1, 3.1];
         WattSixBar [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
         StephensonSixBar [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 5.0, 3.0, 3.0, 2.5] at [-3.1, 3.1];
         Whitworth [0.5, 1.2, 1.5, 5.0, 0.3] at [-3.1, 3.1];
-        ToggleOnCoupler [4.0, 1.0, 3.0, 2.5, 4.0, 0.4] at [-3.1, 3.1];
-        GearedYoke [4.0, 1.0, 3.0, 2.5, 2.5, 0.7] at [-3.1, 3.1];
     }
 
     /// One scalar equation after another.
@@ -214,33 +266,37 @@ groups! {
         RangedCoupler [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         RangedRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         RangedAngle [2.0, 3.0] at [1.2, 4.8];
-        RangedAngleBelow [2.0, 3.0] at [1.2, 4.8];
         RangedSine [1.5] at [-1.3, 1.3];
-        RangedSineObtuse [1.5] at [-1.3, 1.3];
         RangedSlider [1.0, 3.0, 0.4] at [-3.1, 3.1];
         RangedLever [2.0, 0.8] at [-3.1, 3.1];
         RangedCircular [1.2, 0.8] at [-0.1, 1.1];
+    }
+    + besides {
+        RangedAngleBelow [2.0, 3.0] at [1.2, 4.8];
+        RangedSineObtuse [1.5] at [-1.3, 1.3];
         RangedLinear [1.5] at [0.1, 6.0];
     }
 
     /// Mechanisms of space, and products of vectors.
     in_space of space {
-        Rssr [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
-        RssrByLength [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
         RssrWithBall [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
         RssrDrivenAtRocker [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-1.2, 1.2];
+        RsspWithBall [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
+        UniversalJointByNormal [0.7] at [-3.1, 3.1];
+        SphericalFourBarAboutAxis [1.4, 0.5, 1.2, 0.9] at [-3.1, 3.1];
+        BennettByTripleProduct [2.0, 0.6, 1.3] at [-3.1, 3.1];
+        PlaneProducts [1.0, 3.0] at [-3.1, 3.1];
+    }
+    + besides {
+        Rssr [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
+        RssrByLength [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
         Rssp [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
         RsspByLength [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
-        RsspWithBall [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
         UniversalJoint [0.7] at [-3.1, 3.1];
-        UniversalJointByNormal [0.7] at [-3.1, 3.1];
         SphericalFourBar [1.4, 0.5, 1.2, 0.9] at [-3.1, 3.1];
-        SphericalFourBarAboutAxis [1.4, 0.5, 1.2, 0.9] at [-3.1, 3.1];
         StewartGoughLeg [1.0, 0.2, -0.3, 0.6, -0.5, 0.2] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
         StewartGoughLegByLength [1.0, 0.2, -0.3, 0.6, -0.5, 0.2] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
         Bennett [2.0, 0.6, 1.3] at [-3.1, 3.1];
-        BennettByTripleProduct [2.0, 0.6, 1.3] at [-3.1, 3.1];
-        PlaneProducts [1.0, 3.0] at [-3.1, 3.1];
     }
 
     /// With outputs, and with functions that are not defined everywhere.
@@ -253,58 +309,39 @@ groups! {
     /// Unknowns that are found as unit vectors.
     as_directions of directions {
         DirectedFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        DirectedRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         DirectedRelative [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        DirectedFreudenstein [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         DirectedTriangles [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         DirectedWithinRange [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         DirectedRack [90.0, 30.0, 60.0, 45.0, 10.0] at [-1.9, 1.9];
         DirectedSliderCrank [1.0, 3.0, 0.4] at [-3.1, 3.1];
-        DirectedByInverseSine [1.0, 3.0, 0.4] at [-3.1, 3.1];
         DirectedAtSlider [1.0, 3.0, 0.4] at [1.9, 4.1];
-        DirectedLever [2.0, 0.8] at [-3.1, 3.1];
         DirectedOffsetLever [2.0, 0.8, 0.5] at [-3.1, 3.1];
         DirectedArm [1.2, 0.9] at [-1.4, 1.4] [-1.3, 1.4];
-        DirectedSeries [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] at [-3.1, 3.1];
-        DirectedGears [1.5, 2.0] at [-3.1, 3.1];
-        DirectedJoint [0.7] at [-3.1, 3.1];
         DirectedSensitive [90.0, 30.0, 60.0, 45.0, 10.0] at [-1.9, 1.9];
         DirectedDrive [90.0, 30.0, 60.0, 45.0] at [-3.1, 3.1];
     }
+    + besides {
+        DirectedRocker [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedFreudenstein [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        DirectedByInverseSine [1.0, 3.0, 0.4] at [-3.1, 3.1];
+        DirectedLever [2.0, 0.8] at [-3.1, 3.1];
+        DirectedSeries [4.0, 1.0, 3.0, 2.5, 4.0, 4.5, 3.0] at [-3.1, 3.1];
+        DirectedGears [1.5, 2.0] at [-3.1, 3.1];
+        DirectedJoint [0.7] at [-3.1, 3.1];
+    }
 
-    /// The library's mechanisms, with published dimensions where there are any.
-    library of library {
+    /// A mechanism of the library for each closed form, with published dimensions where there are any.
+    library_of_each_form of library {
         FourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        GeometricFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         FreudensteinFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
-        SliderCrank [1.0, 3.0] at [-3.1, 3.1];
         OffsetSliderCrank [1.0, 3.0, 0.4] at [-3.1, 3.1];
         InvertedSliderCrank [2.0, 0.8] at [-3.1, 3.1];
-        SliderCrankFirstApproximation [1.0, 3.5] at [-3.1, 3.1];
-        SliderCrankHigherApproximation [1.0, 3.5] at [-3.1, 3.1];
-        WhitworthQuickReturn [0.05, 0.12, 0.15, 0.5] at [-3.1, 3.1];
         ScotchYoke [2.0, 1.4] at [-3.1, 3.1];
-        ChebyshevLinkage [4.0, 5.0, 2.0] at [0.7, 1.7];
-        HoekenLinkage [2.0, 1.0, 2.5] at [-3.1, 3.1];
-        RobertsLinkage [1.0, 1.2] at [0.6, 1.4];
         PeaucellierLinkage [2.0, 2.0, 6.0, 4.0] at [-1.8, 1.8];
-        Pantograph [2.0, 1.5, 2.5] at [0.5, 2.2] [-1.5, 1.5];
-        FiveBar [2.0, 1.5, 2.0, 2.0, 1.5] at [0.2, 2.9] [0.3, 3.0];
         GearedFiveBar [2.0, 0.5, 2.5, 2.5, 0.5, -2.0, 0.7] at [-3.1, 3.1];
-        WattI [4.0, 1.0, 3.0, 2.5, 1.5, 0.8, 2.0, 1.5, 2.5, 2.0] at [-3.1, 3.1];
-        WattII [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
-        StephensonI [4.0, 1.0, 3.0, 2.5, 0.5, 1.0, 1.5, 1.0, 2.5, 2.0] at [-3.1, 3.1];
-        StephensonIIByElbow [4.0, 2.0, 1.5, 1.2, 3.0, 0.3, 1.0, 0.5, 1.6, 3.0] at [-3.1, 3.1];
-        StephensonIII [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 3.0, 5.0, 3.0, 2.5] at [-3.1, 3.1];
         KlannLeg [
             0.268, 0.59, 0.5221, 0.2241, -0.59, -0.176, 0.3206, -0.233, 0.616, 0.5177, 0.8966, 0.8966, 2.618
         ] at [-3.1, 3.1];
-        JansenLeg [
-            38.0, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49.0, 50.0, 61.9, 7.8, 15.0
-        ] at [-3.1, 3.1];
-        AndrewsSqueezer [
-            0.007, 0.028, 0.035, 0.02, 0.04, 0.02, 0.04, -0.06934, -0.00227, -0.03635, 0.03273
-        ] at [-1.0, 1.0];
         Rssr [1.0, 3.0, 0.5, 0.8, 0.2, 0.9, 0.3, 0.4, -0.3, 1.9, 3.3] at [-3.1, 3.1];
         Rssp [1.0, 1.5, 0.4, 0.3, 0.3, -0.4, 1.2, 3.0] at [-3.1, 3.1];
         UniversalJoint [0.7] at [-3.1, 3.1];
@@ -313,6 +350,31 @@ groups! {
             1.0, 0.2, -0.3, 0.6, -0.5, 0.2
         ] at [-0.5, 0.5] [-0.4, 0.6] [1.5, 2.5] [-0.7, 0.7] [-0.6, 0.8] [-3.1, 3.1];
         Bennett [2.0, 0.6, 1.3] at [-3.1, 3.1];
+    }
+
+    /// The other mechanisms of the library.
+    library_besides of library {
+        GeometricFourBar [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
+        SliderCrank [1.0, 3.0] at [-3.1, 3.1];
+        SliderCrankFirstApproximation [1.0, 3.5] at [-3.1, 3.1];
+        SliderCrankHigherApproximation [1.0, 3.5] at [-3.1, 3.1];
+        WhitworthQuickReturn [0.05, 0.12, 0.15, 0.5] at [-3.1, 3.1];
+        ChebyshevLinkage [4.0, 5.0, 2.0] at [0.7, 1.7];
+        HoekenLinkage [2.0, 1.0, 2.5] at [-3.1, 3.1];
+        RobertsLinkage [1.0, 1.2] at [0.6, 1.4];
+        Pantograph [2.0, 1.5, 2.5] at [0.5, 2.2] [-1.5, 1.5];
+        FiveBar [2.0, 1.5, 2.0, 2.0, 1.5] at [0.2, 2.9] [0.3, 3.0];
+        WattI [4.0, 1.0, 3.0, 2.5, 1.5, 0.8, 2.0, 1.5, 2.5, 2.0] at [-3.1, 3.1];
+        WattII [4.0, 1.0, 3.0, 2.5, 2.0, 1.0, 7.0, 0.5, 3.0, 2.5] at [-3.1, 3.1];
+        StephensonI [4.0, 1.0, 3.0, 2.5, 0.5, 1.0, 1.5, 1.0, 2.5, 2.0] at [-3.1, 3.1];
+        StephensonIIByElbow [4.0, 2.0, 1.5, 1.2, 3.0, 0.3, 1.0, 0.5, 1.6, 3.0] at [-3.1, 3.1];
+        StephensonIII [4.0, 1.0, 3.0, 2.5, 1.5, 1.0, 3.0, 5.0, 3.0, 2.5] at [-3.1, 3.1];
+        JansenLeg [
+            38.0, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49.0, 50.0, 61.9, 7.8, 15.0
+        ] at [-3.1, 3.1];
+        AndrewsSqueezer [
+            0.007, 0.028, 0.035, 0.02, 0.04, 0.02, 0.04, -0.06934, -0.00227, -0.03635, 0.03273
+        ] at [-1.0, 1.0];
     }
 
     /// The library's mechanisms with coupled blocks, the assemblies of which have no names.

@@ -10,6 +10,7 @@ use kin_core::series::Series;
 use kin_core::{TrackError, track};
 use kin_tests::mechanisms::multi_loop::{FourBarsInSeries, GearedYoke, WattSixBar, Whitworth};
 use kin_tests::random::Random;
+use kin_tests::samples;
 
 const CRANK_ROCKER: FourBar = FourBar {
     r1: 90.0,
@@ -105,7 +106,7 @@ fn condition_of_limit(r1: f64, r2: f64, diagonal: f64, angle: f64) -> f64 {
 fn four_bars_stop_at_their_limits() {
     let mut random = Random::new(7);
     let mut found = [0; 2];
-    for round in 0..400 {
+    for round in 0..samples::of(400) {
         let scale = [1e-6, 1e-3, 1.0, 1e6][round % 4];
         let [r1, r2, r3, r4] = [(); 4].map(|()| scale * random.between(0.2, 1.0));
         let linkage = FourBar { r1, r2, r3, r4 };
@@ -144,7 +145,7 @@ fn four_bars_stop_at_their_limits() {
 #[test]
 fn slider_cranks_stop_where_the_rod_is_at_right_angles() {
     let mut random = Random::new(8);
-    for round in 0..200 {
+    for round in 0..samples::of(200) {
         let scale = [1e-6, 1.0, 1e6][round % 3];
         let (l, h) = (random.between(0.2, 0.9), random.between(-0.1, 0.1));
         for assembly in Assembly::BOTH {

@@ -6,12 +6,13 @@ use kin_core::prelude::*;
 use kin_core::{TrackError, track};
 use kin_tests::mechanisms::coupled::{Built, Kepler, RelativeDrive, StephensonThree, Triad};
 use kin_tests::random::Random;
+use kin_tests::samples;
 
 /// Kepler's equation turns back where cos E = 1 / e, if e > 1: one root of three is left there.
 #[test]
 fn kepler_turns_back() {
     let mut random = Random::new(21);
-    for _ in 0..200 {
+    for _ in 0..samples::of(200) {
         let eccentricity = random.between(1.01, 6.0);
         let mechanism = Kepler { eccentricity };
         let fold = (1.0 / eccentricity).acos();
@@ -50,7 +51,7 @@ fn kepler_turns_back() {
 fn a_relative_drive_stops_where_ground_and_rocker_are_in_line() {
     let mut random = Random::new(22);
     let mut found = 0;
-    for round in 0..300 {
+    for round in 0..samples::of(300) {
         let scale = [1e-6, 1.0, 1e6][round % 3];
         let [r1, r2, r3, r4] = [(); 4].map(|()| scale * random.between(0.3, 1.0));
         let mechanism = RelativeDrive { r1, r2, r3, r4 };
@@ -206,7 +207,7 @@ where
 fn triads() {
     let mut random = Random::new(23);
     let mut tally = std::collections::BTreeMap::new();
-    for round in 0..50 {
+    for round in 0..samples::of(50) {
         let [theta, alpha, beta, gamma, phi] = [(); 5].map(|()| random.between(-3.0, 3.0));
         let [a, b, c, p, q] = [(); 5].map(|()| random.between(0.5, 2.0));
         // small cranks often go all the way round
@@ -229,7 +230,7 @@ fn triads() {
 fn six_bars_driven_at_the_far_dyad() {
     let mut random = Random::new(24);
     let mut tally = std::collections::BTreeMap::new();
-    for round in 0..50 {
+    for round in 0..samples::of(50) {
         let [theta2, theta3, theta5, theta6] = [(); 4].map(|()| random.between(-3.0, 3.0));
         let [r2, r3, r5, x, y, r1] = [(); 6].map(|()| random.between(0.5, 2.0));
         let r6 = if round % 2 == 0 {

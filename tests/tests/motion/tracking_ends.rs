@@ -9,6 +9,7 @@ use kin_core::{SolveError, TrackError, TrackErrorOf, track};
 use kin_tests::mechanisms::dyads::FourBarOnGround;
 use kin_tests::mechanisms::scalar_forms::ExplicitFunctions;
 use kin_tests::random::Random;
+use kin_tests::samples;
 
 mechanism! {
     struct Root { l: Length, m: Length }
@@ -89,7 +90,7 @@ fn the_domain_of_a_root_ends_where_it_does() {
     is_end_of(&failure_of(&root, 0.1, 2.0), "sqrt", "y", end, 4.0 * f64::EPSILON);
 
     let mut random = Random::new(41);
-    for round in 0..200 {
+    for round in 0..samples::of(200) {
         let unit = [1.0, 1e-6, 1e6][round % 3];
         let m = unit * random.between(0.5, 3.0);
         let part = random.between(0.05, 0.999);
@@ -108,7 +109,7 @@ fn the_domain_of_a_root_ends_where_it_does() {
 fn blocks_before_and_after_do_not_change_that() {
     let mut random = Random::new(42);
     let mut found = 0;
-    for _ in 0..40 {
+    for _ in 0..samples::of(40) {
         let (crank, pivot) = (random.between(0.2, 0.9), random.between(1.0, 2.0));
         let mechanism: RootBetween = RootBetween {
             l: random.between(0.1, 0.9) * crank / pivot,
@@ -135,7 +136,7 @@ fn blocks_before_and_after_do_not_change_that() {
 #[test]
 fn the_domains_of_arcs_and_logarithms_end_where_they_do() {
     let mut random = Random::new(43);
-    for _ in 0..100 {
+    for _ in 0..samples::of(100) {
         let m = random.between(0.5, 3.0);
         let part = random.between(-0.8, 0.99);
         let end = part.asin();
@@ -183,7 +184,7 @@ fn the_domain_of_a_function_of_a_coupled_unknown_ends() {
     // y + sin(y) / 10 is a right angle there.
     let last = (0..60).fold(FRAC_PI_2, |y: f64, _| FRAC_PI_2 - y.sin() / 10.0);
     let mut worst: f64 = 0.0;
-    for _ in 0..50 {
+    for _ in 0..samples::of(50) {
         let slope = random.between(0.1, 0.9);
         let mechanism: ArcOfUnknown = ArcOfUnknown { slope };
         let Err(TrackError::Failed(error)) = track(&mechanism, [0.0], [0.0], [4.0]) else {
@@ -243,7 +244,7 @@ mechanism! {
 #[test]
 fn what_runs_to_infinity_is_said_to() {
     let mut random = Random::new(45);
-    for _ in 0..100 {
+    for _ in 0..samples::of(100) {
         let unit = 10.0_f64.powf(random.between(-8.0, 8.0));
         let mut point = || Plane::new(unit * random.between(-1.0, 1.0), unit * random.between(-1.0, 1.0));
         let (pivot, other) = (point(), point());
@@ -293,7 +294,7 @@ fn from_beside(
 fn a_start_beside_a_limit_goes_back_or_ends_at_it() {
     let mut random = Random::new(46);
     let mut nearest: f64 = 1.0;
-    for _ in 0..40 {
+    for _ in 0..samples::of(40) {
         let [r1, r2, r3, r4] = [(); 4].map(|()| random.between(0.3, 1.0));
         let linkage = FourBar { r1, r2, r3, r4 };
         let Some(range) = linkage.crank_range() else { continue };
@@ -333,7 +334,7 @@ fn a_start_beside_a_limit_goes_back_or_ends_at_it() {
 fn a_start_beside_a_change_point_goes_back_or_ends_at_it() {
     let mut random = Random::new(47);
     let mut nearest: f64 = 1.0;
-    for round in 0..40 {
+    for round in 0..samples::of(40) {
         let (long, short) = (random.between(0.6, 1.0), random.between(0.3, 0.55));
         // parallelograms and kites: both are folded at 0, the first ones also stretched at π
         let is_kite = round % 2 == 0;

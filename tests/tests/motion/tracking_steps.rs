@@ -10,6 +10,7 @@ use kin_tests::mechanisms::coupled::Triad;
 use kin_tests::mechanisms::dyads::FourBarOnGround;
 use kin_tests::mechanisms::slider_crank_typings::SliderCrankDrivenAtSlider;
 use kin_tests::random::Random;
+use kin_tests::samples;
 
 mechanism! {
     /// A dyad on the second angle of that loop.
@@ -177,7 +178,7 @@ fn a_way_shorter_than_rounding_lets_see_ends_at_its_limits() {
 fn four_bars_of_extreme_proportions() {
     let (mut random, mut tally) = (Random::new(31), Tally::default());
     let mut unclear = 0;
-    for _ in 0..300 {
+    for _ in 0..samples::of(300) {
         let [a, b, c] = [(); 3].map(|()| length(&mut random));
         let [q, u, v] = [(); 3].map(|()| angle(&mut random));
         let ground = minus(plus(at(a, q), at(b, u)), at(c, v));
@@ -213,7 +214,7 @@ fn other_mechanisms_of_extreme_proportions() {
     let mut random = Random::new(32);
     let mut tallies = [(); 5].map(|()| Tally::default());
     let [six_bars, sliders, pumps, levers, triads] = &mut tallies;
-    for _ in 0..120 {
+    for _ in 0..samples::of(120) {
         let [a, b, c, d, e, f] = [(); 6].map(|()| length(&mut random));
         let [q, u, v, x, y, turn] = [(); 6].map(|()| angle(&mut random));
         let joint = plus(at(a, q), at(b, u));

@@ -124,8 +124,19 @@ impl Measure for Single {
     }
 }
 
+/// The mechanisms that are measured without the feature `every-case`.
+const FEW: [&str; 4] = ["FourBar", "OffsetSliderCrank", "ScotchYoke", "Rssr"];
+
 impl<F: Measure> Visitor for Table<F> {
     fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        if cfg!(not(feature = "every-case")) && !FEW.contains(&M::DESCRIPTION.name) {
+            assert!(
+                self.rows.remove(M::DESCRIPTION.name).is_some(),
+                "{}",
+                M::DESCRIPTION.name
+            );
+            return;
+        }
         let poses = poses::<M>(&case);
         for pose in &poses {
             *self.kinds.entry(pose.kind).or_default() += 1;
@@ -168,8 +179,10 @@ fn check(heading: &str, measure: impl Measure) -> BTreeMap<Kind, usize> {
 #[test]
 fn double_precision() {
     let kinds = check("## Double precision", Double);
-    assert_eq!(kinds.len(), 6, "{kinds:?}");
-    assert!(kinds.values().all(|count| *count >= 100), "{kinds:?}");
+    if cfg!(feature = "every-case") {
+        assert_eq!(kinds.len(), 6, "{kinds:?}");
+        assert!(kinds.values().all(|count| *count >= 100), "{kinds:?}");
+    }
 }
 
 #[test]

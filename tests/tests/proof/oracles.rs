@@ -11,6 +11,7 @@ use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::oracles::{Reported, Worst};
 use kin_tests::random::Random;
+use kin_tests::samples;
 
 /// Holds a mechanism against both oracles, on a grid of inputs with random rates; the dimensions vary by up to a tenth.
 struct Prove;
@@ -19,7 +20,7 @@ impl Visitor for Prove {
     fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let mut random = Random::new(M::DESCRIPTION.name.bytes().map(u64::from).sum());
         let mut worst = Worst::default();
-        for _ in 0..8 {
+        for _ in 0..samples::of(8) {
             let mechanism: M = case.varied(&mut random);
             for step in 0..16 {
                 let fraction = (f64::from(step) + random.between(0.0, 1.0)) / 16.0;
@@ -50,7 +51,7 @@ groups! { four_bars slider_cranks inverted_slider_cranks loops chains scalars ra
 fn prove_with<M: ThroughSnap>(name: &str, mut dimension: impl FnMut(&mut Random, usize) -> f64) {
     let mut random = Random::new(M::DESCRIPTION.name.len() as u64);
     let mut worst = Worst::default();
-    for linkage in 0..40 {
+    for linkage in (0..40).take(samples::of(40)) {
         let mechanism = M::from_parameters(M::Parameters::from_fn(|index| dimension(&mut random, index)));
         for step in 0..12 {
             let angle = f64::from(30 * step + linkage % 7).to_radians();

@@ -10,6 +10,7 @@ use kin_tests::mechanisms::dyads::FiveBar;
 use kin_tests::mechanisms::outputs::{ClosureOutsideDomain, FourBarOutputs, OutputOutsideDomain};
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
+use kin_tests::samples;
 use num_dual::{HyperDual, HyperDual64};
 
 /// A number that holds the first four derivatives in time.
@@ -70,7 +71,8 @@ fn outputs_by_differentiation() {
                 return;
             }
             let mut random = Random::new(51);
-            for step in 0..64 {
+            let every = 64 / samples::of(64);
+            for step in (0..64).step_by(every) {
                 let mechanism: M = case.varied(&mut random);
                 let inputs = case.inputs::<M>(f64::from(step) / 64.0, &mut random);
                 for assembly in M::assemblies() {

@@ -17,12 +17,13 @@ use kin_tests::mechanisms::sensitive::{
 };
 use kin_tests::oracles::{ALLOWED, Gauge};
 use kin_tests::random::Random;
+use kin_tests::samples;
 use kin_tests::sensitivities::{Worst, at_run_time, generated};
 
 /// A grid of inputs with random rates; dimensions vary.
 fn grid<M: SensitiveThroughSnap>(case: Case, mut look: impl FnMut(&M, M::Inputs<Motion<f64, 5>>, M::Assembly)) {
     let mut random = Random::new(M::DESCRIPTION.name.bytes().map(u64::from).sum());
-    for _ in 0..8 {
+    for _ in 0..samples::of(8) {
         let mechanism: M = case.varied(&mut random);
         for step in 0..16 {
             let fraction = (f64::from(step) + random.between(0.0, 1.0)) / 16.0;
@@ -74,7 +75,7 @@ where
 {
     let mut random = Random::new(M::DESCRIPTION.name.bytes().map(u64::from).sum());
     let (mut worst, mut worst_at_run_time) = (Worst::default(), Worst::default());
-    for _ in 0..200 {
+    for _ in 0..samples::of(200) {
         let Built {
             mechanism,
             input,

@@ -148,7 +148,9 @@ fn tracking_does_not_allocate() {
         random: Random::new(6),
         arrived: 0,
     };
-    cases::library(&mut tracks);
+    cases::library_of_each_form(&mut tracks);
+    #[cfg(feature = "every-case")]
+    cases::library_besides(&mut tracks);
     cases::coupled_library(&mut tracks);
     println!("{} ways from one position to another", tracks.arrived);
     assert!(tracks.arrived > 200);

@@ -208,7 +208,9 @@ fn coupled_blocks_in_lanes() {
 #[test]
 fn mechanisms_of_all_kinds_in_every_assembly() {
     let mut compare = Compare::default();
-    cases::library(&mut compare);
+    cases::library_of_each_form(&mut compare);
+    #[cfg(feature = "every-case")]
+    cases::library_besides(&mut compare);
     cases::ranges(&mut compare);
     cases::with_outputs(&mut compare);
     cases::as_directions(&mut compare);

@@ -12,7 +12,7 @@ use kin_tests::mechanisms::multi_loop::TwoDyads;
 use kin_tests::random::Random;
 
 /// Poses of each form.
-const POSES: usize = 2000;
+const POSES: usize = kin_tests::samples::of(2000);
 
 /// By how much positions may differ at most: by the root of what is rounded, as both lie at a dead point.
 const CLOSE: f64 = 1e-6;
