@@ -67,7 +67,7 @@ pub(crate) fn formulas(
     let partials = partials(&mut graph, model, residuals);
     let residuals = Residuals::new(declaration, model, &names, residuals);
     let position = {
-        let mut solutions = Solutions::new(&mut graph, model, &names, &residuals);
+        let mut solutions = Solutions::new(&mut graph, &names, &residuals);
         blocks.iter().map(|block| formula(&solutions.block(block))).collect()
     };
     let velocity = blocks

@@ -8,13 +8,11 @@ use super::names::Names;
 use super::rates::{Residuals, change_over};
 use super::term::{Line, Term};
 use crate::algebra::{Function, Graph, Node, Symbol};
-use crate::model::Model;
 use crate::structure::{Arm, Block, ClosedForm, ComplexNode, Method, Part};
 
 /// The solutions of parts. The names that they introduce hold for one part each.
 pub(super) struct Solutions<'a> {
     pub(super) graph: &'a mut Graph,
-    pub(super) model: &'a Model,
     pub(super) names: &'a Names,
     pub(super) residuals: &'a Residuals<'a>,
     /// The results that later formulas of the same part use.
@@ -22,15 +20,9 @@ pub(super) struct Solutions<'a> {
 }
 
 impl<'a> Solutions<'a> {
-    pub(super) const fn new(
-        graph: &'a mut Graph,
-        model: &'a Model,
-        names: &'a Names,
-        residuals: &'a Residuals<'a>,
-    ) -> Self {
+    pub(super) const fn new(graph: &'a mut Graph, names: &'a Names, residuals: &'a Residuals<'a>) -> Self {
         Self {
             graph,
-            model,
             names,
             residuals,
             results: BTreeMap::new(),
@@ -414,12 +406,12 @@ impl<'a> Solutions<'a> {
         let symbols: BTreeSet<Symbol> = reachable.filter_map(|node| self.graph.as_symbol(node)).collect();
         let inputs = (0..self.model.inputs.len()).map(Symbol::Input);
         let unknowns = (0..self.model.unknowns.len()).map(Symbol::Unknown);
-        let contained = inputs
+        let varying = inputs
             .chain(unknowns)
             .chain(self.results.keys().copied())
             .filter(|symbol| symbols.contains(symbol));
         let names =
-            contained.filter_map(|symbol| self.names.symbol(symbol).or_else(|| self.results.get(&symbol).cloned()));
+            varying.filter_map(|symbol| self.names.symbol(symbol).or_else(|| self.results.get(&symbol).cloned()));
         let names: Vec<Term> = names.map(Term::Name).collect();
         if names.is_empty() {
             Term::Words("constant")

@@ -137,6 +137,20 @@ fn names_are_told_apart() {
     );
 }
 
+/// A solution that is too long to be read names the result of an inverted function that it needs.
+#[test]
+fn long_solutions_name_what_they_depend_on() {
+    let formulas = formulas_of(quote! {
+        struct Rssr { crank: Length, pivot: Point3, axis: Vector3, arm: Vector3, factor: Length }
+        input theta: Angle;
+        unknown reach: Length;
+        let coupler = pivot + rot(axis, theta) * arm - rot_z(theta) * vec3(crank, 0, 0);
+        exp(reach * norm(coupler) * norm(cross(axis, coupler)) / powi(factor, 4)) == 2 + sin(theta);
+    });
+    let text = &formulas.position[0].text;
+    assert_eq!(text, "y = ln(sin(θ) + 2)\nreach = h(θ, y)");
+}
+
 /// Parentheses stand where they are needed, and nowhere else.
 #[test]
 fn parentheses_stand_where_they_are_needed() {
