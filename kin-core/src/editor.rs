@@ -90,11 +90,10 @@ pub mod requests {
 }
 
 macro_rules! functions {
-    ($($(#[$attributes:meta])* $name:ident($first:ident $(, $argument:ident: $kind:ident)*) -> $value:ty;)*) => {
+    ($($(#[$attributes:meta])* $name:ident -> $value:ty;)*) => {
         $(
             $(#[$attributes])*
-            pub fn $name<$first, $($kind),*>(_: $first $(, $argument: $kind)*) -> $value {
-                $(let _ = $argument;)*
+            pub fn $name<Arguments>(_: Arguments) -> $value {
                 unreachable!()
             }
         )*
@@ -103,8 +102,7 @@ macro_rules! functions {
         pub trait Methods: Sized {
             $(
                 $(#[$attributes])*
-                fn $name<$($kind),*>(self $(, $argument: $kind)*) -> $value {
-                    $(let _ = $argument;)*
+                fn $name<Arguments>(self, _: Arguments) -> $value {
                     unreachable!()
                 }
             )*
@@ -112,63 +110,64 @@ macro_rules! functions {
     };
 }
 
+// the arguments are one tuple, so that their number, which the macro checks, is no error here
 functions! {
-    /// The sine of an angle.
-    sin(Of) -> Scalar;
-    /// The cosine of an angle.
-    cos(Of) -> Scalar;
-    /// The tangent of an angle.
-    tan(Of) -> Scalar;
-    /// The angle with this sine.
-    asin(Of) -> Angle;
-    /// The angle with this cosine.
-    acos(Of) -> Angle;
-    /// The angle with this tangent.
-    atan(Of) -> Angle;
+    /// `sin(angle)`: the sine.
+    sin -> Scalar;
+    /// `cos(angle)`: the cosine.
+    cos -> Scalar;
+    /// `tan(angle)`: the tangent.
+    tan -> Scalar;
+    /// `asin(x)`: the angle with the sine x.
+    asin -> Angle;
+    /// `acos(x)`: the angle with the cosine x.
+    acos -> Angle;
+    /// `atan(x)`: the angle with the tangent x.
+    atan -> Angle;
     /// `atan2(y, x)`: the angle of the vector (x, y).
-    atan2(Of, x: X) -> Angle;
-    /// The hyperbolic sine of a number.
-    sinh(Of) -> Scalar;
-    /// The hyperbolic cosine of a number.
-    cosh(Of) -> Scalar;
-    /// The hyperbolic tangent of a number.
-    tanh(Of) -> Scalar;
-    /// The number with this hyperbolic sine.
-    asinh(Of) -> Scalar;
-    /// The number with this hyperbolic cosine.
-    acosh(Of) -> Scalar;
-    /// The number with this hyperbolic tangent.
-    atanh(Of) -> Scalar;
-    /// The square root of a scalar, with half the power of length.
-    sqrt(Of) -> Scalar;
-    /// The exponential of a number.
-    exp(Of) -> Scalar;
-    /// The natural logarithm of a number.
-    ln(Of) -> Scalar;
-    /// `powi(x, 2)`: the power of a scalar with a whole exponent, written out.
-    powi(Of, exponent: Exponent) -> Scalar;
-    /// The unit vector of the plane at an angle.
-    cis(Of) -> Vector;
+    atan2 -> Angle;
+    /// `sinh(x)`: the hyperbolic sine.
+    sinh -> Scalar;
+    /// `cosh(x)`: the hyperbolic cosine.
+    cosh -> Scalar;
+    /// `tanh(x)`: the hyperbolic tangent.
+    tanh -> Scalar;
+    /// `asinh(x)`: the number with the hyperbolic sine x.
+    asinh -> Scalar;
+    /// `acosh(x)`: the number with the hyperbolic cosine x.
+    acosh -> Scalar;
+    /// `atanh(x)`: the number with the hyperbolic tangent x.
+    atanh -> Scalar;
+    /// `sqrt(x)`: the square root, with half the power of length.
+    sqrt -> Scalar;
+    /// `exp(x)`: the exponential.
+    exp -> Scalar;
+    /// `ln(x)`: the natural logarithm.
+    ln -> Scalar;
+    /// `powi(x, 2)`: the power with a whole exponent, which is written out.
+    powi -> Scalar;
+    /// `cis(angle)`: the unit vector of the plane at an angle.
+    cis -> Vector;
     /// `polar(length, angle)`: the plane vector of a length at an angle.
-    polar(Of, angle: Angle) -> Vector;
+    polar -> Vector;
     /// `vec2(x, y)`: a plane vector.
-    vec2(Of, y: Y) -> Vector;
+    vec2 -> Vector;
     /// `vec3(x, y, z)`: a space vector.
-    vec3(Of, y: Y, z: Z) -> Vector3;
-    /// The rotation by an angle about the x axis.
-    rot_x(Of) -> Rotation;
-    /// The rotation by an angle about the y axis.
-    rot_y(Of) -> Rotation;
-    /// The rotation by an angle about the z axis.
-    rot_z(Of) -> Rotation;
-    /// `rot(axis, angle)`: the rotation by an angle about a space vector.
-    rot(Of, angle: Angle) -> Rotation;
-    /// The inner product of two vectors of one kind.
-    dot(Of, other: Other) -> Scalar;
-    /// The cross product of two vectors: a scalar in the plane, a vector in space.
-    cross(Of, other: Other) -> Quantity;
-    /// The length of a vector.
-    norm(Of) -> Scalar;
+    vec3 -> Vector3;
+    /// `rot_x(angle)`: the rotation about the x axis.
+    rot_x -> Rotation;
+    /// `rot_y(angle)`: the rotation about the y axis.
+    rot_y -> Rotation;
+    /// `rot_z(angle)`: the rotation about the z axis.
+    rot_z -> Rotation;
+    /// `rot(axis, angle)`: the rotation about a space vector.
+    rot -> Rotation;
+    /// `dot(a, b)`: the inner product of two vectors of one kind.
+    dot -> Scalar;
+    /// `cross(a, b)`: the cross product of two vectors, a scalar in the plane and a vector in space.
+    cross -> Quantity;
+    /// `norm(v)`: the length of a vector.
+    norm -> Scalar;
 }
 
 impl Methods for Length {}

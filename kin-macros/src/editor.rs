@@ -190,15 +190,11 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
     written
 }
 
-/// The arguments of a function.
+/// The arguments of a function, as one tuple.
 fn arguments(tokens: &TokenStream, known: &BTreeSet<String>, runtime: &TokenStream) -> TokenStream {
-    items(&trees(tokens))
-        .iter()
-        .map(|argument| {
-            let operands = operands(argument, known, runtime);
-            quote!((#operands),)
-        })
-        .collect()
+    let arguments = items(&trees(tokens));
+    let arguments = arguments.iter().map(|argument| operands(argument, known, runtime));
+    quote!((#((#arguments),)*))
 }
 
 /// A name in an expression. An unknown one is declared behind its use, so that the editor adds no error to the macro's

@@ -201,6 +201,8 @@ impl<'a> Outline<'a> {
                 Some(vector) => quote!(pub #field: #runtime::Motion<#runtime::#vector<T>, #length>),
                 None => quote!(pub #field: #runtime::Motion<T, #length>),
             });
+        let is_empty = self.inputs.is_empty() && self.unknowns.is_empty() && self.outputs.is_empty();
+        let nothing = is_empty.then(|| quote!(nothing: ::core::marker::PhantomData<T>));
         quote_spanned! {Span::mixed_site()=>
             #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
             #[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic)]
@@ -208,7 +210,7 @@ impl<'a> Outline<'a> {
                 #(#inputs,)*
                 #(#unknowns,)*
                 #(#outputs,)*
-                nothing: ::core::marker::PhantomData<T>,
+                #nothing
             }
         }
     }
@@ -281,21 +283,13 @@ impl<'a> Outline<'a> {
 
     /// Whether a range or an explicit formula chooses the solution of every equation, as far as they can be read.
     fn has_one_assembly(&self) -> bool {
-        let is_unknown = |name: &Ident| self.unknowns.iter().any(|unknown| unknown.quantity.name == *name);
-        let is_chosen = |name: &Ident| {
-            let of_name = self.unknowns.iter().find(|unknown| unknown.quantity.name == *name);
-            of_name.is_some_and(|unknown| unknown.range.is_some())
-        };
-        self.declaration.statements.iter().all(|statement| {
-            let Statement::Equation(equation) = statement else {
-                return true;
-            };
-            let mut chosen = false;
-            for side in [&equation.left, &equation.right] {
-                chosen |= side.name().is_some_and(is_unknown);
-                side.visit_names(&mut |name| chosen |= is_chosen(name));
-            }
-            chosen
-        })
+        let is_unknown = |name: &str| self.unknowns.iter().any(|unknown| unknown.quantity.name == name);
+        let chosen = self.unknowns.iter().filter(|unknown| unknown.range.is_some());
+        let chosen: BTreeSet<String> = chosen.map(|unknown| unknown.quantity.name.to_string()).collect();
+        let equations = self.declaration.equations();
+        !equations.is_empty()
+            && equations.iter().all(|equation| {
+                !equation.names.is_disjoint(&chosen) || equation.alone.as_deref().is_some_and(is_unknown)
+            })
     }
 }

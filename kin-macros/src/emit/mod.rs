@@ -18,8 +18,8 @@ use crate::translate::skeleton;
 pub(crate) use compiled::pose_name;
 use compiled::{Compiled, local};
 use items::{
-    assembly, batch, description, every, formulas, interface, page, poses, position, readable, sensitivities, solve,
-    stored, test, track, transmission, values,
+    assembly, batch, description, every, formulas, interface, internal, page, poses, position, readable, sensitivities,
+    solve, stored, test, track, transmission, values,
 };
 
 /// The whole expansion of a declaration.
@@ -67,8 +67,12 @@ pub(crate) fn tokens(
         sensitivities::method(inside),
         transmission::tokens(inside),
         picture.method,
-        solve::shared(inside),
     ];
+    let mut internals = vec![position::internal(inside)];
+    internals.extend(solve::internal(inside));
+    internals.extend(assembly::internal(inside));
+    let of_f64: Vec<_> = every::internal(inside).into_iter().collect();
+    let internals = internal::tokens(inside, &internals, &of_f64);
     let further = [
         poses::tokens(inside),
         values::tokens(inside),
@@ -88,6 +92,8 @@ pub(crate) fn tokens(
         impl<T: #alias::Scalar> #name<T> {
             #(#methods)*
         }
+
+        #internals
 
         #(#further)*
     };

@@ -56,6 +56,8 @@ pub(super) struct Scope<'a> {
     meant: BTreeSet<String>,
     /// Names that are declared more than once. Which declaration is used cannot be said.
     twice: BTreeSet<String>,
+    /// Whether a function has no arguments. The names that it would have used are unknown.
+    lacks_arguments: bool,
 }
 
 impl<'a> Scope<'a> {
@@ -66,6 +68,7 @@ impl<'a> Scope<'a> {
             declaration,
             meant: BTreeSet::new(),
             twice: BTreeSet::new(),
+            lacks_arguments: false,
         }
     }
 
@@ -142,6 +145,7 @@ impl<'a> Scope<'a> {
             return format!("`{word}` is a keyword of Rust and cannot be a name; choose another one");
         }
         if let Some(form) = form(word) {
+            self.lacks_arguments = true;
             return format!("`{word}` is a function: write its arguments, as in `{form}`");
         }
         let broken = &self.declaration.broken;
@@ -181,9 +185,9 @@ impl<'a> Scope<'a> {
     }
 
     /// Whether a name counts as used, because a reported mistake is about it: a misspelt name was probably meant for it,
-    /// or it is declared twice.
+    /// it is declared twice, or a function lacks its arguments.
     pub(super) fn is_meant(&self, word: &str) -> bool {
-        self.meant.contains(word) || self.twice.contains(word)
+        self.meant.contains(word) || self.twice.contains(word) || self.lacks_arguments
     }
 }
 

@@ -70,14 +70,6 @@ impl Formula {
         Ok(Self { kind, extent, depth })
     }
 
-    /// The name, if the formula is nothing else.
-    pub(crate) fn name(&self) -> Option<&Ident> {
-        match &self.kind {
-            FormulaKind::Name(name) => Some(name),
-            _ => None,
-        }
-    }
-
     /// Calls `visit` on every name in the formula, in source order.
     pub(crate) fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(&'a Ident)) {
         match &self.kind {

@@ -306,7 +306,41 @@ fn read(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
     Some(declaration)
 }
 
+/// The names of an equation, readable or not.
+pub(crate) struct Mentions {
+    pub(crate) names: BTreeSet<String>,
+    /// The name that is the whole left side.
+    pub(crate) alone: Option<String>,
+}
+
 impl Declaration {
+    /// The statements that are equations, or might become equations.
+    pub(crate) fn equations(&self) -> Vec<Mentions> {
+        let is_equation = |tokens: &&TokenStream| {
+            let mut tokens = (*tokens).clone().into_iter();
+            let (first, second) = (tokens.next(), tokens.next());
+            !matches!(
+                (first, second),
+                (Some(TokenTree::Ident(_)), Some(TokenTree::Ident(_))) | (None, _)
+            )
+        };
+        let equations = self.source.iter().filter(is_equation);
+        equations
+            .map(|tokens| {
+                let mut names = BTreeSet::new();
+                split::mentioned_names(tokens, &mut names);
+                let start: Vec<TokenTree> = tokens.clone().into_iter().take(2).collect();
+                let alone = match start.as_slice() {
+                    [TokenTree::Ident(name), TokenTree::Punct(equals)] if equals.as_char() == '=' => {
+                        Some(name.to_string())
+                    }
+                    _ => None,
+                };
+                Mentions { names, alone }
+            })
+            .collect()
+    }
+
     /// Remembers the names in an unreadable stretch of source, so that they cause no further errors.
     fn poison(&mut self, tokens: &TokenStream) {
         self.complete = false;

@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 use super::values;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, attributes};
+use crate::emit::items::internal::Internal;
 use crate::emit::text::Text;
 use crate::program::Step;
 
@@ -161,83 +162,118 @@ pub(in crate::emit) fn list(mechanism: &Compiled<'_>) -> TokenStream {
 
 /// `assembly_at`: the orientation of each block for given values of the unknowns.
 fn finder(mechanism: &Compiled<'_>) -> TokenStream {
-    let choices = mechanism.choices();
-    if choices.is_empty() {
+    if mechanism.choices().is_empty() {
         return TokenStream::new();
+    }
+    let kind = mechanism.assembly_type();
+    let inputs = mechanism.input_names();
+    let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
+    let near = mechanism.own("near");
+    let summary = format!(
+        " The assembly of a pose with unknowns near `[{}]`: the side of the singular positions on which they lie.",
+        mechanism.unknown_order()
+    );
+    let body = if mechanism.is_coupled() {
+        quote!(self.__side(#(#inputs,)* #near).0)
+    } else {
+        let Sides { way, result, .. } = Sides::new(mechanism);
+        quote!(#way #result)
+    };
+    quote! {
+            #[doc = #summary]
+            #[must_use]
+            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
+                #body
+            }
+
+    }
+}
+
+/// `__side`: the assembly and the guess of a mechanism with coupled blocks.
+pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
+    if mechanism.choices().is_empty() || !mechanism.is_coupled() {
+        return None;
     }
     let runtime = mechanism.runtime;
     let kind = mechanism.assembly_type();
     let inputs = mechanism.input_names();
     let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
-    let program = &mechanism.solvers.orientations;
-    let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
     let near = mechanism.own("near");
-    let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
-    let symbols: Vec<Symbol> = (0..mechanism.model.unknowns.len()).map(Symbol::Unknown).collect();
-    let unknowns = values::bound(&text, &used, &symbols, &quote!(#near));
-    let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
-    let readings = text.readings(stage, &given);
-    let unused_inputs = inputs
-        .iter()
-        .zip(&given)
-        .filter(|(_, symbol)| !used.contains(symbol))
-        .map(|(input, _)| input);
-    let body = text.plain_steps(stage);
-    // abbreviations may come between the definitions of the orientations
-    let orientations: Vec<Ident> = mechanism
-        .solvers
-        .orientation_symbols
-        .iter()
-        .map(|&symbol| text.name(symbol))
-        .collect();
-    let signs: Vec<TokenStream> = orientations
-        .iter()
-        .map(|name| quote!(#runtime::Assembly::from_sign(#runtime::Number::real(#name))))
-        .collect();
-    let result = if let [sign] = signs.as_slice() {
-        sign.clone()
-    } else {
-        let (name, fields) = (mechanism.assembly_structure(), mechanism.assembly_fields());
-        quote!(#name { #(#fields: #signs),* })
-    };
-    let summary = format!(
-        " The assembly of a pose with unknowns near `[{}]`: the side of the singular positions on which they lie.",
-        mechanism.unknown_order()
-    );
-    let way = quote! {
-        #(let _ = #unused_inputs;)*
-        #readings
-        #unknowns
-        #body
-    };
-    let finder = if mechanism.is_coupled() {
-        let side = quote!(self.__side(#(#inputs,)* #near));
-        quote! {
-            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
-                #side.0
-            }
-
-            #[doc(hidden)]
+    let Sides {
+        way,
+        orientations,
+        result,
+    } = Sides::new(mechanism);
+    Some(Internal {
+        attributes: quote! {
             /// The assembly and the guess. If several poses are solved at once, the guess becomes NaN for poses in another
             /// assembly than the first one.
             #[inline(always)]
-            fn __side(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> (#kind, [T; #unknown_count]) {
-                #way
-                (#result, #runtime::solve::agreeing(#near, [#(#orientations),*]))
-            }
-        }
-    } else {
-        quote! {
-            pub fn assembly_at(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> #kind {
-                #way
-                #result
-            }
-        }
-    };
-    quote! {
-            #[doc = #summary]
-            #[must_use]
-            #finder
+        },
+        signature: quote! {
+            fn __side(&self, #(#inputs: T,)* #near: [T; #unknown_count]) -> (#kind, [T; #unknown_count])
+        },
+        body: quote! {
+            #way
+            (#result, #runtime::solve::agreeing(#near, [#(#orientations),*]))
+        },
+    })
+}
 
+/// The orientations of the blocks, from values of the unknowns.
+struct Sides {
+    /// The steps that find them.
+    way: TokenStream,
+    orientations: Vec<Ident>,
+    /// The assembly.
+    result: TokenStream,
+}
+
+impl Sides {
+    fn new(mechanism: &Compiled<'_>) -> Self {
+        let runtime = mechanism.runtime;
+        let inputs = mechanism.input_names();
+        let program = &mechanism.solvers.orientations;
+        let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
+        let near = mechanism.own("near");
+        let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
+        let symbols: Vec<Symbol> = (0..mechanism.model.unknowns.len()).map(Symbol::Unknown).collect();
+        let unknowns = values::bound(&text, &used, &symbols, &quote!(#near));
+        let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
+        let readings = text.readings(stage, &given);
+        let unused_inputs = inputs
+            .iter()
+            .zip(&given)
+            .filter(|(_, symbol)| !used.contains(symbol))
+            .map(|(input, _)| input);
+        let body = text.plain_steps(stage);
+        // abbreviations may come between the definitions of the orientations
+        let orientations: Vec<Ident> = mechanism
+            .solvers
+            .orientation_symbols
+            .iter()
+            .map(|&symbol| text.name(symbol))
+            .collect();
+        let signs: Vec<TokenStream> = orientations
+            .iter()
+            .map(|name| quote!(#runtime::Assembly::from_sign(#runtime::Number::real(#name))))
+            .collect();
+        let result = if let [sign] = signs.as_slice() {
+            sign.clone()
+        } else {
+            let (name, fields) = (mechanism.assembly_structure(), mechanism.assembly_fields());
+            quote!(#name { #(#fields: #signs),* })
+        };
+        let way = quote! {
+            #(let _ = #unused_inputs;)*
+            #readings
+            #unknowns
+            #body
+        };
+        Self {
+            way,
+            orientations,
+            result,
+        }
     }
 }

@@ -5,6 +5,7 @@ use quote::quote;
 
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
+use crate::emit::items::internal::Internal;
 use crate::emit::text::Text;
 use crate::program::{Expression, Program};
 
@@ -58,18 +59,13 @@ pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
 
 /// The method `assemblies_at`, if all assemblies can be found.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
-    let Some((program, paths)) = search(mechanism) else {
+    let Some((_, paths)) = search(mechanism) else {
         return TokenStream::new();
     };
-    let (text, stage) = (Text::of_every(mechanism, program), &program.stages[0]);
     let runtime = mechanism.runtime;
     let inputs = mechanism.input_names();
     let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
     let capacity = Literal::usize_unsuffixed(paths);
-    let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
-    let readings = text.readings(stage, &given);
-    let body = text.position_steps(stage);
-    let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
     let [way, near] = ["choices", "near"].map(|name| mechanism.own(name));
     let lines = mechanism
         .blocks
@@ -106,18 +102,36 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
                 )
             }
 
-            #[doc(hidden)]
+    }
+}
+
+/// `__one_of_all`: the unknowns of one assembly, as the choices on the way say.
+pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
+    let (program, _) = search(mechanism)?;
+    let (text, stage) = (Text::of_every(mechanism, program), &program.stages[0]);
+    let runtime = mechanism.runtime;
+    let inputs = mechanism.input_names();
+    let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
+    let given: Vec<Symbol> = (0..mechanism.model.inputs.len()).map(Symbol::Input).collect();
+    let readings = text.readings(stage, &given);
+    let body = text.position_steps(stage);
+    let unknowns = (0..mechanism.model.unknowns.len()).map(|index| mechanism.name_of(Symbol::Unknown(index)));
+    let way = mechanism.own("choices");
+    Some(Internal {
+        attributes: TokenStream::new(),
+        signature: quote! {
             fn __one_of_all(
                 &self,
                 #(#inputs: ::core::primitive::f64,)*
                 #way: &mut #runtime::Choices,
-            ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError> {
-                use #runtime::Number as _;
-                type T = ::core::primitive::f64;
-                #readings
-                #body
-                ::core::result::Result::Ok([#(#unknowns),*])
-            }
-
-    }
+            ) -> ::core::result::Result<[::core::primitive::f64; #count], #runtime::SolveError>
+        },
+        body: quote! {
+            use #runtime::Number as _;
+            type T = ::core::primitive::f64;
+            #readings
+            #body
+            ::core::result::Result::Ok([#(#unknowns),*])
+        },
+    })
 }

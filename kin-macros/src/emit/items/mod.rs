@@ -8,6 +8,7 @@ pub(super) mod every;
 mod forms;
 pub(super) mod formulas;
 pub(super) mod interface;
+pub(super) mod internal;
 mod jacobian;
 pub(super) mod page;
 pub(super) mod poses;

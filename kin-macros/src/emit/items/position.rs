@@ -5,6 +5,7 @@ use quote::quote;
 
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
+use crate::emit::items::internal::Internal;
 use crate::emit::text::Text;
 use crate::model::{Dimension, Value};
 use crate::program::UnitPart;
@@ -17,20 +18,9 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let pose = mechanism.pose(0);
     let inputs = mechanism.input_names();
     let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
-    let assembly_then = if assembly.is_empty() {
-        TokenStream::new()
-    } else {
-        quote!(#assembly,)
-    };
     let value = if value.is_empty() { value } else { quote!(#value,) };
     let near = mechanism.own("near");
     let count = Literal::usize_unsuffixed(model.unknowns.len());
-    let stage = &mechanism.solvers.orders()[0];
-    let text = Text::of(mechanism, &mechanism.solvers.motion);
-    let given: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
-    let readings = text.readings(stage, &given);
-    let body = text.position_steps(stage);
-    let result = result(mechanism);
     let (found, near_choice) = if value.is_empty() {
         (TokenStream::new(), TokenStream::new())
     } else if mechanism.is_coupled() {
@@ -81,13 +71,10 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         let chosen = quote!(self.__position(#(#inputs,)* #then ::core::option::Option::None));
         (given, chosen)
     };
-    let (near_type, near_value) = if is_coupled {
-        (quote!([T; #count]), quote!(#near))
+    let near_value = if is_coupled {
+        quote!(#near)
     } else {
-        (
-            quote!(::core::option::Option<[T; #count]>),
-            quote!(::core::option::Option::Some(#near)),
-        )
+        quote!(::core::option::Option::Some(#near))
     };
     quote! {
             /// The position.
@@ -128,16 +115,41 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
                 self.__position(#(#inputs,)* #near_choice #near_value)
             }
 
-            #[doc(hidden)]
-            #[inline(always)]
-            fn __position(&self, #(#inputs: T,)* #assembly_then #near: #near_type)
-                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
-            {
-                #readings
-                #body
-                ::core::result::Result::Ok(#result)
-            }
+    }
+}
 
+/// The solver that `position` and `position_near` call.
+pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Internal {
+    let runtime = mechanism.runtime;
+    let model = mechanism.model;
+    let pose = mechanism.pose(0);
+    let inputs = mechanism.input_names();
+    let assembly = mechanism.assembly_argument();
+    let assembly = (!assembly.is_empty()).then(|| quote!(#assembly,));
+    let near = mechanism.own("near");
+    let count = Literal::usize_unsuffixed(model.unknowns.len());
+    let near_type = if mechanism.is_coupled() {
+        quote!([T; #count])
+    } else {
+        quote!(::core::option::Option<[T; #count]>)
+    };
+    let stage = &mechanism.solvers.orders()[0];
+    let text = Text::of(mechanism, &mechanism.solvers.motion);
+    let given: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
+    let readings = text.readings(stage, &given);
+    let body = text.position_steps(stage);
+    let result = result(mechanism);
+    Internal {
+        attributes: quote!(#[inline(always)]),
+        signature: quote! {
+            fn __position(&self, #(#inputs: T,)* #assembly #near: #near_type)
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+        },
+        body: quote! {
+            #readings
+            #body
+            ::core::result::Result::Ok(#result)
+        },
     }
 }
 

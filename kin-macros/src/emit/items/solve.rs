@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::emit::compiled::{Compiled, local};
+use crate::emit::items::internal::Internal;
 use crate::program::order_name;
 use crate::translate::closure;
 
@@ -69,7 +70,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
 }
 
 /// The code that `solve` and the position solvers share: the derivatives of a position, and the construction of errors.
-pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
+pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> [Internal; 2] {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let order = mechanism.order();
     let (pose, first_pose) = (mechanism.pose(order), mechanism.pose(0));
@@ -106,13 +107,16 @@ pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
         .collect();
     let field_labels = fields.iter().map(ToString::to_string);
     let labels: Vec<String> = inputs.iter().map(ToString::to_string).collect();
-    quote! {
-        /// Adds all derivatives to a position.
-        #[doc(hidden)]
-        #[inline(always)]
-        fn __complete(&self, #position: #first_pose<T>, #(#inputs: #runtime::Motion<T, #length>),*)
-            -> ::core::result::Result<#pose<T>, #runtime::SolveError>
-        {
+    let complete = Internal {
+        attributes: quote! {
+            /// Adds all derivatives to a position.
+            #[inline(always)]
+        },
+        signature: quote! {
+            fn __complete(&self, #position: #first_pose<T>, #(#inputs: #runtime::Motion<T, #length>),*)
+                -> ::core::result::Result<#pose<T>, #runtime::SolveError>
+        },
+        body: quote! {
             let #result = #position #steps;
             // if another rate were not finite, one of these would not be finite either
             if !(#(#tests)&&*) {
@@ -124,18 +128,22 @@ pub(in crate::emit) fn shared(mechanism: &Compiled<'_>) -> TokenStream {
                 ));
             }
             ::core::result::Result::Ok(#result)
-        }
-
-        /// An error with the block and the inputs. If a parameter or an input is not finite, the error names it.
-        #[doc(hidden)]
-        #[cold]
-        fn __failed(
-            &self,
-            #failure: #runtime::Failure,
-            #block: &'static ::core::primitive::str,
-            #(#inputs: T),*
-        ) -> #runtime::SolveError {
-            #runtime::failed(self, #failure, #block, [#(#inputs),*])
-        }
-    }
+        },
+    };
+    let failed = Internal {
+        attributes: quote! {
+            /// An error with the block and the inputs. If a parameter or an input is not finite, the error names it.
+            #[cold]
+        },
+        signature: quote! {
+            fn __failed(
+                &self,
+                #failure: #runtime::Failure,
+                #block: &'static ::core::primitive::str,
+                #(#inputs: T),*
+            ) -> #runtime::SolveError
+        },
+        body: quote!(#runtime::failed(self, #failure, #block, [#(#inputs),*])),
+    };
+    [complete, failed]
 }
