@@ -3,6 +3,7 @@
 mod block_forms;
 mod calls;
 mod directions;
+mod editor;
 mod hygiene;
 mod interface;
 mod long_and_deep;
