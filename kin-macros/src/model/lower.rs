@@ -107,7 +107,9 @@ impl Lowering<'_, '_> {
                 product?
             }
             FormulaKind::Call { callee, arguments, .. } => {
-                if let (Callee::Elementary(Function::Exp), [argument]) = (callee, arguments.as_slice()) {
+                if let (Callee::Elementary(function), [argument]) = (callee, arguments.as_slice())
+                    && function.name() == "exp"
+                {
                     self.expect_real(formula, argument)?;
                 }
                 let typed: Vec<Option<Typed>> = arguments.iter().map(|argument| self.formula(argument)).collect();

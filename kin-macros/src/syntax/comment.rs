@@ -5,28 +5,45 @@ use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
 /// The place of the first `#` that begins no attribute, and the tokens without such marks. `None` if there is none.
 pub(super) fn without_mark(tokens: &TokenStream) -> Option<(Span, TokenStream)> {
-    let mut first = None;
-    let rest = strip(tokens.clone(), &mut first);
-    first.map(|mark| (mark, rest))
+    first_mark(tokens).map(|mark| (mark, strip(tokens)))
 }
 
-fn strip(tokens: TokenStream, first: &mut Option<Span>) -> TokenStream {
-    let mut tokens = tokens.into_iter().peekable();
+fn first_mark(tokens: &TokenStream) -> Option<Span> {
+    let mut tokens = tokens.clone().into_iter().peekable();
+    while let Some(token) = tokens.next() {
+        match token {
+            TokenTree::Group(group) => {
+                let inner = first_mark(&group.stream());
+                if inner.is_some() {
+                    return inner;
+                }
+            }
+            token if is_mark(&token, tokens.peek()) => return Some(token.span()),
+            _ => {}
+        }
+    }
+    None
+}
+
+fn strip(tokens: &TokenStream) -> TokenStream {
+    let mut tokens = tokens.clone().into_iter().peekable();
     let mut kept = Vec::new();
     while let Some(token) = tokens.next() {
         match token {
-            TokenTree::Punct(mark) if mark.as_char() == '#' && !tokens.peek().is_some_and(continues_attribute) => {
-                first.get_or_insert(mark.span());
-            }
             TokenTree::Group(group) => {
-                let mut inner = Group::new(group.delimiter(), strip(group.stream(), first));
+                let mut inner = Group::new(group.delimiter(), strip(&group.stream()));
                 inner.set_span(group.span());
                 kept.push(TokenTree::Group(inner));
             }
+            token if is_mark(&token, tokens.peek()) => {}
             token => kept.push(token),
         }
     }
     kept.into_iter().collect()
+}
+
+fn is_mark(token: &TokenTree, next: Option<&TokenTree>) -> bool {
+    matches!(token, TokenTree::Punct(mark) if mark.as_char() == '#') && !next.is_some_and(continues_attribute)
 }
 
 /// Whether a token may follow the `#` of an attribute.

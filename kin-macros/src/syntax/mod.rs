@@ -263,6 +263,7 @@ pub(crate) enum Callee {
 /// Reads a declaration. Mistakes are added to `mistakes`. The readable part is returned even then; the result is `None`
 /// only if there is no struct.
 pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
+    let tokens = nesting::cut(tokens, mistakes);
     let Some((mark, tokens)) = comment::without_mark(&tokens) else {
         return read(tokens, mistakes);
     };
@@ -279,7 +280,6 @@ pub(crate) fn parse(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Decl
 
 /// Reads a declaration without comments of other languages.
 fn read(tokens: TokenStream, mistakes: &mut Mistakes) -> Option<Declaration> {
-    let tokens = nesting::cut(tokens, mistakes);
     let (mut declaration, body) = head::parse(tokens, mistakes)?;
     for chunk in split::statements(body, mistakes) {
         declaration.source.push(chunk.tokens.clone());

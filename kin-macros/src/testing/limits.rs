@@ -15,6 +15,8 @@ fn mistakes(declaration: TokenStream) -> Vec<String> {
         match innermost.next() {
             None => drop(open.pop()),
             Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            // the first mistake is repeated in a type
+            Some(TokenTree::Ident(word)) if word == "unexpanded" => drop(innermost.nth(1)),
             Some(TokenTree::Ident(word)) => is_error = word == "compile_error",
             Some(TokenTree::Literal(text)) if is_error => {
                 let text: syn::LitStr = syn::parse2(TokenTree::from(text).into()).expect("messages are text");
