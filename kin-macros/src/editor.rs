@@ -108,7 +108,7 @@ fn statement(tokens: &[TokenTree], known: &mut BTreeSet<String>, runtime: &Token
                 Some(operands(&item[start..], known, runtime))
             })
             .collect::<TokenStream>();
-        return quote!((#ranges););
+        return if ranges.is_empty() { ranges } else { quote!((#ranges);) };
     }
     if begins(tokens, &["with"]) {
         let requests = tokens[1..].iter().filter_map(name);

@@ -58,7 +58,10 @@ fn an_expansion_is_short() {
 fn the_part_for_editors_is_short() {
     let text = pretty(&four_bar());
     let lines = text.lines().take_while(|line| *line != "};").count() + 1;
-    assert!(text.lines().take(lines).any(|line| line.contains("fn declaration")), "{text}");
+    assert!(
+        text.lines().take(lines).any(|line| line.contains("fn declaration")),
+        "{text}"
+    );
     assert!(lines <= 40, "{lines} lines");
 }
 
