@@ -125,7 +125,8 @@ fn two_links(graph: &mut Graph, arms: [ComplexNode; 2], target: ComplexNode) -> 
     } else {
         links
     };
-    let lengths = [Some(crank.ground), Some(crank.link), coupler, rocker];
+    let [ground, crank_link] = [crank.ground, crank.link].map(|vector| constant(graph, vector));
+    let lengths = [ground, crank_link, coupler, rocker];
     BlockForm::driven(BlockKind::FourBar, crank.driver, lengths, alone)
 }
 
@@ -136,9 +137,12 @@ fn link_and_slider(graph: &mut Graph, arm: ComplexNode, direction: ComplexNode, 
         lengths: vec![link],
         ..BlockForm::plain(BlockKind::LinkAndSlider)
     };
-    let (Some(crank), Some(direction)) = (crank(graph, target), constant(graph, direction)) else {
+    let Some(crank) = crank(graph, target) else {
         return alone;
     };
+    if !graph.movers(&[direction.re, direction.im]).is_empty() {
+        return alone;
+    }
     let along = direction.conjugate(graph);
     let across = along.times(graph, crank.ground).im;
     let square = direction.norm_squared(graph);
@@ -153,7 +157,7 @@ fn link_and_slider(graph: &mut Graph, arm: ComplexNode, direction: ComplexNode, 
         None
     };
     let offset = offset.map(|offset| along_x(graph, offset));
-    let lengths = [Some(crank.link), link, offset];
+    let lengths = [constant(graph, crank.link), link, offset];
     BlockForm::driven(BlockKind::SliderCrank, crank.driver, lengths, alone)
 }
 
@@ -167,7 +171,8 @@ fn slider_on_link(graph: &mut Graph, offset: ComplexNode, target: ComplexNode) -
     let Some(crank) = crank(graph, target) else {
         return alone;
     };
-    let lengths = [Some(crank.ground), Some(crank.link), offset];
+    let [ground, crank_link] = [crank.ground, crank.link].map(|vector| constant(graph, vector));
+    let lengths = [ground, crank_link, offset];
     BlockForm::driven(BlockKind::InvertedSliderCrank, crank.driver, lengths, alone)
 }
 
@@ -203,7 +208,7 @@ fn on_an_axis(graph: &mut Graph, slider: &AxisSlider) -> BlockForm {
         return alone;
     }
     let offset = along_x(graph, crank.ground.im);
-    let lengths = [Some(crank.link), link, Some(offset)];
+    let lengths = [constant(graph, crank.link), link, Some(offset)];
     BlockForm::driven(BlockKind::SliderCrank, crank.driver, lengths, alone)
 }
 
@@ -233,12 +238,13 @@ fn crank(graph: &mut Graph, vector: ComplexNode) -> Option<Crank> {
         let rest = graph.add(part, second);
         graph.at_zero(rest, driver)
     });
-    let link = constant(graph, ComplexNode::new(link[0], link[1]))?;
-    let ground = constant(graph, ComplexNode::new(ground[0], ground[1]))?;
-    if graph.is_zero(link.re) && graph.is_zero(link.im) {
-        return None;
-    }
-    Some(Crank { driver, link, ground })
+    let (link, ground) = (
+        ComplexNode::new(link[0], link[1]),
+        ComplexNode::new(ground[0], ground[1]),
+    );
+    let is_fixed = graph.movers(&[link.re, link.im, ground.re, ground.im]).is_empty();
+    let turns = !graph.vanishes(link.re) || !graph.vanishes(link.im);
+    (is_fixed && turns).then_some(Crank { driver, link, ground })
 }
 
 /// A vector that depends on parameters alone, in the simplest form of the same length.
