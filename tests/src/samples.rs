@@ -7,5 +7,9 @@
 /// ```
 #[must_use]
 pub const fn of(every: usize) -> usize {
-    if cfg!(feature = "every-case") { every } else { every.div_ceil(4) }
+    if cfg!(feature = "every-case") {
+        every
+    } else {
+        every.div_ceil(4)
+    }
 }

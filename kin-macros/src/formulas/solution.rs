@@ -403,13 +403,10 @@ impl<'a> Solutions<'a> {
     /// An expression that is too long to be read, as a function of the inputs and unknowns that it contains.
     fn dependence(&self, name: Name, nodes: &[Node]) -> Term {
         let reachable = self.graph.reachable(nodes).into_iter();
-        let symbols: BTreeSet<Symbol> = reachable.filter_map(|node| self.graph.as_symbol(node)).collect();
-        let inputs = (0..self.model.inputs.len()).map(Symbol::Input);
-        let unknowns = (0..self.model.unknowns.len()).map(Symbol::Unknown);
-        let varying = inputs
-            .chain(unknowns)
-            .chain(self.results.keys().copied())
-            .filter(|symbol| symbols.contains(symbol));
+        let contained: BTreeSet<Symbol> = reachable.filter_map(|node| self.graph.as_symbol(node)).collect();
+        let varying = contained
+            .into_iter()
+            .filter(|symbol| !matches!(symbol, Symbol::Parameter(_)));
         let names =
             varying.filter_map(|symbol| self.names.symbol(symbol).or_else(|| self.results.get(&symbol).cloned()));
         let names: Vec<Term> = names.map(Term::Name).collect();

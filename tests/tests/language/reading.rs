@@ -30,7 +30,10 @@ fn poses_print_their_quantities_alone() {
     let whole = linkage
         .solve(Motion::at_constant_speed(0.6, 3.0), Assembly::Open)
         .expect("it closes");
-    assert!(format!("{whole:?}").starts_with("FourBarOutputsSnap { theta2: "), "{whole:?}");
+    assert!(
+        format!("{whole:?}").starts_with("FourBarOutputsSnap { theta2: "),
+        "{whole:?}"
+    );
 }
 
 /// One assembly for all blocks, another for one of them, in words.

@@ -190,7 +190,9 @@ fn oracles_of_sensitivities() {
         fn visit<M: SensitiveThroughSnap>(&mut self, case: Case) {
             let mut worst = sensitivities::Worst::default();
             grid(8, case, |mechanism: &M, inputs, assembly| {
-                worst.check(mechanism, inputs, assembly);
+                worst.check(mechanism, inputs, assembly, |pose| {
+                    sensitivities::generated(mechanism, pose)
+                });
             });
             worst.report(M::DESCRIPTION.name);
         }

@@ -17,11 +17,9 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let model = mechanism.model;
     let pose = mechanism.pose(0);
     let inputs = mechanism.input_names();
-    let (assembly, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
-    let value = if value.is_empty() { value } else { quote!(#value,) };
     let near = mechanism.own("near");
     let count = Literal::usize_unsuffixed(model.unknowns.len());
-    let (found, near_choice) = if value.is_empty() {
+    let (found, near_choice) = if mechanism.assembly_value().is_empty() {
         (TokenStream::new(), TokenStream::new())
     } else if mechanism.is_coupled() {
         let assembly = mechanism.own("assembly");
