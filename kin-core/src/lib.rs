@@ -267,6 +267,59 @@ macro_rules! mechanism {
     };
 }
 
+/// Lets mechanisms be stored: implements serde's `Serialize` and `Deserialize` for their structures, as [`ParameterRecord`](stored::ParameterRecord) does.
+///
+/// The crate that calls it need not depend on serde. A structure that is storable must not derive these traits.
+///
+/// ```
+/// use kin_core::prelude::*;
+///
+/// mechanism! {
+///     pub struct Lever { pub pivot: Point, pub arm: Length }
+///     input phi: Angle;
+///     unknown x: Length;
+///     x == dot(pivot + arm * cis(phi), vec2(1, 0));
+/// }
+/// kin_core::storable!(Lever);
+///
+/// let lever = Lever { pivot: Plane::new(0.0, f64::NAN), arm: 2.0 };
+/// let error = kin_core::stored::check(&lever).unwrap_err();
+/// assert_eq!(error.to_string(), "pivot.y is NaN, and only finite numbers can be stored");
+/// ```
+#[cfg(feature = "serde")]
+#[cfg_attr(docsrs, doc(cfg(feature = "serde")))]
+#[macro_export]
+macro_rules! storable {
+    ($($mechanism:ident),+ $(,)?) => {
+        $(
+            impl<__T> $crate::__private::serde::Serialize for $mechanism<__T>
+            where
+                __T: $crate::Scalar + $crate::__private::serde::Serialize,
+            {
+                fn serialize<__S: $crate::__private::serde::Serializer>(
+                    &self,
+                    __serializer: __S,
+                ) -> ::core::result::Result<__S::Ok, __S::Error> {
+                    $crate::__private::serde::Serialize::serialize(&$crate::stored::ParameterRecord(*self), __serializer)
+                }
+            }
+
+            impl<'de, __T> $crate::__private::serde::Deserialize<'de> for $mechanism<__T>
+            where
+                __T: $crate::Scalar + $crate::__private::serde::Deserialize<'de>,
+            {
+                fn deserialize<__D: $crate::__private::serde::Deserializer<'de>>(
+                    __deserializer: __D,
+                ) -> ::core::result::Result<Self, __D::Error> {
+                    let $crate::stored::ParameterRecord(__mechanism) =
+                        $crate::__private::serde::Deserialize::deserialize(__deserializer)?;
+                    ::core::result::Result::Ok(__mechanism)
+                }
+            }
+        )+
+    };
+}
+
 /// A type that contains a reported mistake, so that no further errors are reported about it. An editor sees a number.
 #[cfg(not(rust_analyzer))]
 #[doc(hidden)]

@@ -48,3 +48,66 @@ pub trait Numeric {
     /// Its number type, by default an error of the compiler.
     type Number;
 }
+
+/// Lets the poses of a mechanism be written, and its structure of assemblies be stored. Generated code calls it.
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __stored {
+    ($mechanism:ident: $($pose:ident $length:literal),+; $fields:tt $(; $assembly:ident $choices:tt)?) => {
+        $($crate::__stored! { @pose $mechanism $pose $length $fields })+
+        $($crate::__stored! { @assembly $assembly $choices })?
+    };
+    (
+        @pose $mechanism:ident $pose:ident $length:literal
+        { $held:ident => [$($input:ident),*] [$($unknown:ident $index:literal),*] [$($output:expr),*] }
+    ) => {
+        impl<__T: $crate::Scalar> ::core::convert::From<$pose<__T>>
+            for $crate::stored::PoseRecord<$mechanism<__T>, $length>
+        {
+            fn from($held: $pose<__T>) -> Self {
+                Self {
+                    inputs: [$($held.$input),*],
+                    unknowns: [$($crate::stored::motion(
+                        &$held.$unknown,
+                        $crate::PoseOf::<$mechanism<__T>>::unknowns(&$held)[$index],
+                    )),*],
+                    outputs: [$($output),*],
+                }
+            }
+        }
+
+        impl<__T: $crate::Scalar + $crate::__private::serde::Serialize> $crate::__private::serde::Serialize
+            for $pose<__T>
+        {
+            fn serialize<__S: $crate::__private::serde::Serializer>(
+                &self,
+                __serializer: __S,
+            ) -> ::core::result::Result<__S::Ok, __S::Error> {
+                $crate::__private::serde::Serialize::serialize(
+                    &$crate::stored::PoseRecord::<$mechanism<__T>, $length>::from(*self),
+                    __serializer,
+                )
+            }
+        }
+    };
+    (@assembly $assembly:ident { $($choice:ident $index:literal),+ }) => {
+        impl $crate::__private::serde::Serialize for $assembly {
+            fn serialize<__S: $crate::__private::serde::Serializer>(
+                &self,
+                __serializer: __S,
+            ) -> ::core::result::Result<__S::Ok, __S::Error> {
+                $crate::stored::write_choices(&[$(stringify!($choice)),+], &[$(self.$choice),+], __serializer)
+            }
+        }
+
+        impl<'de> $crate::__private::serde::Deserialize<'de> for $assembly {
+            fn deserialize<__D: $crate::__private::serde::Deserializer<'de>>(
+                __deserializer: __D,
+            ) -> ::core::result::Result<Self, __D::Error> {
+                let __choices = $crate::stored::read_choices(&[$(stringify!($choice)),+], __deserializer)?;
+                ::core::result::Result::Ok(Self { $($choice: __choices[$index]),+ })
+            }
+        }
+    };
+}

@@ -42,7 +42,7 @@ pub(crate) const CORE: House = House {
     name: "kin-core",
     source: "kin-core/src",
     faces: &["lib.rs", "prelude.rs", "private.rs"],
-    root_items: &[],
+    root_items: &["storable"],
     rooms: &[
         room("number", &["number/"], "numbers and rows"),
         room("geometry", &["geometry/"], "vectors and rotations"),
