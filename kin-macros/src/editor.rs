@@ -104,7 +104,7 @@ fn statement(tokens: &[TokenTree], known: &mut BTreeSet<String>, runtime: &Token
         let ranges = tokens
             .split(|token| is_punct(token, ','))
             .filter_map(|item| {
-                let start = item.iter().position(|token| begins_range(token))?;
+                let start = item.iter().position(begins_range)?;
                 Some(operands(&item[start..], known, runtime))
             })
             .collect::<TokenStream>();

@@ -189,18 +189,19 @@ impl<'a> Outline<'a> {
         });
         let unknowns = self.unknowns.iter().map(|unknown| {
             let field = &unknown.quantity.name;
-            match unknown.quantity.dimension {
-                Dimension::Direction => quote!(pub #field: #runtime::Direction<T, #rates>),
-                _ => quote!(pub #field: #runtime::Motion<T, #length>),
+            if unknown.quantity.dimension == Dimension::Direction {
+                quote!(pub #field: #runtime::Direction<T, #rates>)
+            } else {
+                quote!(pub #field: #runtime::Motion<T, #length>)
             }
         });
-        let outputs = self
-            .outputs
-            .iter()
-            .map(|(field, dimension)| match vector_type(dimension.shape()) {
-                Some(vector) => quote!(pub #field: #runtime::Motion<#runtime::#vector<T>, #length>),
-                None => quote!(pub #field: #runtime::Motion<T, #length>),
-            });
+        let outputs = self.outputs.iter().map(|(field, dimension)| {
+            if let Some(vector) = vector_type(dimension.shape()) {
+                quote!(pub #field: #runtime::Motion<#runtime::#vector<T>, #length>)
+            } else {
+                quote!(pub #field: #runtime::Motion<T, #length>)
+            }
+        });
         let is_empty = self.inputs.is_empty() && self.unknowns.is_empty() && self.outputs.is_empty();
         let nothing = is_empty.then(|| quote!(nothing: ::core::marker::PhantomData<T>));
         quote_spanned! {Span::mixed_site()=>

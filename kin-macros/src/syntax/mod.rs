@@ -31,6 +31,7 @@ pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
 
 /// The contents of the braces of `mechanism! { … }`.
+#[expect(clippy::struct_excessive_bools, reason = "each is another fact about the text")]
 pub(crate) struct Declaration {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,

@@ -53,12 +53,13 @@ fn written(mechanism: &Compiled<'_>, form: &Form, length: &dyn Fn([Component; 2]
     let Some(driver) = form.driver else {
         let constructor = |name: &str| {
             let name = local(name);
-            let lengths = form.lengths.iter().map(|parts| match parts {
-                Some(parts) => {
+            let lengths = form.lengths.iter().map(|parts| {
+                if let Some(parts) = parts {
                     let length = length(*parts);
                     quote!(::core::option::Option::Some(#length))
+                } else {
+                    quote!(::core::option::Option::None)
                 }
-                None => quote!(::core::option::Option::None),
             });
             quote!(#runtime::BlockForm::#name(#(#lengths),*))
         };

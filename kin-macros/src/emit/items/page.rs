@@ -39,7 +39,8 @@ fn blocks(mechanism: &Compiled<'_>) -> Vec<String> {
             mechanism.solution(block)
         );
         for part in (first..first + block.parts.len()).filter(|part| choices.contains(part)) {
-            line += &format!(". Open if {}", mechanism.open_in_words(part));
+            line += ". Open if ";
+            line += &mechanism.open_in_words(part);
         }
         first += block.parts.len();
         lines.push(line);

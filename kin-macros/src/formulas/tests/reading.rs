@@ -70,19 +70,16 @@ fn element(source: &str) -> (&str, &str, &str) {
             // <m> is no beginning of <mo>
             rest[place + open.len()..].starts_with([' ', '>'])
         });
-        match begin.filter(|begin| *begin < end) {
-            Some(begin) => {
-                depth += 1;
-                rest = &rest[begin + open.len()..];
+        if let Some(begin) = begin.filter(|begin| *begin < end) {
+            depth += 1;
+            rest = &rest[begin + open.len()..];
+        } else {
+            depth -= 1;
+            let behind = &rest[end + close.len()..];
+            if depth == 0 {
+                return (name, &content[..content.len() - behind.len() - close.len()], behind);
             }
-            None => {
-                depth -= 1;
-                let behind = &rest[end + close.len()..];
-                if depth == 0 {
-                    return (name, &content[..content.len() - behind.len() - close.len()], behind);
-                }
-                rest = behind;
-            }
+            rest = behind;
         }
     }
 }
@@ -276,9 +273,7 @@ impl Reader<'_> {
         loop {
             if self.take("/") {
                 product /= self.power();
-            } else if self.take("·") || self.begins_factor() {
-                product *= self.power();
-            } else if self.peek() == Some("|") && self.opens() {
+            } else if self.take("·") || self.begins_factor() || self.peek() == Some("|") && self.opens() {
                 product *= self.power();
             } else {
                 return product;
