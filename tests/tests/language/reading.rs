@@ -12,7 +12,10 @@ fn poses_print_their_quantities_alone() {
     let description = FourBarOutputs::<f64>::DESCRIPTION;
     let inputs = description.inputs.iter().chain(description.unknowns);
     // a point is one field
-    let outputs = description.outputs.iter().filter(|output| !output.name.ends_with(".y"));
+    let outputs = description
+        .outputs
+        .iter()
+        .filter(|output| output.name.strip_suffix(".y").is_none());
     let expected: Vec<&str> = inputs
         .chain(outputs)
         .map(|quantity| quantity.name.trim_end_matches(".x"))

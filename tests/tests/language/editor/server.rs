@@ -255,7 +255,8 @@ fn write_program(folder: &Path, text: &str) -> PathBuf {
     let core = repository.join("kin-core");
     let manifest = format!(
         "[package]\nname = \"edited\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[dependencies]\n\
-         kin-core = {{ path = {core:?}, features = [\"library\"] }}\n\n[workspace]\n"
+         kin-core = {{ path = \"{}\", features = [\"library\"] }}\n\n[workspace]\n",
+        core.display()
     );
     let file = folder.join("src/main.rs");
     fs::create_dir_all(folder.join("src")).expect("the folder of tests can be written");
