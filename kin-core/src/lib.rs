@@ -50,6 +50,8 @@
 //! | a rotation in space | [`Rotation`] |
 //! | the choice between two solutions (branches) | [`Assembly`] |
 //! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
+//! | many poses over an input or over time, tables with named columns | [`sweep`] |
+//! | curves between the rows of a table | [`hermite`] |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | how the motion depends on the dimensions | [`Sensitive`], [`sensitivities_of`] |
@@ -69,8 +71,8 @@
 //!
 //! # Features
 //!
-//! The crate does not allocate and needs no standard library: without the default feature `std`, the feature `libm`
-//! supplies the floating-point functions. The feature `library` adds declared mechanisms, and `rayon` solves batches on
+//! The solvers do not allocate and need no standard library: without the default feature `std`, the feature `libm`
+//! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables of sweeps. The feature `library` adds declared mechanisms, and `rayon` solves batches on
 //! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature
 //! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
 //! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses.
@@ -87,6 +89,8 @@
     )
 )]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
@@ -104,6 +108,7 @@ pub mod batch;
 pub mod editor;
 mod failure;
 mod geometry;
+pub mod hermite;
 mod interop;
 pub mod law;
 #[cfg(feature = "library")]
@@ -117,6 +122,7 @@ mod quantity;
 pub mod solve;
 #[cfg(feature = "serde")]
 pub mod stored;
+pub mod sweep;
 mod track;
 #[cfg(feature = "std")]
 pub mod verify;

@@ -8,3 +8,4 @@ pub use crate::mechanism::{Mechanism, Partials, Pose, PoseOf, Sensitive};
 pub use crate::motion::{Direction, Motion, rpm};
 pub use crate::number::{Number, Row};
 pub use crate::solve::Scalar;
+pub use crate::sweep::Sweep;

@@ -58,6 +58,7 @@ pub use constant::{ConstantSpeed, Dwell};
 pub use continuity::{Joint, Joints};
 pub use error::LawError;
 pub use fourier::Fourier;
+pub(crate) use piecewise::approached;
 pub use piecewise::{Law, Piecewise, Repeated, Side};
 pub use polynomial::Polynomial;
 pub use rise::{Rise, Shape};

@@ -203,7 +203,11 @@ pub(super) fn of_piece<T: Number, L: Piecewise<T> + ?Sized, const N: usize>(
 }
 
 /// The motion at a time, from one side.
-fn approached<T: Number, L: Piecewise<T> + ?Sized, const N: usize>(law: &L, time: T, side: Side) -> Motion<T, N> {
+pub(crate) fn approached<T: Number, L: Piecewise<T> + ?Sized, const N: usize>(
+    law: &L,
+    time: T,
+    side: Side,
+) -> Motion<T, N> {
     let duration = law.duration();
     if law.repeats() {
         let quotient = time.real() / duration.real();

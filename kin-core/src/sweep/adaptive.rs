@@ -1,0 +1,219 @@
+//! Rows where they are needed.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::drive::Drive;
+use super::error::SweepError;
+use super::table::Table;
+use super::walk::Walk;
+use super::{Course, limits};
+use crate::batch::Outcome;
+use crate::mechanism::Mechanism;
+
+/// A step between rows is not halved beyond this part of the range. There the curves have an edge: the end of a circuit or a kink.
+const SHORTEST: f64 = 1e-6;
+
+/// A row that has been solved.
+#[derive(Clone, Copy)]
+struct Sample<M: Mechanism> {
+    at: f64,
+    walk: Walk<M>,
+    outcome: Outcome,
+    /// Its place among the samples.
+    place: usize,
+}
+
+/// The largest deviation of a sample from the straight line between its neighbours.
+struct Deviation {
+    /// As a part of the range of the column.
+    part: f64,
+    column: usize,
+}
+
+struct Samples<'c, M: Mechanism<Scalar = f64>, D> {
+    course: &'c Course<M, D>,
+    width: usize,
+    /// Row after row, in the order in which they were solved.
+    data: Vec<f64>,
+    /// One divided by the range of each column that is looked at, zero for the others.
+    scales: Vec<f64>,
+}
+
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+    /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of all unknowns and
+    /// outputs by no more than `tolerance`, as a part of the range of each column.
+    ///
+    /// The rows of the sweep are there, and others between them. Derivatives above the `order` are not looked at. Each step is
+    /// tested at a quarter, at the middle and at three quarters. Steps at the end of a circuit are halved down to 10⁻⁶ of the range.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 25).speed(10.0);
+    /// // curves of position, velocity and acceleration that look smooth
+    /// let table = turn.adaptive_table(1e-3, 2, 10_000)?;
+    /// assert!(table.count() > 50 && table.count() < 500);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SweepError::TooManyRows`] if more rows than `most_rows` were needed, and the errors of [`table`](Self::table).
+    pub fn adaptive_table(&self, tolerance: f64, order: usize, most_rows: usize) -> Result<Table, SweepError> {
+        self.check()?;
+        if !(tolerance.is_finite() && tolerance > 0.0) {
+            let quantity = "tolerance";
+            return Err(SweepError::NotFinite {
+                quantity,
+                value: tolerance,
+            });
+        }
+        let empty = self.empty(0);
+        let mut samples = Samples {
+            course: self,
+            width: empty.labels.len(),
+            data: vec![],
+            scales: vec![],
+        };
+        let mut walk = Walk::BEGINNING;
+        let given: Vec<Sample<M>> = (0..self.count)
+            .map(|row| samples.solve(&mut walk, self.at(row)))
+            .collect();
+        let first = usize::from(empty.labels[0].is_variable) + M::DESCRIPTION.inputs.len() * (M::DESCRIPTION.order + 1);
+        samples.scales = (0..samples.width)
+            .map(|column| {
+                if column < first || empty.labels[column].order > order {
+                    return 0.0;
+                }
+                let values = samples.data.iter().skip(column).step_by(samples.width);
+                let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+                    (low.min(*value), high.max(*value))
+                });
+                let range = high - low;
+                // the rounding errors of a column that stays the same are no curve
+                if range > 1e-9 * high.abs().max(low.abs()) {
+                    1.0 / range
+                } else {
+                    0.0
+                }
+            })
+            .collect();
+        let mut kept = vec![given[0]];
+        for pair in given.windows(2) {
+            samples.refine(pair[0], pair[1], tolerance, most_rows, &mut kept, &empty)?;
+            kept.push(pair[1]);
+        }
+        let mut table = self.empty(kept.len());
+        for (row, sample) in kept.iter().enumerate() {
+            table.outcomes[row] = sample.outcome;
+            for column in 0..samples.width {
+                table.data[column * kept.len() + row] = samples.data[sample.place * samples.width + column];
+            }
+        }
+        limits::find(self, &mut table);
+        Ok(table)
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
+    fn solve(&mut self, walk: &mut Walk<M>, at: f64) -> Sample<M> {
+        let motions = self.course.drive.motions(at);
+        let reached = walk.step(&self.course.mechanism, self.course.assembly, motions);
+        let outcome = match &reached {
+            Ok(_) => Outcome::Solved,
+            Err(error) => Outcome::from(error),
+        };
+        let start = self.data.len();
+        self.data.resize(start + self.width, 0.0);
+        let row = &mut self.data[start..];
+        self.course
+            .write(at, &motions, reached.ok(), |column, value| row[column] = value);
+        Sample {
+            at,
+            walk: *walk,
+            outcome,
+            place: start / self.width,
+        }
+    }
+
+    /// A sample between two others, found from the left one.
+    fn middle(&mut self, left: Sample<M>, part: f64, right: Sample<M>) -> Sample<M> {
+        self.solve(&mut left.walk.clone(), left.at + part * (right.at - left.at))
+    }
+
+    /// Adds the rows that are needed between two samples.
+    fn refine(
+        &mut self,
+        left: Sample<M>,
+        right: Sample<M>,
+        tolerance: f64,
+        most: usize,
+        kept: &mut Vec<Sample<M>>,
+        table: &Table,
+    ) -> Result<(), SweepError> {
+        let start = self.data.len();
+        let is_edge = left.outcome.is_solved() != right.outcome.is_solved();
+        let is_open = !left.outcome.is_solved() && !right.outcome.is_solved();
+        let is_shortest = (right.at - left.at).abs() <= SHORTEST * (self.course.to - self.course.from).abs();
+        if is_open || is_shortest {
+            return Ok(());
+        }
+        let middle = self.middle(left, 0.5, right);
+        let worst = if is_edge || !middle.outcome.is_solved() {
+            Deviation {
+                part: f64::INFINITY,
+                column: 0,
+            }
+        } else {
+            let mut worst = self.deviation(left, 0.5, middle, right);
+            for part in [0.25, 0.75] {
+                if worst.part <= tolerance {
+                    let other = self.middle(left, part, right);
+                    let next = self.deviation(left, part, other, right);
+                    if next.part > worst.part {
+                        worst = next;
+                    }
+                }
+            }
+            worst
+        };
+        if worst.part <= tolerance {
+            self.data.truncate(start);
+            return Ok(());
+        }
+        if kept.len() + 2 > most {
+            let label = table.labels[worst.column];
+            return Err(SweepError::TooManyRows {
+                most,
+                at: middle.at,
+                column: label.quantity.name,
+                order: label.order,
+                deviation: worst.part,
+            });
+        }
+        self.data.truncate((middle.place + 1) * self.width);
+        self.refine(left, middle, tolerance, most, kept, table)?;
+        kept.push(middle);
+        self.refine(middle, right, tolerance, most, kept, table)
+    }
+
+    fn deviation(&self, left: Sample<M>, part: f64, between: Sample<M>, right: Sample<M>) -> Deviation {
+        let row = |sample: Sample<M>| &self.data[sample.place * self.width..(sample.place + 1) * self.width];
+        let (left, between, right) = (row(left), row(between), row(right));
+        let mut worst = Deviation { part: 0.0, column: 0 };
+        for (column, scale) in self.scales.iter().enumerate() {
+            let line = left[column] + part * (right[column] - left[column]);
+            let deviation = (between[column] - line).abs() * scale;
+            if deviation > worst.part {
+                worst = Deviation {
+                    part: deviation,
+                    column,
+                };
+            }
+        }
+        worst
+    }
+}

@@ -1,0 +1,136 @@
+//! The columns of a table: what each of them is.
+
+use core::fmt;
+
+use super::Variable;
+use crate::mechanism::{Dimension, Mechanism, Quantity};
+
+/// What a column holds: a quantity, and the order of its derivative with respect to time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The order of the derivative, 0 for the value itself.
+    pub order: usize,
+    /// The variable of the sweep itself, which has no orders, if it is no input.
+    pub(super) is_variable: bool,
+}
+
+const ORDERS: [&str; 13] = [
+    "",
+    "velocity",
+    "acceleration",
+    "jerk",
+    "snap",
+    "crackle",
+    "pop",
+    "derivative_7",
+    "derivative_8",
+    "derivative_9",
+    "derivative_10",
+    "derivative_11",
+    "derivative_12",
+];
+
+impl Label {
+    pub(crate) fn new(quantity: Quantity, order: usize) -> Self {
+        Self {
+            quantity,
+            order,
+            is_variable: false,
+        }
+    }
+
+    /// Whether this is the name of the column: that of the quantity, followed by the order, as in `theta4_velocity`.
+    #[must_use]
+    pub fn is(&self, name: &str) -> bool {
+        let Some(rest) = name.strip_prefix(self.quantity.name) else {
+            return false;
+        };
+        match self.order {
+            0 => rest.is_empty(),
+            order => rest.strip_prefix('_') == ORDERS.get(order).copied(),
+        }
+    }
+}
+
+/// The name of the column.
+impl fmt::Display for Label {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.quantity.name)?;
+        match self.order {
+            0 => Ok(()),
+            order => write!(formatter, "_{}", ORDERS.get(order).unwrap_or(&"derivative")),
+        }
+    }
+}
+
+/// The unit of a column, as text: `rad/s²`, `mm/s`.
+///
+/// A mechanism has its own units of length and time. Until [`Table::units`](super::Table::units) names them they are `L` and `T`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unit<'t> {
+    pub(super) dimension: Dimension,
+    pub(super) order: usize,
+    pub(super) is_time: bool,
+    pub(super) in_degrees: bool,
+    pub(super) length: &'t str,
+    pub(super) time: &'t str,
+}
+
+impl fmt::Display for Unit<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_time {
+            return formatter.write_str(self.time);
+        }
+        let value = match self.dimension {
+            Dimension::Length => self.length,
+            Dimension::Angle if self.in_degrees => "deg",
+            Dimension::Angle => "rad",
+            Dimension::Scalar => "1",
+        };
+        formatter.write_str(if self.order == 0 && value == "1" { "" } else { value })?;
+        match self.order {
+            0 => Ok(()),
+            1 => write!(formatter, "/{}", self.time),
+            order => {
+                write!(formatter, "/{}", self.time)?;
+                for digit in [order / 10, order % 10].iter().skip_while(|digit| **digit == 0) {
+                    let digits = ["⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"];
+                    formatter.write_str(digits[*digit])?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// A column of a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColumnOf<'t> {
+    /// What it holds; its `Display` is the name of the column.
+    pub label: Label,
+    /// Its unit.
+    pub unit: Unit<'t>,
+    /// A number for each row, NaN where the mechanism does not close.
+    pub values: &'t [f64],
+}
+
+/// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs, each in all orders.
+pub(super) fn labels<M: Mechanism>(variable: Variable) -> impl Iterator<Item = Label> {
+    let own = match variable {
+        Variable::Input(_) => None,
+        _ => Some(Label {
+            quantity: variable.quantity::<M>(),
+            order: 0,
+            is_variable: true,
+        }),
+    };
+    let description = M::DESCRIPTION;
+    let quantities = [description.inputs, description.unknowns, description.outputs];
+    let all = quantities
+        .into_iter()
+        .flatten()
+        .flat_map(move |quantity| (0..=description.order).map(move |order| Label::new(*quantity, order)));
+    own.into_iter().chain(all)
+}

@@ -1,0 +1,341 @@
+//! How the inputs move during a sweep.
+
+use crate::batch::{Column, LengthMismatch};
+use crate::hermite::TERMS;
+use crate::law::{Law, Piecewise, Side, approached};
+use crate::mechanism::{Mechanism, Quantity};
+use crate::motion::Motion;
+use crate::number::{Number, Row, series::Series};
+
+/// A value that carries its first four derivatives with respect to the variable of a sweep.
+pub type Local = Series<TERMS>;
+
+/// The inputs of the mechanism `M`, each in all orders, as numbers of the type `V`.
+pub type InputMotions<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
+
+/// The quantity over which a sweep runs: an input, the time, or the number of the row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variable {
+    /// The input with this index.
+    Input(usize),
+    /// The time, in the unit of time of the rates.
+    Time,
+    /// The number of the row, from zero.
+    Row,
+}
+
+impl Variable {
+    /// The name and the dimension of the variable.
+    #[must_use]
+    pub fn quantity<M: Mechanism>(self) -> Quantity {
+        match self {
+            Self::Input(index) => M::DESCRIPTION.inputs[index],
+            Self::Time => Quantity::scalar("time", "The time."),
+            Self::Row => Quantity::scalar("row", "The number of the row."),
+        }
+    }
+}
+
+/// The motion of the inputs over the variable of a sweep.
+pub trait Drive<M: Mechanism<Scalar = f64>> {
+    /// The variable.
+    fn variable(&self) -> Variable;
+
+    /// The motions of the inputs at a value of the variable.
+    fn motions(&self, at: f64) -> InputMotions<M, f64>;
+
+    /// The derivative of an input with respect to time, if it is the same everywhere.
+    fn same(&self, input: usize, order: usize) -> Option<f64> {
+        let _ = (input, order);
+        None
+    }
+
+    /// The first column of one's own whose length differs from the number of rows.
+    #[doc(hidden)]
+    fn mismatch(&self, rows: usize) -> Option<LengthMismatch> {
+        let _ = rows;
+        None
+    }
+}
+
+/// A drive that is known with its derivatives to any order, so that the poses between the rows are known as well.
+pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
+    /// The motions of the inputs as Taylor series in the variable. Where two pieces of a law meet, `side` selects one.
+    fn series(&self, at: f64, side: Side) -> InputMotions<M, Local>;
+
+    /// The first place beyond `after` where two pieces of a law meet, if there is one.
+    fn next_joint(&self, after: f64) -> Option<f64> {
+        let _ = after;
+        None
+    }
+
+    /// The time for each unit of the variable.
+    fn time_per_variable(&self) -> f64 {
+        1.0
+    }
+
+    /// The way of the first input for each unit of the variable, without its sign.
+    fn way_per_variable(&self, at: f64) -> f64 {
+        self.series(at, Side::Right)
+            .as_ref()
+            .first()
+            .map_or(1.0, |motion| motion[0].coefficients()[1].abs())
+    }
+}
+
+/// A straight line in the space of the inputs, at constant speed.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<M: Mechanism<Scalar = f64>> {
+    pub(super) from: M::Inputs<f64>,
+    pub(super) to: M::Inputs<f64>,
+    /// The first input that moves.
+    pub(super) lead: usize,
+    /// The velocity of that input.
+    pub(super) speed: f64,
+}
+
+impl<M: Mechanism<Scalar = f64>> Line<M> {
+    pub(super) fn new(from: M::Inputs<f64>, to: M::Inputs<f64>) -> Self {
+        let ends = from.as_ref().iter().zip(to.as_ref());
+        let lead = ends.clone().position(|(from, to)| from != to).unwrap_or(0);
+        Self {
+            from,
+            to,
+            lead,
+            speed: 1.0,
+        }
+    }
+
+    /// The way of an input for each unit of the first one that moves.
+    fn slope(&self, input: usize) -> f64 {
+        if input == self.lead {
+            return 1.0;
+        }
+        let way = self.to[self.lead] - self.from[self.lead];
+        if way == 0.0 {
+            0.0
+        } else {
+            (self.to[input] - self.from[input]) / way
+        }
+    }
+
+    fn value(&self, input: usize, at: f64) -> f64 {
+        if input == self.lead {
+            at
+        } else if at == self.to[self.lead] {
+            self.to[input]
+        } else {
+            self.from[input] + self.slope(input) * (at - self.from[self.lead])
+        }
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Drive<M> for Line<M> {
+    fn variable(&self) -> Variable {
+        Variable::Input(self.lead)
+    }
+
+    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+        Row::from_fn(|input| {
+            Row::from_fn(|order| match order {
+                0 => self.value(input, at),
+                1 => self.slope(input) * self.speed,
+                _ => 0.0,
+            })
+        })
+    }
+
+    fn same(&self, input: usize, order: usize) -> Option<f64> {
+        match order {
+            0 if self.from[input] == self.to[input] => Some(self.from[input]),
+            0 => None,
+            1 => Some(self.slope(input) * self.speed),
+            _ => Some(0.0),
+        }
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Line<M> {
+    fn series(&self, at: f64, _: Side) -> InputMotions<M, Local> {
+        Row::from_fn(|input| {
+            Row::from_fn(|order| match order {
+                0 => Local::from_coefficients([self.value(input, at), self.slope(input), 0.0, 0.0, 0.0]),
+                1 => Local::constant(self.slope(input) * self.speed),
+                _ => Local::constant(0.0),
+            })
+        })
+    }
+
+    fn time_per_variable(&self) -> f64 {
+        1.0 / self.speed.abs()
+    }
+
+    fn way_per_variable(&self, _: f64) -> f64 {
+        1.0
+    }
+}
+
+/// Any motion over time, given by a function.
+#[derive(Clone, Copy, Debug)]
+pub struct OverTime<F>(pub(super) F);
+
+impl<M, F> Drive<M> for OverTime<F>
+where
+    M: Mechanism<Scalar = f64>,
+    F: Fn(f64) -> InputMotions<M, f64>,
+{
+    fn variable(&self) -> Variable {
+        Variable::Time
+    }
+
+    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+        (self.0)(at)
+    }
+}
+
+/// The number of derivatives of a law that are read: those of the highest order of a mechanism, and those of its series.
+const READ: usize = 12 + TERMS;
+
+/// Motion laws over time, one for each input.
+#[derive(Clone, Copy)]
+pub struct Laws<'l, M: Mechanism<Scalar = f64>>(pub(super) M::Inputs<&'l dyn Piecewise<f64>>);
+
+impl<M: Mechanism<Scalar = f64>> Drive<M> for Laws<'_, M> {
+    fn variable(&self) -> Variable {
+        Variable::Time
+    }
+
+    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+        Row::from_fn(|input| {
+            let motion: Motion<f64, 13> = self.0[input].at(at);
+            Row::from_fn(|order| motion[order])
+        })
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Laws<'_, M> {
+    fn series(&self, at: f64, side: Side) -> InputMotions<M, Local> {
+        Row::from_fn(|input| {
+            let motion: Motion<f64, READ> = approached(self.0[input], at, side);
+            Row::from_fn(|order| Local::from_derivatives(core::array::from_fn(|above| motion[order + above])))
+        })
+    }
+
+    fn next_joint(&self, after: f64) -> Option<f64> {
+        let next = |law: &dyn Piecewise<f64>| {
+            let duration = law.duration();
+            let cycle = if law.repeats() {
+                num_traits::Float::floor(after / duration)
+            } else {
+                0.0
+            };
+            let ends = (0..law.pieces()).map(|piece| law.end(piece));
+            // also the beginning of the next cycle's first piece
+            [cycle, cycle + 1.0]
+                .into_iter()
+                .filter(|&start| law.repeats() || start == 0.0)
+                .flat_map(|start| {
+                    let ends = ends.clone();
+                    core::iter::once(0.0).chain(ends).map(move |end| start * duration + end)
+                })
+                .filter(|joint| *joint > after)
+                .reduce(f64::min)
+        };
+        self.0.as_ref().iter().filter_map(|law| next(*law)).reduce(f64::min)
+    }
+}
+
+/// Columns of one's own, one for each order of each input.
+#[derive(Clone, Copy)]
+pub struct Along<'c, M: Mechanism<Scalar = f64>>(pub(super) InputMotions<M, Column<'c>>);
+
+impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
+    fn variable(&self) -> Variable {
+        Variable::Row
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "it is the number of a row"
+    )]
+    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+        let row = at as usize;
+        Row::from_fn(|input| Row::from_fn(|order| self.0[input][order].at(row)))
+    }
+
+    fn same(&self, input: usize, order: usize) -> Option<f64> {
+        match self.0[input][order] {
+            Column::Same(value) => Some(value),
+            Column::Each(_) => None,
+        }
+    }
+
+    fn mismatch(&self, rows: usize) -> Option<LengthMismatch> {
+        let inputs = self.0.as_ref().iter().zip(M::DESCRIPTION.inputs);
+        let mut lengths = inputs.flat_map(|(orders, quantity)| {
+            orders.as_ref().iter().filter_map(|column| match column {
+                Column::Same(_) => None,
+                Column::Each(values) => Some((quantity.name, values.len())),
+            })
+        });
+        lengths
+            .find(|(_, length)| *length != rows)
+            .map(|(quantity, length)| LengthMismatch {
+                quantity,
+                poses: rows,
+                length,
+            })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::law::{Rise, Sequence, Shape};
+    use crate::library::{FiveBar, FourBar};
+
+    /// The other input moves in proportion, and both arrive exactly.
+    #[test]
+    fn a_line_leads_all_inputs_to_their_ends() {
+        let mut line = Line::<FiveBar>::new([1.0, 2.0], [4.0, 0.1]);
+        line.speed = 6.0;
+        let motions = |at| Drive::<FiveBar>::motions(&line, at).map(|motion| motion.derivatives());
+        assert_eq!(motions(1.0)[1][0], 2.0);
+        assert_eq!(motions(4.0)[1][0], 0.1);
+        assert_eq!(motions(2.5)[0], [2.5, 6.0, 0.0, 0.0, 0.0]);
+        assert!((motions(2.5)[1][0] - 1.05).abs() < 1e-15);
+        assert!((motions(2.5)[1][1] + 3.8).abs() < 1e-15);
+    }
+
+    /// The series of each order is that of the next order, integrated.
+    #[test]
+    fn the_series_of_laws_fit_together() {
+        let rise = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
+        let drive = Laws::<FourBar>([&rise]);
+        let [series] = SmoothDrive::<FourBar>::series(&drive, 0.2, Side::Right);
+        for order in 0..4 {
+            let (low, high) = (series[order].derivatives(), series[order + 1].derivatives());
+            assert_eq!(low[1..], high[..4]);
+        }
+    }
+
+    #[test]
+    fn joints_come_one_after_the_other() {
+        let rise = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
+        let fall = Rise::new(Shape::Cycloidal, 2.0, 0.0, 0.25).unwrap();
+        let laws = Sequence::new([&rise, &fall]).unwrap();
+        let joints = |drive: &Laws<'_, FourBar>| {
+            let mut places = std::vec![];
+            let mut after = -0.1;
+            while let Some(next) = drive.next_joint(after).filter(|joint| *joint < 1.6) {
+                places.push(next);
+                after = next;
+            }
+            places
+        };
+        assert_eq!(joints(&Laws::<FourBar>([&laws])), [0.0, 0.5, 0.75]);
+        let cam = laws.repeated();
+        assert_eq!(joints(&Laws::<FourBar>([&cam])), [0.0, 0.5, 0.75, 1.25, 1.5]);
+    }
+}

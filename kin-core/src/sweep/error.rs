@@ -1,0 +1,75 @@
+//! The mistakes that end a sweep as a whole.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::batch::LengthMismatch;
+use crate::failure::digits::Digits;
+
+/// The reason why there is no table.
+///
+/// A mechanism that does not close is none: its rows say by how much.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SweepError {
+    /// An end of the range is not finite, or the tolerance is not a positive number.
+    NotFinite {
+        /// The quantity at fault, in a few words.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A sweep of no rows.
+    NoRows,
+    /// A column whose length differs from the number of rows.
+    Columns(LengthMismatch),
+    /// The straight lines between the rows are not within the tolerance, and there may be no more rows.
+    TooManyRows {
+        /// The largest number of rows allowed.
+        most: usize,
+        /// The place where the next row was needed.
+        at: f64,
+        /// The column that deviates most there.
+        column: &'static str,
+        /// The order of that column.
+        order: usize,
+        /// The deviation of the straight line there, as a part of the column's range.
+        deviation: f64,
+    },
+}
+
+impl From<LengthMismatch> for SweepError {
+    fn from(mismatch: LengthMismatch) -> Self {
+        Self::Columns(mismatch)
+    }
+}
+
+impl fmt::Display for SweepError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { quantity, value } => {
+                write!(
+                    formatter,
+                    "the {quantity} of the sweep is {value}: give a finite number"
+                )
+            }
+            Self::NoRows => formatter.write_str("the sweep has no rows: give two or more"),
+            Self::Columns(mismatch) => write!(formatter, "{mismatch}"),
+            Self::TooManyRows {
+                most,
+                at,
+                column,
+                order,
+                deviation,
+            } => write!(
+                formatter,
+                "{most} rows are not enough: at {} the derivative of order {order} of {column} deviates from the straight line \
+                 between its neighbours by {} of its range; allow more rows or a larger tolerance, or read fewer orders",
+                Digits(*at),
+                Digits(*deviation)
+            ),
+        }
+    }
+}
+
+impl Error for SweepError {}

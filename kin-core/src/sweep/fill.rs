@@ -1,0 +1,265 @@
+//! The numbers of a table: by a batch where every block has a closed form, otherwise from row to row.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+use num_traits::Float;
+
+use super::columns::labels;
+use super::drive::{Drive, InputMotions, Variable};
+use super::error::SweepError;
+use super::table::Table;
+use super::walk::{Reached, Walk};
+use super::{Course, limits};
+use crate::batch::{self, Column, Columns, Outcome, Place, Vectors, Visitor};
+use crate::mechanism::{Dimension, Mechanism, Pose};
+use crate::number::{Number, Row};
+
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+    /// The poses as a table. See [`Table`] for its columns, and for rows that do not close.
+    ///
+    /// Where every block has a closed form, `solve_batch` solves several rows at once.
+    ///
+    /// # Errors
+    /// [`SweepError`] if an end of the range is not finite, if there are no rows, or if given columns have different lengths.
+    pub fn table(&self) -> Result<Table, SweepError> {
+        self.check()?;
+        let mut table = self.empty(self.count);
+        if M::ASSEMBLY_COUNT > 0 {
+            self.fill_by_batch(&mut table)?;
+        } else {
+            self.fill_by_steps(&mut table);
+        }
+        limits::find(self, &mut table);
+        Ok(table)
+    }
+
+    pub(crate) fn check(&self) -> Result<(), SweepError> {
+        if self.count == 0 {
+            return Err(SweepError::NoRows);
+        }
+        for (quantity, value) in [("start", self.from), ("end", self.to)] {
+            if !value.is_finite() {
+                return Err(SweepError::NotFinite { quantity, value });
+            }
+        }
+        self.drive
+            .mismatch(self.count)
+            .map_or(Ok(()), |mismatch| Err(SweepError::Columns(mismatch)))
+    }
+
+    /// A table of zeros.
+    pub(super) fn empty(&self, count: usize) -> Table {
+        let variable = self.drive.variable();
+        let column = match variable {
+            Variable::Input(input) => input * (M::DESCRIPTION.order + 1),
+            _ => 0,
+        };
+        Table::new(labels::<M>(variable).collect(), count, column)
+    }
+
+    /// Writes the inputs of all rows, and lets a batch write the rest.
+    fn fill_by_batch(&self, table: &mut Table) -> Result<(), SweepError> {
+        let description = M::DESCRIPTION;
+        let (count, orders) = (table.count, description.order + 1);
+        let own = usize::from(table.labels.iter().any(|label| label.is_variable));
+        let (given, results) = table
+            .data
+            .split_at_mut((own + description.inputs.len() * orders) * count);
+        let (variable, inputs) = given.split_at_mut(own * count);
+        for (row, place) in variable.iter_mut().enumerate() {
+            *place = self.at(row);
+        }
+        let same = InputMotions::<M, Option<f64>>::from_fn(|input| Row::from_fn(|order| self.drive.same(input, order)));
+        let column =
+            |input: usize, order: usize| (input * orders + order) * count..(input * orders + order + 1) * count;
+        let mut varies = false;
+        for input in 0..description.inputs.len() {
+            for order in 0..orders {
+                match same[input][order] {
+                    Some(value) => inputs[column(input, order)].fill(value),
+                    None => varies = true,
+                }
+            }
+        }
+        if varies {
+            for row in 0..count {
+                let motions = self.drive.motions(self.at(row));
+                for input in 0..description.inputs.len() {
+                    for order in 0..orders {
+                        if same[input][order].is_none() {
+                            inputs[(input * orders + order) * count + row] = motions[input][order];
+                        }
+                    }
+                }
+            }
+        }
+        let inputs = &*inputs;
+        let columns = InputMotions::<M, Column<'_>>::from_fn(|input| {
+            Row::from_fn(|order| match same[input][order] {
+                Some(value) => Column::Same(value),
+                None => Column::Each(&inputs[column(input, order)]),
+            })
+        });
+        let directions = self.directions();
+        let mut sines = vec![vec![]; description.unknowns.len()];
+        for (sine, is_direction) in sines.iter_mut().zip(directions.as_ref()) {
+            if *is_direction {
+                *sine = vec![f64::NAN; count];
+            }
+        }
+        let parameters = self.mechanism.parameters();
+        let parameters = M::Parameters::from_fn(|parameter| Column::Same(parameters[parameter]));
+        let mut places = Places {
+            orders,
+            unknowns: description.unknowns.len(),
+            results: results.chunks_exact_mut(count).map(Some).collect(),
+            sines: sines
+                .iter_mut()
+                .map(|sine| Some(&mut sine[..]).filter(|sine| !sine.is_empty()))
+                .collect(),
+        };
+        let outcomes = &mut table.outcomes;
+        batch::solve::<M, _, _>(
+            parameters,
+            columns,
+            self.assembly,
+            &mut places,
+            outcomes,
+            Vectors::widest(),
+        )?;
+        drop(places);
+        for (unknown, sines) in sines.iter().enumerate() {
+            let angles = &mut results[unknown * orders * count..(unknown * orders + 1) * count];
+            for (angle, sine) in angles.iter_mut().zip(sines) {
+                *angle = Number::atan2(*sine, *angle);
+            }
+        }
+        let quantities = description.unknowns.iter().chain(description.outputs);
+        for (quantity, columns) in quantities.zip(results.chunks_exact_mut(orders * count)) {
+            if quantity.dimension == Dimension::Angle {
+                continue_turns(&mut columns[..count]);
+            }
+        }
+        Ok(())
+    }
+
+    /// Which unknowns are directions, which a batch stores as cosine and sine.
+    fn directions(&self) -> M::Unknowns<bool> {
+        let poses = (0..self.count).map(|row| {
+            let motions = self.drive.motions(self.at(row));
+            self.mechanism.solve_motion(motions, self.assembly)
+        });
+        match poses.flatten().next() {
+            Some(pose) => {
+                let sines = pose.unknown_sines();
+                Row::from_fn(|unknown| sines[unknown].is_some())
+            }
+            None => Row::from_fn(|_| false),
+        }
+    }
+
+    /// Solves row after row.
+    fn fill_by_steps(&self, table: &mut Table) {
+        let count = table.count;
+        let mut walk = Walk::BEGINNING;
+        for row in 0..count {
+            let at = self.at(row);
+            let motions = self.drive.motions(at);
+            let reached = walk.step(&self.mechanism, self.assembly, motions);
+            table.outcomes[row] = match &reached {
+                Ok(_) => Outcome::Solved,
+                Err(error) => Outcome::from(error),
+            };
+            let data = &mut table.data;
+            self.write(at, &motions, reached.ok(), |column, value| {
+                data[column * count + row] = value
+            });
+        }
+    }
+
+    /// Passes on the numbers of a row, each with its column. Without a pose, they are NaN.
+    pub(super) fn write(
+        &self,
+        at: f64,
+        motions: &InputMotions<M, f64>,
+        reached: Option<Reached<M>>,
+        mut put: impl FnMut(usize, f64),
+    ) {
+        let mut column = 0;
+        let mut put = |value: f64| {
+            put(column, value);
+            column += 1;
+        };
+        if !matches!(self.drive.variable(), Variable::Input(_)) {
+            put(at);
+        }
+        for motion in motions.as_ref() {
+            motion.as_ref().iter().copied().for_each(&mut put);
+        }
+        let orders = M::DESCRIPTION.order + 1;
+        let Some(reached) = reached else {
+            let results = M::DESCRIPTION.unknowns.len() + M::DESCRIPTION.outputs.len();
+            (0..results * orders).for_each(|_| put(f64::NAN));
+            return;
+        };
+        let motions = reached
+            .pose
+            .unknown_motions_near(Row::from_fn(|unknown| reached.unknowns[unknown]));
+        for (unknown, motion) in motions.as_ref().iter().enumerate() {
+            put(reached.unknowns[unknown]);
+            motion.as_ref().iter().skip(1).copied().for_each(&mut put);
+        }
+        for motion in reached.pose.output_motions().as_ref() {
+            motion.as_ref().iter().copied().for_each(&mut put);
+        }
+    }
+}
+
+/// Puts each angle on the turn closest to the last angle before it.
+pub(super) fn continue_turns(angles: &mut [f64]) {
+    let mut turns = 0.0;
+    let mut last = f64::NAN;
+    for angle in angles {
+        let change = *angle - last;
+        // a comparison with NaN fails: the first angle, and those behind a gap, are taken as they are
+        if change.abs() > core::f64::consts::PI {
+            turns -= Float::round(change / TAU);
+        }
+        if !angle.is_nan() {
+            last = *angle;
+        }
+        if turns != 0.0 {
+            *angle += turns * TAU;
+        }
+    }
+}
+
+/// The columns of a table as the target of a batch.
+struct Places<'t> {
+    orders: usize,
+    unknowns: usize,
+    /// For each unknown and then each output, its orders.
+    results: Vec<Option<&'t mut [f64]>>,
+    sines: Vec<Option<&'t mut [f64]>>,
+}
+
+impl<'t> Columns<Option<&'t mut [f64]>> for Places<'t> {
+    fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Option<&'t mut [f64]>>)
+    where
+        Option<&'t mut [f64]>: 'a,
+    {
+        for (index, column) in self.results.iter_mut().enumerate() {
+            let (quantity, order) = (index / self.orders, index % self.orders);
+            let place = match quantity.checked_sub(self.unknowns) {
+                None => Place::Unknown(quantity, order),
+                Some(output) => Place::Output(output, order),
+            };
+            visitor.visit(place, column);
+        }
+        for (unknown, sines) in self.sines.iter_mut().enumerate() {
+            visitor.visit(Place::Sine(unknown), sines);
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! The places where a mechanism begins or ceases to close.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::drive::{Drive, Variable};
+use super::{Course, Table};
+use crate::batch::Outcome;
+use crate::failure::digits::Digits;
+use crate::mechanism::Mechanism;
+use crate::number::Row;
+use crate::track::{TrackError, track};
+
+/// The kind of a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LimitKind {
+    /// Two assemblies meet, and neither goes on: the inputs can only turn back.
+    TurningPoint,
+    /// Two assemblies cross.
+    ChangePoint,
+    /// A length goes to infinity.
+    Pole,
+    /// The end of a declared range, or of the domain of a function.
+    End,
+}
+
+/// A place where a sweep begins or ceases to close.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// The value of the variable of the sweep, exact to rounding.
+    pub at: f64,
+    /// The kind.
+    pub kind: LimitKind,
+    /// The last row before it.
+    pub row: usize,
+    /// Whether the mechanism closes before the limit; otherwise it closes behind it.
+    pub closes_before: bool,
+    /// The unknowns of the block that does not close, separated by commas.
+    pub block: &'static str,
+    /// The inputs there.
+    pub inputs: Vec<f64>,
+    /// The unknowns there, with angles on the turns they have reached.
+    pub unknowns: Vec<f64>,
+    /// The name of the variable.
+    pub(super) variable: &'static str,
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = match self.kind {
+            LimitKind::TurningPoint => "limit position",
+            LimitKind::ChangePoint => "change point",
+            LimitKind::Pole => "pole",
+            LimitKind::End => "end of a range",
+        };
+        let side = if self.closes_before { "up to" } else { "from" };
+        write!(
+            formatter,
+            "closes {side} {} = {}: {kind} of {}",
+            self.variable,
+            Digits(self.at),
+            self.block
+        )
+    }
+}
+
+/// The limit between a place that closes, with its unknowns, and one that does not.
+pub(crate) fn between<M: Mechanism<Scalar = f64>, D: Drive<M>>(
+    course: &Course<M, D>,
+    closed: f64,
+    unknowns: M::Unknowns<f64>,
+    open: f64,
+) -> Option<Limit> {
+    let inputs = |at: f64| {
+        let motions = course.drive.motions(at);
+        M::Inputs::from_fn(|input| motions[input][0])
+    };
+    let (from, to) = (inputs(closed), inputs(open));
+    let error = track(&course.mechanism, from, unknowns, to).err()?;
+    let (kind, obstacle) = match error {
+        TrackError::Limit(obstacle) => (LimitKind::TurningPoint, obstacle),
+        TrackError::ChangePoint(obstacle) => (LimitKind::ChangePoint, obstacle),
+        TrackError::Unbounded(obstacle) => (LimitKind::Pole, obstacle),
+        TrackError::Failed(failure) => {
+            // the first place beyond: found by the inputs that the error keeps
+            let mut place = to;
+            for (input, (_, value)) in failure.inputs.iter().enumerate() {
+                place[input] = value;
+            }
+            return Some(Limit {
+                at: place_of(course, (closed, from), (open, to), place, None),
+                kind: LimitKind::End,
+                row: 0,
+                closes_before: closed < open,
+                block: failure.block,
+                inputs: place.as_ref().to_vec(),
+                unknowns: unknowns.as_ref().to_vec(),
+                variable: course.drive.variable().quantity::<M>().name,
+            });
+        }
+        _ => return None,
+    };
+    Some(Limit {
+        at: place_of(
+            course,
+            (closed, from),
+            (open, to),
+            obstacle.inputs,
+            Some(obstacle.fraction),
+        ),
+        kind,
+        row: 0,
+        closes_before: closed < open,
+        block: obstacle.block,
+        inputs: obstacle.inputs.as_ref().to_vec(),
+        unknowns: obstacle.unknowns.as_ref().to_vec(),
+        variable: course.drive.variable().quantity::<M>().name,
+    })
+}
+
+/// The number of halvings after which neighbouring numbers are left.
+const HALVINGS: usize = 128;
+
+/// The value of the variable at which the inputs are at a place between two others.
+fn place_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(
+    course: &Course<M, D>,
+    (closed, from): (f64, M::Inputs<f64>),
+    (open, to): (f64, M::Inputs<f64>),
+    place: M::Inputs<f64>,
+    fraction: Option<f64>,
+) -> f64 {
+    match course.drive.variable() {
+        Variable::Input(lead) => place[lead],
+        Variable::Row => closed + fraction.unwrap_or(1.0) * (open - closed),
+        Variable::Time => {
+            let moving = |input: &usize| from[*input] != to[*input];
+            let mut movers = (0..M::DESCRIPTION.inputs.len()).filter(moving);
+            let (only, more) = (movers.next(), movers.next());
+            let is_before = |at: f64| {
+                let motions = course.drive.motions(at);
+                match (only, more) {
+                    (Some(input), None) => (motions[input][0] - from[input]).abs() < (place[input] - from[input]).abs(),
+                    _ => {
+                        let inputs = M::Inputs::from_fn(|input| motions[input][0]);
+                        course.mechanism.solve_position(inputs, course.assembly).is_ok()
+                    }
+                }
+            };
+            let (mut low, mut high) = (closed, open);
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(low, high);
+                if middle == low || middle == high {
+                    break;
+                }
+                if is_before(middle) {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            low
+        }
+    }
+}
+
+/// Finds the limits between the rows of a table.
+pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table) {
+    if table.outcomes.iter().all(Outcome::is_solved) {
+        return;
+    }
+    // columns follow in the order of inputs and unknowns, each in all orders
+    let orders = M::DESCRIPTION.order + 1;
+    let first =
+        table.labels.iter().take_while(|label| label.is_variable).count() + M::DESCRIPTION.inputs.len() * orders;
+    let unknowns =
+        |table: &Table, row: usize| M::Unknowns::from_fn(|unknown| table.values(first + unknown * orders)[row]);
+    let variable = table.variable;
+    for row in 1..table.count {
+        let (one, other) = (table.outcomes[row - 1], table.outcomes[row]);
+        let (closed, open) = match (one.is_solved(), other.is_solved()) {
+            (true, false) => (row - 1, row),
+            (false, true) => (row, row - 1),
+            _ => continue,
+        };
+        let places = table.values(variable);
+        // the variable in radians, as the drive takes it
+        let (start, end) = (places[closed], places[open]);
+        if let Some(mut limit) = between(course, start, unknowns(table, closed), end) {
+            limit.row = row - 1;
+            limit.closes_before = closed < open;
+            table.limits.push(limit);
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! Sweeps: many poses of one mechanism, over an input, over time or along columns.
+//!
+//! ```
+//! use std::f64::consts::TAU;
+//! use kin_core::library::FourBar;
+//! use kin_core::prelude::*;
+//!
+//! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+//! // a turn of the crank at 10 rad/s, in 361 rows
+//! let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+//!
+//! // as poses, one after the other
+//! for pose in turn.rows() {
+//!     println!("{}", pose?.theta4.acceleration());
+//! }
+//!
+//! // as a table
+//! let table = turn.table()?;
+//! let jerk = table.column("theta4_jerk")?;
+//! assert_eq!(jerk.len(), 361);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | the inputs move | by |
+//! |---|---|
+//! | over a range, at constant speed | [`over`](Assembled::over), [`between`](Assembled::between) for several inputs |
+//! | over time, by a function | [`over_time`](Assembled::over_time) |
+//! | over time, by motion laws | [`under_laws`](Assembled::under_laws) |
+//! | along columns | [`along`](Assembled::along) |
+//!
+//! # The assembly
+//! A sweep stays in its assembly. Blocks with a closed form find it in every row. Blocks of coupled equations start near the given
+//! values, and are [tracked](crate::track()) from row to row. They stay in their circuit: where it ends the sweep ends too, and rows
+//! beyond the gap do not close again.
+//!
+//! Angles continue over turns: a crank that has turned twice stands at 4π. Two neighbouring rows must be less than half a turn of every
+//! angle apart for that.
+
+#[cfg(feature = "alloc")]
+mod adaptive;
+#[cfg(feature = "alloc")]
+mod columns;
+#[cfg(feature = "alloc")]
+mod display;
+mod drive;
+#[cfg(feature = "alloc")]
+mod error;
+#[cfg(feature = "alloc")]
+mod fill;
+#[cfg(feature = "alloc")]
+mod limits;
+#[cfg(feature = "alloc")]
+mod names;
+mod rows;
+#[cfg(feature = "alloc")]
+mod table;
+#[cfg(all(test, feature = "alloc"))]
+mod tests;
+mod walk;
+
+#[cfg(feature = "alloc")]
+pub use columns::{ColumnOf, Label, Unit};
+pub use drive::{Along, Drive, InputMotions, Laws, Line, Local, OverTime, SmoothDrive, Variable};
+#[cfg(feature = "alloc")]
+pub use error::SweepError;
+#[cfg(feature = "alloc")]
+pub use limits::{Limit, LimitKind};
+#[cfg(feature = "alloc")]
+pub use names::NoSuchColumn;
+pub use rows::Rows;
+#[cfg(feature = "alloc")]
+pub use table::{RowOf, Table};
+
+use core::ops::RangeInclusive;
+
+use crate::batch::Column;
+use crate::law::Piecewise;
+use crate::mechanism::Mechanism;
+
+/// The first word of a sweep, for every mechanism.
+pub trait Sweep: Mechanism<Scalar = f64> {
+    /// A sweep of this mechanism in an assembly. The next word says how its inputs move.
+    ///
+    /// For a mechanism with coupled blocks, the assembly is [`Near`](crate::Near) values of the unknowns at the first row.
+    fn sweep(&self, assembly: Self::Assembly) -> Assembled<Self> {
+        Assembled {
+            mechanism: *self,
+            assembly,
+        }
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Sweep for M {}
+
+/// A mechanism in an assembly, of which a sweep is wanted.
+#[derive(Clone, Copy, Debug)]
+#[must_use = "say how the inputs move, as in `over`"]
+pub struct Assembled<M: Mechanism<Scalar = f64>> {
+    mechanism: M,
+    assembly: M::Assembly,
+}
+
+/// A sweep: a mechanism in an assembly, whose inputs move.
+#[derive(Clone, Copy, Debug)]
+#[must_use = "read its `rows` or its `table`"]
+pub struct Course<M: Mechanism<Scalar = f64>, D> {
+    pub(crate) mechanism: M,
+    pub(crate) assembly: M::Assembly,
+    pub(crate) drive: D,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) count: usize,
+}
+
+impl<M: Mechanism<Scalar = f64>> Assembled<M> {
+    fn course<D>(self, drive: D, range: &RangeInclusive<f64>, count: usize) -> Course<M, D> {
+        Course {
+            mechanism: self.mechanism,
+            assembly: self.assembly,
+            drive,
+            from: *range.start(),
+            to: *range.end(),
+            count,
+        }
+    }
+
+    /// Over a range of the only input, in a number of rows at equal distances; the first and the last stand at the ends of the range. The
+    /// range may run downwards.
+    ///
+    /// The speed is 1 unless [`speed`](Course::speed) tells another one, so that rates are per unit of the input. A mechanism of several
+    /// inputs takes [`between`](Self::between).
+    pub fn over(self, range: RangeInclusive<f64>, rows: usize) -> Course<M, Line<M>>
+    where
+        M: Mechanism<Inputs<f64> = [f64; 1]>,
+    {
+        self.between([*range.start()], [*range.end()], rows)
+    }
+
+    /// Over the straight line between two places in the space of the inputs. The variable of the sweep is the first input that moves, and
+    /// the others move in proportion.
+    ///
+    /// ```
+    /// use kin_core::library::FiveBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let robot = FiveBar { ground: 2.0, left: 1.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
+    /// // the left crank at 3 rad/s, the right one turns the other way
+    /// let move_up = robot.sweep(Assembly::Open).between([1.0, 2.0], [2.0, 1.0], 100).speed(3.0);
+    /// let table = move_up.table()?;
+    /// assert_eq!(table.column("beta_velocity")?[0], -3.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Course<M, Line<M>> {
+        let line = Line::<M>::new(from, to);
+        let range = from[line.lead]..=to[line.lead];
+        self.course(line, &range, rows)
+    }
+
+    /// Over a range of the time, with a function that gives the motion of every input: an array of what `solve` takes.
+    ///
+    /// ```
+    /// use kin_core::library::SliderCrank;
+    /// use kin_core::prelude::*;
+    ///
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// // the crank speeds up from rest by 2 rad/s²
+    /// let start = press.sweep(Assembly::Open).over_time(0.0..=1.0, 101, |t| [Motion::polynomial(&[0.0, 0.0, 1.0], t)]);
+    /// assert_eq!(start.table()?.column("theta_velocity")?[100], 2.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn over_time<F>(self, range: RangeInclusive<f64>, rows: usize, motions: F) -> Course<M, OverTime<F>>
+    where
+        F: Fn(f64) -> InputMotions<M, f64>,
+    {
+        self.course(OverTime(motions), &range, rows)
+    }
+
+    /// Over a range of the time, with a [motion law](crate::law) for each input.
+    ///
+    /// ```
+    /// use kin_core::law::{Rise, Shape};
+    /// use kin_core::library::SliderCrank;
+    /// use kin_core::prelude::*;
+    ///
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// let servo = Rise::new(Shape::ModifiedSine, 0.0, 90_f64.to_radians(), 0.4)?;
+    /// let move_down = press.sweep(Assembly::Open).under_laws([&servo], 0.0..=0.4, 200);
+    /// println!("{}", move_down.table()?.units("m", "s"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn under_laws<'l>(
+        self,
+        laws: M::Inputs<&'l dyn Piecewise<f64>>,
+        range: RangeInclusive<f64>,
+        rows: usize,
+    ) -> Course<M, Laws<'l, M>> {
+        self.course(Laws(laws), &range, rows)
+    }
+
+    /// Along columns: one for each order of each input, as `solve_batch` takes them. The number of rows is the length of the first column
+    /// that has one.
+    #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
+    pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Course<M, Along<'_, M>> {
+        let orders = columns.as_ref().iter().flat_map(AsRef::as_ref);
+        let length = orders.filter_map(|column| match column {
+            Column::Same(_) => None,
+            Column::Each(values) => Some(values.len()),
+        });
+        let count = length.clone().next().unwrap_or(1);
+        self.course(Along(columns), &(0.0..=count.saturating_sub(1) as f64), count)
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Course<M, Line<M>> {
+    /// The velocity of the input, or of the first input that moves.
+    pub fn speed(mut self, speed: f64) -> Self {
+        self.drive.speed = speed;
+        self
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+    /// The number of rows.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The value of the variable in a row.
+    #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
+    #[must_use]
+    pub fn at(&self, row: usize) -> f64 {
+        if row == 0 {
+            self.from
+        } else if row + 1 >= self.count {
+            self.to
+        } else {
+            self.from + (self.to - self.from) * (row as f64 / (self.count - 1) as f64)
+        }
+    }
+
+    /// The poses, one after the other. Nothing is allocated.
+    ///
+    /// A row that does not close is an error with its margin. Where a coupled block does not close, the margin is the distance of the
+    /// inputs to the end of their circuit.
+    #[must_use]
+    pub fn rows(&self) -> Rows<'_, M, D> {
+        Rows::new(self)
+    }
+}

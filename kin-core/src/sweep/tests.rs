@@ -1,0 +1,305 @@
+use core::f64::consts::{PI, TAU};
+use std::string::ToString;
+use std::vec::Vec;
+
+use super::{LimitKind, Sweep, SweepError};
+use crate::assembly::{Assembly, Near};
+use crate::batch::{Column, Outcome};
+use crate::geometry::Plane;
+use crate::law::{Law, Rise, Shape};
+use crate::library::{ClassThreeTriad, FiveBar, FourBar};
+use crate::mechanism::Mechanism;
+use crate::motion::Motion;
+
+const CRANK_ROCKER: FourBar = FourBar {
+    r1: 90.0,
+    r2: 30.0,
+    r3: 70.0,
+    r4: 60.0,
+};
+const LIMITED: FourBar = FourBar {
+    r1: 90.0,
+    r2: 30.0,
+    r3: 60.0,
+    r4: 45.0,
+};
+
+/// The table and the iterator hold the same poses, up to the rounding of lanes and whole turns.
+#[test]
+fn table_and_rows_agree() {
+    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(-1.0..=TAU, 100).speed(-10.0);
+    let table = turn.table().unwrap();
+    assert_eq!(table.count(), 100);
+    for (row, pose) in turn.rows().enumerate() {
+        let pose = pose.unwrap();
+        for (name, motion) in [
+            ("theta2", pose.theta2),
+            ("theta3", pose.theta3),
+            ("theta4", pose.theta4),
+        ] {
+            let orders = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
+            for (order, suffix) in orders.iter().enumerate() {
+                let value = table.column(&(name.to_string() + suffix)).unwrap()[row];
+                let size = 10_f64.powi(i32::try_from(order).unwrap());
+                assert!(
+                    (value - motion[order]).abs() <= 1e-11 * size,
+                    "{name}{suffix} in row {row}"
+                );
+            }
+        }
+    }
+    assert_eq!(table.variable().values[0], -1.0);
+    assert_eq!(table.variable().values[99], TAU);
+    assert!(table.limits().is_empty());
+}
+
+/// A coupler that turns fully, of a double crank, ends a turn further for each turn of the crank.
+#[test]
+fn angles_continue_over_turns() {
+    let double_crank = FourBar {
+        r1: 30.0,
+        r2: 90.0,
+        r3: 70.0,
+        r4: 60.0,
+    };
+    let turns = double_crank.sweep(Assembly::Open).over(0.0..=3.0 * TAU, 301);
+    let table = turns.table().unwrap();
+    let rocker = table.column("theta4").unwrap();
+    assert!((rocker[300] - rocker[0] - 3.0 * TAU).abs() < 1e-12);
+    for pair in rocker.windows(2) {
+        assert!((pair[1] - pair[0]).abs() < 0.5);
+    }
+    let poses: Vec<f64> = turns.rows().map(|pose| pose.unwrap().theta4.position()).collect();
+    for (one, other) in poses.iter().zip(rocker) {
+        assert!((one - other).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn limits_are_exact_and_rows_beyond_say_by_how_much() {
+    let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 61);
+    let table = sweep.table().unwrap();
+    let expected = LIMITED.crank_range().unwrap();
+    let [low, high] = table.limits() else {
+        panic!("two limits")
+    };
+    assert!((low.at + expected.high).abs() < 1e-14 && (high.at - expected.high).abs() < 1e-14);
+    assert_eq!(
+        (low.kind, high.kind),
+        (LimitKind::TurningPoint, LimitKind::TurningPoint)
+    );
+    assert!(!low.closes_before && high.closes_before);
+    let before = table.rows().nth(high.row).unwrap();
+    assert!(before.outcome().is_solved() && before.get("theta2").unwrap() < high.at);
+    assert_eq!(table.margin(high.row), None);
+    for row in high.row + 1..61 {
+        let error = LIMITED.position(sweep.at(row), Assembly::Open).unwrap_err();
+        assert_eq!(table.margin(row), error.margin());
+        assert!(table.column("theta4").unwrap()[row].is_nan());
+    }
+    let degrees = table.in_degrees();
+    assert!((degrees.limits()[1].at - 112.0243).abs() < 5e-5);
+    assert!(degrees.to_string().contains("closes up to theta2 = 112.024"));
+}
+
+/// The time of a limit under a law is where the law brings the input there.
+#[test]
+fn limits_under_a_law_have_a_time() {
+    let rise = Rise::new(Shape::Cycloidal, 0.0, 3.0, 1.0).unwrap();
+    let table = LIMITED
+        .sweep(Assembly::Open)
+        .under_laws([&rise], 0.0..=1.0, 50)
+        .table()
+        .unwrap();
+    let high = LIMITED.crank_range().unwrap().high;
+    let [limit] = table.limits() else { panic!("one limit") };
+    let [value, velocity] = rise.at::<2>(limit.at).derivatives();
+    assert!((value - high).abs() < 4.0 * f64::EPSILON * (high + velocity));
+    let same = LIMITED
+        .sweep(Assembly::Open)
+        .over_time(0.0..=1.0, 50, |time| [rise.at(time)]);
+    assert_eq!(same.table().unwrap().limits()[0].at, limit.at);
+}
+
+/// A coupled block is followed up to the end of its circuit, and does not close again behind it.
+#[test]
+fn a_coupled_block_stays_in_its_circuit() {
+    let root = 3.0_f64.sqrt();
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(2.0 * root, 0.0),
+        base_c: Plane::new(root, 3.0),
+        platform_b: Plane::new(root, 0.0),
+        platform_c: Plane::new(root / 2.0, 1.5),
+    };
+    let leg = 5.0_f64.sqrt();
+    // the platform stops where the legs are as short as they can be, and the sweep comes back at the end
+    let sweep = triad
+        .sweep(Near([0.1, 2.2, -2.0, 1.6]))
+        .over_time(0.0..=1.0, 41, |time| {
+            let legs = Motion::polynomial(&[leg, -6.0, 6.0], time);
+            [legs, legs, legs]
+        });
+    let table = sweep.table().unwrap();
+    let last = (0..41).find(|row| !table.outcome(*row).unwrap().is_solved()).unwrap();
+    assert!(last > 1 && last < 20);
+    assert!((last..41).all(|row| !table.outcome(row).unwrap().is_solved()));
+    let [limit] = table.limits() else { panic!("one limit") };
+    // the shortest legs are 2 - 1 long, where the platform has turned by nothing
+    assert!((limit.inputs[0] - 1.0).abs() < 1e-9, "{limit:?}");
+    for row in last..41 {
+        let length = table.column("a").unwrap()[row];
+        assert!((table.margin(row).unwrap() + (length - limit.inputs[0]).abs()).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn several_inputs_and_columns() {
+    let robot = FiveBar {
+        ground: 2.0,
+        left: 1.5,
+        left_rod: 2.0,
+        right_rod: 2.0,
+        right: 1.5,
+    };
+    let line = robot
+        .sweep(Assembly::Open)
+        .between([1.0, 2.0], [2.0, 1.0], 11)
+        .speed(3.0);
+    let table = line.table().unwrap();
+    let angles: Vec<f64> = table.column("alpha").unwrap().to_vec();
+    let others: Vec<f64> = table.column("beta").unwrap().to_vec();
+    let rates = |speed| Motion::<Column<'_>>::new([speed; 5].map(Column::Same));
+    let (mut alpha, mut beta) = (rates(0.0), rates(0.0));
+    (alpha[0], alpha[1]) = (Column::Each(&angles), Column::Same(3.0));
+    (beta[0], beta[1]) = (Column::Each(&others), Column::Same(-3.0));
+    let along = robot.sweep(Assembly::Open).along([alpha, beta]).table().unwrap();
+    assert_eq!(along.variable().label.to_string(), "row");
+    for name in ["hand.x", "hand.y_jerk", "phi_snap", "psi"] {
+        assert_eq!(along.column(name).unwrap(), table.column(name).unwrap(), "{name}");
+    }
+    beta[0] = Column::Each(&others[1..]);
+    let error = robot.sweep(Assembly::Open).along([alpha, beta]).table().unwrap_err();
+    assert!(matches!(error, SweepError::Columns(mismatch) if mismatch.quantity == "beta" && mismatch.length == 10));
+}
+
+crate::mechanism! {
+    /// A four-bar linkage with a direction.
+    struct Directed { pub r1: Length, pub r2: Length, pub r3: Length, pub r4: Length }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Direction;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+#[test]
+fn directions_are_columns_of_angles() {
+    let directed: Directed = Directed {
+        r1: 30.0,
+        r2: 90.0,
+        r3: 70.0,
+        r4: 60.0,
+    };
+    let angles = FourBar::from_parameters(directed.parameters());
+    let table = directed
+        .sweep(Assembly::Open)
+        .over(0.0..=TAU, 73)
+        .speed(2.0)
+        .table()
+        .unwrap();
+    let expected = angles
+        .sweep(Assembly::Open)
+        .over(0.0..=TAU, 73)
+        .speed(2.0)
+        .table()
+        .unwrap();
+    for name in ["theta3", "theta4", "theta4_velocity", "theta4_snap"] {
+        let values = table.column(name).unwrap().iter().zip(expected.column(name).unwrap());
+        for (one, other) in values {
+            assert!((one - other).abs() < 1e-11, "{name}");
+        }
+    }
+}
+
+#[test]
+fn adaptive_rows_are_within_the_tolerance() {
+    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 9).speed(10.0);
+    let table = turn.adaptive_table(1e-3, 4, 5000).unwrap();
+    let places = table.variable().values;
+    for name in ["theta3", "theta4_velocity", "theta4_snap"] {
+        let values = table.column(name).unwrap();
+        let range = |values: &[f64]| {
+            values.iter().copied().fold(f64::MIN, f64::max) - values.iter().copied().fold(f64::MAX, f64::min)
+        };
+        let dense = CRANK_ROCKER
+            .sweep(Assembly::Open)
+            .over(0.0..=TAU, 7200)
+            .speed(10.0)
+            .table()
+            .unwrap();
+        let mut row = 0;
+        for (at, exact) in dense.variable().values.iter().zip(dense.column(name).unwrap()) {
+            while places[row + 1] < *at {
+                row += 1;
+            }
+            let part = (at - places[row]) / (places[row + 1] - places[row]);
+            let line = values[row] + part * (values[row + 1] - values[row]);
+            assert!((line - exact).abs() < 1.3e-3 * range(values), "{name} at {at}");
+        }
+    }
+    let few = turn.adaptive_table(1e-3, 4, 50).unwrap_err();
+    assert!(matches!(few, SweepError::TooManyRows { most: 50, deviation, .. } if deviation > 1e-3));
+    // the sides of a limit come close to it
+    let table = LIMITED
+        .sweep(Assembly::Open)
+        .over(0.0..=3.0, 5)
+        .adaptive_table(1e-2, 0, 500)
+        .unwrap();
+    let limit = &table.limits()[0];
+    assert!(limit.at - table.variable().values[limit.row] < 3e-6);
+}
+
+#[test]
+fn mistakes_are_told() {
+    let start = CRANK_ROCKER.sweep(Assembly::Open);
+    assert_eq!(start.over(0.0..=1.0, 0).table(), Err(SweepError::NoRows));
+    let endless = start.over(0.0..=f64::INFINITY, 3).table().unwrap_err();
+    assert!(matches!(endless, SweepError::NotFinite { quantity: "end", .. }));
+    let tolerance = start.over(0.0..=1.0, 3).adaptive_table(0.0, 1, 10).unwrap_err();
+    assert!(matches!(
+        tolerance,
+        SweepError::NotFinite {
+            quantity: "tolerance",
+            ..
+        }
+    ));
+    let table = start.over(0.0..=1.0, 3).table().unwrap();
+    let error = table.column("theta4_velocty").unwrap_err();
+    assert_eq!(error.near[0], "theta4_velocity");
+    let broken = FourBar {
+        r1: f64::NAN,
+        ..CRANK_ROCKER
+    };
+    let table = broken.sweep(Assembly::Open).over(0.0..=PI, 3).table().unwrap();
+    assert_eq!(table.outcome(1), Some(Outcome::Failed));
+}
+
+#[test]
+fn tables_are_text() {
+    let table = CRANK_ROCKER
+        .sweep(Assembly::Open)
+        .over(0.0..=TAU, 361)
+        .table()
+        .unwrap()
+        .in_degrees()
+        .units("mm", "s");
+    let text = table.to_string();
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(
+        lines[0].contains("theta2_acceleration") && lines[1].contains("deg/s²"),
+        "{text}"
+    );
+    assert_eq!(lines.len(), 2 + 20 + 1 + 1);
+    assert!(lines[12].contains('…'));
+    assert!(lines[23].contains("361 rows, and 7 more columns"));
+    assert_eq!(std::format!("{table:#}").lines().count(), 2 + 361);
+    assert!(table.columns().any(|column| column.unit.to_string() == "deg/s⁴"));
+}
