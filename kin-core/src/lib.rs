@@ -51,6 +51,7 @@
 //! | the choice between two solutions (branches) | [`Assembly`] |
 //! | moving from one position to another in the same assembly | [`track`](track()), [`TrackError`] |
 //! | many poses over an input or over time, tables with named columns | [`sweep`] |
+//! | peaks, extremes, zeros, dwells and means of a sweep | `extremes` (feature `alloc`) |
 //! | curves between the rows of a table | [`hermite`] |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
@@ -72,7 +73,7 @@
 //! # Features
 //!
 //! The solvers do not allocate and need no standard library: without the default feature `std`, the feature `libm`
-//! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables of sweeps. The feature `library` adds declared mechanisms, and `rayon` solves batches on
+//! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables and extremes of sweeps. The feature `library` adds declared mechanisms, and `rayon` solves batches on
 //! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature
 //! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
 //! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses.
@@ -106,6 +107,8 @@ pub mod batch;
 #[cfg(rust_analyzer)]
 #[doc(hidden)]
 pub mod editor;
+#[cfg(feature = "alloc")]
+pub mod extremes;
 mod failure;
 mod geometry;
 pub mod hermite;

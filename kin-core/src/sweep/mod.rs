@@ -64,12 +64,16 @@ pub use drive::{Along, Drive, InputMotions, Laws, Line, Local, OverTime, SmoothD
 #[cfg(feature = "alloc")]
 pub use error::SweepError;
 #[cfg(feature = "alloc")]
+pub(crate) use limits::between as limit_between;
+#[cfg(feature = "alloc")]
 pub use limits::{Limit, LimitKind};
 #[cfg(feature = "alloc")]
 pub use names::NoSuchColumn;
 pub use rows::Rows;
 #[cfg(feature = "alloc")]
 pub use table::{RowOf, Table};
+#[cfg(feature = "alloc")]
+pub(crate) use walk::Walk;
 
 use core::ops::RangeInclusive;
 
@@ -158,6 +162,9 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
 
     /// Over a range of the time, with a function that gives the motion of every input: an array of what `solve` takes.
     ///
+    /// Only the poses of the rows are read. [Extremes](crate::extremes) between them need [`under_laws`](Self::under_laws), which
+    /// knows derivatives above the order of the mechanism.
+    ///
     /// ```
     /// use kin_core::library::SliderCrank;
     /// use kin_core::prelude::*;
@@ -185,7 +192,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// let servo = Rise::new(Shape::ModifiedSine, 0.0, 90_f64.to_radians(), 0.4)?;
     /// let move_down = press.sweep(Assembly::Open).under_laws([&servo], 0.0..=0.4, 200);
-    /// println!("{}", move_down.table()?.units("m", "s"));
+    /// let peak = move_down.peak("s_jerk")?;
+    /// println!("{} m/s³ at {} s", peak.value, peak.at);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn under_laws<'l>(

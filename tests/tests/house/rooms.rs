@@ -59,6 +59,7 @@ pub(crate) const CORE: House = House {
         room("track", &["track/"], "from pose to pose"),
         room("batch", &["batch/"], "columns, in lanes"),
         room("sweep", &["sweep/"], "sweeps, tables"),
+        room("extremes", &["extremes/"], "peaks, means"),
         room("stored", &["stored/"], "traits of serde"),
         room("interop", &["interop/"], "other crates' types"),
         room("verify", &["verify/"], "two oracles"),

@@ -1,0 +1,286 @@
+//! A quantity as a curve over the variable of a sweep, in stretches without an edge.
+
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+use super::ExtremesError;
+use super::at::At;
+use crate::failure::SolveError;
+use crate::law::Side;
+use crate::mechanism::{Dimension, Mechanism};
+use crate::number::{Number, Row};
+use crate::sweep::{Course, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, limit_between};
+
+/// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
+/// the poses to be exact.
+pub(super) const NEAREST: f64 = 1.0 / 256.0;
+
+/// The end of a stretch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum End {
+    /// The end of the sweep, with the place of the other end if both are the same pose.
+    Sweep,
+    /// Where two pieces of a law meet.
+    Joint,
+    /// Where the mechanism begins or ceases to close.
+    Limit(LimitKind),
+    /// A place inside of a smooth curve, where a stretch has been divided.
+    Inside,
+}
+
+/// A part of the sweep on which the mechanism closes and the curve has no edge, with its own parameter.
+///
+/// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is the limit plus
+/// `scale` s².
+#[derive(Clone, Copy)]
+pub(super) struct Stretch<M: Mechanism> {
+    /// The parameters at both ends, in the order of the sweep.
+    pub(super) parameters: [f64; 2],
+    pub(super) ends: [End; 2],
+    /// The turning point and the scale, if the stretch begins or ends at one.
+    pub(super) turning: Option<(f64, f64)>,
+    /// A pose close to its start.
+    pub(super) walk: Walk<M>,
+    /// Whether the sweep runs upwards.
+    pub(super) runs_up: bool,
+}
+
+impl<M: Mechanism> Stretch<M> {
+    /// The variable as a series in the parameter.
+    pub(super) fn variable(&self, parameter: f64) -> Local {
+        match self.turning {
+            None => Local::from_coefficients([parameter, 1.0, 0.0, 0.0, 0.0]),
+            Some((limit, scale)) => Local::from_coefficients([
+                limit + scale * parameter * parameter,
+                2.0 * scale * parameter,
+                scale,
+                0.0,
+                0.0,
+            ]),
+        }
+    }
+
+    /// The turning point at the smaller parameter.
+    pub(super) fn turning_point(&self) -> Option<f64> {
+        self.turning.map(|(limit, _)| limit)
+    }
+}
+
+/// A place on the curve.
+#[derive(Clone, Copy)]
+pub(super) struct Node<M: Mechanism> {
+    pub(super) parameter: f64,
+    /// The variable of the sweep.
+    pub(super) at: f64,
+    /// The quantity as a series in the parameter.
+    pub(super) value: Local,
+    pub(super) walk: Walk<M>,
+}
+
+/// A quantity over a sweep.
+pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D, F> {
+    pub(super) course: &'c Course<M, D>,
+    series: M::With<Local>,
+    quantity: F,
+}
+
+impl<'c, M, D, F> Curve<'c, M, D, F>
+where
+    M: Mechanism<Scalar = f64>,
+    D: SmoothDrive<M>,
+    F: Fn(&At<M>) -> Local,
+{
+    pub(super) fn new(course: &'c Course<M, D>, quantity: F) -> Self {
+        let series = course.mechanism.convert(Local::constant);
+        Self {
+            course,
+            series,
+            quantity,
+        }
+    }
+
+    /// The place with a parameter, found from a pose nearby.
+    pub(super) fn node(&self, stretch: &Stretch<M>, parameter: f64, near: Walk<M>) -> Result<Node<M>, ExtremesError> {
+        let variable = stretch.variable(parameter);
+        let at = variable.real();
+        // At the end of a stretch its own piece of the law counts.
+        let is_last = parameter == stretch.parameters[1];
+        let side = if is_last == stretch.runs_up {
+            Side::Left
+        } else {
+            Side::Right
+        };
+        let inputs = self.course.drive.series(at, side);
+        let mut walk = near;
+        let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order].real()));
+        let gap = |_: SolveError| ExtremesError::Gap { at };
+        let reached = walk
+            .step(&self.course.mechanism, self.course.assembly, motions)
+            .map_err(gap)?;
+        let inputs = Row::from_fn(|input| Row::from_fn(|order| composed(inputs[input][order], variable)));
+        let pose = self
+            .series
+            .solve_motion_near(
+                inputs,
+                Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
+            )
+            .map_err(gap)?;
+        let value = (self.quantity)(&At {
+            mechanism: self.series,
+            pose,
+            inputs,
+            near: Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
+        });
+        if !Number::is_finite(value) {
+            return Err(ExtremesError::NotFinite { at });
+        }
+        Ok(Node {
+            parameter,
+            at,
+            value,
+            walk,
+        })
+    }
+
+    /// Whether the sweep is one full turn of the only input that moves.
+    pub(super) fn is_full_turn(&self) -> bool {
+        let way = (self.course.to - self.course.from).abs();
+        let is_turn = (way - TAU).abs() <= 8.0 * f64::EPSILON * self.course.to.abs().max(self.course.from.abs());
+        let Variable::Input(lead) = self.course.drive.variable() else {
+            return false;
+        };
+        let is_alone =
+            (0..M::DESCRIPTION.inputs.len()).all(|input| input == lead || self.course.drive.same(input, 0).is_some());
+        is_turn && is_alone && M::DESCRIPTION.inputs[lead].dimension == Dimension::Angle
+    }
+
+    /// The stretches, in the order of the sweep.
+    pub(super) fn stretches(&self) -> Result<Vec<Stretch<M>>, ExtremesError> {
+        self.course.check()?;
+        let course = self.course;
+        let runs_up = course.to >= course.from;
+        let mut circuits: Vec<([f64; 2], [End; 2], Walk<M>)> = Vec::new();
+        let mut walk = Walk::BEGINNING;
+        let mut first_error = None;
+        // the row before: its place, its walk, and whether it closed
+        let mut before: Option<(f64, Walk<M>, bool)> = None;
+        for row in 0..course.count {
+            let at = course.at(row);
+            let result = walk.step(&course.mechanism, course.assembly, course.drive.motions(at));
+            let is_closed = result.is_ok();
+            if let Err(error) = result {
+                first_error.get_or_insert(error);
+            }
+            match (before, is_closed) {
+                (None, true) => circuits.push(([at, at], [End::Sweep, End::Sweep], walk)),
+                (Some((place, _, false)), true) => {
+                    let limit = self.limit(at, &walk, place)?;
+                    circuits.push(([limit.at, at], [End::Limit(limit.kind), End::Sweep], walk));
+                }
+                (Some((place, there, true)), false) => {
+                    let limit = self.limit(place, &there, at)?;
+                    if let Some((ends, kinds, _)) = circuits.last_mut() {
+                        (ends[1], kinds[1]) = (limit.at, End::Limit(limit.kind));
+                    }
+                }
+                (Some((_, _, true)), true) => {
+                    if let Some((ends, ..)) = circuits.last_mut() {
+                        ends[1] = at;
+                    }
+                }
+                _ => {}
+            }
+            before = Some((at, walk, is_closed));
+        }
+        if circuits.is_empty() {
+            return Err(first_error.map_or(ExtremesError::Gap { at: course.from }, ExtremesError::NothingCloses));
+        }
+        let mut stretches = Vec::new();
+        for (ends, kinds, walk) in circuits {
+            let mut start = (ends[0], kinds[0]);
+            for joint in self.joints(ends) {
+                add(&mut stretches, [start, (joint, End::Joint)], walk, runs_up);
+                start = (joint, End::Joint);
+            }
+            add(&mut stretches, [start, (ends[1], kinds[1])], walk, runs_up);
+        }
+        Ok(stretches)
+    }
+
+    /// The joints of laws between two places, in the order of the sweep.
+    fn joints(&self, ends: [f64; 2]) -> Vec<f64> {
+        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let mut joints = Vec::new();
+        let mut after = low;
+        while let Some(joint) = self.course.drive.next_joint(after).filter(|joint| *joint < high) {
+            joints.push(joint);
+            after = joint;
+        }
+        if ends[0] > ends[1] {
+            joints.reverse();
+        }
+        joints
+    }
+
+    fn limit(&self, closed: f64, walk: &Walk<M>, open: f64) -> Result<Limit, ExtremesError> {
+        let (_, unknowns) = walk.last.ok_or(ExtremesError::Gap { at: open })?;
+        limit_between(self.course, closed, unknowns, open).ok_or(ExtremesError::Gap { at: open })
+    }
+}
+
+/// Adds the stretches between two ends: two if it is bounded by turning points on both sides.
+fn add<M: Mechanism<Scalar = f64>>(
+    stretches: &mut Vec<Stretch<M>>,
+    [start, end]: [(f64, End); 2],
+    walk: Walk<M>,
+    runs_up: bool,
+) {
+    if start.0 == end.0 {
+        return;
+    }
+    let turns = |end: End| {
+        matches!(
+            end,
+            End::Limit(LimitKind::TurningPoint | LimitKind::ChangePoint | LimitKind::Pole)
+        )
+    };
+    match (turns(start.1), turns(end.1)) {
+        (true, true) => {
+            let middle = (f64::midpoint(start.0, end.0), End::Inside);
+            add(stretches, [start, middle], walk, runs_up);
+            add(stretches, [middle, end], walk, runs_up);
+        }
+        (true, false) => stretches.push(Stretch {
+            parameters: [NEAREST, 1.0],
+            ends: [start.1, end.1],
+            turning: Some((start.0, end.0 - start.0)),
+            walk,
+            runs_up,
+        }),
+        (false, true) => stretches.push(Stretch {
+            parameters: [1.0, NEAREST],
+            ends: [start.1, end.1],
+            turning: Some((end.0, start.0 - end.0)),
+            walk,
+            runs_up,
+        }),
+        (false, false) => stretches.push(Stretch {
+            parameters: [start.0, end.0],
+            ends: [start.1, end.1],
+            turning: None,
+            walk,
+            runs_up,
+        }),
+    }
+}
+
+/// A series in the variable as a series in the parameter, by Horner's scheme.
+fn composed(outer: Local, inner: Local) -> Local {
+    let change = inner - Local::constant(inner.real());
+    let coefficients = outer.coefficients();
+    let sum = Local::constant(0.0);
+    coefficients
+        .into_iter()
+        .rev()
+        .fold(sum, |sum, coefficient| sum * change + Local::constant(coefficient))
+}

@@ -1,0 +1,255 @@
+//! Means and root mean squares.
+
+use super::ExtremesError;
+use super::at::At;
+use super::curve::{Curve, NEAREST, Stretch};
+use crate::mechanism::Mechanism;
+use crate::number::Number;
+use crate::sweep::{Local, SmoothDrive};
+
+/// The nodes and weights of Gauss and Legendre's rule of ten points on -1 ..= 1, for the positive half.
+/// (M. Abramowitz and I. A. Stegun, *Handbook of Mathematical Functions*, table 25.4.)
+const GAUSS: [(f64, f64); 5] = [
+    (0.148_874_338_981_631_21, 0.295_524_224_714_752_87),
+    (0.433_395_394_129_247_19, 0.269_266_719_309_996_36),
+    (0.679_409_568_299_024_41, 0.219_086_362_515_982_04),
+    (0.865_063_366_688_984_51, 0.149_451_349_150_580_59),
+    (0.973_906_528_517_171_72, 0.066_671_344_308_688_14),
+];
+/// The precision of a mean, relative to the mean size of the quantity.
+const PRECISION: f64 = 1e-12;
+/// The halvings of a stretch.
+const HALVINGS: usize = 12;
+/// The most points of the trapezoid rule.
+const MOST_POINTS: u32 = 1 << 15;
+
+/// The variable over which a mean is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// Every moment counts alike.
+    Time,
+    /// Every part of the way of the first input counts alike, whatever its speed.
+    Input,
+}
+
+/// A mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mean {
+    /// The mean.
+    pub value: f64,
+    /// The estimate of its error.
+    pub error: f64,
+}
+
+/// Integrals over a part of the sweep: of the quantity with its weight, of its size, and of the weight.
+#[derive(Clone, Copy, Default)]
+struct Integral {
+    value: f64,
+    size: f64,
+    weight: f64,
+}
+
+impl Integral {
+    fn plus(self, other: Self, factor: f64) -> Self {
+        Self {
+            value: self.value + factor * other.value,
+            size: self.size + factor * other.size,
+            weight: self.weight + factor * other.weight,
+        }
+    }
+}
+
+impl<M, D, F> Curve<'_, M, D, F>
+where
+    M: Mechanism<Scalar = f64>,
+    D: SmoothDrive<M>,
+    F: Fn(&At<M>) -> Local,
+{
+    /// The mean of a power of the quantity: 1, or 2 for the mean square.
+    pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
+        let stretches = self.stretches()?;
+        let is_smooth_turn = self.is_full_turn() && stretches.len() == 1 && stretches[0].turning.is_none();
+        if is_smooth_turn && let Some(mean) = self.over_turn(&stretches[0], power)? {
+            return Ok(mean);
+        }
+        let (mut sum, mut error) = (Integral::default(), 0.0);
+        for stretch in &stretches {
+            // first, as it tells whether there is an integral at all
+            if let Some(limit) = stretch.turning_point() {
+                sum = sum.plus(self.beside_limit(stretch, limit, over, power)?, 1.0);
+            }
+            let [from, to] = stretch.parameters;
+            let whole = self.gauss(stretch, [from, to], over, power)?;
+            let scale = whole.size;
+            let own = self.halved(stretch, [from, to], whole, scale, over, power, HALVINGS, &mut error)?;
+            sum = sum.plus(own, 1.0);
+        }
+        let mean = Mean {
+            value: sum.value / sum.weight,
+            error: (error + 4.0 * f64::EPSILON * sum.size) / sum.weight,
+        };
+        if !(mean.error <= PRECISION * sum.size / sum.weight) {
+            return Err(ExtremesError::Imprecise {
+                value: mean.value,
+                error: mean.error,
+            });
+        }
+        Ok(mean)
+    }
+
+    /// The quantity with its weight, for the rate of the variable with respect to the parameter.
+    fn integrand(
+        &self,
+        stretch: &Stretch<M>,
+        parameter: f64,
+        over: Over,
+        power: i32,
+    ) -> Result<Integral, ExtremesError> {
+        let node = self.node(stretch, parameter, stretch.walk)?;
+        let value = Number::powi(node.value.real(), power);
+        let rate = stretch.variable(parameter).coefficients()[1].abs();
+        let weight = rate * self.weight(node.at, over);
+        Ok(Integral {
+            value: value * weight,
+            size: value.abs() * weight,
+            weight,
+        })
+    }
+
+    /// The way of the input, or the time, for a unit of the variable. A constant factor does not matter.
+    fn weight(&self, at: f64, over: Over) -> f64 {
+        match over {
+            Over::Time => 1.0,
+            Over::Input => self.course.drive.way_per_variable(at),
+        }
+    }
+
+    fn gauss(
+        &self,
+        stretch: &Stretch<M>,
+        [from, to]: [f64; 2],
+        over: Over,
+        power: i32,
+    ) -> Result<Integral, ExtremesError> {
+        let (middle, half) = (f64::midpoint(from, to), 0.5 * (to - from));
+        let mut sum = Integral::default();
+        for (node, weight) in GAUSS {
+            for place in [middle - half * node, middle + half * node] {
+                sum = sum.plus(self.integrand(stretch, place, over, power)?, weight * half.abs());
+            }
+        }
+        Ok(sum)
+    }
+
+    /// The integral by halves, until they agree with the whole.
+    #[expect(clippy::too_many_arguments, reason = "a recursion hands everything down")]
+    fn halved(
+        &self,
+        stretch: &Stretch<M>,
+        [from, to]: [f64; 2],
+        whole: Integral,
+        scale: f64,
+        over: Over,
+        power: i32,
+        halvings: usize,
+        error: &mut f64,
+    ) -> Result<Integral, ExtremesError> {
+        let middle = f64::midpoint(from, to);
+        let left = self.gauss(stretch, [from, middle], over, power)?;
+        let right = self.gauss(stretch, [middle, to], over, power)?;
+        let both = left.plus(right, 1.0);
+        let difference = (both.value - whole.value).abs() + (both.weight - whole.weight).abs() * mean_size(both);
+        if difference <= 0.01 * PRECISION * scale || halvings == 0 {
+            *error += difference;
+            return Ok(both);
+        }
+        let left = self.halved(stretch, [from, middle], left, scale, over, power, halvings - 1, error)?;
+        let right = self.halved(stretch, [middle, to], right, scale, over, power, halvings - 1, error)?;
+        Ok(left.plus(right, 1.0))
+    }
+
+    /// The part next to a turning point, from the Taylor series at the nearest place.
+    fn beside_limit(
+        &self,
+        stretch: &Stretch<M>,
+        limit: f64,
+        over: Over,
+        power: i32,
+    ) -> Result<Integral, ExtremesError> {
+        let nearest = self.node(stretch, NEAREST, stretch.walk)?;
+        // the power of one over the parameter with which the quantity grows
+        let growth = f64::from(power) * num_traits::Float::log2(self.growth(stretch, &nearest)?.max(f64::MIN_POSITIVE));
+        // the variable moves with the square of the parameter
+        if growth > 1.5 {
+            return Err(ExtremesError::Diverges {
+                at: limit,
+                power: 0.5 * num_traits::Float::round(growth),
+            });
+        }
+        let parameter = Local::from_coefficients([NEAREST, 1.0, 0.0, 0.0, 0.0]);
+        let scale = stretch.turning.map_or(0.0, |(_, scale)| 2.0 * scale.abs());
+        let weight = parameter * Local::constant(scale * self.weight(nearest.at, over));
+        let value = Number::powi(nearest.value, power);
+        let integral = |integrand: Local| {
+            let coefficients = integrand.coefficients();
+            let mut order = 0.0;
+            let mut reach = 1.0;
+            let mut sum = 0.0;
+            for coefficient in coefficients {
+                order += 1.0;
+                reach *= -NEAREST;
+                sum -= coefficient * reach / order;
+            }
+            sum
+        };
+        let own = integral(value * weight);
+        Ok(Integral {
+            value: own,
+            size: own.abs(),
+            weight: integral(weight),
+        })
+    }
+
+    /// The mean over a full turn by the trapezoid rule, whose error falls faster than any power of the number of points.
+    /// (L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56, 2014, 385-458.)
+    fn over_turn(&self, stretch: &Stretch<M>, power: i32) -> Result<Option<Mean>, ExtremesError> {
+        let [from, to] = stretch.parameters;
+        let (mut points, mut sum, mut size) = (16_u32, 0.0, 0.0);
+        let mut last = f64::NAN;
+        let mut add = |index: u32, points: u32| -> Result<(f64, f64), ExtremesError> {
+            let place = from + (to - from) * (f64::from(index) / f64::from(points));
+            let value = Number::powi(self.node(stretch, place, stretch.walk)?.value.real(), power);
+            sum += value;
+            size += value.abs();
+            Ok((sum, size))
+        };
+        let mut totals = (0.0, 0.0);
+        for index in 0..points {
+            totals = add(index, points)?;
+        }
+        while points < MOST_POINTS {
+            let mean = totals.0 / f64::from(points);
+            let error = (mean - last).abs();
+            if error <= 0.1 * PRECISION * totals.1 / f64::from(points) {
+                return Ok(Some(Mean {
+                    value: mean,
+                    error: error + 4.0 * f64::EPSILON * totals.1 / f64::from(points),
+                }));
+            }
+            last = mean;
+            points *= 2;
+            for index in (1..points).step_by(2) {
+                totals = add(index, points)?;
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn mean_size(integral: Integral) -> f64 {
+    if integral.weight > 0.0 {
+        integral.size / integral.weight
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,288 @@
+//! Peaks, extremes, zeros, dwells and means of a sweep, exact to rounding.
+//!
+//! ```
+//! use std::f64::consts::TAU;
+//! use kin_core::library::FourBar;
+//! use kin_core::prelude::*;
+//!
+//! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+//! let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+//! let peak = turn.peak("theta4_acceleration")?;
+//! println!("{} rad/s² at {}°", peak.value, peak.at.to_degrees());
+//!
+//! // there the jerk vanishes
+//! let pose = linkage.solve(Motion::at_constant_speed(peak.at, 10.0), Assembly::Open)?;
+//! assert!(pose.theta4.jerk().abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A question is asked to the sweep itself, and the answer does not depend on its rows: extremes are found between them. The quantity is
+//! called by the name of its column, or is any expression of the pose by a closure: see [`At`].
+//!
+//! # Method
+//! The poses are solved in numbers that carry their Taylor series in the variable of the sweep. A piece of the curve between
+//! two poses is the Hermite polynomial of degree 9 that agrees with both series. Pieces are halved until they agree with the
+//! poses at a third, the middle and two thirds. Descartes' rule isolates the zeros of the slope of each piece, and Newton's
+//! method refines them on the poses themselves.
+//!
+//! Towards a turning point the curve is a root of the variable. There the parameter is the root of the distance, in which the
+//! curve is smooth. A rate that grows beyond all bounds is `Unbounded`, never a number. Within 10⁻⁵ of the way to a turning point, values
+//! come from the series next to it.
+//!
+//! A quantity must be known to vary by more than 10⁻⁸ of its range between two extremes, or more than 10⁻¹² of its size, for them to be
+//! told from rounding errors.
+
+mod at;
+mod curve;
+mod error;
+mod mean;
+mod parts;
+mod quantity;
+mod search;
+#[cfg(test)]
+mod tests;
+
+pub use at::At;
+pub use error::ExtremesError;
+pub use mean::{Mean, Over};
+
+use alloc::vec::Vec;
+use core::fmt;
+
+use curve::Curve;
+use quantity::Named;
+
+use crate::failure::digits::Digits;
+use crate::mechanism::Mechanism;
+use crate::sweep::{Course, Local, SmoothDrive};
+
+/// The kind of an extreme.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The slope vanishes.
+    Inner,
+    /// The mechanism closes no further.
+    Limit,
+    /// Two pieces of a law meet, or the quantity itself has a kink.
+    Kink,
+    /// The sweep ends.
+    End,
+    /// The quantity grows beyond all bounds towards a turning point.
+    Unbounded,
+}
+
+/// A place where a quantity is larger or smaller than on both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// The value of the variable of the sweep: radians or the mechanism's unit of length for an input, or the time.
+    pub at: f64,
+    /// The value of the quantity, or `None` if it is unbounded.
+    pub value: Option<f64>,
+    /// The kind.
+    pub kind: Kind,
+    /// Whether it is a maximum; otherwise it is a minimum.
+    pub is_maximum: bool,
+}
+
+/// `maximum 74.3 at 2.1`
+impl fmt::Display for Extreme {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let word = if self.is_maximum { "maximum" } else { "minimum" };
+        match self.value {
+            Some(value) => write!(formatter, "{word} {} at {}", Digits(value), Digits(self.at))?,
+            None => write!(formatter, "unbounded at {}", Digits(self.at))?,
+        }
+        formatter.write_str(match self.kind {
+            Kind::Inner | Kind::Unbounded => "",
+            Kind::Limit => ", at a limit",
+            Kind::Kink => ", at a kink",
+            Kind::End => ", at the end of the sweep",
+        })
+    }
+}
+
+/// The value of a quantity that is largest in size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The value of the variable of the sweep.
+    pub at: f64,
+    /// The value of the quantity, with its sign.
+    pub value: f64,
+    /// The kind of the extreme.
+    pub kind: Kind,
+}
+
+/// A place where a quantity crosses a level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// The value of the variable of the sweep.
+    pub at: f64,
+    /// Whether the quantity rises in the direction of the sweep.
+    pub is_rising: bool,
+}
+
+/// A part of the sweep on which a quantity keeps to a level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dwell {
+    /// Its start.
+    pub from: f64,
+    /// Its end. A dwell through the seam of a full turn ends beyond the end of the sweep.
+    pub to: f64,
+    /// Its time, in the unit of time of the rates.
+    pub duration: f64,
+}
+
+/// Extremes and means. A quantity is called by the name of its column, as in `"theta4_jerk"`; the methods that end on `_by` take a
+/// closure, as in `|at| at.theta4.jerk()`, for any expression of a pose.
+///
+/// # Errors
+/// [`ExtremesError`] for all of them.
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
+    /// The value that is largest in size, and where.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Unbounded`] if the quantity has none, and the errors of [`extremes_by`](Self::extremes_by).
+    pub fn peak(&self, name: &str) -> Result<Peak, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.peak_by(|at| named.of(at))
+    }
+
+    /// [`peak`](Self::peak) of an expression.
+    ///
+    /// # Errors
+    /// As for [`peak`](Self::peak).
+    pub fn peak_by(&self, quantity: impl Fn(&At<M>) -> Local) -> Result<Peak, ExtremesError> {
+        let found = Curve::new(self, quantity).extremes()?;
+        let mut peak = Peak {
+            at: self.from,
+            value: found.first,
+            kind: Kind::End,
+        };
+        for extreme in found.extremes {
+            let Some(value) = extreme.value else {
+                return Err(ExtremesError::Unbounded { at: extreme.at });
+            };
+            if value.abs() > peak.value.abs() {
+                peak = Peak {
+                    at: extreme.at,
+                    value,
+                    kind: extreme.kind,
+                };
+            }
+        }
+        Ok(peak)
+    }
+
+    /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
+    ///
+    /// ```
+    /// use kin_core::extremes::Kind;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let sweep = linkage.sweep(Assembly::Open).over(-3.0..=3.0, 100);
+    /// for extreme in sweep.extremes("theta4")? {
+    ///     println!("{extreme}");
+    /// }
+    /// // at its limits the rocker has no finite velocity
+    /// let velocity = sweep.extremes("theta4_velocity")?;
+    /// assert_eq!((velocity[0].kind, velocity[0].value), (Kind::Unbounded, None));
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ExtremesError`] if there is no such name, if nothing closes, or if a gap lies between two rows.
+    pub fn extremes(&self, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.extremes_by(|at| named.of(at))
+    }
+
+    /// [`extremes`](Self::extremes) of an expression.
+    ///
+    /// # Errors
+    /// As for [`extremes`](Self::extremes).
+    pub fn extremes_by(&self, quantity: impl Fn(&At<M>) -> Local) -> Result<Vec<Extreme>, ExtremesError> {
+        Ok(Curve::new(self, quantity).extremes()?.extremes)
+    }
+
+    /// The places where a quantity crosses a level, in the order of the sweep: zero for its changes of sign.
+    ///
+    /// # Errors
+    /// As for [`extremes`](Self::extremes).
+    pub fn crossings(&self, name: &str, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.crossings_by(|at| named.of(at), level)
+    }
+
+    /// [`crossings`](Self::crossings) of an expression.
+    ///
+    /// # Errors
+    /// As for [`extremes`](Self::extremes).
+    pub fn crossings_by(&self, quantity: impl Fn(&At<M>) -> Local, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
+        Curve::new(self, quantity).crossings(level)
+    }
+
+    /// The parts of the sweep on which a quantity stays within a tolerance of a level.
+    ///
+    /// # Errors
+    /// As for [`extremes`](Self::extremes).
+    pub fn dwells(&self, name: &str, level: f64, tolerance: f64) -> Result<Vec<Dwell>, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.dwells_by(|at| named.of(at), level, tolerance)
+    }
+
+    /// [`dwells`](Self::dwells) of an expression.
+    ///
+    /// # Errors
+    /// As for [`extremes`](Self::extremes).
+    pub fn dwells_by(
+        &self,
+        quantity: impl Fn(&At<M>) -> Local,
+        level: f64,
+        tolerance: f64,
+    ) -> Result<Vec<Dwell>, ExtremesError> {
+        Curve::new(self, quantity).dwells(level, tolerance)
+    }
+
+    /// The mean, over the time or over the way of the input. Both are the same at constant speed.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Diverges`] if the integral has no value because of a turning point,
+    /// [`ExtremesError::Imprecise`] if the estimate of the error stays above 10⁻¹² of the mean size, and the errors of
+    /// [`extremes`](Self::extremes).
+    pub fn mean(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.mean_by(|at| named.of(at), over)
+    }
+
+    /// [`mean`](Self::mean) of an expression.
+    ///
+    /// # Errors
+    /// As for [`mean`](Self::mean).
+    pub fn mean_by(&self, quantity: impl Fn(&At<M>) -> Local, over: Over) -> Result<Mean, ExtremesError> {
+        Curve::new(self, quantity).mean(over, 1)
+    }
+
+    /// The root of the mean square.
+    ///
+    /// # Errors
+    /// As for [`mean`](Self::mean).
+    pub fn rms(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.rms_by(|at| named.of(at), over)
+    }
+
+    /// [`rms`](Self::rms) of an expression.
+    ///
+    /// # Errors
+    /// As for [`mean`](Self::mean).
+    pub fn rms_by(&self, quantity: impl Fn(&At<M>) -> Local, over: Over) -> Result<Mean, ExtremesError> {
+        let square = Curve::new(self, quantity).mean(over, 2)?;
+        let value = num_traits::Float::sqrt(square.value);
+        Ok(Mean {
+            value,
+            error: if value > 0.0 { 0.5 * square.error / value } else { 0.0 },
+        })
+    }
+}

@@ -1,0 +1,150 @@
+//! A stretch of a curve in pieces that agree with the poses between them.
+
+use super::ExtremesError;
+use super::at::At;
+use super::curve::{Curve, Node, Stretch};
+use crate::hermite::Piece;
+use crate::mechanism::{Dimension, Mechanism};
+use crate::number::Number;
+use crate::sweep::{Local, SmoothDrive, Variable};
+
+/// The first pieces of a turn of an angle, or of the whole sweep.
+const FIRST: f64 = 24.0;
+/// The largest difference between a piece and the poses, as a part of the piece's range.
+const AGREEMENT: f64 = 1e-8;
+/// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger than itself,
+/// in units of ε.
+const ROUNDING: f64 = 1e4 * f64::EPSILON;
+/// The largest number of poses for one stretch. A quantity that is nothing but rounding errors needs them all.
+const MOST: usize = 20_000;
+
+/// A part of a curve.
+pub(super) enum Part {
+    /// A piece that agrees with the poses.
+    Piece(Piece),
+    /// Two neighbouring places between which the curve has a kink or a jump.
+    Kink,
+}
+
+impl<M, D, F> Curve<'_, M, D, F>
+where
+    M: Mechanism<Scalar = f64>,
+    D: SmoothDrive<M>,
+    F: Fn(&At<M>) -> Local,
+{
+    /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
+    ///
+    /// If the stretch is a full turn, its end is its beginning, so that an extreme on the seam is found once.
+    pub(super) fn parts(
+        &self,
+        stretch: &Stretch<M>,
+        is_turn: bool,
+        visit: &mut impl FnMut(&Part, [&Node<M>; 2]) -> Result<(), ExtremesError>,
+    ) -> Result<[Node<M>; 2], ExtremesError> {
+        let [from, to] = stretch.parameters;
+        let way = (stretch.variable(to).real() - stretch.variable(from).real()).abs();
+        let unit = match self.course.drive.variable() {
+            Variable::Input(input) if M::DESCRIPTION.inputs[input].dimension == Dimension::Angle => {
+                core::f64::consts::TAU
+            }
+            _ => (self.course.to - self.course.from).abs(),
+        };
+        let count = num_traits::Float::ceil(FIRST * way / unit).max(4.0);
+        let first = self.node(stretch, from, stretch.walk)?;
+        let mut left = first;
+        let mut budget = MOST;
+        let mut size: f64 = 0.0;
+        let mut index = 0.0;
+        while index < count {
+            index += 1.0;
+            let parameter = if index == count {
+                to
+            } else {
+                from + (to - from) * (index / count)
+            };
+            let mut right = self.node(stretch, parameter, left.walk)?;
+            if is_turn && index == count {
+                right.value = first.value;
+            }
+            // next to a turning point rates are far larger than elsewhere
+            if stretch.turning.is_none() || left.parameter.min(right.parameter) > 0.1 {
+                size = size.max(right.value.real().abs());
+            }
+            self.divide(stretch, [&left, &right], size, &mut budget, visit)?;
+            left = right;
+        }
+        Ok([first, left])
+    }
+
+    fn divide(
+        &self,
+        stretch: &Stretch<M>,
+        [left, right]: [&Node<M>; 2],
+        size: f64,
+        budget: &mut usize,
+        visit: &mut impl FnMut(&Part, [&Node<M>; 2]) -> Result<(), ExtremesError>,
+    ) -> Result<(), ExtremesError> {
+        let ends = [left.parameter, right.parameter];
+        let piece = Piece::new(ends, [left.value, right.value]);
+        let at = |part: f64| ends[0] + part * (ends[1] - ends[0]);
+        let middle = self.node(stretch, f64::midpoint(ends[0], ends[1]), left.walk)?;
+        let longest = ends[0].abs().max(ends[1].abs());
+        if (ends[1] - ends[0]).abs() <= 16.0 * f64::EPSILON * longest {
+            return visit(&Part::Kink, [left, right]);
+        }
+        let [low, high] = piece.bounds();
+        let own = left
+            .value
+            .real()
+            .abs()
+            .max(right.value.real().abs())
+            .max(middle.value.real().abs());
+        // rounding of the variable counts as its root next to a turning point
+        let nearest = ends[0].abs().min(ends[1].abs());
+        let growth = match stretch.turning {
+            Some(_) => 1.0 + 1.0 / (nearest * nearest),
+            None => 1.0,
+        };
+        let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
+        let agrees = |node: &Node<M>| (piece.at(node.parameter).real() - node.value.real()).abs() <= tolerance;
+        let is_smooth = *budget == 0
+            || (agrees(&middle) && {
+                let [one, other] = [1.0 / 3.0, 2.0 / 3.0].map(|part| self.node(stretch, at(part), left.walk));
+                agrees(&one?) && agrees(&other?)
+            });
+        if is_smooth {
+            return visit(&Part::Piece(piece), [left, right]);
+        }
+        *budget = budget.saturating_sub(1);
+        self.divide(stretch, [left, &middle], size, budget, visit)?;
+        self.divide(stretch, [&middle, right], size, budget, visit)
+    }
+
+    /// The place where a function of the series vanishes, by Newton's method from a place nearby. The function returns its value and its
+    /// slope.
+    pub(super) fn refined(
+        &self,
+        stretch: &Stretch<M>,
+        [left, right]: [&Node<M>; 2],
+        start: f64,
+        function: impl Fn(Local) -> (f64, f64),
+    ) -> Result<Node<M>, ExtremesError> {
+        let (low, high) = (left.parameter.min(right.parameter), left.parameter.max(right.parameter));
+        let mut node = self.node(stretch, start, left.walk)?;
+        let mut last = f64::INFINITY;
+        for _ in 0..ITERATIONS {
+            let (value, slope) = function(node.value);
+            let step = -value / slope;
+            let next = (node.parameter + step).clamp(low, high);
+            // rounding errors move the place to and fro
+            if !step.is_finite() || step.abs() >= 0.5 * last || next == node.parameter {
+                break;
+            }
+            last = step.abs();
+            node = self.node(stretch, next, node.walk)?;
+        }
+        Ok(node)
+    }
+}
+
+const ITERATIONS: usize = 12;

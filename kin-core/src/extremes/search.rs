@@ -1,0 +1,299 @@
+//! Extremes, zeros and dwells.
+
+use alloc::vec::Vec;
+
+use super::ExtremesError;
+use super::at::At;
+use super::curve::{Curve, End, NEAREST, Node, Stretch};
+use super::parts::Part;
+use super::{Crossing, Dwell, Extreme, Kind};
+use crate::mechanism::Mechanism;
+use crate::number::Number;
+use crate::sweep::{Local, SmoothDrive};
+
+/// The parameters next to a turning point at which a quantity is compared with itself.
+const NEAR: [f64; 2] = [1.0 / 4096.0, 1.0 / 2048.0];
+/// The growth between them of a quantity that has no bound.
+const GROWTH: f64 = 1.05;
+
+/// A slope, as a part of those at the ends of a piece, above which Newton's method has not found its zero.
+const KINK: f64 = 1e-3;
+
+/// All extremes, and the value where the sweep begins to close.
+pub(super) struct Found {
+    pub(super) extremes: Vec<Extreme>,
+    pub(super) first: f64,
+}
+
+impl<M, D, F> Curve<'_, M, D, F>
+where
+    M: Mechanism<Scalar = f64>,
+    D: SmoothDrive<M>,
+    F: Fn(&At<M>) -> Local,
+{
+    pub(super) fn extremes(&self) -> Result<Found, ExtremesError> {
+        let stretches = self.stretches()?;
+        let mut extremes: Vec<Extreme> = Vec::new();
+        // the end of the stretch before
+        let mut before: Option<(Node<M>, bool)> = None;
+        let is_turn = self.is_full_turn() && self.is_periodic(&stretches)?;
+        let mut first = None;
+        for stretch in &stretches {
+            let mut inner = Vec::new();
+            let [begin, end] = self.parts(stretch, is_turn, &mut |part, nodes| match part {
+                Part::Piece(piece) => {
+                    for place in piece.turns() {
+                        inner.push(self.turn(stretch, nodes, place)?);
+                    }
+                    Ok(())
+                }
+                Part::Kink => {
+                    let rises = nodes.map(|node| rises(stretch, node));
+                    inner.extend(joint(nodes, rises, Kind::Kink).into_iter().flatten());
+                    Ok(())
+                }
+            })?;
+            let [rises_first, rises_last] = [&begin, &end].map(|node| rises(stretch, node));
+            first.get_or_insert(begin.value.real());
+            match stretch.ends[0] {
+                End::Sweep if is_turn => {}
+                End::Sweep => extremes.push(edge(&begin, Kind::End, !rises_first)),
+                End::Limit(_) => extremes.push(self.at_limit(stretch, &begin)?),
+                end @ (End::Joint | End::Inside) => {
+                    if let Some((node, rose)) = before {
+                        let kind = if end == End::Joint { Kind::Kink } else { Kind::Inner };
+                        let found = joint([&node, &begin], [rose, rises_first], kind);
+                        extremes.extend(found.into_iter().flatten());
+                    }
+                }
+            }
+            extremes.append(&mut inner);
+            match stretch.ends[1] {
+                End::Sweep if is_turn => {}
+                End::Sweep => extremes.push(edge(&end, Kind::End, rises_last)),
+                End::Limit(_) => extremes.push(self.at_limit(stretch, &end)?),
+                End::Joint | End::Inside => {}
+            }
+            before = Some((end, rises_last));
+        }
+        Ok(Found {
+            extremes,
+            first: first.unwrap_or(f64::NAN),
+        })
+    }
+
+    /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.
+    fn turn(&self, stretch: &Stretch<M>, nodes: [&Node<M>; 2], place: f64) -> Result<Extreme, ExtremesError> {
+        let slope = |node: &Node<M>| node.value.coefficients()[1];
+        let node = self.refined(stretch, nodes, place, |value| {
+            let [_, slope, bend, ..] = value.coefficients();
+            (slope, 2.0 * bend)
+        })?;
+        let largest = slope(nodes[0]).abs().max(slope(nodes[1]).abs());
+        if slope(&node).abs() <= KINK * largest {
+            return Ok(edge(&node, Kind::Inner, node.value.coefficients()[2] < 0.0));
+        }
+        let [mut left, mut right] = nodes.map(|node| *node);
+        let is_maximum = rises(stretch, &left);
+        loop {
+            let middle = f64::midpoint(left.parameter, right.parameter);
+            if middle == left.parameter || middle == right.parameter {
+                return Ok(edge(&left, Kind::Kink, is_maximum));
+            }
+            let node = self.node(stretch, middle, left.walk)?;
+            if rises(stretch, &node) == is_maximum {
+                left = node;
+            } else {
+                right = node;
+            }
+        }
+    }
+
+    /// Whether the quantity is the same at both ends of a full turn.
+    fn is_periodic(&self, stretches: &[Stretch<M>]) -> Result<bool, ExtremesError> {
+        let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
+            return Ok(false);
+        };
+        if stretches.iter().any(|stretch| stretch.turning.is_some()) {
+            return Ok(false);
+        }
+        let begin = self.node(first, first.parameters[0], first.walk)?.value.coefficients();
+        let end = self.node(last, last.parameters[1], last.walk)?.value.coefficients();
+        let sizes = begin.iter().map(|coefficient| coefficient.abs());
+        let size = sizes.fold(0.0, f64::max);
+        let pairs = begin.iter().zip(end);
+        Ok(pairs.fold(0.0, |worst: f64, (one, other)| worst.max((one - other).abs())) <= 1e-7 * size)
+    }
+
+    /// The extreme at a turning point: the curve ends there.
+    fn at_limit(&self, stretch: &Stretch<M>, nearest: &Node<M>) -> Result<Extreme, ExtremesError> {
+        let at = stretch.turning_point().unwrap_or(nearest.at);
+        if self.is_unbounded(stretch, nearest)? {
+            return Ok(Extreme {
+                at,
+                value: None,
+                kind: Kind::Unbounded,
+                is_maximum: nearest.value.real() > 0.0,
+            });
+        }
+        // the slope towards the limit is against the parameter
+        Ok(Extreme {
+            at,
+            value: Some(extrapolated(nearest.value)),
+            kind: Kind::Limit,
+            is_maximum: nearest.value.coefficients()[1] < 0.0,
+        })
+    }
+
+    fn is_unbounded(&self, stretch: &Stretch<M>, nearest: &Node<M>) -> Result<bool, ExtremesError> {
+        Ok(self.growth(stretch, nearest)? > GROWTH)
+    }
+
+    /// The growth of a quantity from a place near a turning point to another one twice as near, in the parameter.
+    pub(super) fn growth(&self, stretch: &Stretch<M>, nearest: &Node<M>) -> Result<f64, ExtremesError> {
+        let [near, far] = NEAR.map(|parameter| self.node(stretch, parameter, nearest.walk));
+        let (near, far) = (near?.value.real(), far?.value.real());
+        Ok(if near == 0.0 { 0.0 } else { near.abs() / far.abs() })
+    }
+
+    /// The places where the quantity crosses a level.
+    pub(super) fn crossings(&self, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
+        let mut crossings = Vec::new();
+        for stretch in &self.stretches()? {
+            self.crossings_of(stretch, level, &mut |node| {
+                crossings.push(Crossing {
+                    at: node.at,
+                    is_rising: rises(stretch, node),
+                });
+            })?;
+        }
+        Ok(crossings)
+    }
+
+    fn crossings_of(
+        &self,
+        stretch: &Stretch<M>,
+        level: f64,
+        found: &mut impl FnMut(&Node<M>),
+    ) -> Result<(), ExtremesError> {
+        self.parts(stretch, false, &mut |part, nodes| {
+            match part {
+                Part::Piece(piece) => {
+                    for place in piece.crossings(level) {
+                        let value = |value: Local| {
+                            let [value, slope, ..] = value.coefficients();
+                            (value - level, slope)
+                        };
+                        found(&self.refined(stretch, nodes, place, value)?);
+                    }
+                }
+                Part::Kink => {
+                    let [left, right] = nodes.map(|node| node.value.real() < level);
+                    if left != right {
+                        found(nodes[1]);
+                    }
+                }
+            }
+            Ok(())
+        })?;
+        Ok(())
+    }
+
+    /// The parts of the sweep on which the quantity keeps to a level.
+    pub(super) fn dwells(&self, level: f64, tolerance: f64) -> Result<Vec<Dwell>, ExtremesError> {
+        let mut dwells: Vec<[f64; 2]> = Vec::new();
+        let stretches = self.stretches()?;
+        for stretch in &stretches {
+            let [from, to] = stretch.parameters;
+            let mut cuts = alloc::vec![from, to];
+            for border in [level - tolerance, level + tolerance] {
+                self.crossings_of(stretch, border, &mut |node| cuts.push(node.parameter))?;
+            }
+            cuts.sort_by(f64::total_cmp);
+            if to < from {
+                cuts.reverse();
+            }
+            for pair in cuts.windows(2) {
+                if pair[0] == pair[1] {
+                    continue;
+                }
+                let middle = self.node(stretch, f64::midpoint(pair[0], pair[1]), stretch.walk)?;
+                if (middle.value.real() - level).abs() > tolerance {
+                    continue;
+                }
+                // next to a turning point the quantity goes on to the limit
+                let [start, end] = [pair[0], pair[1]].map(|parameter| match stretch.turning_point() {
+                    Some(limit) if parameter == NEAREST => limit,
+                    _ => stretch.variable(parameter).real(),
+                });
+                match dwells.last_mut() {
+                    Some(last) if last[1] == start => last[1] = end,
+                    _ => dwells.push([start, end]),
+                }
+            }
+        }
+        let (begin, end) = (self.course.from, self.course.to);
+        if dwells.len() > 1 && self.is_full_turn() && self.is_periodic(&stretches)? {
+            let (first, last) = (dwells[0], dwells[dwells.len() - 1]);
+            if first[0] == begin && last[1] == end {
+                dwells.remove(0);
+                if let Some(last) = dwells.last_mut() {
+                    last[1] = first[1] + (end - begin);
+                }
+            }
+        }
+        let time = self.course.drive.time_per_variable();
+        Ok(dwells
+            .into_iter()
+            .map(|[from, to]| Dwell {
+                from,
+                to,
+                duration: (to - from).abs() * time,
+            })
+            .collect())
+    }
+}
+
+/// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the parameter, as
+/// [`Piece::turns`](crate::hermite::Piece::turns) counts it.
+fn rises<M: Mechanism>(stretch: &Stretch<M>, node: &Node<M>) -> bool {
+    let [from, to] = stretch.parameters;
+    (node.value.coefficients()[1] >= 0.0) == (to >= from)
+}
+
+/// The extreme at a place that has only one side, or only one value.
+fn edge<M: Mechanism>(node: &Node<M>, kind: Kind, is_maximum: bool) -> Extreme {
+    Extreme {
+        at: node.at,
+        value: Some(node.value.real()),
+        kind,
+        is_maximum,
+    }
+}
+
+/// A difference between the values on both sides of an edge, relative to them, above which it is a jump.
+const JUMP: f64 = 1e-9;
+
+/// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an extreme on each side
+/// from which the quantity does not go on in the same direction.
+fn joint<M: Mechanism>(nodes: [&Node<M>; 2], rises: [bool; 2], kind: Kind) -> [Option<Extreme>; 2] {
+    let [left, right] = nodes.map(|node| node.value.real());
+    let jump = right - left;
+    if jump.abs() <= JUMP * left.abs().max(right.abs()) {
+        return [(rises[0] != rises[1]).then(|| edge(nodes[0], kind, rises[0])), None];
+    }
+    let goes_up = jump > 0.0;
+    [
+        (rises[0] != goes_up).then(|| edge(nodes[0], kind, rises[0])),
+        (rises[1] != goes_up).then(|| edge(nodes[1], kind, goes_up)),
+    ]
+}
+
+/// The value at the turning point, where the parameter is zero, from the series at the nearest place.
+pub(super) fn extrapolated(nearest: Local) -> f64 {
+    let coefficients = nearest.coefficients();
+    coefficients
+        .iter()
+        .rev()
+        .fold(0.0, |sum, coefficient| sum * -NEAREST + coefficient)
+}

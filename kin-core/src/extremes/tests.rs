@@ -1,0 +1,312 @@
+use core::f64::consts::{PI, TAU};
+use std::vec::Vec;
+
+use super::{At, ExtremesError, Kind, Over};
+use crate::assembly::{Assembly, Near};
+use crate::geometry::Plane;
+use crate::law::{Dwell, Law, Rise, Sequence, Shape};
+use crate::library::{ClassThreeTriad, FourBar, ScotchYoke, SliderCrank};
+use crate::mechanism::Mechanism;
+use crate::motion::Motion;
+use crate::number::Number;
+use crate::sweep::{Course, Line, Local, Sweep};
+
+const CRANK_ROCKER: FourBar = FourBar {
+    r1: 90.0,
+    r2: 30.0,
+    r3: 70.0,
+    r4: 60.0,
+};
+const LIMITED: FourBar = FourBar {
+    r1: 90.0,
+    r2: 30.0,
+    r3: 60.0,
+    r4: 45.0,
+};
+const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
+
+fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, Line<FourBar>> {
+    linkage.sweep(assembly).over(0.0..=TAU, 100).speed(10.0)
+}
+
+/// The derivative of the rocker's angle, with the next one.
+fn rocker(linkage: FourBar, assembly: Assembly, at: f64, order: usize) -> [f64; 2] {
+    let linkage = linkage.convert(|parameter: f64| crate::number::series::Series::<6>::constant(parameter));
+    let input = crate::number::series::Series::<6>::from_derivatives([at, 10.0, 0.0, 0.0, 0.0, 0.0]);
+    let [_, angle] = linkage.solve_position([input], assembly).unwrap();
+    let derivatives = angle.derivatives();
+    [derivatives[order], derivatives[order + 1]]
+}
+
+/// Every extreme of a turn is found once: as many as a dense scan sees, each where the next derivative vanishes.
+#[test]
+fn a_turn_has_the_extremes_of_a_dense_scan() {
+    for assembly in Assembly::BOTH {
+        for (order, suffix) in ORDERS.iter().enumerate() {
+            let name = std::format!("theta4{suffix}");
+            let found = turn(CRANK_ROCKER, assembly).extremes(&name).unwrap();
+            let at = |index: u32| (f64::from(index) + 0.3) * TAU / 7200.0;
+            let slopes: Vec<f64> = (0..7201)
+                .map(|index| rocker(CRANK_ROCKER, assembly, at(index), order)[1])
+                .collect();
+            let seen = slopes
+                .windows(2)
+                .filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0))
+                .count();
+            assert_eq!(found.len(), seen, "{name}");
+            let values = (0..7200).map(|index| rocker(CRANK_ROCKER, assembly, at(index), order)[0]);
+            let size = values.clone().fold(0.0, |size: f64, value| size.max(value.abs()));
+            for extreme in &found {
+                assert_eq!(extreme.kind, Kind::Inner);
+                let [value, slope] = rocker(CRANK_ROCKER, assembly, extreme.at, order);
+                assert!(
+                    (extreme.value.unwrap() - value).abs() < 1e-12 * size,
+                    "{name} {extreme}"
+                );
+                assert!(slope.abs() < 1e-11 * size * 10.0, "{name} {extreme}: {slope}");
+            }
+            let peak = turn(CRANK_ROCKER, assembly).peak(&name).unwrap();
+            let largest = values.fold(0.0, |size: f64, value| size.max(value.abs()));
+            assert!(peak.value.abs() >= largest * (1.0 - 1e-15) && peak.value.abs() < largest * (1.0 + 1e-5));
+        }
+    }
+}
+
+/// The dead points of a crank-rocker's rocker, by the law of cosines.
+#[test]
+fn dead_points_are_exact() {
+    let found = turn(CRANK_ROCKER, Assembly::Open).extremes("theta4").unwrap();
+    let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
+    let mut expected = [r3 + r2, r3 - r2].map(|side| PI - ((r1 * r1 + r4 * r4 - side * side) / (2.0 * r1 * r4)).acos());
+    expected.sort_by(f64::total_cmp);
+    let mut values: Vec<f64> = found.iter().map(|extreme| extreme.value.unwrap()).collect();
+    values.sort_by(f64::total_cmp);
+    assert_eq!(values.len(), 2);
+    for (value, expected) in values.iter().zip(expected) {
+        assert!((value - expected).abs() < 4.0 * f64::EPSILON, "{value} {expected}");
+    }
+}
+
+/// A scotch yoke is a cosine: extremes, also at the seam of the turn, crossings, mean and root mean square are known.
+#[test]
+fn a_yoke_is_a_cosine() {
+    let yoke = ScotchYoke {
+        crank: 2.0,
+        gamma: PI / 2.0,
+    };
+    for start in [0.0, 1.0, -7.0] {
+        let turn = yoke.sweep(()).over(start..=start + TAU, 50).speed(3.0);
+        let name = "x";
+        for (order, suffix) in ORDERS.iter().enumerate() {
+            let name = std::format!("{name}{suffix}");
+            let extremes = turn.extremes(&name).unwrap();
+            assert_eq!(extremes.len(), 2, "{name} from {start}");
+            let size = 2.0 * 3_f64.powi(i32::try_from(order).unwrap());
+            for extreme in extremes {
+                assert!((extreme.value.unwrap().abs() - size).abs() < 1e-14 * size);
+                let quarter = if order % 2 == 0 {
+                    extreme.at
+                } else {
+                    extreme.at - PI / 2.0
+                };
+                assert!(quarter.sin().abs() < 1e-14);
+            }
+            let mean = turn.mean(&name, Over::Time).unwrap();
+            assert!(mean.value.abs() < 1e-14 * size && mean.error < 1e-12 * size);
+            let rms = turn.rms(&name, Over::Input).unwrap();
+            assert!((rms.value - size / 2_f64.sqrt()).abs() < 1e-14 * size);
+        }
+        assert_eq!(turn.crossings(name, 1.0).unwrap().len(), 2);
+        let dwells = turn.dwells(name, 2.0, 1.0).unwrap();
+        assert_eq!(dwells.len(), 1);
+        assert!((dwells[0].to - dwells[0].from - TAU / 3.0).abs() < 1e-13);
+        assert!((dwells[0].duration - TAU / 9.0).abs() < 1e-13);
+    }
+}
+
+/// At a turning point a position has an extreme, and its rates have no bound. The mean velocity is the way over the time, and the
+/// mean square has no value.
+#[test]
+fn turning_points_bound_positions_and_not_rates() {
+    let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(10.0);
+    let range = LIMITED.crank_range().unwrap();
+    let positions = sweep.extremes("theta4").unwrap();
+    let (first, last) = (positions.first().unwrap(), positions.last().unwrap());
+    assert_eq!((first.kind, last.kind), (Kind::Limit, Kind::Limit));
+    assert!((first.at + range.high).abs() < 1e-14 && (last.at - range.high).abs() < 1e-14);
+    // coupler and rocker are in line
+    let FourBar { r1, r2, r3, r4 } = LIMITED;
+    let side = r3 + r4;
+    let inner = ((r1 * r1 + side * side - r2 * r2) / (2.0 * r1 * side)).acos();
+    for extreme in [first, last] {
+        let value = extreme.value.unwrap();
+        assert!((value.cos().abs() - inner.cos()).abs() < 1e-11, "{value} {inner}");
+    }
+    for suffix in &ORDERS[1..] {
+        let rates = sweep.extremes(&std::format!("theta4{suffix}")).unwrap();
+        for rate in [rates.first().unwrap(), rates.last().unwrap()] {
+            assert_eq!((rate.kind, rate.value), (Kind::Unbounded, None));
+        }
+        let peak = sweep.peak(&std::format!("theta4{suffix}")).unwrap_err();
+        assert!(matches!(peak, ExtremesError::Unbounded { .. }));
+    }
+    let mean = sweep.mean("theta4_velocity", Over::Time).unwrap();
+    let way = last.value.unwrap() - first.value.unwrap();
+    let time = 2.0 * range.high / 10.0;
+    assert!((mean.value - way / time).abs() < 1e-10, "{} {}", mean.value, way / time);
+    let square = sweep.rms("theta4_velocity", Over::Time).unwrap_err();
+    assert!(matches!(square, ExtremesError::Diverges { power: 1.0, .. }), "{square}");
+    assert!(matches!(
+        sweep.mean("theta4_acceleration", Over::Time).unwrap_err(),
+        ExtremesError::Diverges { power: 1.5, .. }
+    ));
+}
+
+/// Downwards, everything is found in the other order.
+#[test]
+fn a_sweep_may_run_downwards() {
+    let up = CRANK_ROCKER
+        .sweep(Assembly::Open)
+        .over(0.3..=4.0, 40)
+        .extremes("theta3_jerk")
+        .unwrap();
+    let mut down = CRANK_ROCKER
+        .sweep(Assembly::Open)
+        .over(4.0..=0.3, 40)
+        .extremes("theta3_jerk")
+        .unwrap();
+    down.reverse();
+    assert_eq!(up.len(), down.len());
+    for (one, other) in up.iter().zip(down) {
+        assert_eq!((one.kind, one.is_maximum), (other.kind, other.is_maximum));
+        assert!((one.at - other.at).abs() < 1e-13 && (one.value.unwrap() - other.value.unwrap()).abs() < 1e-12);
+    }
+}
+
+/// Under a law of pieces, extremes at joints have both sides. Over time and over the input, means differ.
+#[test]
+fn laws_have_joints() {
+    let crank = SliderCrank { r: 0.1, l: 0.3 };
+    let rise = Rise::new(Shape::Polynomial345, 0.0, 1.0, 0.4).unwrap();
+    let rest = Dwell::new(1.0, 0.1).unwrap();
+    let servo = Sequence::new([&rise, &rest]).unwrap();
+    let sweep = crank.sweep(Assembly::Open).under_laws([&servo], 0.0..=0.5, 40);
+    let extremes = sweep.extremes("theta_jerk").unwrap();
+    // the law ends with its largest jerk, and rests at once
+    let joint = extremes.iter().find(|extreme| extreme.kind == Kind::Kink).unwrap();
+    assert_eq!((joint.at, joint.is_maximum), (0.4, true));
+    let expected = 60.0 / 0.4_f64.powi(3);
+    assert!((joint.value.unwrap() - expected).abs() < 1e-12 * expected, "{joint}");
+    assert!((sweep.peak("theta_jerk").unwrap().value - expected).abs() < 1e-12 * expected);
+    let dwells = sweep.dwells("theta", 1.0, 1e-9).unwrap();
+    assert_eq!(dwells.len(), 1);
+    assert!(dwells[0].to == 0.5 && dwells[0].duration > 0.1 && dwells[0].duration < 0.102);
+    let over_time = sweep.mean("theta", Over::Time).unwrap();
+    let over_input = sweep.mean("theta", Over::Input).unwrap();
+    assert!((over_time.value - (0.5 * 0.4 + 0.1) / 0.5).abs() < 1e-13);
+    assert!((over_input.value - 0.5).abs() < 1e-12, "{over_input:?}");
+    // a position in three orders at once: the mean of the jerk is the change of the acceleration
+    let mean = crank
+        .sweep(Assembly::Open)
+        .under_laws([&rise], 0.0..=0.4, 40)
+        .mean("s_jerk", Over::Time)
+        .unwrap();
+    let [start, end] = [0.0, 0.4].map(|time| crank.solve(rise.at(time), Assembly::Open).unwrap().s.acceleration());
+    assert!((mean.value - (end - start) / 0.4).abs() < 1e-11);
+}
+
+/// A kink of the quantity itself is found to rounding: the folded transmission angle has one at a right angle.
+#[test]
+fn kinks_and_transmission_angles() {
+    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let angle = |at: &At<FourBar>| at.transmission_angle(0).unwrap();
+    let plain = sweep.extremes_by(|at| angle(at).angle).unwrap();
+    // the classic extremes, where the crank is in line with the ground
+    let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
+    for extreme in &plain {
+        assert!(extreme.at.sin().abs() < 1e-13);
+        let diagonal = r1 - r2 * extreme.at.cos();
+        let expected = ((r3 * r3 + r4 * r4 - diagonal * diagonal) / (2.0 * r3 * r4)).acos();
+        assert!((extreme.value.unwrap() - expected).abs() < 1e-14);
+    }
+    assert_eq!(plain.len(), 2);
+    let folded = sweep.extremes_by(|at| angle(at).folded()).unwrap();
+    let kinks: Vec<_> = folded.iter().filter(|extreme| extreme.kind == Kind::Kink).collect();
+    assert_eq!(kinks.len(), 2);
+    for kink in kinks {
+        assert!((kink.value.unwrap() - PI / 2.0).abs() < 1e-13);
+    }
+}
+
+/// A coupled block is followed: equal legs turn the platform, l² = R² + ρ² - 2 R ρ cos phi.
+#[test]
+fn coupled_blocks_have_extremes() {
+    let root = 3.0_f64.sqrt();
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(2.0 * root, 0.0),
+        base_c: Plane::new(root, 3.0),
+        platform_b: Plane::new(root, 0.0),
+        platform_c: Plane::new(root / 2.0, 1.5),
+    };
+    let (low, high) = (1.2, 2.8);
+    let start = [5.0_f64.sqrt(); 3];
+    let guess = track_to(&triad, start, [low; 3]);
+    let sweep = triad.sweep(Near(guess)).between([low; 3], [high; 3], 30).speed(0.5);
+    let name = "phi_velocity";
+    let extremes = sweep.extremes(name).unwrap();
+    let velocity = |leg: f64| {
+        let cosine = (5.0 - leg * leg) / 4.0;
+        leg * 0.5 / (2.0 * (1.0 - cosine * cosine).sqrt())
+    };
+    // it is the smallest where l² = 3: d/dl (l² / (16 - (5 - l²)²)) = 0
+    let inner: Vec<_> = extremes.iter().filter(|extreme| extreme.kind == Kind::Inner).collect();
+    assert_eq!((inner.len(), extremes.len()), (1, 3));
+    let leg = inner[0].at;
+    assert!((leg * leg - 3.0).abs() < 1e-12, "{leg}");
+    for extreme in &extremes {
+        assert!((extreme.value.unwrap() - velocity(extreme.at)).abs() < 1e-13);
+    }
+}
+
+fn track_to(triad: &ClassThreeTriad, from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
+    crate::track(triad, from, [0.1, 2.2, -2.0, 1.6], to).unwrap()
+}
+
+/// Any expression of a pose carries its derivatives.
+#[test]
+fn expressions_of_a_pose() {
+    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let power = sweep
+        .peak_by(|at| at.theta4.velocity() * at.theta4.acceleration())
+        .unwrap();
+    let of = |crank: f64| {
+        let pose = CRANK_ROCKER
+            .solve(Motion::at_constant_speed(crank, 10.0), Assembly::Open)
+            .unwrap();
+        pose.theta4.velocity() * pose.theta4.acceleration()
+    };
+    assert!((power.value - of(power.at)).abs() < 1e-12 * power.value.abs());
+    for index in 0..3600 {
+        assert!(of(f64::from(index) * TAU / 3600.0).abs() <= power.value.abs() * (1.0 + 1e-15));
+    }
+    let shifted = sweep
+        .extremes_by(|at| at.theta4.position() + Local::constant(1.0))
+        .unwrap();
+    assert_eq!(shifted.len(), 2);
+}
+
+#[test]
+fn mistakes_are_told() {
+    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let error = sweep.peak("theta4_jrk").unwrap_err();
+    assert!(error.to_string().contains("did you mean `theta4_jerk`"), "{error}");
+    let short = FourBar { r4: 1.0, ..LIMITED };
+    let nothing = short
+        .sweep(Assembly::Open)
+        .over(2.0..=3.0, 10)
+        .peak("theta4")
+        .unwrap_err();
+    assert!(matches!(nothing, ExtremesError::NothingCloses(error) if error.margin().is_some()));
+}
+
+use std::string::ToString;
