@@ -22,6 +22,7 @@ chapters! {
     outputs: "../../docs/outputs.md";
     motion_laws: "../../docs/motion-laws.md";
     batches: "../../docs/batches.md";
+    sweeps: "../../docs/sweeps.md";
     library: "../../docs/library.md";
     gallery: "../../docs/gallery.md";
     theory: "../../docs/theory.md";

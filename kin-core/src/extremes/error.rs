@@ -4,7 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::failure::SolveError;
-use crate::failure::digits::Digits;
+use crate::quantity::Digits;
 use crate::sweep::{NoSuchColumn, SweepError};
 
 /// The reason why a question to a sweep has no answer.

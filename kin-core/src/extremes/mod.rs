@@ -52,7 +52,7 @@ use core::fmt;
 use curve::Curve;
 use quantity::Named;
 
-use crate::failure::digits::Digits;
+use crate::quantity::Digits;
 use crate::mechanism::Mechanism;
 use crate::sweep::{Course, Local, SmoothDrive};
 
@@ -110,6 +110,13 @@ pub struct Peak {
     pub value: f64,
     /// The kind of the extreme.
     pub kind: Kind,
+}
+
+/// `-74.3 at 2.1`
+impl fmt::Display for Peak {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} at {}", Digits(self.value), Digits(self.at))
+    }
 }
 
 /// A place where a quantity crosses a level.

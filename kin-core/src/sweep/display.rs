@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::Table;
-use crate::failure::digits::Digits;
+use crate::quantity::Digits;
 
 /// The largest number of rows and columns that are shown.
 const ROWS: usize = 20;

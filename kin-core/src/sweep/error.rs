@@ -4,7 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::batch::LengthMismatch;
-use crate::failure::digits::Digits;
+use crate::quantity::Digits;
 
 /// The reason why there is no table.
 ///

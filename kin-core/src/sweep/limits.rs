@@ -6,7 +6,7 @@ use core::fmt;
 use super::drive::{Drive, Variable};
 use super::{Course, Table};
 use crate::batch::Outcome;
-use crate::failure::digits::Digits;
+use crate::quantity::Digits;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::track::{TrackError, track};

@@ -3,6 +3,7 @@
 mod diagrams;
 mod gallery;
 mod laws;
+mod peaks;
 mod rates;
 
 use std::error::Error;
@@ -31,6 +32,7 @@ pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
         diagrams::coupler_curve()?,
         rates::jerk_and_snap()?,
         laws::motion_laws()?,
+        peaks::peaks()?,
         diagrams::pipeline(),
     ];
     figures.extend(gallery()?.iter().map(Entry::figure));
