@@ -7,8 +7,9 @@ use super::ExtremesError;
 use super::at::At;
 use crate::failure::SolveError;
 use crate::law::Side;
-use crate::mechanism::{Dimension, Mechanism};
+use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
+use crate::quantity::Dimension;
 use crate::sweep::{Course, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, limit_between};
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for

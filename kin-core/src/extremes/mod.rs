@@ -52,8 +52,8 @@ use core::fmt;
 use curve::Curve;
 use quantity::Named;
 
-use crate::quantity::Digits;
 use crate::mechanism::Mechanism;
+use crate::quantity::Digits;
 use crate::sweep::{Course, Local, SmoothDrive};
 
 /// The kind of an extreme.

@@ -4,8 +4,9 @@ use super::ExtremesError;
 use super::at::At;
 use super::curve::{Curve, Node, Stretch};
 use crate::hermite::Piece;
-use crate::mechanism::{Dimension, Mechanism};
+use crate::mechanism::Mechanism;
 use crate::number::Number;
+use crate::quantity::Dimension;
 use crate::sweep::{Local, SmoothDrive, Variable};
 
 /// The first pieces of a turn of an angle, or of the whole sweep.

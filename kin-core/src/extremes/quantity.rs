@@ -4,8 +4,9 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::at::At;
-use crate::mechanism::{Mechanism, Quantity};
+use crate::mechanism::Mechanism;
 use crate::number::Number;
+use crate::quantity::Quantity;
 use crate::sweep::{Label, Local, NoSuchColumn};
 
 /// A derivative of an input, an unknown or an output.

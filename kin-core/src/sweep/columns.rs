@@ -3,7 +3,8 @@
 use core::fmt;
 
 use super::Variable;
-use crate::mechanism::{Dimension, Mechanism, Quantity};
+use crate::mechanism::Mechanism;
+use crate::quantity::{Dimension, Quantity};
 
 /// What a column holds: a quantity, and the order of its derivative with respect to time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

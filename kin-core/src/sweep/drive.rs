@@ -3,9 +3,10 @@
 use crate::batch::{Column, LengthMismatch};
 use crate::hermite::TERMS;
 use crate::law::{Law, Piecewise, Side, approached};
-use crate::mechanism::{Mechanism, Quantity};
+use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, Row, series::Series};
+use crate::quantity::Quantity;
 
 /// A value that carries its first four derivatives with respect to the variable of a sweep.
 pub type Local = Series<TERMS>;

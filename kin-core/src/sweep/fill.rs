@@ -13,8 +13,9 @@ use super::table::Table;
 use super::walk::{Reached, Walk};
 use super::{Course, limits};
 use crate::batch::{self, Column, Columns, Outcome, Place, Vectors, Visitor};
-use crate::mechanism::{Dimension, Mechanism, Pose};
+use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
+use crate::quantity::Dimension;
 
 impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// The poses as a table. See [`Table`] for its columns, and for rows that do not close.

@@ -6,9 +6,9 @@ use core::fmt;
 use super::drive::{Drive, Variable};
 use super::{Course, Table};
 use crate::batch::Outcome;
-use crate::quantity::Digits;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::quantity::Digits;
 use crate::track::{TrackError, track};
 
 /// The kind of a limit.

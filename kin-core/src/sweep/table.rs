@@ -7,7 +7,7 @@ use super::columns::{ColumnOf, Label, Unit};
 use super::limits::Limit;
 use super::names::NoSuchColumn;
 use crate::batch::Outcome;
-use crate::mechanism::Dimension;
+use crate::quantity::Dimension;
 
 /// The poses of a sweep as named columns of numbers.
 ///

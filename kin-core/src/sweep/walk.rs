@@ -6,8 +6,9 @@ use num_traits::Float;
 
 use super::drive::InputMotions;
 use crate::failure::{Failure, InputValues, SolveError};
-use crate::mechanism::{Dimension, Mechanism, Pose};
+use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
+use crate::quantity::Dimension;
 use crate::track::{TrackError, TrackErrorOf, track};
 
 /// The end of a circuit of a coupled block.
@@ -153,23 +154,5 @@ fn beyond<M: Mechanism<Scalar = f64>>(gap: Gap<M>, inputs: M::Inputs<f64>) -> So
     let ways = inputs.as_ref().iter().zip(gap.inputs.as_ref());
     let distance = ways.fold(0.0, |distance: f64, (input, end)| distance.max((input - end).abs()));
     let failure = Failure::OutOfReach { margin: -distance };
-    failure.at(gap.block, InputValues::new(names::<M>(), inputs.as_ref()))
-}
-
-/// The names of the inputs, as errors keep them.
-fn names<M: Mechanism>() -> &'static [&'static str] {
-    const {
-        &{
-            let mut names = [""; InputValues::CAPACITY];
-            let inputs = M::DESCRIPTION.inputs;
-            let mut index = 0;
-            while index < inputs.len() && index < InputValues::CAPACITY {
-                names[index] = inputs[index].name;
-                index += 1;
-            }
-            names
-        }
-    }
-    .split_at(M::DESCRIPTION.inputs.len().min(InputValues::CAPACITY))
-    .0
+    failure.at(gap.block, InputValues::new(M::DESCRIPTION.inputs, inputs.as_ref()))
 }
