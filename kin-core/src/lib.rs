@@ -116,6 +116,7 @@ mod interop;
 pub mod law;
 #[cfg(feature = "library")]
 pub mod library;
+pub mod load;
 mod mechanism;
 mod motion;
 mod number;

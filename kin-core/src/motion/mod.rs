@@ -235,7 +235,7 @@ impl<T: Number, const N: usize> Motion<T, N> {
 
 /// The highest derivative of a product, given both factors up to that order: the sum of the binomial coefficients times
 /// `first[k]` times `second[n - k]`.
-fn leibniz<T: Number>(first: &[T], second: &[T]) -> T {
+pub(crate) fn leibniz<T: Number>(first: &[T], second: &[T]) -> T {
     let mut sum = T::constant(0.0);
     let mut binomial = 1.0;
     let mut below = 0.0;

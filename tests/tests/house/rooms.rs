@@ -57,6 +57,7 @@ pub(crate) const CORE: House = House {
         room("mechanism", &["mechanism/"], "traits of mechanisms"),
         room("assemblies", &["assemblies/"], "all positions"),
         room("track", &["track/"], "from pose to pose"),
+        room("load", &["load/"], "efforts, energies"),
         room("batch", &["batch/"], "columns, in lanes"),
         room("sweep", &["sweep/"], "sweeps, tables"),
         room("extremes", &["extremes/"], "peaks, means"),

@@ -1,0 +1,84 @@
+//! The reasons why loads cannot be balanced.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::failure::SolveError;
+
+/// The reason why loads give no result in a pose.
+///
+/// A load is named by its place, in the order in which the loads were added, from 1 on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// The mechanism has no pose there.
+    Solve(SolveError),
+    /// The two ends of a spring or damper coincide, so that its force has no direction.
+    NoDirection {
+        /// The place of the spring or damper.
+        load: usize,
+    },
+    /// The three points of a body lie on a line, so that they do not determine its orientation.
+    Collinear {
+        /// The place of the body.
+        load: usize,
+    },
+    /// The three points do not belong to one rigid body: distances between them change as the mechanism moves.
+    NotRigid {
+        /// The place of the body.
+        load: usize,
+        /// The rate of the scalar product of two sides of the triangle of the points, per unit of an input.
+        rate: f64,
+    },
+    /// The mass properties resist no motion of some inputs, so that accelerations are not determined.
+    NoInertia {
+        /// The place of the first input that is concerned, from 0 on.
+        input: usize,
+    },
+    /// A result is not finite: a mass, a force or another number of a load is not, or is too large.
+    NotFinite,
+}
+
+impl From<SolveError> for LoadError {
+    fn from(error: SolveError) -> Self {
+        Self::Solve(error)
+    }
+}
+
+impl fmt::Display for LoadError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Solve(error) => error.fmt(formatter),
+            Self::NoDirection { load } => write!(
+                formatter,
+                "load {load}: the two ends of the spring or damper coincide, so that its force has no direction"
+            ),
+            Self::Collinear { load } => write!(
+                formatter,
+                "load {load}: the three points of the body lie on a line; give three that form a triangle"
+            ),
+            Self::NotRigid { load, rate } => write!(
+                formatter,
+                "load {load}: the three points do not belong to one rigid body: the scalar product of two sides of their \
+                 triangle changes by {rate} per unit of an input"
+            ),
+            Self::NoInertia { input } => write!(
+                formatter,
+                "no mass or inertia resists a motion of input {input}, counted from 0, so that its acceleration is not determined"
+            ),
+            Self::NotFinite => write!(
+                formatter,
+                "the result is not finite: a mass, force or other number of a load is not finite or too large"
+            ),
+        }
+    }
+}
+
+impl Error for LoadError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Solve(error) => Some(error),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,340 @@
+//! The kinds of loads, and their list.
+
+use crate::geometry::Space;
+use crate::load::coordinate::{Coordinate, cross, difference, dot};
+use crate::load::totals::Totals;
+use crate::load::{Change, LoadError, Moving, Varying};
+use crate::mechanism::Mechanism;
+use crate::number::Number;
+
+/// A load of the mechanism `M`, or a list of loads.
+///
+/// Functions that take any loads name it: `fn peak(loads: &Loads<FourBar, impl Load<FourBar>>)`. Do not implement it: a new version may
+/// add items.
+pub trait Load<M: Mechanism>: Copy {
+    /// The number of loads.
+    #[doc(hidden)]
+    const COUNT: usize;
+
+    /// Adds its part to the sums.
+    #[doc(hidden)]
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError>;
+}
+
+/// No load.
+impl<M: Mechanism> Load<M> for () {
+    const COUNT: usize = 0;
+
+    fn add(&self, _: &mut Totals<M>) -> Result<(), LoadError> {
+        Ok(())
+    }
+}
+
+/// A list of loads, and one more.
+impl<M: Mechanism, L: Load<M>, H: Load<M>> Load<M> for (L, H) {
+    const COUNT: usize = L::COUNT + H::COUNT;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        self.0.add(totals)?;
+        totals.load = Self::COUNT;
+        self.1.add(totals)
+    }
+}
+
+/// A mass at a point.
+#[derive(Clone, Copy)]
+pub struct Mass<F> {
+    pub(super) mass: f64,
+    pub(super) point: F,
+}
+
+impl<M: Mechanism, P: Varying<Space<Change>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Mass<F> {
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let point = Coordinate::of_point(&totals.poses, self.point);
+        add_mass(totals, self.mass, &point);
+        Ok(())
+    }
+}
+
+fn add_mass<M: Mechanism>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate<M>; 3]) {
+    for coordinate in point {
+        totals.inertia(mass, coordinate, coordinate);
+    }
+    totals.shaking(mass, point);
+    let Space { x, y, z } = totals.gravity;
+    let along = point[0].scale(x) + point[1].scale(y) + point[2].scale(z);
+    totals.potential(&along.scale(-mass));
+}
+
+/// A moment of inertia about an axis of fixed direction.
+#[derive(Clone, Copy)]
+pub struct Inertia<F> {
+    pub(super) inertia: f64,
+    pub(super) axis: Space<f64>,
+    pub(super) angle: F,
+}
+
+impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Inertia<F> {
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let angle = Coordinate::of_number(&totals.poses, self.angle);
+        totals.inertia(self.inertia, &angle, &angle);
+        let Space { x, y, z } = self.axis;
+        for (moment, direction) in totals.shaking_moment.iter_mut().zip([x, y, z]) {
+            for order in 0..Totals::<M>::effort_entries() {
+                moment[order] -= self.inertia * direction * angle.motion[order + 2];
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The mass properties of a rigid body in space.
+///
+/// They are given in a frame that is fixed to the body by three of its points a, b and c: the origin is a, the first axis points to b, the
+/// second lies in the plane of the points, on the side of c, and the third is at right angles to both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solid {
+    /// The mass.
+    pub mass: f64,
+    /// The centre of mass, in the frame of the three points.
+    pub centre: Space<f64>,
+    /// The tensor of inertia about the centre of mass, along the axes of that frame: moments of inertia on the diagonal, negative
+    /// products of inertia beside it. It is symmetric; the mean of both sides of the diagonal counts.
+    pub inertia: [[f64; 3]; 3],
+}
+
+/// A rigid body in space.
+#[derive(Clone, Copy)]
+pub struct Body<F> {
+    pub(super) solid: Solid,
+    pub(super) points: F,
+}
+
+impl<M: Mechanism, P: Varying<Space<Change>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for Body<F> {
+    const COUNT: usize = 1;
+
+    // With the arms ξ from the centre of mass along unit vectors e fixed to the body, the velocity of a mass element is that of the
+    // centre plus the sum of ξ e'. So the kinetic energy is that of the centre plus half the sum of P e' · e', with the second moments
+    // P = ∫ ξ ξ dm. They follow from the moments of inertia: P = tr(I) / 2 - I.
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let load = totals.load;
+        let [a, b, c] = [0, 1, 2].map(|corner| Coordinate::of_point(&totals.poses, |pose| (self.points)(pose)[corner]));
+        let (along, across) = (difference(&b, &a), difference(&c, &a));
+        for (one, two) in [(&along, &along), (&along, &across), (&across, &across)] {
+            rigid(one, two).map_err(|rate| LoadError::NotRigid { load, rate })?;
+        }
+        let normal = cross(&along, &across);
+        // The lengths are constant, because the body is rigid.
+        let length = |vector: &[Coordinate<M>; 3]| Number::sqrt(dot(vector, vector).motion[0]);
+        let (base, area) = (length(&along), length(&normal));
+        // Below this ratio the orientation has fewer than half of the digits.
+        if !(area > Number::sqrt(f64::EPSILON) * base * length(&across)) {
+            return Err(LoadError::Collinear { load });
+        }
+        let first = along.map(|coordinate| coordinate.scale(1.0 / base));
+        let third = normal.map(|coordinate| coordinate.scale(1.0 / area));
+        let axes = [first, cross(&third, &first), third];
+
+        let Solid { mass, centre, inertia } = self.solid;
+        let arms = [centre.x, centre.y, centre.z];
+        let point = [0, 1, 2].map(|coordinate| {
+            let steps = axes.iter().zip(arms).map(|(axis, arm)| axis[coordinate].scale(arm));
+            steps.fold(a[coordinate], |sum, step| sum + step)
+        });
+        add_mass(totals, mass, &point);
+        let half_trace = 0.5 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
+        for row in 0..3 {
+            for column in 0..3 {
+                let mean = 0.5 * (inertia[row][column] + inertia[column][row]);
+                let second_moment = if row == column { half_trace - mean } else { -mean };
+                for (one, two) in axes[row].iter().zip(&axes[column]) {
+                    totals.inertia(second_moment, one, two);
+                }
+                totals.spin(second_moment, &axes[row], &axes[column]);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether the scalar product of two vectors is constant up to half of the digits, otherwise its rate.
+fn rigid<M: Mechanism>(one: &[Coordinate<M>; 3], two: &[Coordinate<M>; 3]) -> Result<(), f64> {
+    let product = dot(one, two);
+    for (input, influence) in product.influence.as_ref().iter().enumerate() {
+        let terms = one
+            .iter()
+            .zip(two)
+            .map(|(a, b)| (a.motion[0] * b.influence[input][0]).abs() + (b.motion[0] * a.influence[input][0]).abs());
+        if influence[0].abs() > Number::sqrt(f64::EPSILON) * terms.sum::<f64>() {
+            return Err(influence[0]);
+        }
+    }
+    Ok(())
+}
+
+/// A force at a point.
+#[derive(Clone, Copy)]
+pub struct Force<V, F> {
+    pub(super) force: V,
+    pub(super) point: F,
+}
+
+impl<M, V, P, F> Load<M> for Force<V, F>
+where
+    M: Mechanism,
+    V: Varying<Space<f64>>,
+    P: Varying<Space<Change>>,
+    F: Fn(Moving<M>) -> P + Copy,
+{
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let [x, y, z] = Coordinate::of_point(&totals.poses, self.point);
+        totals.force(|order| self.force.entry(order).x, &x);
+        totals.force(|order| self.force.entry(order).y, &y);
+        totals.force(|order| self.force.entry(order).z, &z);
+        Ok(())
+    }
+}
+
+/// A torque on an angle, or a force along a distance.
+#[derive(Clone, Copy)]
+pub struct Torque<V, F> {
+    pub(super) torque: V,
+    pub(super) angle: F,
+}
+
+impl<M, V, P, F> Load<M> for Torque<V, F>
+where
+    M: Mechanism,
+    V: Varying<f64>,
+    P: Varying<Change>,
+    F: Fn(Moving<M>) -> P + Copy,
+{
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let angle = Coordinate::of_number(&totals.poses, self.angle);
+        totals.force(|order| self.torque.entry(order), &angle);
+        Ok(())
+    }
+}
+
+/// A spring or a damper between two points.
+#[derive(Clone, Copy)]
+pub struct Link<K, F, G> {
+    pub(super) kind: K,
+    pub(super) from: F,
+    pub(super) to: G,
+}
+
+/// A spring or a damper on an angle.
+#[derive(Clone, Copy)]
+pub struct Turning<K, F> {
+    pub(super) kind: K,
+    pub(super) angle: F,
+}
+
+/// The stiffness of a spring and its length at rest.
+#[derive(Clone, Copy)]
+pub struct Spring {
+    pub(super) stiffness: f64,
+    pub(super) rest: f64,
+}
+
+/// The constant of a damper.
+#[derive(Clone, Copy)]
+pub struct Damper {
+    pub(super) damping: f64,
+}
+
+/// The square of the distance of two points.
+fn square<M, P, Q>(totals: &Totals<M>, from: impl Fn(Moving<M>) -> P, to: impl Fn(Moving<M>) -> Q) -> Coordinate<M>
+where
+    M: Mechanism,
+    P: Varying<Space<Change>>,
+    Q: Varying<Space<Change>>,
+{
+    let (from, to) = (
+        Coordinate::of_point(&totals.poses, from),
+        Coordinate::of_point(&totals.poses, to),
+    );
+    let between = difference(&to, &from);
+    dot(&between, &between)
+}
+
+/// The distance, from its square.
+fn distance<M: Mechanism>(square: Coordinate<M>, load: usize) -> Result<Coordinate<M>, LoadError> {
+    if square.motion[0] > f64::SMALLEST {
+        Ok(square.sqrt())
+    } else {
+        Err(LoadError::NoDirection { load })
+    }
+}
+
+impl<M, P, Q, F, G> Load<M> for Link<Spring, F, G>
+where
+    M: Mechanism,
+    P: Varying<Space<Change>>,
+    Q: Varying<Space<Change>>,
+    F: Fn(Moving<M>) -> P + Copy,
+    G: Fn(Moving<M>) -> Q + Copy,
+{
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let Spring { stiffness, rest } = self.kind;
+        let square = square(totals, self.from, self.to);
+        // Without a length at rest, the energy is regular where both ends meet.
+        let squared_stretch = if rest == 0.0 {
+            square
+        } else {
+            let stretch = distance(square, totals.load)? - Coordinate::constant(rest);
+            stretch * stretch
+        };
+        totals.potential(&squared_stretch.scale(0.5 * stiffness));
+        Ok(())
+    }
+}
+
+impl<M, P, Q, F, G> Load<M> for Link<Damper, F, G>
+where
+    M: Mechanism,
+    P: Varying<Space<Change>>,
+    Q: Varying<Space<Change>>,
+    F: Fn(Moving<M>) -> P + Copy,
+    G: Fn(Moving<M>) -> Q + Copy,
+{
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let distance = distance(square(totals, self.from, self.to), totals.load)?;
+        totals.damper(self.kind.damping, &distance);
+        Ok(())
+    }
+}
+
+impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Spring, F> {
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let Spring { stiffness, rest } = self.kind;
+        let twist = Coordinate::of_number(&totals.poses, self.angle) - Coordinate::constant(rest);
+        totals.potential(&(twist * twist).scale(0.5 * stiffness));
+        Ok(())
+    }
+}
+
+impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Damper, F> {
+    const COUNT: usize = 1;
+
+    fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        let angle = Coordinate::of_number(&totals.poses, self.angle);
+        totals.damper(self.kind.damping, &angle);
+        Ok(())
+    }
+}
