@@ -57,6 +57,8 @@ mod coordinate;
 mod dynamics;
 mod error;
 mod kinds;
+#[cfg(test)]
+mod tests;
 mod totals;
 mod varying;
 

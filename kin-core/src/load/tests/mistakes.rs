@@ -1,0 +1,74 @@
+//! Loads without a result are typed errors.
+
+use std::string::ToString;
+
+use super::{ARM, Arm, FOUR_BAR, FourBar, SPATIAL, Spatial, solid};
+use crate::assembly::Assembly;
+use crate::geometry::{Plane, Space};
+use crate::load::{LoadError, Loads};
+use crate::motion::Motion;
+
+#[test]
+fn ends_that_coincide_have_no_direction() {
+    let at = |loads: Loads<FourBar, _>| loads.at(&FOUR_BAR, [Motion::constant(0.5)], Assembly::Open).map(|_| ());
+    let damped = Loads::<FourBar>::new()
+        .mass(1.0, |pose| pose.pin)
+        .damper(3.0, |pose| pose.pin, |pose| pose.pin);
+    assert_eq!(at(damped), Err(LoadError::NoDirection { load: 2 }));
+}
+
+#[test]
+fn a_spring_without_a_length_at_rest_may_have_the_length_zero() {
+    let crank = [Motion::constant(0.5)];
+    let loads = Loads::<FourBar>::new();
+    let free = loads.spring(3.0, 0.0, |pose| pose.pin, |pose| pose.pin);
+    let [torque] = free.at(&FOUR_BAR, crank, Assembly::Open).expect("it closes").efforts();
+    assert_eq!(torque.value(), 0.0);
+    let stretched = loads.spring(3.0, 0.1, |pose| pose.pin, |pose| pose.pin);
+    let error = stretched
+        .at(&FOUR_BAR, crank, Assembly::Open)
+        .expect_err("no direction");
+    assert_eq!(error, LoadError::NoDirection { load: 1 });
+}
+
+#[test]
+fn points_of_several_links_or_of_a_line_are_no_body() {
+    let theta = [Motion::constant(0.5)];
+    let loose = Loads::<Spatial>::new().body(solid(), |pose| [pose.root, pose.ball, pose.pin]);
+    let error = loose.at(&SPATIAL, theta, Assembly::Open).expect_err("not rigid");
+    assert!(matches!(error, LoadError::NotRigid { load: 1, .. }), "{error}");
+    assert!(
+        error
+            .to_string()
+            .starts_with("load 1: the three points do not belong to one rigid body")
+    );
+    let thin = Loads::<Spatial>::new().body(solid(), |pose| [pose.pin, pose.middle, pose.ball]);
+    assert_eq!(
+        thin.at(&SPATIAL, theta, Assembly::Open).expect_err("a line"),
+        LoadError::Collinear { load: 1 }
+    );
+}
+
+#[test]
+fn an_input_without_inertia_has_no_acceleration() {
+    let loads = Loads::<Arm>::new().inertia(0.3, |pose| pose.alpha);
+    let found = loads.accelerations(&ARM, [2.0, 1.1], [0.0; 2], [1.0; 2], Assembly::Open);
+    assert_eq!(found, Err(LoadError::NoInertia { input: 1 }));
+}
+
+#[test]
+fn numbers_that_are_not_finite_and_poses_that_do_not_close() {
+    let loads = Loads::<FourBar>::new().force(Plane::new(f64::NAN, 0.0), |pose| pose.pin);
+    let at = |theta2: f64| {
+        loads
+            .at(&FOUR_BAR, [Motion::constant(theta2)], Assembly::Open)
+            .expect_err("no result")
+    };
+    assert_eq!(at(0.5), LoadError::NotFinite);
+    assert!(matches!(at(3.0), LoadError::Solve(_)));
+    let loads = Loads::<FourBar>::new()
+        .gravity(Space::new(0.0, f64::INFINITY, 0.0))
+        .mass(1.0, |pose| pose.pin);
+    let found = loads.at(&FOUR_BAR, [Motion::constant(0.5)], Assembly::Open);
+    assert_eq!(found.expect_err("no result"), LoadError::NotFinite);
+}
