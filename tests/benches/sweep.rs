@@ -25,6 +25,19 @@ fn main() {
     };
     let angles: Vec<f64> = (0..POSES).map(|row| TAU * row as f64 / (POSES - 1) as f64).collect();
     let mut race = Race::new(POSES);
+    // a table has columns of its own: the batch for the comparison makes them too
+    let own = angles.clone();
+    race.enter_batch("batch_into_new_columns", move || {
+        let mut poses = FourBarBatch::filled(|| vec![0.0; POSES]);
+        let mut outcomes = vec![Outcome::Unsolved; POSES];
+        let mut crank = Motion::new([0.0; 5].map(Column::Same));
+        (crank[0], crank[1]) = (Column::Each(black_box(&own)), Column::Same(10.0));
+        let summary = black_box(linkage)
+            .solve_batch(crank, Assembly::Open, &mut poses, &mut outcomes)
+            .expect("the columns are of one length");
+        assert_eq!(summary.solved, POSES);
+        black_box((&mut poses, &mut outcomes));
+    });
     let (mut poses, mut outcomes) = (
         FourBarBatch::filled(|| vec![0.0; POSES]),
         vec![Outcome::Unsolved; POSES],
@@ -52,5 +65,6 @@ fn main() {
     });
     let times = race.run();
     times.ratio("sweep", "batch");
+    times.ratio("sweep", "batch_into_new_columns");
     times.ratio("peak_jerk", "batch");
 }

@@ -29,8 +29,8 @@
 //! curve is smooth. A rate that grows beyond all bounds is `Unbounded`, never a number. Within 10⁻⁵ of the way to a turning point, values
 //! come from the series next to it.
 //!
-//! A quantity must be known to vary by more than 10⁻⁸ of its range between two extremes, or more than 10⁻¹² of its size, for them to be
-//! told from rounding errors.
+//! Two extremes are told from rounding errors if the quantity differs between them by more than 10⁻⁸ of the range of their piece, and by
+//! more than 10⁻¹² of its size.
 
 mod at;
 mod curve;

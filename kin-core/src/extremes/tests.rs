@@ -1,4 +1,7 @@
+//! Extremes against scans, and against what is known in closed form.
+
 use core::f64::consts::{PI, TAU};
+use std::string::ToString;
 use std::vec::Vec;
 
 use super::{At, ExtremesError, Kind, Over};
@@ -308,5 +311,3 @@ fn mistakes_are_told() {
         .unwrap_err();
     assert!(matches!(nothing, ExtremesError::NothingCloses(error) if error.margin().is_some()));
 }
-
-use std::string::ToString;

@@ -6,7 +6,7 @@ use super::COEFFICIENTS;
 const HALVINGS: usize = 44;
 
 /// The places where a piece changes its sign, in ascending order of their part of the piece.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Zeros {
     places: [f64; COEFFICIENTS],
     count: usize,
@@ -76,8 +76,8 @@ fn search(ends: [f64; 2], coefficients: &[f64; COEFFICIENTS], length: usize, hal
 fn halved(coefficients: &[f64; COEFFICIENTS], length: usize) -> [[f64; COEFFICIENTS]; 2] {
     let mut right = *coefficients;
     let mut left = [0.0; COEFFICIENTS];
-    for step in 0..length {
-        left[step] = right[0];
+    for (step, corner) in left.iter_mut().enumerate().take(length) {
+        *corner = right[0];
         for index in 0..length - 1 - step {
             right[index] = f64::midpoint(right[index], right[index + 1]);
         }

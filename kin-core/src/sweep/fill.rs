@@ -26,13 +26,18 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// [`SweepError`] if an end of the range is not finite, if there are no rows, or if given columns have different lengths.
     pub fn table(&self) -> Result<Table, SweepError> {
         self.check()?;
-        let mut table = self.empty(self.count);
+        let is_closed;
+        let mut table;
         if M::ASSEMBLY_COUNT > 0 {
-            self.fill_by_batch(&mut table)?;
+            table = self.without_data(self.count);
+            is_closed = self.fill_by_batch(&mut table)?;
         } else {
-            self.fill_by_steps(&mut table);
+            table = self.empty(self.count);
+            is_closed = self.fill_by_steps(&mut table);
         }
-        limits::find(self, &mut table);
+        if !is_closed {
+            limits::find(self, &mut table);
+        }
         Ok(table)
     }
 
@@ -52,6 +57,13 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
 
     /// A table of zeros.
     pub(super) fn empty(&self, count: usize) -> Table {
+        let mut table = self.without_data(count);
+        table.data.resize(table.labels.len() * count, 0.0);
+        table
+    }
+
+    /// A table whose columns have not been written.
+    fn without_data(&self, count: usize) -> Table {
         let variable = self.drive.variable();
         let column = match variable {
             Variable::Input(input) => input * (M::DESCRIPTION.order + 1),
@@ -60,30 +72,40 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         Table::new(labels::<M>(variable).collect(), count, column)
     }
 
-    /// Writes the inputs of all rows, and lets a batch write the rest.
-    fn fill_by_batch(&self, table: &mut Table) -> Result<(), SweepError> {
+    /// Writes the inputs of all rows, and lets a batch write the rest. It returns whether every row closes.
+    fn fill_by_batch(&self, table: &mut Table) -> Result<bool, SweepError> {
         let description = M::DESCRIPTION;
         let (count, orders) = (table.count, description.order + 1);
-        let own = usize::from(table.labels.iter().any(|label| label.is_variable));
-        let (given, results) = table
-            .data
-            .split_at_mut((own + description.inputs.len() * orders) * count);
-        let (variable, inputs) = given.split_at_mut(own * count);
-        for (row, place) in variable.iter_mut().enumerate() {
-            *place = self.at(row);
-        }
         let same = InputMotions::<M, Option<f64>>::from_fn(|input| Row::from_fn(|order| self.drive.same(input, order)));
-        let column =
-            |input: usize, order: usize| (input * orders + order) * count..(input * orders + order + 1) * count;
+        // Each number is written once: zeros that are overwritten would cost as much as a third of the batch.
+        let data = &mut table.data;
+        data.clear();
+        data.reserve_exact(table.labels.len() * count);
+        let own = match self.drive.variable() {
+            Variable::Input(_) => 0,
+            Variable::Time | Variable::Row => {
+                self.write_places(data);
+                1
+            }
+        };
         let mut varies = false;
         for input in 0..description.inputs.len() {
             for order in 0..orders {
                 match same[input][order] {
-                    Some(value) => inputs[column(input, order)].fill(value),
-                    None => varies = true,
+                    Some(value) => data.resize(data.len() + count, value),
+                    None if order == 0 && self.drive.variable() == Variable::Input(input) => self.write_places(data),
+                    None => {
+                        varies = true;
+                        data.resize(data.len() + count, 0.0);
+                    }
                 }
             }
         }
+        data.resize(table.labels.len() * count, 0.0);
+        let (given, results) = data.split_at_mut((own + description.inputs.len() * orders) * count);
+        let inputs = &mut given[own * count..];
+        let column =
+            |input: usize, order: usize| (input * orders + order) * count..(input * orders + order + 1) * count;
         if varies {
             for row in 0..count {
                 let motions = self.drive.motions(self.at(row));
@@ -122,14 +144,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 .collect(),
         };
         let outcomes = &mut table.outcomes;
-        batch::solve::<M, _, _>(
-            parameters,
-            columns,
-            self.assembly,
-            &mut places,
-            outcomes,
-            Vectors::widest(),
-        )?;
+        let vectors = Vectors::widest();
+        let summary = batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
         drop(places);
         for (unknown, sines) in sines.iter().enumerate() {
             let angles = &mut results[unknown * orders * count..(unknown * orders + 1) * count];
@@ -143,7 +159,20 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 continue_turns(&mut columns[..count]);
             }
         }
-        Ok(())
+        Ok(summary.failed == 0)
+    }
+
+    /// Appends the values of the variable.
+    #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
+    fn write_places(&self, column: &mut Vec<f64>) {
+        let start = column.len();
+        let way = self.to - self.from;
+        let last = self.count.saturating_sub(1).max(1) as f64;
+        // without a branch, so that several are calculated at once
+        column.extend((0..self.count).map(|row| self.from + way * (row as f64 / last)));
+        for row in [0, self.count - 1] {
+            column[start + row] = self.at(row);
+        }
     }
 
     /// Which unknowns are directions, which a batch stores as cosine and sine.
@@ -161,8 +190,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         }
     }
 
-    /// Solves row after row.
-    fn fill_by_steps(&self, table: &mut Table) {
+    /// Solves row after row. It returns whether every row closes.
+    fn fill_by_steps(&self, table: &mut Table) -> bool {
         let count = table.count;
         let mut walk = Walk::BEGINNING;
         for row in 0..count {
@@ -175,9 +204,10 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             };
             let data = &mut table.data;
             self.write(at, &motions, reached.ok(), |column, value| {
-                data[column * count + row] = value
+                data[column * count + row] = value;
             });
         }
+        table.outcomes.iter().all(Outcome::is_solved)
     }
 
     /// Passes on the numbers of a row, each with its column. Without a pose, they are NaN.
@@ -220,6 +250,11 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
 
 /// Puts each angle on the turn closest to the last angle before it.
 pub(super) fn continue_turns(angles: &mut [f64]) {
+    // most angles never jump, which is found out for several at once; a gap counts as a jump
+    let stays = |pair: &[f64]| (pair[1] - pair[0]).abs() <= core::f64::consts::PI;
+    if angles.windows(2).fold(true, |all, pair| all & stays(pair)) {
+        return;
+    }
     let mut turns = 0.0;
     let mut last = f64::NAN;
     for angle in angles {

@@ -139,13 +139,11 @@ fn place_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(
             let (only, more) = (movers.next(), movers.next());
             let is_before = |at: f64| {
                 let motions = course.drive.motions(at);
-                match (only, more) {
-                    (Some(input), None) => (motions[input][0] - from[input]).abs() < (place[input] - from[input]).abs(),
-                    _ => {
-                        let inputs = M::Inputs::from_fn(|input| motions[input][0]);
-                        course.mechanism.solve_position(inputs, course.assembly).is_ok()
-                    }
+                if let (Some(input), None) = (only, more) {
+                    return (motions[input][0] - from[input]).abs() < (place[input] - from[input]).abs();
                 }
+                let inputs = M::Inputs::from_fn(|input| motions[input][0]);
+                course.mechanism.solve_position(inputs, course.assembly).is_ok()
             };
             let (mut low, mut high) = (closed, open);
             for _ in 0..HALVINGS {

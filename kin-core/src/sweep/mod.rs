@@ -54,7 +54,7 @@ mod names;
 mod rows;
 #[cfg(feature = "alloc")]
 mod table;
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests;
 mod walk;
 
@@ -196,12 +196,12 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// println!("{} m/s³ at {} s", peak.value, peak.at);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn under_laws<'l>(
+    pub fn under_laws(
         self,
-        laws: M::Inputs<&'l dyn Piecewise<f64>>,
+        laws: M::Inputs<&dyn Piecewise<f64>>,
         range: RangeInclusive<f64>,
         rows: usize,
-    ) -> Course<M, Laws<'l, M>> {
+    ) -> Course<M, Laws<'_, M>> {
         self.course(Laws(laws), &range, rows)
     }
 

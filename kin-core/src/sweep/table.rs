@@ -56,7 +56,7 @@ pub struct Table {
 impl Table {
     pub(super) fn new(labels: Vec<Label>, count: usize, variable: usize) -> Self {
         Self {
-            data: alloc::vec![0.0; labels.len() * count],
+            data: Vec::new(),
             labels,
             count,
             outcomes: alloc::vec![Outcome::Unsolved; count],
@@ -83,6 +83,7 @@ impl Table {
     }
 
     /// All columns, in their order.
+    #[must_use]
     pub fn columns(&self) -> impl ExactSizeIterator<Item = ColumnOf<'_>> + DoubleEndedIterator {
         (0..self.labels.len()).map(|index| self.column_at(index))
     }
@@ -94,6 +95,7 @@ impl Table {
     }
 
     /// The rows, in their order.
+    #[must_use]
     pub fn rows(&self) -> impl ExactSizeIterator<Item = RowOf<'_>> + DoubleEndedIterator {
         (0..self.count).map(|index| RowOf { table: self, index })
     }
@@ -189,6 +191,7 @@ impl<'t> RowOf<'t> {
     }
 
     /// The numbers of the row, in the order of the columns.
+    #[must_use]
     pub fn values(&self) -> impl ExactSizeIterator<Item = f64> + 't {
         let (table, index) = (self.table, self.index);
         (0..table.labels.len()).map(move |column| table.data[column * table.count + index])

@@ -1,3 +1,6 @@
+//! Sweeps and their tables.
+#![cfg(feature = "alloc")]
+
 use core::f64::consts::{PI, TAU};
 use std::string::ToString;
 use std::vec::Vec;

@@ -14,8 +14,8 @@ use crate::drawing::{Canvas, DRIVE, GREY, PATH};
 const PLOT: Plane = Plane { x: 520.0, y: 200.0 };
 const CORNER: Plane = Plane { x: 60.0, y: 34.0 };
 /// The ends of the axis of the acceleration.
-const HIGHEST: f64 = 75.0;
-const LOWEST: f64 = -50.0;
+const HIGHEST: f64 = 125.0;
+const LOWEST: f64 = -75.0;
 
 pub(super) fn peaks() -> Result<Figure, Box<dyn Error>> {
     let linkage = FourBar {
@@ -44,7 +44,7 @@ pub(super) fn peaks() -> Result<Figure, Box<dyn Error>> {
         let below = place(at, LOWEST) + Plane::new(0.0, 16.0);
         page.text(below, 11.0, "middle", "", &format!("{}°", 90 * u16::from(quarter)));
     }
-    for step in -2..=3_i8 {
+    for step in -3..=5_i8 {
         let value = 25.0 * f64::from(step);
         let colour = if step == 0 { GREY } else { "#dddddd" };
         page.line(place(0.0, value), place(TAU, value), colour, 0.8);
@@ -75,7 +75,8 @@ pub(super) fn peaks() -> Result<Figure, Box<dyn Error>> {
         }
         let text = format!("{value:.4} at {:.4}°", extreme.at.to_degrees()).replace('-', "−");
         let above = if extreme.is_maximum { -10.0 } else { 20.0 };
-        page.text(at + Plane::new(0.0, above), 11.0, "middle", "", &text);
+        let anchor = if extreme.at < 0.5 { "start" } else { "middle" };
+        page.text(at + Plane::new(0.0, above), 11.0, anchor, "", &text);
     }
     Ok(Figure {
         file: "peaks.svg".to_owned(),
