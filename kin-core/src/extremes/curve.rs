@@ -229,7 +229,8 @@ where
     }
 }
 
-/// Adds the stretches between two ends: two if it is bounded by turning points on both sides.
+/// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
+/// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
 fn add<M: Mechanism<Scalar = f64>>(
     stretches: &mut Vec<Stretch<M>>,
     [start, end]: [(f64, End); 2],
@@ -239,12 +240,7 @@ fn add<M: Mechanism<Scalar = f64>>(
     if start.0 == end.0 {
         return;
     }
-    let turns = |end: End| {
-        matches!(
-            end,
-            End::Limit(LimitKind::TurningPoint | LimitKind::ChangePoint | LimitKind::Pole)
-        )
-    };
+    let turns = |end: End| matches!(end, End::Limit(_));
     match (turns(start.1), turns(end.1)) {
         (true, true) => {
             let middle = (f64::midpoint(start.0, end.0), End::Inside);

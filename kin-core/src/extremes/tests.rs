@@ -311,3 +311,34 @@ fn mistakes_are_told() {
         .unwrap_err();
     assert!(matches!(nothing, ExtremesError::NothingCloses(error) if error.margin().is_some()));
 }
+
+crate::mechanism! {
+    /// An angle by its sine, up to one radian.
+    struct Inverse { pub factor: Scalar }
+    input u: Scalar;
+    unknown x: Angle in -1..1;
+    sin(x) == factor * u;
+}
+
+/// At the end of a declared range, which is no turning point, rates have values.
+#[test]
+fn the_end_of_a_range_bounds_everything() {
+    let inverse: Inverse = Inverse { factor: 1.0 };
+    let sweep = inverse.sweep(()).over(0.0..=1.5, 10).speed(2.0);
+    let end = 1_f64.sin();
+    for (name, value) in [("x", 1.0), ("x_velocity", 2.0 / 1_f64.cos())] {
+        let extremes = sweep.extremes(name).unwrap();
+        let last = extremes.last().unwrap();
+        assert_eq!(
+            (last.kind, last.is_maximum, extremes.len()),
+            (Kind::Limit, true, 2),
+            "{extremes:?}"
+        );
+        assert!((last.at - end).abs() < 1e-14, "{last}");
+        assert!((last.value.unwrap() - value).abs() < 1e-10, "{last}");
+    }
+    let mean = sweep.mean("x", Over::Time).unwrap();
+    // the integral of the inverse sine
+    let expected = (end + 1_f64.cos() - 1.0) / end;
+    assert!((mean.value - expected).abs() < 1e-12, "{mean:?} {expected}");
+}
