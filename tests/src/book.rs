@@ -21,6 +21,7 @@ chapters! {
     errors: "../../docs/errors.md";
     outputs: "../../docs/outputs.md";
     motion_laws: "../../docs/motion-laws.md";
+    loads: "../../docs/loads.md";
     batches: "../../docs/batches.md";
     sweeps: "../../docs/sweeps.md";
     library: "../../docs/library.md";

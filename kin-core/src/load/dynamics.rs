@@ -24,12 +24,13 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
-    /// use kin_core::load::Loads;
+    /// use kin_core::load::{Change, Loads};
     /// use kin_core::prelude::*;
     ///
     /// // a piston of 2 kg feels like an inertia of 2 (ds/dtheta)²
     /// let engine = SliderCrank { r: 0.05, l: 0.15 };
-    /// let piston = Loads::<SliderCrank>::new().mass(2.0, |pose| Motion::from_coordinates(pose.s, pose.s * 0.0));
+    /// let piston = Loads::<SliderCrank>::new()
+    ///     .mass(2.0, |pose| Motion::from_coordinates(pose.s, Motion::constant(Change::constant(0.0))));
     /// let felt = piston.equivalent_inertia(&engine, [1.0], Assembly::Open)?;
     /// let pose = engine.solve(Motion::at_constant_speed(1.0, 1.0), Assembly::Open)?;
     /// let (slope, bend) = (pose.s.velocity(), pose.s.acceleration());
@@ -70,13 +71,13 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
-    /// use kin_core::load::Loads;
+    /// use kin_core::load::{Change, Loads};
     /// use kin_core::prelude::*;
     ///
     /// let engine = SliderCrank { r: 0.05, l: 0.15 };
     /// let loads = Loads::<SliderCrank>::new()
     ///     .inertia(0.01, |pose| pose.theta)
-    ///     .mass(2.0, |pose| Motion::from_coordinates(pose.s, pose.s * 0.0));
+    ///     .mass(2.0, |pose| Motion::from_coordinates(pose.s, Motion::constant(Change::constant(0.0))));
     /// let [acceleration] = loads.accelerations(&engine, [1.0], [30.0], [5.0], Assembly::Open)?;
     /// // the drive of a crank with this acceleration has that torque
     /// let crank = Motion::from((1.0, 30.0, acceleration, 0.0, 0.0));
