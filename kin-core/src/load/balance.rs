@@ -14,6 +14,7 @@ use crate::number::Row;
 /// It has at least two derivatives fewer than the motions of its mechanism, because forces follow from accelerations: a mechanism
 /// through snap gives the value, the rate and the second rate. One that is declared to a higher order gives more by
 /// [`derivative`](Rates::derivative).
+#[derive(Clone, Copy)]
 pub struct Rates<M: Mechanism, V: Copy> {
     row: M::Motion<V>,
     known: usize,
@@ -63,14 +64,6 @@ impl<M: Mechanism, V: Copy> Rates<M, V> {
         self.row[2]
     }
 }
-
-impl<M: Mechanism, V: Copy> Clone for Rates<M, V> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M: Mechanism, V: Copy> Copy for Rates<M, V> {}
 
 impl<M: Mechanism, V: Copy + fmt::Debug> fmt::Debug for Rates<M, V> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -33,7 +33,7 @@ impl<M: Mechanism> Coordinate<M> {
             assert!(
                 P::ENTRIES >= entries::<M>(),
                 "a load needs all derivatives of its point"
-            )
+            );
         };
         let points = poses.as_ref().iter().map(|pose| point(*pose));
         [
@@ -49,7 +49,7 @@ impl<M: Mechanism> Coordinate<M> {
             assert!(
                 P::ENTRIES >= entries::<M>(),
                 "a load needs all derivatives of its coordinate"
-            )
+            );
         };
         let numbers = poses.as_ref().iter().map(|pose| number(*pose));
         Self::gathered(numbers.map(|number| move |order| number.entry(order)))

@@ -71,7 +71,7 @@ fn add_mass<M: Mechanism>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate
 /// A moment of inertia about an axis of fixed direction.
 #[derive(Clone, Copy)]
 pub struct Inertia<F> {
-    pub(super) inertia: f64,
+    pub(super) moment: f64,
     pub(super) axis: Space<f64>,
     pub(super) angle: F,
 }
@@ -81,11 +81,11 @@ impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
         let angle = Coordinate::of_number(&totals.poses, self.angle);
-        totals.inertia(self.inertia, &angle, &angle);
+        totals.inertia(self.moment, &angle, &angle);
         let Space { x, y, z } = self.axis;
-        for (moment, direction) in totals.shaking_moment.iter_mut().zip([x, y, z]) {
+        for (sum, direction) in totals.shaking_moment.iter_mut().zip([x, y, z]) {
             for order in 0..Totals::<M>::effort_entries() {
-                moment[order] -= self.inertia * direction * angle.motion[order + 2];
+                sum[order] -= self.moment * direction * angle.motion[order + 2];
             }
         }
         Ok(())
@@ -132,7 +132,7 @@ impl<M: Mechanism, P: Varying<Space<Change>>, F: Fn(Moving<M>) -> [P; 3] + Copy>
         let length = |vector: &[Coordinate<M>; 3]| Number::sqrt(dot(vector, vector).motion[0]);
         let (base, area) = (length(&along), length(&normal));
         // Below this ratio the orientation has fewer than half of the digits.
-        if !(area > Number::sqrt(f64::EPSILON) * base * length(&across)) {
+        if area <= Number::sqrt(f64::EPSILON) * base * length(&across) {
             return Err(LoadError::Collinear { load });
         }
         let first = along.map(|coordinate| coordinate.scale(1.0 / base));

@@ -94,7 +94,7 @@ pub type Moving<M> = <<M as Mechanism>::With<Change> as Mechanism>::Pose;
 /// The list does not allocate. It depends on no dimension of the mechanism, so that one list serves all variants of a design.
 #[derive(Clone, Copy)]
 pub struct Loads<M: Mechanism, L = ()> {
-    loads: L,
+    list: L,
     gravity: Space<f64>,
     mechanism: PhantomData<fn() -> M>,
 }
@@ -104,7 +104,7 @@ impl<M: Mechanism> Loads<M> {
     #[must_use]
     pub fn new() -> Self {
         Self {
-            loads: (),
+            list: (),
             gravity: Space::zero(),
             mechanism: PhantomData,
         }
@@ -123,14 +123,14 @@ impl<M: Mechanism, L: Load<M>> fmt::Debug for Loads<M, L> {
             .debug_struct("Loads")
             .field("count", &L::COUNT)
             .field("gravity", &self.gravity)
-            .finish()
+            .finish_non_exhaustive()
     }
 }
 
 impl<M: Mechanism, L> Loads<M, L> {
     fn and<H>(self, load: H) -> Loads<M, (L, H)> {
         Loads {
-            loads: (self.loads, load),
+            list: (self.list, load),
             gravity: self.gravity,
             mechanism: PhantomData,
         }
@@ -171,7 +171,11 @@ impl<M: Mechanism, L> Loads<M, L> {
         P: Varying<Change>,
         F: Fn(Moving<M>) -> P + Copy,
     {
-        self.and(Inertia { inertia, axis, angle })
+        self.and(Inertia {
+            moment: inertia,
+            axis,
+            angle,
+        })
     }
 
     /// A rigid body in space, which moves with three of its points.
@@ -225,7 +229,7 @@ impl<M: Mechanism, L> Loads<M, L> {
             assert!(
                 V::ENTRIES.saturating_add(2) >= coordinate::entries::<M>(),
                 "a force needs its derivatives"
-            )
+            );
         };
         self.and(Force { force, point })
     }
@@ -242,7 +246,7 @@ impl<M: Mechanism, L> Loads<M, L> {
             assert!(
                 V::ENTRIES.saturating_add(2) >= coordinate::entries::<M>(),
                 "a torque needs its derivatives"
-            )
+            );
         };
         self.and(Torque { torque, angle })
     }
@@ -311,7 +315,7 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
     ) -> Result<Balance<M>, LoadError> {
         let poses = totals::poses(mechanism, inputs, assembly)?;
         let mut totals = Totals::new(poses, self.gravity);
-        self.loads.add(&mut totals)?;
+        self.list.add(&mut totals)?;
         if totals.are_finite() {
             Ok(Balance::new(inputs, &totals))
         } else {
