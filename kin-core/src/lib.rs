@@ -367,7 +367,7 @@ macro_rules! __poses {
     ($mechanism:ident, $unknowns:literal, $fields:tt, $($pose:ident)*) => {
         $(
             #[diagnostic::do_not_recommend]
-            impl<T: $crate::Scalar> $crate::Guess<T, $unknowns> for $pose<T> {
+            impl<T: $crate::Scalar> $crate::Guess<T, $unknowns, $mechanism<T>> for $pose<T> {
                 fn values(self) -> [T; $unknowns] {
                     $crate::PoseOf::<$mechanism<T>>::unknowns(&self)
                 }

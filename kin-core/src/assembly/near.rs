@@ -17,7 +17,7 @@ pub struct Near<const N: usize>(
     pub [f64; N],
 );
 
-/// The values of `N` unknowns near the wanted position, for `position_near`, `solve_near` and all solvers of mechanisms
+/// The values of `N` unknowns of the mechanism `M` near the wanted position, for `position_near`, `solve_near` and all solvers of mechanisms
 /// with coupled blocks.
 ///
 /// | given | means |
@@ -47,26 +47,26 @@ pub struct Near<const N: usize>(
     note = "coupled equations have no closed form, so the assembly is chosen by values near it and not by `Assembly`: \
             `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
 )]
-pub trait Guess<T, const N: usize> {
+pub trait Guess<T, const N: usize, M> {
     /// The values.
     fn values(self) -> [T; N];
 }
 
-impl<T, const N: usize> Guess<T, N> for [T; N] {
+impl<T, const N: usize, M> Guess<T, N, M> for [T; N] {
     #[inline(always)]
     fn values(self) -> Self {
         self
     }
 }
 
-impl<T: Number, const N: usize> Guess<T, N> for Near<N> {
+impl<T: Number, const N: usize, M> Guess<T, N, M> for Near<N> {
     #[inline]
     fn values(self) -> [T; N] {
         self.0.map(T::constant)
     }
 }
 
-impl<T, const N: usize, G: Guess<T, N> + Copy> Guess<T, N> for &G {
+impl<T, const N: usize, M, G: Guess<T, N, M> + Copy> Guess<T, N, M> for &G {
     #[inline(always)]
     fn values(self) -> [T; N] {
         (*self).values()

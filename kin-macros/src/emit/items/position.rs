@@ -55,7 +55,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     } else {
         quote!(#[inline])
     };
-    let guess = quote!(#near: impl #runtime::Guess<T, #count>);
+    let guess = quote!(#near: impl #runtime::Guess<T, #count, Self>);
     let (choice, chosen) = if is_coupled {
         let chosen = quote!(self.position_near(#(#inputs,)* #near));
         (guess.clone(), chosen)

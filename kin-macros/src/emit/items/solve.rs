@@ -19,7 +19,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let length = Literal::usize_unsuffixed(order + 1);
     let count = Literal::usize_unsuffixed(model.unknowns.len());
     let [position, near] = ["position", "near"].map(|name| mechanism.own(name));
-    let guess = quote!(#near: impl #runtime::Guess<T, #count>);
+    let guess = quote!(#near: impl #runtime::Guess<T, #count, Self>);
     let (assembly, value) = if mechanism.is_coupled() {
         (guess.clone(), quote!(#near))
     } else {
