@@ -1,10 +1,10 @@
 //! Degrees that were typed where radians are meant.
 //!
 //! Angles are plain numbers to the dimensions. So this pass follows which formulas are angles, and looks for numbers beyond a turn
-//! beside them: `theta + 30`, `cis(90)`, `sin(s + 45)`.
+//! beside them: `theta + 30`, `cis(90)`, `sin(s + 45)`. It also looks for angles that a factor converts: `cis(theta * PI / 180)`.
 
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use crate::algebra::{Gives, Takes};
 use crate::mistakes::{Extent, Mistakes};
@@ -25,6 +25,44 @@ struct Sort {
     number: Option<f64>,
     /// A term of it that is a number beyond a turn, and its place.
     beyond: Option<(f64, Extent)>,
+    /// Its value, if it is made of numbers, `PI` and `deg`.
+    constant: Option<f64>,
+    /// The conversion between degrees and radians that it applies to an angle.
+    conversion: Option<Conversion>,
+}
+
+/// The conversion of an angle by a factor in the formula.
+#[derive(Clone, Copy)]
+enum Conversion {
+    FromDegrees,
+    ToDegrees,
+}
+
+impl Conversion {
+    /// The conversion that multiplies by this factor.
+    fn of_factor(factor: f64) -> Option<Self> {
+        // the number may have been typed in five digits or more
+        let is = |wanted: f64| (factor / wanted - 1.0).abs() < 1e-5;
+        if is(PI / 180.0) {
+            Some(Self::FromDegrees)
+        } else if is(180.0 / PI) {
+            Some(Self::ToDegrees)
+        } else {
+            None
+        }
+    }
+
+    fn message(self) -> &'static str {
+        match self {
+            Self::FromDegrees => {
+                "an angle is in radians already: write it without this factor, or declare it a `Scalar` if it is in degrees"
+            }
+            Self::ToDegrees => {
+                "angles are in radians: write the angle without this factor and convert the result by `to_degrees`, or declare \
+                 the number of degrees a `Scalar`"
+            }
+        }
+    }
 }
 
 impl Sort {
@@ -33,6 +71,8 @@ impl Sort {
         is_plain: true,
         number: None,
         beyond: None,
+        constant: None,
+        conversion: None,
     };
 
     const PLAIN: Self = Self {
@@ -43,6 +83,7 @@ impl Sort {
     fn of_number(value: f64) -> Self {
         Self {
             number: Some(value),
+            constant: Some(value),
             ..Self::PLAIN
         }
     }
@@ -93,13 +134,19 @@ pub(super) fn check(declaration: &Declaration, mistakes: &mut Mistakes) {
                 let sort = search.sort(&statement.value);
                 search.names.insert(statement.name.to_string(), sort);
             }
-            Statement::Output(statement) => drop(search.sort(&statement.value)),
+            Statement::Output(statement) => {
+                let sort = search.sort(&statement.value);
+                if statement.dimension == Dimension::Angle {
+                    search.tell_conversion(sort, statement.value.extent);
+                }
+            }
             Statement::Equation(equation) => {
                 let sides = [&equation.left, &equation.right].map(|side| (search.sort(side), side.extent));
                 let [(left, _), (right, _)] = sides;
                 for (sort, at) in sides {
                     if left.is_angle || right.is_angle {
                         search.tell(sort.suspect(at));
+                        search.tell_conversion(sort, at);
                     }
                 }
             }
@@ -145,7 +192,14 @@ impl Search<'_> {
     fn sort(&mut self, formula: &Formula) -> Sort {
         match &formula.kind {
             FormulaKind::Number { value, .. } => Sort::of_number(*value),
-            FormulaKind::Degrees { .. } | FormulaKind::Pi => Sort::ANGLE,
+            FormulaKind::Degrees { value, .. } => Sort {
+                constant: Some(value.to_radians()),
+                ..Sort::ANGLE
+            },
+            FormulaKind::Pi => Sort {
+                constant: Some(PI),
+                ..Sort::ANGLE
+            },
             FormulaKind::Name(name) => {
                 let sort = self.names.get(&name.to_string()).copied().unwrap_or_default();
                 // the number is reported where the name is used
@@ -159,6 +213,7 @@ impl Search<'_> {
                 let sort = self.sort(of);
                 Sort {
                     number: sort.number.map(|number| -number),
+                    constant: sort.constant.map(|constant| -constant),
                     ..sort
                 }
             }
@@ -171,10 +226,17 @@ impl Search<'_> {
             }
             FormulaKind::Product { first, rest } => {
                 let mut product = self.sort(first);
+                let mut factors = vec![(Operator::Multiply, product)];
                 for factor in rest {
-                    product = Self::product(product, factor.operator, self.sort(&factor.formula));
+                    let sort = self.sort(&factor.formula);
+                    product = Self::product(product, factor.operator, sort);
+                    factors.push((factor.operator, sort));
                 }
-                product
+                Sort {
+                    constant: constant(&factors),
+                    conversion: conversion(&factors),
+                    ..product
+                }
             }
             FormulaKind::Call { callee, arguments, .. } => self.call(*callee, arguments),
             FormulaKind::Power { base, exponent, .. } => {
@@ -208,6 +270,7 @@ impl Search<'_> {
         for (_, sort, at) in terms {
             let suspect = sort.suspect(*at);
             if is_angle {
+                self.tell_conversion(*sort, *at);
                 self.tell(suspect);
             } else {
                 beyond = beyond.or(suspect);
@@ -216,8 +279,8 @@ impl Search<'_> {
         Sort {
             is_angle,
             is_plain: terms.iter().all(|(_, sort, _)| sort.is_plain),
-            number: None,
             beyond,
+            ..Sort::default()
         }
     }
 
@@ -235,7 +298,7 @@ impl Search<'_> {
             is_angle: is_plain && is_angle,
             is_plain,
             number,
-            beyond: None,
+            ..Sort::default()
         }
     }
 
@@ -251,6 +314,7 @@ impl Search<'_> {
             && let (Some(sort), Some(argument)) = (sorts.get(place), arguments.get(place))
         {
             self.tell(sort.suspect(argument.extent));
+            self.tell_conversion(*sort, argument.extent);
         }
         match callee {
             Callee::Elementary(function) => match function.gives() {
@@ -265,6 +329,12 @@ impl Search<'_> {
         }
     }
 
+    fn tell_conversion(&mut self, sort: Sort, at: Extent) {
+        if let Some(conversion) = sort.conversion {
+            self.mistakes.error(at, conversion.message());
+        }
+    }
+
     fn tell(&mut self, suspect: Option<(f64, Extent)>) {
         if let Some((number, at)) = suspect {
             let degrees = number.abs();
@@ -276,6 +346,26 @@ impl Search<'_> {
                 ),
             );
         }
+    }
+}
+
+/// The value of a product of constants.
+fn constant(factors: &[(Operator, Sort)]) -> Option<f64> {
+    factors.iter().try_fold(1.0, |product, (operator, sort)| {
+        let factor = sort.constant?;
+        Some(match operator {
+            Operator::Divide => product / factor,
+            _ => product * factor,
+        })
+    })
+}
+
+/// The conversion by a product of one angle and constants.
+fn conversion(factors: &[(Operator, Sort)]) -> Option<Conversion> {
+    let (constants, others): (Vec<_>, Vec<_>) = factors.iter().partition(|(_, sort)| sort.constant.is_some());
+    match others.as_slice() {
+        [(Operator::Multiply, angle)] if angle.is_angle => Conversion::of_factor(constant(&constants)?),
+        _ => None,
     }
 }
 

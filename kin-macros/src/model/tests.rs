@@ -462,6 +462,46 @@ fn degrees_are_not_taken_for_radians() {
 }
 
 #[test]
+fn angles_are_not_converted() {
+    let told = |equation: TokenStream| {
+        mistakes(quote! {
+            input t: Angle, degrees: Scalar;
+            unknown u: Angle, e: Length;
+            let all = k * (p + v + a + b);
+            let used = t + degrees / 100;
+            #equation
+            output o: Point = all * used * e * u / a;
+        })
+    };
+    let is_in_radians = "an angle is in radians already";
+    let is_to_stay = "angles are in radians";
+    for (equation, says) in [
+        (quote!(u == t * PI / 180; e == a;), is_in_radians),
+        (quote!(u == t; e == a * sin(PI / 180 * t);), is_in_radians),
+        (quote!(u == t; e == a * cos(0.0174533 * t + 1);), is_in_radians),
+        (
+            quote!(let rad = PI / 180; let turned = t * rad; u == turned; e == a;),
+            is_in_radians,
+        ),
+        (quote!(u == t * 180 / PI; e == a;), is_to_stay),
+        (quote!(u == t; e == a; output l: Angle = (57.29578 * u);), is_to_stay),
+        (quote!(u == t; e == a; output l: Angle = -u * (180 / PI);), is_to_stay),
+    ] {
+        let messages = told(equation.clone());
+        assert_eq!(messages.len(), 1, "{equation}: {messages:?}");
+        assert!(messages[0].starts_with(says), "{equation}: {messages:?}");
+    }
+    for equation in [
+        quote!(u == degrees * PI / 180; e == a;),
+        quote!(u == t; e == a; output l: Scalar = u * 180 / PI;),
+        quote!(u == t; e == a * (u * 180 / PI) / 360;),
+        quote!(u == t * PI / 18; e == a;),
+    ] {
+        assert_eq!(told(equation.clone()), Vec::<String>::new(), "{equation}");
+    }
+}
+
+#[test]
 fn ranges_of_angles_are_in_radians() {
     let told = |range: TokenStream| {
         mistakes(quote! {
