@@ -53,6 +53,7 @@
 //! | many poses over an input or over time, tables with named columns | [`sweep`] |
 //! | peaks, extremes, zeros, dwells and means of a sweep | `extremes` (feature `alloc`) |
 //! | curves between the rows of a table | [`hermite`] |
+//! | all circuits and branches with their limits, Grashof's type | `cycle` (feature `alloc`) |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
 //! | how the motion depends on the dimensions | [`Sensitive`], [`sensitivities_of`] |
@@ -104,6 +105,8 @@ pub mod __private;
 mod assemblies;
 mod assembly;
 pub mod batch;
+#[cfg(feature = "alloc")]
+pub mod cycle;
 #[cfg(rust_analyzer)]
 #[doc(hidden)]
 pub mod editor;

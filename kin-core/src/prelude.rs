@@ -1,6 +1,8 @@
 //! The names that programs with mechanisms need: `use kin_core::prelude::*;`.
 
 pub use crate::assembly::{Assembly, Near};
+#[cfg(feature = "alloc")]
+pub use crate::cycle::FullCycle;
 pub use crate::failure::{Failure, SolveError};
 pub use crate::geometry::{Plane, Space};
 pub use crate::mechanism;

@@ -61,6 +61,7 @@ pub(crate) const CORE: House = House {
         room("batch", &["batch/"], "columns, in lanes"),
         room("sweep", &["sweep/"], "sweeps, tables"),
         room("extremes", &["extremes/"], "peaks, means"),
+        room("cycle", &["cycle/"], "circuits, branches"),
         room("stored", &["stored/"], "traits of serde"),
         room("interop", &["interop/"], "other crates' types"),
         room("verify", &["verify/"], "two oracles"),

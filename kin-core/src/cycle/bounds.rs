@@ -1,0 +1,572 @@
+//! A number that stands for all its values over an interval of the input.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_traits::Float;
+
+use crate::assembly::Assembly;
+use crate::failure::Failure;
+use crate::number::Number;
+use crate::solve::{Check, Choose, Scalar};
+
+/// The bound of a number of which nothing is known.
+const HUGE: f64 = 1e150;
+/// The error of an elementary function, relative to its largest value.
+const FUNCTION: f64 = 8.0 * f64::EPSILON;
+
+/// The failure where some values of the interval lead one way, and others another way.
+pub(super) const UNDECIDED: &str = "interval in which the solver decides both ways";
+
+/// What is not certain about a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Doubt(u8);
+
+impl Doubt {
+    /// Every value exists.
+    pub(super) const NONE: Self = Self(0);
+    /// The values exist from some place of the interval on, or everywhere, or nowhere.
+    const RISING: Self = Self(1);
+    /// The values exist up to some place of the interval, or everywhere, or nowhere.
+    const FALLING: Self = Self(2);
+    /// Nothing is known about where the values exist.
+    const OPEN: Self = Self(4);
+
+    /// The doubt about a number made of two.
+    pub(super) const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether values exist at both ends only if they exist in between, and the places where they exist touch one certain end.
+    pub(super) const fn is_one_sided(self) -> bool {
+        self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
+    }
+}
+
+/// All values of a function of one variable t in -1 ..= 1.
+///
+/// The value at t = 0 has an error of at most `error`. All values lie between `low` and `high`, and all derivatives between `least` and `most`,
+/// rounding included: each operation widens its bounds by more than its own error. (R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction
+/// to Interval Analysis, SIAM 2009: natural extensions and, in [`Bounds::tight`], the mean value form.)
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    middle: f64,
+    error: f64,
+    pub(super) low: f64,
+    pub(super) high: f64,
+    least: f64,
+    most: f64,
+    pub(super) doubt: Doubt,
+}
+
+/// The smallest interval that holds the products of two intervals.
+fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    let products = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
+    let low = products.into_iter().fold(f64::INFINITY, f64::min);
+    let high = products.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    widened([low, high])
+}
+
+/// An interval that holds the exact result of an operation, whose rounded ends are given.
+fn widened([low, high]: [f64; 2]) -> [f64; 2] {
+    let slack = f64::EPSILON * low.abs().max(high.abs()) + f64::MIN_POSITIVE;
+    let [low, high] = [low - slack, high + slack];
+    // Nothing is known about a bound that is not a number.
+    [
+        if low > -HUGE { low } else { -HUGE },
+        if high < HUGE { high } else { HUGE },
+    ]
+}
+
+/// The reciprocals of an interval.
+fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
+    if low > 0.0 || high < 0.0 {
+        widened([1.0 / high, 1.0 / low])
+    } else {
+        [-HUGE, HUGE]
+    }
+}
+
+impl Bounds {
+    /// The variable itself: all values from `low` to `high`.
+    pub(super) fn variable(low: f64, high: f64) -> Self {
+        let middle = 0.5 * (low + high);
+        let [least, most] = widened([0.5 * (high - low); 2]);
+        Self {
+            middle,
+            error: 0.0,
+            low,
+            high,
+            least,
+            most,
+            doubt: Doubt::NONE,
+        }
+    }
+
+    /// The value in the middle of the interval, as far as it exists.
+    pub(super) fn middle(self) -> f64 {
+        self.middle
+    }
+
+    fn new(middle: f64, error: f64, values: [f64; 2], slopes: [f64; 2], doubt: Doubt) -> Self {
+        let [low, high] = widened(values);
+        let [least, most] = slopes;
+        Self {
+            middle,
+            error: error + f64::EPSILON * middle.abs(),
+            low,
+            high,
+            least,
+            most,
+            doubt,
+        }
+        .tight()
+    }
+
+    /// The same function within the bounds that its derivative gives.
+    fn tight(mut self) -> Self {
+        let reach = (self.least.abs().max(self.most.abs()) + self.error) * (1.0 + 4.0 * f64::EPSILON);
+        let rounding = f64::EPSILON * self.middle.abs();
+        let (low, high) = (self.middle - reach - rounding, self.middle + reach + rounding);
+        if reach < HUGE && low.is_finite() && high.is_finite() {
+            self.low = self.low.max(low);
+            self.high = self.high.min(high);
+        }
+        self
+    }
+
+    fn values(self) -> [f64; 2] {
+        [self.low, self.high]
+    }
+
+    fn slopes(self) -> [f64; 2] {
+        [self.least, self.most]
+    }
+
+    /// A function of this number: its values, and its derivatives with respect to this number.
+    fn through(self, middle: f64, [low, high]: [f64; 2], slopes: [f64; 2]) -> Self {
+        let slack = FUNCTION * low.abs().max(high.abs()).max(f64::MIN_POSITIVE);
+        let steepest = slopes[0].abs().max(slopes[1].abs());
+        Self::new(
+            middle,
+            self.error * steepest + slack,
+            [low - slack, high + slack],
+            product(self.slopes(), slopes),
+            self.doubt,
+        )
+    }
+
+    /// A function that rises with this number.
+    fn rising(self, domain: [f64; 2], function: impl Fn(f64) -> f64, slopes: [f64; 2]) -> Self {
+        let inside = |value: f64| function(value.max(domain[0]).min(domain[1]));
+        self.through(inside(self.middle), [inside(self.low), inside(self.high)], slopes)
+    }
+
+    /// A number of which only bounds of its values are known.
+    fn rough(middle: f64, values: [f64; 2], doubt: Doubt) -> Self {
+        Self::new(middle, 0.0, values, [-HUGE, HUGE], doubt)
+    }
+
+    /// Both of two numbers, of which one is right in a part of the interval.
+    fn hull(self, other: Self, middle: f64) -> Self {
+        let values = [self.low.min(other.low), self.high.max(other.high)];
+        Self::rough(middle, values, self.doubt.and(other.doubt))
+    }
+
+    /// The values at which a comparison of this number or of its magnitude may go different ways.
+    fn corners(self) -> ([f64; 3], usize) {
+        if self.low == self.high {
+            ([self.low; 3], 1)
+        } else if self.low < 0.0 && self.high > 0.0 {
+            ([self.low, self.high, 0.0], 3)
+        } else {
+            ([self.low, self.high, self.high], 2)
+        }
+    }
+}
+
+/// Calls `visit` with all combinations of the corners of some numbers.
+fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64; N])) {
+    let corners = operands.map(Bounds::corners);
+    let mut place = [0_usize; N];
+    loop {
+        visit(core::array::from_fn(|index| corners[index].0[place[index]]));
+        let mut index = 0;
+        loop {
+            if index == N {
+                return;
+            }
+            place[index] += 1;
+            if place[index] < corners[index].1 {
+                break;
+            }
+            place[index] = 0;
+            index += 1;
+        }
+    }
+}
+
+/// What a check says about an interval.
+enum Verdict {
+    Holds,
+    Fails,
+    Doubtful(Doubt),
+}
+
+/// The verdict of conditions that are comparisons of each operand or of its magnitude.
+fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
+    let operands = check.operands();
+    let (mut always, mut never) = ([true; K], [true; K]);
+    at_corners(operands, |values| {
+        for (condition, holds) in check.holds(values).into_iter().enumerate() {
+            always[condition] &= holds;
+            never[condition] &= !holds;
+        }
+    });
+    if always.into_iter().all(|holds| holds) {
+        return Verdict::Holds;
+    }
+    if never.into_iter().any(|fails| fails) {
+        return Verdict::Fails;
+    }
+    let mut doubt = Doubt::NONE;
+    for condition in (0..K).filter(|condition| !always[*condition]) {
+        doubt = doubt.and(trend(&check, operands, condition));
+    }
+    Verdict::Doubtful(doubt)
+}
+
+/// Whether a condition rises or falls along the interval.
+fn trend<const N: usize, const K: usize>(
+    check: &impl Check<Bounds, N, K>,
+    operands: [Bounds; N],
+    condition: usize,
+) -> Doubt {
+    let mut doubt = Doubt::NONE;
+    for (index, operand) in operands.into_iter().enumerate() {
+        let ends = |value: f64| {
+            let mut own = operands;
+            own[index] = Bounds::constant(value);
+            let (mut all, mut any) = (true, false);
+            at_corners(own, |values| {
+                let holds = check.holds(values)[condition];
+                (all, any) = (all && holds, any || holds);
+            });
+            (all, any)
+        };
+        let (corners, count) = operand.corners();
+        if count == 1 {
+            continue;
+        }
+        let (low, high) = (ends(corners[0]), ends(corners[1]));
+        if low == high {
+            if count == 3 && ends(0.0) != low {
+                doubt = doubt.and(Doubt::OPEN);
+            }
+            continue;
+        }
+        // From the lower end to the upper one, the condition becomes true, or it becomes false.
+        let becomes_true = u8::from(high.0) + u8::from(high.1) > u8::from(low.0) + u8::from(low.1);
+        doubt = doubt.and(if operand.least > 0.0 {
+            if becomes_true { Doubt::RISING } else { Doubt::FALLING }
+        } else if operand.most < 0.0 {
+            if becomes_true { Doubt::FALLING } else { Doubt::RISING }
+        } else {
+            Doubt::OPEN
+        });
+    }
+    if doubt == Doubt::NONE { Doubt::OPEN } else { doubt }
+}
+
+impl Add for Bounds {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::new(
+            self.middle + other.middle,
+            self.error + other.error,
+            [self.low + other.low, self.high + other.high],
+            widened([self.least + other.least, self.most + other.most]),
+            self.doubt.and(other.doubt),
+        )
+    }
+}
+
+impl Neg for Bounds {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            middle: -self.middle,
+            low: -self.high,
+            high: -self.low,
+            least: -self.most,
+            most: -self.least,
+            ..self
+        }
+    }
+}
+
+impl Sub for Bounds {
+    type Output = Self;
+
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the negative of an interval is exact")]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Bounds {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let [one, two] = [
+            product(self.slopes(), other.values()),
+            product(self.values(), other.slopes()),
+        ];
+        Self::new(
+            self.middle * other.middle,
+            (self.middle.abs() * other.error + other.middle.abs() * self.error) * (1.0 + 4.0 * f64::EPSILON)
+                + self.error * other.error,
+            product(self.values(), other.values()),
+            widened([one[0] + two[0], one[1] + two[1]]),
+            self.doubt.and(other.doubt),
+        )
+    }
+}
+
+impl Div for Bounds {
+    type Output = Self;
+
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient is a product with a reciprocal")]
+    fn div(self, other: Self) -> Self {
+        let inverse = reciprocal(other.values());
+        if inverse == [-HUGE, HUGE] {
+            return Self::rough(0.0, inverse, self.doubt.and(other.doubt));
+        }
+        let slope = product(inverse, inverse);
+        self * other.through(1.0 / other.middle, inverse, [-slope[1], -slope[0]])
+    }
+}
+
+impl Number for Bounds {
+    const EPSILON: f64 = f64::EPSILON;
+
+    fn constant(value: f64) -> Self {
+        Self {
+            middle: value,
+            error: 0.0,
+            low: value,
+            high: value,
+            least: 0.0,
+            most: 0.0,
+            doubt: Doubt::NONE,
+        }
+    }
+
+    fn real(self) -> f64 {
+        self.middle
+    }
+
+    fn is_finite(self) -> bool {
+        !(self.low.is_nan() || self.high.is_nan())
+    }
+
+    fn sqrt(self) -> Self {
+        let roots = self.values().map(|value| Float::sqrt(value.max(0.0)));
+        let slopes = if roots[0] > 0.0 {
+            widened([0.5 / roots[1], 0.5 / roots[0]])
+        } else {
+            [-HUGE, HUGE]
+        };
+        if self.middle <= 0.0 || slopes[0] < 0.0 {
+            return Self::rough(Float::sqrt(self.middle.max(0.0)), roots, self.doubt);
+        }
+        self.through(Float::sqrt(self.middle), roots, slopes)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = Number::sin_cos(self.middle);
+        let reach = (self.high - self.middle).max(self.middle - self.low) * (1.0 + f64::EPSILON) + self.error;
+        // sin(m + d) = sin(m) cos(d) + cos(m) sin(d), with 1 - d²/2 <= cos(d) <= 1 and |sin(d)| <= |d|.
+        let around = |value: f64, slope: f64| {
+            if reach > 1.5 {
+                return [-1.0, 1.0];
+            }
+            let shrunk = value * (1.0 - 0.5 * reach * reach);
+            let aside = slope.abs() * reach + FUNCTION;
+            [(shrunk.min(value) - aside).max(-1.0), (shrunk.max(value) + aside).min(1.0)]
+        };
+        let (sines, cosines) = (around(sine, cosine), around(cosine, sine));
+        (
+            self.through(sine, sines, cosines),
+            self.through(cosine, cosines, [-sines[1], -sines[0]]),
+        )
+    }
+
+    fn asin(self) -> Self {
+        let square = self * self;
+        let rest = 1.0 - square.high;
+        let slopes = if rest > 0.0 {
+            widened([1.0, 1.0 / Float::sqrt(rest)])
+        } else {
+            [-HUGE, HUGE]
+        };
+        self.rising([-1.0, 1.0], Number::asin, slopes)
+    }
+
+    fn acos(self) -> Self {
+        Self::constant(core::f64::consts::FRAC_PI_2) - self.asin()
+    }
+
+    fn atan(self) -> Self {
+        let square = self * self;
+        let slopes = reciprocal([1.0 + square.low.max(0.0), 1.0 + square.high]);
+        self.rising([-HUGE, HUGE], Number::atan, slopes)
+    }
+
+    /// The angle goes on beyond half a turn, so that it is continuous over the interval.
+    fn atan2(self, x: Self) -> Self {
+        let doubt = self.doubt.and(x.doubt);
+        let middle = self.middle.atan2(x.middle);
+        let square = self * self + x * x;
+        let whole = [middle - core::f64::consts::PI, middle + core::f64::consts::PI];
+        // The corners of the box of values, seen from its middle.
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for y in self.values() {
+            for x_value in x.values() {
+                let along = x_value * x.middle + y * self.middle;
+                let across = y * x.middle - x_value * self.middle;
+                if along > 0.0 {
+                    let angle = across.atan2(along);
+                    (low, high) = (low.min(angle), high.max(angle));
+                } else {
+                    (low, high) = (-core::f64::consts::PI, core::f64::consts::PI);
+                }
+            }
+        }
+        let values = [whole[0].max(middle + low - FUNCTION), whole[1].min(middle + high + FUNCTION)];
+        let inverse = reciprocal(square.values());
+        let across = [
+            product(x.values(), self.slopes()),
+            product(self.values(), x.slopes()),
+        ];
+        let slopes = product(
+            widened([across[0][0] - across[1][1], across[0][1] - across[1][0]]),
+            inverse,
+        );
+        let steepest = Float::sqrt(inverse[1].abs());
+        let error = (self.error + x.error) * steepest + FUNCTION * 4.0;
+        Self::new(middle, error, values, slopes, doubt)
+    }
+
+    fn sinh(self) -> Self {
+        let slopes = self.cosh().values();
+        self.rising([-HUGE, HUGE], Number::sinh, slopes)
+    }
+
+    fn cosh(self) -> Self {
+        let power = self.exp();
+        let half = Self::constant(0.5);
+        power * half + half / power
+    }
+
+    fn tanh(self) -> Self {
+        let largest = self.low.abs().max(self.high.abs());
+        let tangent = Number::tanh(largest);
+        self.rising([-HUGE, HUGE], Number::tanh, widened([1.0 - tangent * tangent, 1.0]))
+    }
+
+    fn asinh(self) -> Self {
+        let largest = self.low.abs().max(self.high.abs());
+        let slopes = widened([1.0 / Float::sqrt(1.0 + largest * largest), 1.0]);
+        self.rising([-HUGE, HUGE], Number::asinh, slopes)
+    }
+
+    fn acosh(self) -> Self {
+        let rest = self.low * self.low - 1.0;
+        let slopes = if self.low > 1.0 && rest > 0.0 {
+            widened([0.0, 1.0 / Float::sqrt(rest)])
+        } else {
+            [-HUGE, HUGE]
+        };
+        self.rising([1.0, HUGE], Number::acosh, slopes)
+    }
+
+    fn atanh(self) -> Self {
+        let square = (self * self).high;
+        let slopes = if square < 1.0 {
+            widened([1.0, 1.0 / (1.0 - square)])
+        } else {
+            [-HUGE, HUGE]
+        };
+        let end = 1.0 - f64::EPSILON;
+        self.rising([-end, end], Number::atanh, slopes)
+    }
+
+    fn exp(self) -> Self {
+        let slopes = widened(self.values().map(|value| Number::exp(value.min(340.0))));
+        self.rising([-HUGE, 340.0], Number::exp, slopes)
+    }
+
+    fn ln(self) -> Self {
+        let slopes = reciprocal(self.values());
+        self.rising([f64::MIN_POSITIVE, HUGE], Number::ln, slopes)
+    }
+}
+
+impl Scalar for Bounds {
+    fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
+        match verdict(check) {
+            Verdict::Holds => Some(self),
+            Verdict::Fails => None,
+            Verdict::Doubtful(doubt) => Some(Self {
+                doubt: self.doubt.and(doubt),
+                ..self
+            }),
+        }
+    }
+
+    fn either<const N: usize>(
+        check: impl Check<Self, N, 1>,
+        one: impl FnOnce() -> Self,
+        other: impl FnOnce() -> Self,
+    ) -> Self {
+        match verdict(check) {
+            Verdict::Holds => one(),
+            Verdict::Fails => other(),
+            Verdict::Doubtful(_) => {
+                let [holds] = check.holds(check.operands().map(Self::real));
+                let (one, other) = (one(), other());
+                one.hull(other, if holds { one.middle } else { other.middle })
+            }
+        }
+    }
+
+    fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
+        let mut choices: Option<Result<Assembly, Failure>> = None;
+        let mut is_told = true;
+        let mut ask = |values: [f64; N]| {
+            let own = choice.choose(values);
+            is_told &= match (&choices, &own) {
+                (None, _) | (Some(Err(_)), Err(_)) => true,
+                (Some(Ok(one)), Ok(other)) => one == other,
+                _ => false,
+            };
+            choices = Some(own);
+        };
+        ask(choice.operands().map(Self::real));
+        at_corners(choice.operands(), ask);
+        match choices {
+            Some(choice) if is_told => choice,
+            _ => Err(Failure::NotFinite { quantity: UNDECIDED }),
+        }
+    }
+
+    fn root<const N: usize>(
+        _: [Self; N],
+        _: [Self; N],
+        _: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
+    ) -> Result<[Self; N], Failure> {
+        Err(Failure::NotFinite { quantity: UNDECIDED })
+    }
+}

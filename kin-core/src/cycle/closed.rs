@@ -1,0 +1,409 @@
+//! The search where every block has a closed form: each assembly alone, by bounds over intervals of the input.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use num_traits::Float;
+
+use super::EndKind;
+use super::bounds::{Bounds, Doubt, UNDECIDED};
+use super::line::{Line, distance, inputs_between, nearest, reach};
+use super::pieces::{Found, Node, Piece, Tip};
+use crate::failure::Failure;
+use crate::mechanism::Mechanism;
+use crate::number::{Number, Row};
+use crate::quantity::Dimension;
+use crate::track::{TrackError, track};
+
+/// The number of intervals of the first division.
+const FIRST: u32 = 8;
+/// The shortest interval, as a part of the range.
+pub(super) const RESOLUTION: f64 = 1.0 / 16_777_216.0;
+/// The largest number of intervals of an assembly.
+const MOST_INTERVALS: usize = 20_000;
+/// The largest distance by which an angle may move from the middle of an interval.
+const SWING: f64 = 1.5;
+/// The largest distance of two assemblies next to the place where they meet.
+const MEETING: f64 = 1e-3;
+
+/// The number of places that locate a change point.
+const CROSSING: usize = 10;
+
+/// What is known about an interval.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Known {
+    Closes,
+    Fails,
+    /// At most one limit, which the ends tell.
+    OneLimit,
+    /// The shortest interval, or no interval more.
+    Short,
+}
+
+struct Interval<M: Mechanism<Scalar = f64>> {
+    low: f64,
+    high: f64,
+    known: Known,
+    middle: Option<M::Unknowns<f64>>,
+}
+
+struct Search<'a, M: Mechanism<Scalar = f64>> {
+    mechanism: &'a M,
+    bounded: M::With<Bounds>,
+    line: &'a Line<M>,
+    size: f64,
+    found: Found<M>,
+}
+
+/// All pieces of branches of a mechanism whose blocks all have closed forms.
+pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Found<M> {
+    let mut search = Search {
+        mechanism,
+        bounded: mechanism.convert(Bounds::constant),
+        line,
+        size: reach(mechanism),
+        found: Found {
+            nodes: Vec::new(),
+            pieces: Vec::new(),
+            is_complete: true,
+            seeds: Vec::new(),
+        },
+    };
+    for (index, assembly) in M::assemblies().enumerate() {
+        search.assembly(index, assembly);
+    }
+    search.found
+}
+
+impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
+    fn solved(&self, s: f64, assembly: M::Assembly) -> Option<M::Unknowns<f64>> {
+        self.mechanism.solve_position(self.line.inputs(s), assembly).ok()
+    }
+
+    /// What the bounds say about an interval, and the position in its middle.
+    fn known(&self, low: f64, high: f64, assembly: M::Assembly) -> (Option<Known>, Option<M::Unknowns<f64>>) {
+        let inputs = inputs_between(self.line, Bounds::variable(low, high));
+        let unknowns = match self.bounded.solve_position(inputs, assembly) {
+            Ok(unknowns) => unknowns,
+            Err(error) => {
+                let is_told = !matches!(error.failure, Failure::NotFinite { quantity } if quantity == UNDECIDED);
+                return (is_told.then_some(Known::Fails), None);
+            }
+        };
+        let mut doubt = Doubt::NONE;
+        for (quantity, unknown) in M::DESCRIPTION.unknowns.iter().zip(unknowns.as_ref()) {
+            doubt = doubt.and(unknown.doubt);
+            let swing = (unknown.high - unknown.middle()).max(unknown.middle() - unknown.low);
+            if quantity.dimension == Dimension::Angle && swing > SWING {
+                return (None, None);
+            }
+        }
+        let middle = M::Unknowns::from_fn(|index| unknowns[index].middle());
+        if doubt == Doubt::NONE {
+            (Some(Known::Closes), Some(middle))
+        } else {
+            (doubt.is_one_sided().then_some(Known::OneLimit), None)
+        }
+    }
+
+    fn intervals(&mut self, assembly: M::Assembly) -> Vec<Interval<M>> {
+        let (low, high) = (self.line.low, self.line.high);
+        let shortest = RESOLUTION * (high - low);
+        let place = |part: u32| low + (high - low) * (f64::from(part) / f64::from(FIRST));
+        let mut waiting: Vec<(f64, f64)> = (0..FIRST).rev().map(|part| (place(part), place(part + 1))).collect();
+        let mut done: Vec<Interval<M>> = Vec::with_capacity(32);
+        let mut count = 0;
+        while let Some((low, high)) = waiting.pop() {
+            count += 1;
+            let (known, middle) = self.known(low, high, assembly);
+            let known = match known {
+                Some(known) => known,
+                None if high - low > shortest && count < MOST_INTERVALS => {
+                    let middle = 0.5 * (low + high);
+                    waiting.push((middle, high));
+                    waiting.push((low, middle));
+                    continue;
+                }
+                None => {
+                    self.found.is_complete &= high - low <= shortest;
+                    Known::Short
+                }
+            };
+            match done.last_mut() {
+                Some(last) if last.known == known && matches!(known, Known::Short | Known::Fails) => last.high = high,
+                _ => done.push(Interval { low, high, known, middle }),
+            }
+        }
+        done
+    }
+
+    /// Adds the pieces of one assembly.
+    fn assembly(&mut self, index: usize, assembly: M::Assembly) {
+        let intervals = self.intervals(assembly);
+        let mut open: Option<Piece<M>> = None;
+        let closes_at = |search: &Self, place: usize| {
+            // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
+            let neighbours = [place.checked_sub(1), Some(place)];
+            let mut neighbours = neighbours.into_iter().flatten().filter_map(|place| intervals.get(place));
+            match neighbours.find_map(|interval| match interval.known {
+                Known::Closes => Some(true),
+                Known::Fails => Some(false),
+                _ => None,
+            }) {
+                Some(closes) => closes,
+                None => {
+                    let s = intervals.get(place).map_or(search.line.high, |interval| interval.low);
+                    search.solved(s, assembly).is_some()
+                }
+            }
+        };
+        let mut closes = closes_at(self, 0);
+        if closes {
+            open = Some(Piece {
+                assembly: Some(assembly),
+                low: Tip::Seam,
+                high: Tip::Seam,
+                samples: Vec::with_capacity(16),
+            });
+            let s = self.line.low;
+            if let (Some(piece), Some(unknowns)) = (open.as_mut(), self.solved(s, assembly)) {
+                piece.samples.push((s, unknowns));
+            }
+        }
+        for (place, interval) in intervals.iter().enumerate() {
+            if interval.known == Known::Closes {
+                if !closes {
+                    let node = self.limit(index, assembly, 0.5 * (interval.low + interval.high), interval.low);
+                    open = Some(self.begun(assembly, node));
+                }
+                if let (Some(piece), Some(middle)) = (open.as_mut(), interval.middle) {
+                    add(piece, 0.5 * (interval.low + interval.high), middle);
+                }
+                closes = true;
+                continue;
+            }
+            let after = closes_at(self, place + 1);
+            if closes != after {
+                let (good, bad) = if closes {
+                    (interval.low, interval.high)
+                } else {
+                    (interval.high, interval.low)
+                };
+                let node = self.limit(index, assembly, good, bad);
+                if closes {
+                    self.finish(open.take(), Tip::Node(node));
+                } else {
+                    open = Some(self.begun(assembly, node));
+                }
+            } else if closes && interval.known == Known::Short {
+                if let Some(node) = self.change_point(index, assembly, &intervals, place) {
+                    self.finish(open.take(), Tip::Node(node));
+                    open = Some(self.begun(assembly, node));
+                }
+            }
+            closes = after;
+        }
+        if let Some(mut piece) = open {
+            let s = self.line.high;
+            if let Some(unknowns) = self.solved(s, assembly) {
+                add(&mut piece, s, unknowns);
+            }
+            self.found.pieces.push(piece);
+        }
+    }
+
+    fn begun(&self, assembly: M::Assembly, node: usize) -> Piece<M> {
+        let Node { s, unknowns, .. } = self.found.nodes[node];
+        Piece {
+            assembly: Some(assembly),
+            low: Tip::Node(node),
+            high: Tip::Seam,
+            samples: vec![(s, unknowns)],
+        }
+    }
+
+    fn finish(&mut self, piece: Option<Piece<M>>, tip: Tip) {
+        let (Some(mut piece), Tip::Node(node)) = (piece, tip) else {
+            return;
+        };
+        let Node { s, unknowns, .. } = self.found.nodes[node];
+        add(&mut piece, s, unknowns);
+        piece.high = tip;
+        self.found.pieces.push(piece);
+    }
+
+    /// The limit between a place that closes and one that does not.
+    fn limit(&mut self, index: usize, assembly: M::Assembly, mut good: f64, mut bad: f64) -> usize {
+        let (low, high) = (good.min(bad), good.max(bad));
+        let known = self.found.nodes.iter().position(|node| {
+            node.kind == EndKind::Limit && node.s >= low && node.s <= high && node.assemblies[1] == index
+        });
+        if let Some(known) = known {
+            return known;
+        }
+        loop {
+            let middle = 0.5 * (good + bad);
+            if middle == good || middle == bad {
+                break;
+            }
+            if self.solved(middle, assembly).is_some() {
+                good = middle;
+            } else {
+                bad = middle;
+            }
+        }
+        let inputs = self.line.inputs(bad);
+        let error = self.mechanism.solve_position(inputs, assembly).err();
+        let block = error.as_ref().map_or("", |error| error.block);
+        let is_domain = error.is_some_and(|error| {
+            !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. })
+        });
+        let mut node: Node<M> = Node {
+            kind: if is_domain { EndKind::Domain } else { EndKind::Limit },
+            s: good,
+            unknowns: self.solved(good, assembly).unwrap_or_else(|| M::Unknowns::from_fn(|_| f64::NAN)),
+            block,
+            assemblies: [index, index],
+        };
+        let mut closest = MEETING;
+        for (other, candidate) in M::assemblies().enumerate() {
+            if other == index {
+                continue;
+            }
+            let Some(unknowns) = self.solved(good, candidate) else {
+                continue;
+            };
+            let own = distance::<M>(self.size, &node.unknowns, &unknowns);
+            if own < closest {
+                closest = own;
+                node.kind = EndKind::Limit;
+                node.assemblies[1] = other;
+            }
+        }
+        if node.assemblies[1] != index {
+            let other = M::assembly(node.assemblies[1]).and_then(|other| self.solved(good, other));
+            if let Some(other) = other {
+                // What the two assemblies differ by is the root of the distance to the limit, with opposite signs.
+                let other: M::Unknowns<f64> = nearest::<M>(other, &node.unknowns);
+                let own = node.unknowns;
+                node.unknowns = Row::from_fn(|unknown| own[unknown] + 0.5 * (other[unknown] - own[unknown]));
+            }
+        }
+        self.found.nodes.push(node);
+        self.found.nodes.len() - 1
+    }
+
+    /// The change point in a short interval at both ends of which an assembly closes, if there is one.
+    fn change_point(
+        &mut self,
+        index: usize,
+        assembly: M::Assembly,
+        intervals: &[Interval<M>],
+        place: usize,
+    ) -> Option<usize> {
+        let own = &intervals[place];
+        // As far as it certainly closes on both sides, but not farther than the curvature allows.
+        let far = 1e-2 * (self.line.high - self.line.low);
+        let closes = |interval: &&Interval<M>| interval.known == Known::Closes;
+        let before = intervals[..place].iter().rev().take_while(closes).last();
+        let after = intervals[place + 1..].iter().take_while(closes).last();
+        let start = before.map_or(own.low, |interval| interval.low.max(own.low - far));
+        let end = after.map_or(own.high, |interval| interval.high.min(own.high + far));
+        let unknowns = self.solved(start, assembly)?;
+        let (from, to) = (self.line.inputs(start), self.line.inputs(end));
+        let (s, unknowns, block) = match track(self.mechanism, from, unknowns, to) {
+            Ok(_) => return None,
+            Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => {
+                let s = self.line.place(obstacle.inputs);
+                let reach = (s - start).min(end - s).min(0.5 * far);
+                let (s, unknowns) = self
+                    .crossing(index, assembly, s, reach)
+                    .unwrap_or((s, obstacle.unknowns));
+                (s, unknowns, obstacle.block)
+            }
+            Err(_) => {
+                self.found.is_complete = false;
+                (0.5 * (own.low + own.high), unknowns, "")
+            }
+        };
+        let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
+        let known = self.found.nodes.iter().position(|node| {
+            node.kind == EndKind::ChangePoint
+                && (node.s - s).abs() <= tolerance
+                && distance::<M>(self.size, &node.unknowns, &unknowns) < MEETING
+        });
+        if known.is_some() {
+            return known;
+        }
+        self.found.nodes.push(Node {
+            kind: EndKind::ChangePoint,
+            s,
+            unknowns,
+            block,
+            assemblies: [index, index],
+        });
+        Some(self.found.nodes.len() - 1)
+    }
+
+    /// The place near another one at which two assemblies cross, and the unknowns there.
+    ///
+    /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the crossing, is a smooth
+    /// function with a simple zero, which inverse interpolation finds from places where the difference has all its digits.
+    fn crossing(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<(f64, M::Unknowns<f64>)> {
+        let places: [f64; CROSSING] = core::array::from_fn(|place| {
+            let part = (place as f64 + 0.5) / CROSSING as f64;
+            s - reach * Float::cos(core::f64::consts::PI * part)
+        });
+        let own = places.map(|place| self.solved(place, assembly));
+        let first = own[CROSSING / 2]?;
+        let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
+        let partner = others
+            .filter_map(|(_, other)| Some((other, distance::<M>(self.size, &first, &self.solved(places[CROSSING / 2], other)?))))
+            .min_by(|one, other| one.1.total_cmp(&other.1))?
+            .0;
+        let mut means: [M::Unknowns<f64>; CROSSING] = [first; CROSSING];
+        let mut halves = means;
+        for (place, own) in own.into_iter().enumerate() {
+            let own: M::Unknowns<f64> = nearest::<M>(own?, &first);
+            let other: M::Unknowns<f64> = nearest::<M>(self.solved(places[place], partner)?, &own);
+            let side = if places[place] < s { 0.5 } else { -0.5 };
+            means[place] = Row::from_fn(|unknown| 0.5 * (own[unknown] + other[unknown]));
+            halves[place] = Row::from_fn(|unknown| side * (own[unknown] - other[unknown]));
+        }
+        let lead = (0..M::DESCRIPTION.unknowns.len()).max_by(|one, other| {
+            let size = |unknown: usize| halves[0][unknown].abs();
+            size(*one).total_cmp(&size(*other))
+        })?;
+        let differences = core::array::from_fn(|place| halves[place][lead]);
+        let found = interpolated(&differences, &places, 0.0);
+        let unknowns = M::Unknowns::from_fn(|unknown| {
+            interpolated(&places, &core::array::from_fn(|place| means[place][unknown]), found)
+        });
+        let is_near = (found - s).abs() <= 1e-3 * reach && unknowns.as_ref().iter().all(|value| value.is_finite());
+        is_near.then_some((found, unknowns))
+    }
+}
+
+/// The value at a place of the polynomial through some points, by Neville's scheme.
+fn interpolated(places: &[f64; CROSSING], values: &[f64; CROSSING], at: f64) -> f64 {
+    let mut values = *values;
+    for distance in 1..CROSSING {
+        for low in 0..CROSSING - distance {
+            let high = low + distance;
+            values[low] = ((at - places[high]) * values[low] - (at - places[low]) * values[low + 1])
+                / (places[low] - places[high]);
+        }
+    }
+    values[0]
+}
+
+/// Adds a sample at the end of a piece, with angles on the nearest turns.
+fn add<M: Mechanism<Scalar = f64>>(piece: &mut Piece<M>, s: f64, unknowns: M::Unknowns<f64>) {
+    let unknowns = match piece.samples.last() {
+        Some((_, last)) => nearest::<M>(unknowns, last),
+        None => unknowns,
+    };
+    if Float::is_finite(s) {
+        piece.samples.push((s, unknowns));
+    }
+}

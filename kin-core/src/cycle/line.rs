@@ -1,0 +1,184 @@
+//! The line in the space of the inputs over which a cycle is taken.
+
+use core::f64::consts::{PI, TAU};
+use core::ops::RangeInclusive;
+
+use num_traits::Float;
+
+use crate::mechanism::Mechanism;
+use crate::number::{Number, Row};
+use crate::quantity::Dimension;
+
+/// The largest number of turns of the inputs after which the closure may repeat itself.
+const MOST_TURNS: u32 = 12;
+/// The part of a turn by which the places of the search are shifted, so that symmetric linkages have no limit exactly there.
+const SHIFT: f64 = 0.061_803;
+
+/// The inputs `from + s direction`, for s in a range.
+#[derive(Clone, Copy)]
+pub(super) struct Line<M: Mechanism<Scalar = f64>> {
+    pub(super) from: M::Inputs<f64>,
+    pub(super) direction: M::Inputs<f64>,
+    /// The range of the search. A closed range is shifted against the one that is told.
+    pub(super) low: f64,
+    pub(super) high: f64,
+    pub(super) is_closed: bool,
+}
+
+impl<M: Mechanism<Scalar = f64>> Line<M> {
+    /// The line through a place in a direction, over all places where the mechanism may close.
+    pub(super) fn whole(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>) -> Self {
+        let mut line = Self {
+            from,
+            direction,
+            low: -PI,
+            high: PI,
+            is_closed: false,
+        };
+        let moving = || {
+            let inputs = M::DESCRIPTION.inputs.iter().zip(direction.as_ref());
+            inputs.filter(|(_, rate)| **rate != 0.0)
+        };
+        if moving().any(|(input, _)| input.dimension == Dimension::Length) {
+            let reach = 2.0 * (reach(mechanism) + lengths::<M>(from));
+            let fastest = moving()
+                .filter(|(input, _)| input.dimension == Dimension::Length)
+                .fold(0.0, |fastest: f64, (_, rate)| fastest.max(rate.abs()));
+            (line.low, line.high) = (-reach / fastest, reach / fastest);
+        } else if let Some(turns) = (1..=MOST_TURNS)
+            .map(f64::from)
+            .find(|turns| line.repeats(mechanism, turns * TAU))
+        {
+            let half = PI * turns;
+            line.is_closed = true;
+            (line.low, line.high) = (-half - SHIFT * TAU, half - SHIFT * TAU);
+        }
+        line
+    }
+
+    /// The line over a given range of s.
+    pub(super) fn over(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>, range: &RangeInclusive<f64>) -> Self {
+        let whole = Self::whole(mechanism, from, direction);
+        Self {
+            low: range.start().min(*range.end()),
+            high: range.end().max(*range.start()),
+            is_closed: false,
+            ..whole
+        }
+    }
+
+    pub(super) fn inputs(&self, s: f64) -> M::Inputs<f64> {
+        M::Inputs::from_fn(|index| self.from[index] + self.direction[index] * s)
+    }
+
+    /// The place of some inputs on the line.
+    pub(super) fn place(&self, inputs: M::Inputs<f64>) -> f64 {
+        let rates = self.direction.as_ref().iter().enumerate();
+        let (lead, rate) = rates.fold((0, 0.0_f64), |best, (index, rate)| {
+            if rate.abs() > best.1.abs() { (index, *rate) } else { best }
+        });
+        (inputs[lead] - self.from[lead]) / rate
+    }
+
+    pub(super) fn period(&self) -> Option<f64> {
+        self.is_closed.then_some(self.high - self.low)
+    }
+
+    /// The place of the range that differs by whole periods from another one.
+    pub(super) fn reduced(&self, s: f64) -> f64 {
+        match self.period() {
+            Some(period) => {
+                let turns = Float::floor((s + 0.5 * period) / period);
+                s - turns * period
+            }
+            None => s,
+        }
+    }
+
+    /// Whether the closure is the same after a given way, at some places that have nothing in common.
+    fn repeats(&self, mechanism: &M, way: f64) -> bool {
+        let size = reach(mechanism).max(1.0);
+        let unknowns = |seed: f64| {
+            M::Unknowns::from_fn(|index| {
+                let mixed = Float::sin(seed * (index as f64 + 1.7) * 12.9898);
+                match M::DESCRIPTION.unknowns[index].dimension {
+                    Dimension::Length => mixed * size,
+                    _ => mixed,
+                }
+            })
+        };
+        (0..4).map(f64::from).all(|seed| {
+            let s = 0.3 + 1.1 * seed;
+            let near = mechanism.residuals(self.inputs(s), unknowns(seed + 0.5));
+            let far = mechanism.residuals(self.inputs(s + way), unknowns(seed + 0.5));
+            let mut pairs = near.as_ref().iter().zip(far.as_ref());
+            pairs.all(|(near, far)| (near - far).abs() <= 1e-10 * (size + near.abs()))
+        })
+    }
+}
+
+/// The sum of all lengths of a mechanism.
+pub(super) fn reach<M: Mechanism<Scalar = f64>>(mechanism: &M) -> f64 {
+    let parameters = mechanism.parameters();
+    let named = M::DESCRIPTION.parameters.iter().zip(parameters.as_ref());
+    named
+        .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+        .fold(0.0, |sum, (_, value)| sum + value.abs())
+}
+
+fn lengths<M: Mechanism<Scalar = f64>>(inputs: M::Inputs<f64>) -> f64 {
+    let named = M::DESCRIPTION.inputs.iter().zip(inputs.as_ref());
+    named
+        .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+        .fold(0.0, |sum, (_, value)| sum + value.abs())
+}
+
+/// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the mechanism.
+pub(super) fn distance<M: Mechanism<Scalar = f64>>(
+    size: f64,
+    one: &M::Unknowns<f64>,
+    other: &M::Unknowns<f64>,
+) -> f64 {
+    let pairs = one.as_ref().iter().zip(other.as_ref());
+    let named = M::DESCRIPTION.unknowns.iter().zip(pairs);
+    named.fold(0.0, |largest: f64, (quantity, (one, other))| {
+        largest.max(match quantity.dimension {
+            Dimension::Angle => turned(one - other).abs(),
+            Dimension::Length => (one - other).abs() / size.max(f64::MIN_POSITIVE),
+            Dimension::Scalar => (one - other).abs() / one.abs().max(1.0),
+        })
+    })
+}
+
+/// The same angle in -π ..= π.
+pub(super) fn turned(angle: f64) -> f64 {
+    angle - TAU * Float::round(angle / TAU)
+}
+
+/// The values of the unknowns, with angles on the turns closest to others.
+pub(super) fn nearest<M: Mechanism<Scalar = f64>>(values: M::Unknowns<f64>, near: &M::Unknowns<f64>) -> M::Unknowns<f64> {
+    M::Unknowns::from_fn(|index| match M::DESCRIPTION.unknowns[index].dimension {
+        Dimension::Angle => near[index] + turned(values[index] - near[index]),
+        _ => values[index],
+    })
+}
+
+/// The line with bounds instead of numbers: all inputs from `low` to `high`.
+pub(super) fn inputs_between<M: Mechanism<Scalar = f64>, B: Number>(
+    line: &Line<M>,
+    s: B,
+) -> <M::With<B> as Mechanism>::Inputs<B>
+where
+    B: crate::solve::Scalar,
+{
+    Row::from_fn(|index| {
+        let (from, rate) = (B::constant(line.from[index]), line.direction[index]);
+        if rate == 0.0 {
+            from
+        } else if line.from[index] == 0.0 && rate == 1.0 {
+            s
+        } else {
+            from + B::constant(rate) * s
+        }
+    })
+}

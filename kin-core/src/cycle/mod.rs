@@ -1,0 +1,560 @@
+//! The full cycle of a mechanism: all circuits and branches, with their limits.
+//!
+//! Over an input, the positions of a mechanism form curves. A *circuit* is such a curve: all positions that are reached without taking the
+//! mechanism apart. Where an input turns back, two *branches* of a circuit meet (T. R. Chase and J. A. Mirth, *Circuits and branches of
+//! single-degree-of-freedom planar linkages*, Journal of Mechanical Design 115 (1993), 223-230). [`FullCycle::cycle`] finds all of them.
+//!
+//! ```
+//! use kin_core::cycle::{EndKind, FullCycle};
+//! use kin_core::library::FourBar;
+//!
+//! let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+//! let cycle = linkage.cycle()?;
+//! assert!(cycle.is_complete());
+//! // one circuit with two branches: the crank swings, and at both ends the two assemblies meet
+//! assert_eq!((cycle.circuits().len(), cycle.branches().len()), (1, 2));
+//! let [low, high] = cycle.branches()[0].ends();
+//! assert_eq!((low.kind, high.kind), (EndKind::Limit, EndKind::Limit));
+//! assert!((high.input.to_degrees() - 112.0243).abs() < 5e-5 && (low.input + high.input).abs() < 1e-14);
+//! # Ok::<(), kin_core::SolveError>(())
+//! ```
+//!
+//! # What is proved
+//!
+//! If every block has a closed form, the range of the input is divided into intervals. The solver runs on bounds of all values and derivatives
+//! over an interval, in interval arithmetic that includes rounding. The bounds prove that an assembly closes everywhere in the interval, or
+//! nowhere, or that the condition on which it depends is monotonic there, so that its values at the ends tell whether there is one limit or
+//! none. Other intervals are halved, down to 2⁻²⁴ of the range. In an interval as short as that, its ends decide: two limits that are closer
+//! count as a change point, or as none. [`Cycle::is_complete`] is then true. One thing is tested and not proved: the choice by a declared range
+//! of an unknown is made at the ends and in the middle of each interval.
+//!
+//! If a block is coupled, all positions are sought at [stated inputs](Cycle::seeds) by [`continuation`](crate::continuation), and
+//! [`track`](crate::track()) follows each of them in both directions, through every limit. Between neighbouring limits that have no such input
+//! in between, all positions are sought as well, and followed if they are new. A circuit that lies between two neighbouring stated inputs as
+//! a whole is not found, so [`Cycle::is_complete`] is false.
+
+mod bounds;
+mod class;
+mod closed;
+mod coupled;
+mod line;
+mod measure;
+mod pieces;
+mod shown;
+#[cfg(test)]
+mod tests;
+
+pub use class::{BarkerClass, BlockClass, GrashofType, InvertedSliderCrankType, SliderCrankType};
+pub use measure::{Extreme, MeasureError, Stroke, WorstTransmission};
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+use core::ops::RangeInclusive;
+
+use num_traits::Float;
+
+use crate::failure::{Failure, InputValues, SolveError};
+use crate::mechanism::Mechanism;
+use crate::number::Row;
+use crate::quantity::Dimension;
+use line::{Line, distance, nearest, reach};
+use pieces::{Found, Piece, Tip};
+
+/// The full cycle of every mechanism.
+pub trait FullCycle: Mechanism<Scalar = f64> {
+    /// All circuits and branches over the only input: over a full turn of an angle, or as many turns as it takes until the closure repeats
+    /// itself; and over all lengths that the sum of the links may reach, twice as far as they reach.
+    ///
+    /// A plain number, and an angle with which the closure does not repeat itself within twelve turns, is taken from -π to π:
+    /// [`cycle_over`](Self::cycle_over) takes another range.
+    ///
+    /// # Errors
+    /// An error if a parameter is not finite.
+    fn cycle(&self) -> Result<Cycle<Self>, SolveError>
+    where
+        Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+    {
+        let line = Line::whole(self, [0.0], [1.0]);
+        Cycle::new(self, line)
+    }
+
+    /// All circuits and branches over a range of the only input. Branches that leave the range end there.
+    ///
+    /// # Errors
+    /// An error if a parameter or the range is not finite.
+    fn cycle_over(&self, range: RangeInclusive<f64>) -> Result<Cycle<Self>, SolveError>
+    where
+        Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+    {
+        let line = Line::over(self, [0.0], [1.0], &range);
+        Cycle::new(self, line)
+    }
+
+    /// All circuits and branches along a line in the space of the inputs: the inputs are `from + s direction`, and s takes the place of the
+    /// only input of [`cycle`](Self::cycle).
+    ///
+    /// # Errors
+    /// An error if a parameter or an input is not finite, or if the direction is zero.
+    ///
+    /// ```
+    /// use kin_core::cycle::FullCycle;
+    /// use kin_core::library::FiveBar;
+    ///
+    /// // the left crank turns, the right one stands still
+    /// let robot = FiveBar { ground: 2.0, left: 0.5, left_rod: 2.0, right_rod: 2.0, right: 1.5 };
+    /// let cycle = robot.cycle_along([0.0, 1.0], [1.0, 0.0])?;
+    /// assert!(cycle.is_complete() && cycle.branches().iter().all(|branch| branch.is_full_turn()));
+    /// # Ok::<(), kin_core::SolveError>(())
+    /// ```
+    fn cycle_along(&self, from: Self::Inputs<f64>, direction: Self::Inputs<f64>) -> Result<Cycle<Self>, SolveError> {
+        let line = Line::whole(self, from, direction);
+        Cycle::new(self, line)
+    }
+
+    /// [`cycle_along`](Self::cycle_along) over a range of s.
+    ///
+    /// # Errors
+    /// As for `cycle_along`.
+    fn cycle_along_over(
+        &self,
+        from: Self::Inputs<f64>,
+        direction: Self::Inputs<f64>,
+        range: RangeInclusive<f64>,
+    ) -> Result<Cycle<Self>, SolveError> {
+        let line = Line::over(self, from, direction, &range);
+        Cycle::new(self, line)
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> FullCycle for M {}
+
+/// The reason why a branch ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum EndKind {
+    /// A limit: the input turns back, and the branch meets another one of its circuit.
+    Limit,
+    /// A change point: branches cross, and geometry does not determine which one the mechanism follows.
+    ChangePoint,
+    /// The end of the domain of a function, of the declared range of an unknown, or a pole.
+    Domain,
+    /// The end of the range of the input that was looked at.
+    Range,
+    /// The search could not go on, for a reason that it does not know.
+    Lost,
+    /// No end: after a full turn the branch is back at its start.
+    FullTurn,
+}
+
+/// An end of a branch.
+#[derive(Clone, Copy)]
+pub struct End<M: Mechanism<Scalar = f64>> {
+    /// The reason why the branch ends here.
+    pub kind: EndKind,
+    /// The input, or the distance along the line of inputs.
+    pub input: f64,
+    /// The unknowns at this end, with angles on the turns they have along the branch.
+    pub unknowns: M::Unknowns<f64>,
+    /// The unknowns of the block that is singular here, separated by commas; empty if there is none.
+    pub block: &'static str,
+    node: Option<usize>,
+}
+
+/// A branch: a part of a circuit over which the input moves in one direction.
+#[derive(Clone)]
+pub struct Branch<M: Mechanism<Scalar = f64>> {
+    ends: [End<M>; 2],
+    samples: Vec<(f64, M::Unknowns<f64>)>,
+    assembly: Option<M::Assembly>,
+    circuit: usize,
+    joins: [Vec<usize>; 2],
+}
+
+impl<M: Mechanism<Scalar = f64>> Branch<M> {
+    /// The ends with the smallest and the largest input.
+    #[must_use]
+    pub fn ends(&self) -> [End<M>; 2] {
+        self.ends
+    }
+
+    /// The smallest and the largest input. Over a closed range the largest may lie beyond half a turn.
+    #[must_use]
+    pub fn range(&self) -> RangeInclusive<f64> {
+        self.ends[0].input..=self.ends[1].input
+    }
+
+    /// Whether the input turns without an end.
+    #[must_use]
+    pub fn is_full_turn(&self) -> bool {
+        self.ends[0].kind == EndKind::FullTurn
+    }
+
+    /// The assembly, if every block has a closed form.
+    #[must_use]
+    pub fn assembly(&self) -> Option<M::Assembly> {
+        self.assembly
+    }
+
+    /// The index of its circuit.
+    #[must_use]
+    pub fn circuit(&self) -> usize {
+        self.circuit
+    }
+
+    /// The other branches that meet this one at its two ends, by their indices.
+    #[must_use]
+    pub fn joins(&self) -> [&[usize]; 2] {
+        [&self.joins[0], &self.joins[1]]
+    }
+
+    /// Some inputs in ascending order with the unknowns there. Angles go on over turns.
+    #[must_use]
+    pub fn samples(&self) -> &[(f64, M::Unknowns<f64>)] {
+        &self.samples
+    }
+}
+
+/// A circuit: branches that are connected by limits and change points.
+#[derive(Clone)]
+pub struct Circuit<M: Mechanism<Scalar = f64>> {
+    branches: Vec<usize>,
+    input_turns: Option<i32>,
+    turns: Option<M::Unknowns<i32>>,
+}
+
+impl<M: Mechanism<Scalar = f64>> Circuit<M> {
+    /// The indices of its branches, in the order in which the circuit passes them if it is closed.
+    #[must_use]
+    pub fn branches(&self) -> &[usize] {
+        &self.branches
+    }
+
+    /// Whether the mechanism comes back to its start along the circuit. It is false if the circuit ends, or has a change point, at which it
+    /// may go different ways.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.turns.is_some()
+    }
+
+    /// The number of turns of the input along a closed circuit, once around: 0 if it swings.
+    #[must_use]
+    pub fn input_turns(&self) -> Option<i32> {
+        self.input_turns
+    }
+
+    /// The number of turns of each unknown along a closed circuit, counted as the first branch runs with a growing input; 0 for lengths.
+    #[must_use]
+    pub fn turns(&self) -> Option<M::Unknowns<i32>> {
+        self.turns
+    }
+}
+
+/// All circuits and branches of a mechanism. [`FullCycle`] makes it.
+#[derive(Clone)]
+pub struct Cycle<M: Mechanism<Scalar = f64>> {
+    mechanism: M,
+    line: Line<M>,
+    branches: Vec<Branch<M>>,
+    circuits: Vec<Circuit<M>>,
+    is_complete: bool,
+    seeds: Vec<f64>,
+}
+
+impl<M: Mechanism<Scalar = f64>> Cycle<M> {
+    fn new(mechanism: &M, line: Line<M>) -> Result<Self, SolveError> {
+        let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        let parameters = mechanism.parameters();
+        let [low, high] = [line.low, line.high];
+        let is_line = is_finite(line.from.as_ref()) && is_finite(line.direction.as_ref()) && high - low > 0.0;
+        if !is_finite(parameters.as_ref()) || !is_line || !(high - low).is_finite() {
+            let failure = Failure::NotFinite {
+                quantity: "parameters or range of the inputs",
+            };
+            let names = InputValues::new(M::DESCRIPTION.inputs, line.from.as_ref());
+            return Err(failure.at(M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns), names));
+        }
+        let found = if M::ASSEMBLY_COUNT > 0 {
+            closed::search(mechanism, &line)
+        } else {
+            coupled::search(mechanism, &line)?
+        };
+        let size = reach(mechanism);
+        let mut branches = joined_at_the_seam(&line, size, &found);
+        let circuits = circuits(&mut branches);
+        Ok(Self {
+            mechanism: *mechanism,
+            line,
+            branches,
+            circuits,
+            is_complete: found.is_complete,
+            seeds: found.seeds,
+        })
+    }
+
+    /// The circuits.
+    #[must_use]
+    pub fn circuits(&self) -> &[Circuit<M>] {
+        &self.circuits
+    }
+
+    /// The branches of all circuits.
+    #[must_use]
+    pub fn branches(&self) -> &[Branch<M>] {
+        &self.branches
+    }
+
+    /// Whether it is proved that there is no other branch. The [module](self#what-is-proved) says what that means.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    /// The inputs at which all positions were sought, in ascending order. It is empty if every block has a closed form.
+    #[must_use]
+    pub fn seeds(&self) -> &[f64] {
+        &self.seeds
+    }
+
+    /// The way after which the positions repeat themselves: a turn of the input, or several. `None` if the range has ends.
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.line.period()
+    }
+
+    /// The branches that have a position at an input, with the index of each. A branch that passes the input several times comes several times.
+    pub fn at(&self, input: f64) -> impl Iterator<Item = (usize, &Branch<M>)> {
+        let period = self.line.period();
+        self.branches.iter().enumerate().flat_map(move |(index, branch)| {
+            let [low, high] = branch.ends.each_ref().map(|end| end.input);
+            let count = match period {
+                Some(period) if branch.is_full_turn() => Float::round((high - low) / period),
+                // The places input + k period from the smallest to the largest input.
+                Some(period) => Float::floor((high - input) / period) - Float::ceil((low - input) / period) + 1.0,
+                None => f64::from(u8::from(input >= low && input <= high)),
+            };
+            core::iter::repeat_n((index, branch), count.max(0.0) as usize)
+        })
+    }
+
+    /// The mechanism.
+    #[must_use]
+    pub fn mechanism(&self) -> &M {
+        &self.mechanism
+    }
+
+    /// The inputs at a place of the line: the only input itself, or `from + s direction`.
+    #[must_use]
+    pub fn inputs(&self, input: f64) -> M::Inputs<f64> {
+        self.line.inputs(input)
+    }
+}
+
+/// The branches, made of pieces that go on at the seam of a closed range.
+fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(line: &Line<M>, size: f64, found: &Found<M>) -> Vec<Branch<M>> {
+    let period = line.period();
+    let pieces = &found.pieces;
+    let mut used = vec![false; pieces.len()];
+    // The piece that goes on after another one beyond the seam.
+    let after = |piece: &Piece<M>, used: &[bool]| {
+        let (_, last) = piece.samples.last()?;
+        let candidates = pieces.iter().enumerate().filter(|(index, other)| {
+            !used[*index] && other.low == Tip::Seam && period.is_some()
+        });
+        let nearest = candidates.filter_map(|(index, other)| {
+            let (_, first) = other.samples.first()?;
+            Some((index, distance::<M>(size, last, first)))
+        });
+        let best = nearest.min_by(|one, other| one.1.total_cmp(&other.1))?;
+        (best.1 < 1e-6).then_some(best.0)
+    };
+    let mut branches = Vec::new();
+    // Pieces that begin at a node come first; what is left then begins and ends at the seam.
+    let order = |is_first: bool| {
+        let all = 0..pieces.len();
+        all.filter(move |index| (matches!(pieces[*index].low, Tip::Node(_)) || period.is_none()) == is_first)
+    };
+    for start in order(true).chain(order(false)) {
+        if used[start] {
+            continue;
+        }
+        used[start] = true;
+        let mut samples = pieces[start].samples.clone();
+        let mut last = start;
+        let mut turns = 0.0;
+        let begins_at_seam = pieces[start].low == Tip::Seam;
+        let mut is_turning = false;
+        while let (Tip::Seam, Some(period)) = (pieces[last].high, period) {
+            if begins_at_seam {
+                used[start] = false;
+            }
+            let next = after(&pieces[last], &used);
+            used[start] = true;
+            let Some(next) = next else { break };
+            if next == start {
+                is_turning = true;
+                break;
+            }
+            turns += 1.0;
+            used[next] = true;
+            for (s, unknowns) in pieces[next].samples.iter().skip(1) {
+                let near = samples.last().map_or(*unknowns, |(_, near)| *near);
+                samples.push((s + turns * period, nearest::<M>(*unknowns, &near)));
+            }
+            last = next;
+        }
+        let (Some(first_sample), Some(last_sample)) = (samples.first().copied(), samples.last().copied()) else {
+            continue;
+        };
+        let end = |tip: Tip, (s, unknowns): (f64, M::Unknowns<f64>)| {
+            let (kind, block, node) = match tip {
+                _ if is_turning => (EndKind::FullTurn, "", None),
+                Tip::Node(node) => (found.nodes[node].kind, found.nodes[node].block, Some(node)),
+                Tip::Seam if period.is_some() => (EndKind::Lost, "", None),
+                Tip::Seam => (EndKind::Range, "", None),
+            };
+            End {
+                kind,
+                input: s,
+                unknowns,
+                block,
+                node,
+            }
+        };
+        let mut branch = Branch {
+            ends: [end(pieces[start].low, first_sample), end(pieces[last].high, last_sample)],
+            samples,
+            assembly: pieces[start].assembly,
+            circuit: 0,
+            joins: [Vec::new(), Vec::new()],
+        };
+        if let Some(period) = period {
+            let middle = 0.5 * (branch.ends[0].input + branch.ends[1].input);
+            let shift = if is_turning {
+                0.0
+            } else {
+                period * Float::round((line.reduced(middle) - middle) / period)
+            };
+            if shift != 0.0 {
+                for end in &mut branch.ends {
+                    end.input += shift;
+                }
+                for (s, _) in &mut branch.samples {
+                    *s += shift;
+                }
+            }
+        }
+        branches.push(branch);
+    }
+    branches
+}
+
+/// The branch and the end at which it is entered.
+type Entry = (usize, usize);
+
+/// The circuits of branches that meet at nodes. Each branch learns its circuit and its neighbours.
+fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circuit<M>> {
+    let at_node = |branches: &[Branch<M>], node: usize| -> Vec<Entry> {
+        let all = branches.iter().enumerate();
+        all.flat_map(|(index, branch)| [0, 1].map(|side| (index, side, branch.ends[side].node)))
+            .filter(|(.., own)| *own == Some(node))
+            .map(|(index, side, _)| (index, side))
+            .collect()
+    };
+    for index in 0..branches.len() {
+        for side in 0..2 {
+            if let Some(node) = branches[index].ends[side].node {
+                let others = at_node(branches, node);
+                branches[index].joins[side] = others
+                    .into_iter()
+                    .filter(|entry| *entry != (index, side))
+                    .map(|(other, _)| other)
+                    .collect();
+            }
+        }
+    }
+    let mut circuits = Vec::new();
+    let mut seen = vec![false; branches.len()];
+    for start in 0..branches.len() {
+        if seen[start] {
+            continue;
+        }
+        let circuit = around(branches, start, &at_node).unwrap_or_else(|| {
+            let mut own = vec![start];
+            let mut place = 0;
+            while let Some(branch) = own.get(place).copied() {
+                for other in branches[branch].joins.iter().flatten() {
+                    if !own.contains(other) {
+                        own.push(*other);
+                    }
+                }
+                place += 1;
+            }
+            Circuit {
+                branches: own,
+                input_turns: None,
+                turns: None,
+            }
+        });
+        for branch in &circuit.branches {
+            seen[*branch] = true;
+            branches[*branch].circuit = circuits.len();
+        }
+        circuits.push(circuit);
+    }
+    circuits
+}
+
+/// The circuit that leads from a branch through its limits back to it, if there is one way only.
+fn around<M: Mechanism<Scalar = f64>>(
+    branches: &[Branch<M>],
+    start: usize,
+    at_node: &impl Fn(&[Branch<M>], usize) -> Vec<Entry>,
+) -> Option<Circuit<M>> {
+    let mut own = Vec::new();
+    let mut way = 0.0;
+    let mut angles: M::Unknowns<f64> = Row::from_fn(|_| 0.0);
+    let (mut branch, mut entered) = (start, 0);
+    loop {
+        own.push(branch);
+        let ends = &branches[branch].ends;
+        let (from, to) = (&ends[entered], &ends[1 - entered]);
+        way += to.input - from.input;
+        for (sum, (to, from)) in angles
+            .as_mut()
+            .iter_mut()
+            .zip(to.unknowns.as_ref().iter().zip(from.unknowns.as_ref()))
+        {
+            *sum += to - from;
+        }
+        if branches[branch].is_full_turn() {
+            break;
+        }
+        let node = to.node?;
+        let meeting = at_node(branches, node);
+        let [one, other] = meeting[..] else { return None };
+        let next = if one == (branch, 1 - entered) { other } else { one };
+        if to.kind != EndKind::Limit {
+            return None;
+        }
+        (branch, entered) = next;
+        if branch == start {
+            break;
+        }
+        if own.contains(&branch) {
+            return None;
+        }
+    }
+    let turns = |sum: f64| Float::round(sum / TAU) as i32;
+    let input_is_angle = M::DESCRIPTION.inputs.iter().all(|input| input.dimension == Dimension::Angle);
+    Some(Circuit {
+        branches: own,
+        input_turns: Some(if input_is_angle { turns(way) } else { 0 }),
+        turns: Some(Row::from_fn(|index| {
+            match M::DESCRIPTION.unknowns[index].dimension {
+                Dimension::Angle => turns(angles[index]),
+                _ => 0,
+            }
+        })),
+    })
+}

@@ -1,0 +1,46 @@
+//! What a search finds: pieces of branches, and the nodes at which they end.
+
+use alloc::vec::Vec;
+
+use crate::mechanism::Mechanism;
+
+/// A place at which branches end.
+#[derive(Clone, Copy)]
+pub(super) struct Node<M: Mechanism<Scalar = f64>> {
+    pub(super) kind: super::EndKind,
+    pub(super) s: f64,
+    pub(super) unknowns: M::Unknowns<f64>,
+    pub(super) block: &'static str,
+    /// Two numbers that tell apart what only looks the same: the assemblies that meet, if the search knows them.
+    pub(super) assemblies: [usize; 2],
+}
+
+/// An end of a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tip {
+    /// The index of a node.
+    Node(usize),
+    /// The end of the range, where a closed range goes on.
+    Seam,
+}
+
+/// A branch, or a part of one that ends at the seam of a closed range. The tips belong to the smallest and the largest input.
+#[derive(Clone)]
+pub(super) struct Piece<M: Mechanism<Scalar = f64>> {
+    /// The assembly, if the search knows it.
+    pub(super) assembly: Option<M::Assembly>,
+    pub(super) low: Tip,
+    pub(super) high: Tip,
+    /// Places and unknowns in ascending order, with angles that go on over turns. The first and the last belong to the tips.
+    pub(super) samples: Vec<(f64, M::Unknowns<f64>)>,
+}
+
+/// The outcome of a search.
+#[derive(Clone)]
+pub(super) struct Found<M: Mechanism<Scalar = f64>> {
+    pub(super) nodes: Vec<Node<M>>,
+    pub(super) pieces: Vec<Piece<M>>,
+    pub(super) is_complete: bool,
+    /// The inputs at which all positions were sought, if the search is not complete without them.
+    pub(super) seeds: Vec<f64>,
+}
