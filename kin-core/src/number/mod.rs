@@ -37,6 +37,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// assert_eq!(diagonal(3.0_f64, 4.0), 5.0);
 /// assert_eq!(diagonal(3.0_f32, 4.0), 5.0);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a number for which a mechanism is solved",
+    label = "write `f64` or `f32`, and numbers with a decimal point: `1.0` instead of `1`"
+)]
 pub trait Number:
     Copy
     + Debug

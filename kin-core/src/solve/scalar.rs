@@ -26,6 +26,10 @@ use crate::solve::newton::damped_root;
 /// let linkage = kin_core::library::FourBar { r1: 90.0_f32, r2: 30.0, r3: 60.0, r4: 45.0 };
 /// assert!(rocker(&linkage, 1.0).is_some());
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a number for which a mechanism is solved",
+    label = "write `f64` or `f32`, and numbers with a decimal point: `1.0` instead of `1`"
+)]
 pub trait Scalar: Number {
     /// The part of its terms that a sum must exceed for its sign to decide anything. It is zero for a number that holds
     /// one pose, which always decides.
