@@ -38,11 +38,15 @@ pub(crate) fn structure<'a>(
 ) -> TokenStream {
     let mechanism = name;
     let numeric = Ident::new("T", Span::mixed_site());
+    let fields: Vec<Field<'a>> = fields.collect();
+    // a parameter of any dimension makes use of the number type, which otherwise would cause a further error
+    let is_any_known = fields.iter().any(|(_, _, _, dimension)| dimension.is_some());
     let mut fields: Vec<TokenStream> = fields
+        .into_iter()
         .map(|(attributes, visibility, name, dimension)| {
             let held = if let Some(vector) = dimension.map(Dimension::shape).and_then(vector_type) {
                 quote!(#runtime::#vector<#numeric>)
-            } else if dimension.is_none() {
+            } else if dimension.is_none() && is_any_known {
                 quote!(<#mechanism as #runtime::Numeric>::Number)
             } else {
                 quote!(#numeric)

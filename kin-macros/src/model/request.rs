@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::mistakes::{Mistakes, suggestion};
-use crate::syntax::{Declaration, Request, Statement};
+use crate::syntax::{Declaration, Request, Statement, instead_of_request};
 
 /// A request with its place in the source.
 pub(crate) struct Requested {
@@ -25,7 +25,8 @@ pub(super) fn requests(declaration: &Declaration, mistakes: &mut Mistakes) -> Ve
                 name,
                 format!(
                     "`{word}` cannot be requested: write `transmission_angles`, `sensitivities` or `test`{}",
-                    suggestion(&word, Request::ALL.map(Request::name))
+                    instead_of_request(&word)
+                        .map_or_else(|| suggestion(&word, Request::ALL.map(Request::name)), str::to_owned)
                 ),
             );
             continue;

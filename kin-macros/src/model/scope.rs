@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::mistakes::{Mistakes, nearest, suggestion};
 use crate::model::value::Typed;
-use crate::syntax::{Declaration, form, is_keyword};
+use crate::syntax::{Declaration, Statement, form, is_keyword};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
@@ -158,10 +158,29 @@ impl<'a> Scope<'a> {
             .chain(["PI".to_owned()])
             .collect();
         let likely = nearest(word, usable.iter().map(String::as_str));
-        let near = if word.eq_ignore_ascii_case("tau") {
+        let is_body = self.declaration.statements.iter().any(|statement| match statement {
+            Statement::Body(body) => body.name == word,
+            _ => false,
+        });
+        if is_body {
+            return format!("`{word}` is a body and no quantity: write one of its points");
+        }
+        let near = if word == "π" {
+            "; write `PI`".to_owned()
+        } else if likely.is_none() && matches!(word, "i" | "j") {
+            "; a complex number is a vector here: write `vec2(x, y)`, or `cis(angle)` for a turn".to_owned()
+        } else if likely.is_none() && matches!(word, "t" | "time") {
+            format!("; time is no quantity by itself: drive the mechanism by an input, `input {word}: Scalar;`")
+        } else if word.eq_ignore_ascii_case("tau") {
             "; write `2 * PI` for the full turn".to_owned()
         } else if is_constant_of_rust(word) && likely.is_none_or(|near| !near.eq_ignore_ascii_case(word)) {
             ": constants of Rust are not seen here; make it a parameter, or write its value".to_owned()
+        } else if likely.is_none()
+            && let Some(axis) = axis(word)
+        {
+            format!(": declare it as one of these; the direction of this axis is `{axis}`")
+        } else if likely.is_none() {
+            ": declare it as one of these".to_owned()
         } else {
             suggestion(word, usable.iter().map(String::as_str))
         };
@@ -188,6 +207,16 @@ impl<'a> Scope<'a> {
     /// it is declared twice, or a function lacks its arguments.
     pub(super) fn is_meant(&self, word: &str) -> bool {
         self.meant.contains(word) || self.twice.contains(word) || self.lacks_arguments
+    }
+}
+
+/// The unit vector along the axis with this name.
+fn axis(word: &str) -> Option<&'static str> {
+    match word {
+        "x" | "X" => Some("vec2(1, 0)"),
+        "y" | "Y" => Some("vec2(0, 1)"),
+        "z" | "Z" => Some("vec3(0, 0, 1)"),
+        _ => None,
     }
 }
 

@@ -7,6 +7,7 @@ use syn::parse::{ParseStream, Result};
 
 use crate::mistakes::suggestion;
 use crate::syntax::Axis;
+use crate::syntax::elsewhere::instead_of_dimension;
 
 /// The declared dimension of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,9 +102,14 @@ impl Dimension {
             "point3d" => Self::Point3,
             "f64" | "f32" | "float" | "double" | "real" | "number" | "ratio" => Self::Scalar,
             "distance" | "meter" | "meters" | "metre" | "metres" | "mm" | "millimeter" | "millimetre" => Self::Length,
-            "rad" | "radian" | "radians" | "deg" | "degree" | "degrees" | "rotation" => Self::Angle,
+            "rad" | "radian" | "radians" | "deg" | "degree" | "degrees" => Self::Angle,
             _ => return None,
         })
+    }
+
+    /// Whether a word is a dimension.
+    pub(super) fn is_word(word: &str) -> bool {
+        Self::ALL.iter().any(|dimension| dimension.word() == word)
     }
 
     /// Reads the dimension of a quantity other than an unknown. `what` names its kind in messages: `an input`.
@@ -142,12 +148,11 @@ impl Dimension {
         match known {
             Some(dimension) if !input.peek(Token![::]) && !input.peek(Token![<]) => Ok(dimension),
             _ => {
-                let near = match known {
-                    Some(_) => String::new(),
-                    None => match Self::named_elsewhere(&text) {
-                        Some(dimension) => format!("; did you mean `{}`?", dimension.word()),
-                        None => suggestion(&text, Self::ALL.map(Self::word)),
-                    },
+                let near = match (known, instead_of_dimension(&text), Self::named_elsewhere(&text)) {
+                    (Some(_), ..) => String::new(),
+                    (None, Some(advice), _) => advice.to_owned(),
+                    (None, None, Some(dimension)) => format!("; did you mean `{}`?", dimension.word()),
+                    (None, None, None) => suggestion(&text, Self::ALL.map(Self::word)),
                 };
                 Err(wrong(&TokenTree::Ident(word), &format!("`{text}`"), &near))
             }

@@ -10,7 +10,10 @@ use syn::parse::{ParseStream, Result};
 use syn::{Lifetime, Lit, Token, parenthesized, token};
 
 use crate::algebra::Misfit;
-use crate::mistakes::{Extent, suggestion};
+use crate::mistakes::Extent;
+use crate::syntax::elsewhere::{
+    about_suffix, differentiates, form_in_small_letters, instead_of_function, is_derivative, is_unit,
+};
 use crate::syntax::{
     Axis, Callee, Formula, FormulaKind, Operand, Operator, callee, form, function_names, is_function, nesting,
 };
@@ -248,6 +251,19 @@ fn member(input: ParseStream<'_>, dot: Span, of: Formula) -> Result<Formula> {
                 "`await` has no meaning here: write only formulas",
             ));
         }
+        "pi" | "PI" => {
+            return Err(syn::Error::new_spanned(
+                of.extent.to(Extent::at(member.span())),
+                "`PI` stands alone here: write `PI`",
+            ));
+        }
+        "re" | "real" | "im" | "imag" => {
+            let axis = if word.starts_with('r') { "x" } else { "y" };
+            return Err(syn::Error::new(
+                member.span(),
+                format!("there is no part `{word}`: write `.{axis}`, the part of a plane vector"),
+            ));
+        }
         _ if is_function(&word) => {
             return Err(syn::Error::new(
                 member.span(),
@@ -299,6 +315,10 @@ fn no_operand(input: ParseStream<'_>) -> &'static str {
         "there are no loops or labels here: write only formulas"
     } else if input.peek(Token![+]) {
         "a number has no `+` in front of it: write the number alone"
+    } else if input.peek(Token![%]) {
+        "comments begin with `//`"
+    } else if input.peek(Token![=]) {
+        "an equation is written with two equals signs: remove this `=`"
     } else if input.peek(Token![*]) {
         "an operand is missing before this `*`; a power is written `powi(x, 2)`"
     } else if input.peek(Token![#]) {
@@ -349,6 +369,15 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
     if !matches!(suffix, "" | "f64" | DEGREES) {
         return Err(syn::Error::new(span, about_suffix(&digits, suffix)));
     }
+    if suffix.is_empty() && input.peek(syn::Ident) {
+        let unit = Ident::parse_any(&input.fork())?;
+        if is_unit(&unit.to_string()) {
+            return Err(syn::Error::new_spanned(
+                Extent::at(span).to(Extent::at(unit.span())),
+                about_suffix(&digits, &unit.to_string()),
+            ));
+        }
+    }
     let Ok(value) = digits.parse::<f64>() else {
         return Err(syn::Error::new(
             span,
@@ -373,26 +402,6 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
             span,
             format!("this number is {misfit}: choose a unit in which it is closer to 1"),
         )),
-    }
-}
-
-/// The advice about a number with letters behind it.
-fn about_suffix(digits: &str, suffix: &str) -> String {
-    match suffix {
-        "rad" | "radians" => format!("angles are in radians anyway: write `{digits}`"),
-        "degrees" | "degree" => {
-            format!("angles are in radians, or in degrees with `{DEGREES}`: write `{digits}{DEGREES}`")
-        }
-        "nm" | "um" | "mm" | "cm" | "dm" | "m" | "km" | "in" | "inch" | "ft" | "mil" | "thou" => {
-            format!("lengths have one unit, of your choice: write `{digits}` in that unit")
-        }
-        "s" | "ms" | "us" | "min" | "h" | "Hz" | "rpm" => {
-            "a declaration holds no times and speeds, which are given to the solver: write a number without a unit"
-                .to_owned()
-        }
-        "f16" | "f32" | "f128" | "i8" | "i16" | "i32" | "i64" | "i128" | "isize" | "u8" | "u16" | "u32" | "u64"
-        | "u128" | "usize" => format!("a number takes no type `{suffix}` here: write `{digits}`"),
-        _ => format!("a product is written with `*`: write `{digits} * {suffix}`"),
     }
 }
 
@@ -422,6 +431,11 @@ fn word(input: ParseStream<'_>) -> Result<Formula> {
         let mut arguments = Vec::new();
         let close = self::arguments(input, &mut arguments)?;
         return call(&word, arguments, false, close);
+    }
+    if input.peek(token::Bracket)
+        && let Some(form) = form_in_small_letters(&text)
+    {
+        return at(format!("a function takes its arguments in parentheses: write `{form}`"));
     }
     if text.starts_with("r#") {
         return at(format!("`{text}` is a raw identifier; choose a plain name"));
@@ -504,29 +518,10 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
     if is_derivative(&word) {
         return syn::Error::new(name.span(), about_derivative(&word));
     }
-    let instead = match word.as_str() {
-        "pow" | "powf" => "; write `powi(x, 2)` for a whole power, `sqrt(x)` for a square root".to_owned(),
-        "hypot" => "; write `norm(vec2(x, y))`".to_owned(),
-        "length" | "magnitude" => "; write `norm(v)`".to_owned(),
-        "normalize" => "; write `v / norm(v)`".to_owned(),
-        "log" => "; write `ln(x)` for the natural logarithm".to_owned(),
-        "to_radians" => "; write `x * PI / 180`".to_owned(),
-        "to_degrees" => "; write `x * 180 / PI`".to_owned(),
-        "abs" | "signum" | "min" | "max" | "clamp" | "floor" | "ceil" | "round" | "rem_euclid" => {
-            "; a formula must be differentiable, and that function is not".to_owned()
-        }
-        "sin_cos" => "; write `sin(x)` and `cos(x)`, which are computed together".to_owned(),
-        _ => {
-            let near = suggestion(&word, function_names());
-            if let Some(name) = without_arc(&word) {
-                format!("; did you mean `{name}`?")
-            } else if near.is_empty() && !method {
-                "; write `*` for a product".to_owned()
-            } else {
-                near
-            }
-        }
-    };
+    if differentiates(&word) {
+        return syn::Error::new(name.span(), about_derivative("velocity"));
+    }
+    let instead = instead_of_function(&word, method);
     syn::Error::new(
         name.span(),
         format!(
@@ -536,23 +531,8 @@ fn unknown_function(name: &Ident, method: bool) -> syn::Error {
     )
 }
 
-/// Whether a word names a time derivative, as the methods of a motion do.
-fn is_derivative(word: &str) -> bool {
-    matches!(
-        word,
-        "velocity" | "acceleration" | "jerk" | "snap" | "crackle" | "pop" | "derivative"
-    )
-}
-
 fn about_derivative(word: &str) -> String {
     format!("a formula contains no derivatives, they are in every result: read `.{word}()` of an unknown or an output")
-}
-
-/// The function here named with `a` whose name elsewhere begins with `arc` or `ar`.
-fn without_arc(word: &str) -> Option<String> {
-    let function = word.strip_prefix("arc").or_else(|| word.strip_prefix("ar"))?;
-    let name = format!("a{function}");
-    is_function(&name).then_some(name)
 }
 
 /// Reads `( … )` and returns the place of the closing parenthesis.
@@ -586,6 +566,19 @@ fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Res
         _ => Extent::at(name.span()).to(Extent::at(close)),
     };
     if arguments.len() != arity {
+        if let ([receiver, rest @ ..], true) = (arguments.as_slice(), method && arguments.len() == arity + 1)
+            && let FormulaKind::Name(before) = &receiver.kind
+        {
+            let rest: Vec<String> = rest.iter().map(Formula::to_string).collect();
+            let alone = format!("{word}({})", rest.join(", "));
+            return Err(syn::Error::new_spanned(
+                Extent::at(name.span()).to(Extent::at(close)),
+                format!(
+                    "`{before}` before the `.` is an argument of `{word}` here: write `{alone}` for the function alone, \
+                     `{before} * {alone}` for a product"
+                ),
+            ));
+        }
         let count = |n| {
             if n == 1 {
                 "1 argument".to_owned()
@@ -713,8 +706,10 @@ fn stray(input: ParseStream<'_>, place: Context) -> syn::Error {
         if place == Context::Parenthesis {
             "there are no tuples here: write `vec2(x, y)` for a plane vector, `vec3(x, y, z)` for a space vector"
         } else {
-            "an expression ends before this `,`: write `;` before a further statement"
+            "an expression ends before this `,`: write `;` before a further statement, and a point in a number, as in `0.5`"
         }
+    } else if place == Context::RangeStart {
+        "a range has dots between its ends: write `in 0..=PI`"
     } else if input.peek(Token![:]) {
         "a formula takes no types: write `input`, `unknown` or `output` before a name to declare it"
     } else if input.peek(token::Brace) {

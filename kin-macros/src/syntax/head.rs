@@ -237,6 +237,13 @@ pub(super) fn dimension_of(input: ParseStream<'_>, name: &Ident, what: &str) -> 
         }
         return Ok(());
     }
+    if Dimension::is_word(&name.to_string()) && input.peek(Ident::peek_any) {
+        let meant = Ident::parse_any(&input.fork())?;
+        return Err(syn::Error::new_spanned(
+            Extent::at(name.span()).to(Extent::at(meant.span())),
+            format!("the name of the {what} comes before its dimension: write `{meant}: {name}`"),
+        ));
+    }
     Err(syn::Error::new(
         name.span(),
         format!("{what} `{name}` has no dimension: write `{name}: {example}`, or another dimension"),

@@ -6,6 +6,7 @@
 mod callee;
 mod comment;
 mod dimension;
+mod elsewhere;
 mod formula;
 mod head;
 mod name;
@@ -27,6 +28,7 @@ use crate::mistakes::{Extent, Mistakes};
 
 pub(crate) use callee::{form, function_names, is_function};
 pub(crate) use dimension::{Dimension, Shape};
+pub(crate) use elsewhere::instead_of_request;
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
 

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
+use syn::{Token, token};
 
 use crate::syntax::callee::is_function;
 
@@ -29,6 +30,12 @@ pub(crate) fn parse(input: ParseStream<'_>, what: &str, before: Span) -> Result<
             before,
             format!("the name of the {what} is missing after this"),
         ));
+    }
+    if input.peek(Token![:]) {
+        return Err(input.error(format!("the name of the {what} comes first: remove this `:`")));
+    }
+    if input.peek(token::Paren) || input.peek(token::Brace) || input.peek(token::Bracket) {
+        return Err(input.error(format!("the name of the {what} stands without brackets: remove them")));
     }
     if !input.peek(Ident::peek_any) {
         return Err(input.error(format!("expected the name of the {what} here")));

@@ -1,9 +1,9 @@
 //! `body rod: pin, piston`, `ground pivot`, `slide piston along vec2(1, 0)`: the picture, where the equations do not tell it.
 
 use proc_macro2::{Ident, Span};
-use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
+use syn::{Token, token};
 
 use crate::syntax::formula::{self, Context};
 use crate::syntax::{BodyStatement, Formula, GroundStatement, SlideStatement, head};
@@ -21,9 +21,10 @@ const FORM_OF_SLIDE: &str = "write the point and the direction of its line, as i
 pub(super) fn follows(word: &str, ahead: ParseStream<'_>) -> bool {
     let is_named = ahead.peek(Ident::peek_any);
     let colon_follows = ahead.peek2(Token![:]) && !ahead.peek2(Token![::]);
+    let alone_colon = ahead.peek(Token![:]) && !ahead.peek(Token![::]);
     match word {
-        BODY => is_named && colon_follows || ahead.peek(Token![:]) && !ahead.peek(Token![::]),
-        GROUND | SLIDE => ahead.is_empty() || is_named && !colon_follows || ahead.peek(syn::Lit),
+        BODY => is_named || ahead.peek(syn::Lit) || alone_colon,
+        GROUND | SLIDE => ahead.is_empty() || alone_colon || is_named && !colon_follows || ahead.peek(syn::Lit),
         _ => false,
     }
 }
@@ -33,8 +34,19 @@ pub(super) fn body(input: ParseStream<'_>, start: Span) -> Result<BodyStatement>
     if input.peek(Token![:]) {
         return Err(syn::Error::new(start, format!("this body has no name: {FORM_OF_BODY}")));
     }
-    // `follows` has seen a name and a colon; bodies share no names with quantities
+    if input.peek(syn::Lit) {
+        return Err(input.error(format!("the name of a body begins with a letter: {FORM_OF_BODY}")));
+    }
+    // bodies share no names with quantities
     let name = Ident::parse_any(input)?;
+    if !input.peek(Token![:]) {
+        let message = format!("a body's name is followed by a colon: {FORM_OF_BODY}");
+        return Err(if input.is_empty() {
+            syn::Error::new(name.span(), message)
+        } else {
+            input.error(message)
+        });
+    }
     let colon = input.parse::<Token![:]>()?;
     let points = points(input, colon.span, FORM_OF_BODY)?;
     Ok(BodyStatement { name, points })
@@ -106,6 +118,12 @@ fn expect_word(input: ParseStream<'_>, word: &str, start: Span) -> Result<()> {
 /// Points between commas.
 fn points(input: ParseStream<'_>, before: Span, form: &str) -> Result<Vec<Formula>> {
     let mut points = Vec::new();
+    if input.peek(Token![:]) {
+        return Err(input.error(format!("no colon stands before these points: {form}")));
+    }
+    if input.peek(token::Bracket) {
+        return Err(input.error(format!("points stand between commas, without brackets: {form}")));
+    }
     while !input.is_empty() {
         points.push(formula::parse(input, Context::Point)?);
         if input.is_empty() {

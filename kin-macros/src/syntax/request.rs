@@ -1,9 +1,9 @@
 //! `with transmission_angles, sensitivities`: items to generate besides the solvers.
 
 use proc_macro2::{Ident, Span};
-use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
+use syn::{Token, token};
 
 use crate::mistakes::nearest;
 
@@ -36,10 +36,10 @@ impl Request {
     }
 }
 
-/// Whether the word just read begins a request. It does if a name follows, which no formula allows, or if nothing
-/// follows.
+/// Whether the word just read begins a request. It does if a name follows, which no formula allows, if nothing
+/// follows, or if it looks like a function.
 pub(super) fn follows(ahead: ParseStream<'_>) -> bool {
-    ahead.is_empty() || ahead.peek(Token![,]) || ahead.peek(Ident::peek_any)
+    ahead.is_empty() || ahead.peek(Token![,]) || ahead.peek(Ident::peek_any) || ahead.peek(token::Paren)
 }
 
 /// Whether two words alone are probably a misspelt request.
@@ -61,10 +61,23 @@ pub(super) fn parse(input: ParseStream<'_>, start: Span) -> Result<Vec<Ident>> {
                 Ok(names)
             };
         }
+        if input.peek(token::Paren) {
+            return Err(input.error(format!("the names of a request stand without parentheses: {FORM}")));
+        }
         if !input.peek(Ident::peek_any) {
             return Err(input.error(format!("expected a name here: {FORM}")));
         }
-        names.push(Ident::parse_any(input)?);
+        let name = Ident::parse_any(input)?;
+        if name == "order" && !input.is_empty() && !input.peek(Token![,]) {
+            return Err(syn::Error::new(
+                start,
+                "the order is a statement of its own, without `with`: write `order = 6;`",
+            ));
+        }
+        if input.peek(Token![=]) || input.peek(Token![:]) || input.peek(token::Paren) {
+            return Err(input.error(format!("a request has no value: write `with {name};`")));
+        }
+        names.push(name);
         if input.is_empty() {
             return Ok(names);
         }

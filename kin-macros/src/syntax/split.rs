@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, Ident, Spacing, TokenStream, TokenTree};
 
 use crate::mistakes::Mistakes;
 use crate::syntax::name::{self, STATEMENT_WORDS};
-use crate::syntax::{picture, request};
+use crate::syntax::{Dimension, picture, request};
 
 /// The tokens of one statement without its `;`.
 pub(crate) struct Chunk {
@@ -34,12 +34,16 @@ pub(crate) fn statements(body: TokenStream, mistakes: &mut Mistakes) -> Vec<Chun
         let own = trailing_attributes(&current);
         // after a `let` the word is a name
         let begins = begins_statement(&tokens[index..])
-            || gives_order(&tokens[index..]) && ends_formula(&current) && !is_let(&current[..own]);
-        if own > 0 && begins {
-            mistakes.error_at(
-                token.span(),
-                format!("a `;` is missing: write `;` before this `{token}`"),
-            );
+            || gives_order(&tokens[index..]) && ends_formula(&current) && !is_word(&current[..own], "let");
+        if own > 0 && begins && !is_word(&current[..own], "pub") && !is_word(&current[..own], request::WORD) {
+            let after_item = is_item(&current[..own]);
+
+            if !after_item {
+                mistakes.error_at(
+                    token.span(),
+                    format!("a `;` is missing: write `;` before this `{token}`"),
+                );
+            }
             let attributes = current.split_off(own);
             finish(&mut current, true);
             current = attributes;
@@ -86,23 +90,38 @@ pub(crate) fn mentioned_names(tokens: &TokenStream, names: &mut BTreeSet<String>
     }
 }
 
-/// Adds the names that a statement or a field was probably meant to declare: those before a `:`, and the one after its
-/// first word.
+/// Adds the names that a statement or a field was probably meant to declare: those before a `:`, and those after its
+/// first word, after `mut`, and after a dimension.
 pub(crate) fn declared_names(tokens: &TokenStream, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
     for pair in tokens.windows(2) {
-        let [TokenTree::Ident(name), next] = pair else {
-            continue;
-        };
-        let colon = matches!(next, TokenTree::Punct(p) if p.as_char() == ':' && p.spacing() == Spacing::Alone);
-        if colon {
-            names.insert(name.to_string());
-        } else if STATEMENT_WORDS.contains(&name.to_string().as_str())
-            && let TokenTree::Ident(declared) = next
-        {
-            names.insert(declared.to_string());
+        match pair {
+            [TokenTree::Ident(word), TokenTree::Group(group)]
+                if is_statement(word) || group.delimiter() == Delimiter::Brace =>
+            {
+                declared_names(&group.stream(), names);
+            }
+            [TokenTree::Ident(name), TokenTree::Punct(p)] if p.as_char() == ':' && p.spacing() == Spacing::Alone => {
+                names.insert(name.to_string());
+            }
+            [TokenTree::Ident(word), TokenTree::Ident(declared)]
+                if is_statement(word) || word == "mut" || Dimension::is_word(&word.to_string()) =>
+            {
+                names.insert(declared.to_string());
+            }
+            _ => {}
         }
     }
+    // a definition behind a word of another language, as in `point pin = …`
+    if let [TokenTree::Ident(_), TokenTree::Ident(declared), equals, ..] = tokens.as_slice()
+        && is_punct(equals, '=')
+    {
+        names.insert(declared.to_string());
+    }
+}
+
+fn is_statement(word: &Ident) -> bool {
+    STATEMENT_WORDS.contains(&word.to_string().as_str())
 }
 
 /// The name before the first `:`, whatever stands before it.
@@ -187,9 +206,15 @@ fn gives_order(tokens: &[TokenTree]) -> bool {
         if word == "order" && equals.as_char() == '=' && equals.spacing() == Spacing::Alone)
 }
 
-/// Whether the tokens are the word `let` alone.
-fn is_let(tokens: &[TokenTree]) -> bool {
-    matches!(tokens, [TokenTree::Ident(word)] if word == "let")
+/// Whether the tokens are one word alone.
+fn is_word(tokens: &[TokenTree], expected: &str) -> bool {
+    matches!(tokens, [TokenTree::Ident(word)] if word == expected)
+}
+
+/// Whether the tokens are an item of Rust that ends without a `;`.
+fn is_item(tokens: &[TokenTree]) -> bool {
+    matches!(tokens, [TokenTree::Ident(word), .., TokenTree::Group(group)]
+        if name::keyword(&word.to_string()) && group.delimiter() == Delimiter::Brace)
 }
 
 /// Whether a formula may be complete here: it is not after an operator.

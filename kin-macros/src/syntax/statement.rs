@@ -1,16 +1,17 @@
 //! One statement: `input`, `unknown`, `let`, `output`, `order`, `with`, one of the picture, or an equation.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
-use syn::{Attribute, Token};
+use syn::{Attribute, Token, token};
 
 use crate::mistakes::{Extent, nearest};
+use crate::syntax::elsewhere::{instead_of_statement, is_link};
 use crate::syntax::formula::{self, Context};
 use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{
-    Comparison, Dimension, EquationStatement, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
-    Statement, UnknownItem, head, order, picture, request,
+    Comparison, Dimension, EquationStatement, FormulaKind, LetStatement, OutputStatement, QuantityItem, RangeClause,
+    RangeKind, Request, Statement, UnknownItem, head, order, picture, request,
 };
 
 /// Reads a statement without its `;`. An empty statement is not a mistake.
@@ -93,6 +94,12 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
     let first = Ident::parse_any(&ahead)?;
     let word = first.to_string();
     let declares = ahead.peek(Ident::peek_any);
+    if word == "pub" {
+        return Err(syn::Error::new(
+            first.span(),
+            "a statement has no visibility, its results are as public as the struct: remove `pub`",
+        ));
+    }
     if STATEMENT_WORDS.contains(&word.as_str()) && (word == "let" || !ahead.peek(Token![==])) {
         return Ok(Some(word));
     }
@@ -122,8 +129,23 @@ fn leading_word(input: ParseStream<'_>) -> Result<Option<String>> {
             format!("`{word}` does not begin a statement; did you mean `{}`?", request::WORD),
         ));
     }
+    if let Some(message) = instead_of_statement(&word, &second.to_string()) {
+        return Err(syn::Error::new(first.span(), message));
+    }
+    if ahead.peek(Token![=]) && !ahead.peek(Token![==]) && !name::keyword(&word) {
+        return Err(syn::Error::new(
+            first.span(),
+            format!("`{word}` does not begin a statement: write `let {second} = …` for an abbreviation"),
+        ));
+    }
     if !ahead.peek(Token![:]) || ahead.peek(Token![::]) {
         return Ok(None);
+    }
+    if is_link(&word) {
+        return Err(syn::Error::new(
+            first.span(),
+            format!("`{word}` does not begin a statement: write `body {second}: …` with the points of the body"),
+        ));
     }
     let likely = match word.as_str() {
         "const" | "static" => Some("let"),
@@ -226,6 +248,12 @@ fn unknown_item(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Sp
             quantity.name
         )));
     }
+    if input.peek(Token![<]) || input.peek(Token![<=]) || input.peek(Token![>]) || input.peek(Token![>=]) {
+        return Err(input.error(format!(
+            "a range begins with `where`: write `where {} > 0`",
+            quantity.name
+        )));
+    }
     let clause = input.span();
     let kind = if input.peek(Token![where]) {
         input.parse::<Token![where]>()?;
@@ -259,10 +287,16 @@ fn comparison(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Ra
     }
     if !input.peek(Ident::peek_any) {
         return Err(input.error(format!(
-            "the unknown comes first in its range: write `where {unknown} > 0`"
+            "the unknown comes first in its range: write `where {unknown} > 0`, or `in 0..=1` for a range with two ends"
         )));
     }
     let name = Ident::parse_any(input)?;
+    if input.peek(token::Paren) {
+        return Err(syn::Error::new(
+            name.span(),
+            format!("a range is one of the unknown itself: write `where {unknown} > 0`"),
+        ));
+    }
     let comparison = if input.peek(Token![<=]) {
         input.parse::<Token![<=]>()?;
         Comparison::LessOrEqual
@@ -311,6 +345,9 @@ fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Range
     if input.peek(Token![..]) {
         return Err(open(Extent::at(input.span())));
     }
+    if let Some(message) = ends_in_brackets(input) {
+        return Err(input.error(message));
+    }
     let low = formula::parse(input, Context::RangeStart)?;
     let dots = Extent::at(input.span());
     let closed = input.peek(Token![..=]);
@@ -326,6 +363,27 @@ fn between(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Range
     }
     let high = formula::parse(input, Context::RangeEnd)?;
     Ok(RangeKind::Between { low, high, closed })
+}
+
+/// The message about a range that is written `[0, PI]` or `(0, PI)`.
+fn ends_in_brackets(input: ParseStream<'_>) -> Option<String> {
+    let Ok(TokenTree::Group(group)) = input.fork().parse() else {
+        return None;
+    };
+    let dots = if group.delimiter() == Delimiter::Bracket {
+        "..="
+    } else {
+        ".."
+    };
+    let ends = |content: ParseStream<'_>| {
+        let low = formula::parse(content, Context::Argument)?;
+        content.parse::<Token![,]>()?;
+        Ok((low, formula::parse(content, Context::Argument)?))
+    };
+    let (low, high) = ends.parse2(group.stream()).ok()?;
+    Some(format!(
+        "a range has dots between its ends and no brackets: write `in {low}{dots}{high}`"
+    ))
 }
 
 /// Reads `half = r3 / 2` after `let`.
@@ -386,6 +444,14 @@ fn equation(input: ParseStream<'_>) -> Result<EquationStatement> {
         return Err(input.error("the left side of this equation is missing"));
     }
     let left = formula::parse(input, Context::LeftSide)?;
+    if let (true, FormulaKind::Name(name)) = (input.is_empty(), &left.kind)
+        && let Some(request) = Request::ALL.into_iter().find(|request| name == request.name())
+    {
+        return Err(syn::Error::new_spanned(
+            left.extent,
+            format!("a request begins with `with`: write `with {};`", request.name()),
+        ));
+    }
     if input.is_empty() {
         return Err(syn::Error::new_spanned(
             left.extent,
