@@ -105,7 +105,7 @@ fn statement(tokens: &[TokenTree], known: &mut BTreeSet<String>, runtime: &Token
             .split(|token| is_punct(token, ','))
             .filter_map(|item| {
                 let start = item.iter().position(begins_range)?;
-                Some(operands(&item[start..], known, runtime))
+                Some(operands(&item[start..], known, runtime, 0))
             })
             .collect::<TokenStream>();
         return if ranges.is_empty() { ranges } else { quote!((#ranges);) };
@@ -117,7 +117,7 @@ fn statement(tokens: &[TokenTree], known: &mut BTreeSet<String>, runtime: &Token
     if begins(tokens, &["let", "output"]) {
         let rest = &tokens[1..];
         let equals = rest.iter().position(|token| is_punct(token, '=')).unwrap_or(rest.len());
-        let value = operands(&rest[equals..], known, runtime);
+        let value = operands(&rest[equals..], known, runtime, 0);
         let Some(binding) = argument(&rest[..equals], known) else {
             return quote!((#value););
         };
@@ -129,7 +129,7 @@ fn statement(tokens: &[TokenTree], known: &mut BTreeSet<String>, runtime: &Token
         _ if begins(tokens, &["ground", "slide"]) => 1,
         _ => 0,
     };
-    let operands = operands(&tokens[start..], known, runtime);
+    let operands = operands(&tokens[start..], known, runtime, 0);
     quote!((#operands);)
 }
 
@@ -142,9 +142,16 @@ fn gives(rest: &[TokenTree]) -> bool {
     matches!(rest, [equals, next, ..] if is_punct(equals, '=') && !is_punct(next, '='))
 }
 
+/// The depth of parentheses below which nothing is completed. Each level becomes several here, and the compiler reads them
+/// by recursion.
+const DEEPEST: usize = 24;
+
 /// The operands of an expression, each with a comma behind it.
-fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStream) -> TokenStream {
+fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStream, depth: usize) -> TokenStream {
     let mut written = TokenStream::new();
+    if depth > DEEPEST {
+        return written;
+    }
     let mut rest = tokens;
     while let Some((token, after)) = rest.split_first() {
         rest = after;
@@ -155,7 +162,7 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
             TokenTree::Ident(word) => match rest.first() {
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
                     rest = &rest[1..];
-                    let arguments = arguments(&group.stream(), known, runtime);
+                    let arguments = arguments(&group.stream(), known, runtime, depth + 1);
                     if is_function(&word.to_string()) {
                         quote!(#word(#arguments))
                     } else {
@@ -166,7 +173,7 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
                 _ => named(word, known, runtime),
             },
             TokenTree::Group(group) => {
-                let inner = operands(&trees(&group.stream()), known, runtime);
+                let inner = operands(&trees(&group.stream()), known, runtime, depth + 1);
                 quote_spanned!(Span::mixed_site()=> formula::<_, Quantity>((#inner)))
             }
             TokenTree::Punct(_) | TokenTree::Literal(_) => continue,
@@ -181,7 +188,7 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
                 && group.delimiter() == Delimiter::Parenthesis
             {
                 rest = after;
-                let arguments = arguments(&group.stream(), known, runtime);
+                let arguments = arguments(&group.stream(), known, runtime, depth + 1);
                 operand.extend(quote!((#arguments)));
             }
         }
@@ -191,9 +198,11 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
 }
 
 /// The arguments of a function, as one tuple.
-fn arguments(tokens: &TokenStream, known: &BTreeSet<String>, runtime: &TokenStream) -> TokenStream {
+fn arguments(tokens: &TokenStream, known: &BTreeSet<String>, runtime: &TokenStream, depth: usize) -> TokenStream {
     let arguments = items(&trees(tokens));
-    let arguments = arguments.iter().map(|argument| operands(argument, known, runtime));
+    let arguments = arguments
+        .iter()
+        .map(|argument| operands(argument, known, runtime, depth));
     quote!((#((#arguments),)*))
 }
 

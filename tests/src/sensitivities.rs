@@ -19,6 +19,7 @@ use num_dual::{Dual, Dual3, Dual64};
 use crate::mechanisms::cases::ThroughSnap;
 use crate::mechanisms::sensitive::SensitiveThroughSnap;
 use crate::oracles::{ALLOWED, Gauge, Motions};
+use crate::samples;
 
 /// The derivatives of one motion by one parameter.
 pub type Orders = [f64; 5];
@@ -216,7 +217,7 @@ impl Worst {
             let row = errors.map(|error| format!("{error:9.3}")).join(" ");
             println!("{name:32} {:6} poses, {label:8} {row}", self.poses);
         }
-        assert!(self.poses > 50, "{name}: only {} poses", self.poses);
+        assert!(self.poses > samples::of(80), "{name}: only {} poses", self.poses);
         for errors in [self.unknowns, self.outputs, self.closure] {
             for (order, (error, allowed)) in errors.into_iter().zip(ALLOWED).enumerate() {
                 assert!(error <= allowed, "{name}, order {order}: {error} units of error");

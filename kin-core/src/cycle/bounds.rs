@@ -337,7 +337,10 @@ impl Mul for Bounds {
 impl Div for Bounds {
     type Output = Self;
 
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient is a product with a reciprocal")]
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "a quotient is a product with a reciprocal"
+    )]
     fn div(self, other: Self) -> Self {
         let inverse = reciprocal(other.values());
         if inverse == [-HUGE, HUGE] {
@@ -394,7 +397,10 @@ impl Number for Bounds {
             }
             let shrunk = value * (1.0 - 0.5 * reach * reach);
             let aside = slope.abs() * reach + FUNCTION;
-            [(shrunk.min(value) - aside).max(-1.0), (shrunk.max(value) + aside).min(1.0)]
+            [
+                (shrunk.min(value) - aside).max(-1.0),
+                (shrunk.max(value) + aside).min(1.0),
+            ]
         };
         let (sines, cosines) = (around(sine, cosine), around(cosine, sine));
         (
@@ -444,12 +450,12 @@ impl Number for Bounds {
                 }
             }
         }
-        let values = [whole[0].max(middle + low - FUNCTION), whole[1].min(middle + high + FUNCTION)];
-        let inverse = reciprocal(square.values());
-        let across = [
-            product(x.values(), self.slopes()),
-            product(self.values(), x.slopes()),
+        let values = [
+            whole[0].max(middle + low - FUNCTION),
+            whole[1].min(middle + high + FUNCTION),
         ];
+        let inverse = reciprocal(square.values());
+        let across = [product(x.values(), self.slopes()), product(self.values(), x.slopes())];
         let slopes = product(
             widened([across[0][0] - across[1][1], across[0][1] - across[1][0]]),
             inverse,

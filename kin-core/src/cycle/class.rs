@@ -85,7 +85,13 @@ impl BarkerClass {
         }
         let sum: f64 = links.iter().sum();
         let extreme = |is_better: fn(f64, f64) -> bool| {
-            (1..4).fold(0, |best, link| if is_better(links[link], links[best]) { link } else { best })
+            (1..4).fold(0, |best, link| {
+                if is_better(links[link], links[best]) {
+                    link
+                } else {
+                    best
+                }
+            })
         };
         let (shortest, longest) = (extreme(|one, best| one < best), extreme(|one, best| one > best));
         let [short, long] = [links[shortest], links[longest]];
@@ -96,11 +102,21 @@ impl BarkerClass {
         let equal = |one: f64, other: f64| sign(one - other, sum).is_eq();
         match sign(2.0 * (short + long) - sum, sum) {
             core::cmp::Ordering::Less => by_link(
-                [Self::DoubleCrank, Self::CrankRocker, Self::DoubleRocker, Self::RockerCrank],
+                [
+                    Self::DoubleCrank,
+                    Self::CrankRocker,
+                    Self::DoubleRocker,
+                    Self::RockerCrank,
+                ],
                 shortest,
             ),
             core::cmp::Ordering::Greater => by_link(
-                [Self::GroundLongest, Self::CrankLongest, Self::CouplerLongest, Self::RockerLongest],
+                [
+                    Self::GroundLongest,
+                    Self::CrankLongest,
+                    Self::CouplerLongest,
+                    Self::RockerLongest,
+                ],
                 longest,
             ),
             core::cmp::Ordering::Equal if equal(short, long) => Some(Self::AllEqual),
@@ -132,7 +148,8 @@ impl BarkerClass {
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         [
-            "GCCC", "GCRR", "GRCR", "GRRC", "RRR1", "RRR2", "RRR3", "RRR4", "SCCC", "SCRR", "SRCR", "SRRC", "S2X", "S3X",
+            "GCCC", "GCRR", "GRCR", "GRRC", "RRR1", "RRR2", "RRR3", "RRR4", "SCCC", "SCRR", "SRCR", "SRRC", "S2X",
+            "S3X",
         ][self as usize]
     }
 
@@ -166,7 +183,9 @@ impl SliderCrankType {
     #[must_use]
     pub fn of(crank: f64, coupler: f64, offset: f64) -> Option<Self> {
         let size = crank + coupler + offset;
-        if !(crank > 0.0 && coupler > 0.0 && offset >= 0.0 && size.is_finite()) || sign(crank + coupler - offset, size).is_le() {
+        if !(crank > 0.0 && coupler > 0.0 && offset >= 0.0 && size.is_finite())
+            || sign(crank + coupler - offset, size).is_le()
+        {
             return None;
         }
         Some(match sign((crank - coupler).abs() - offset, size) {
@@ -197,7 +216,9 @@ impl InvertedSliderCrankType {
     #[must_use]
     pub fn of(ground: f64, crank: f64, offset: f64) -> Option<Self> {
         let size = ground + crank + offset;
-        if !(ground > 0.0 && crank > 0.0 && offset >= 0.0 && size.is_finite()) || sign(ground + crank - offset, size).is_le() {
+        if !(ground > 0.0 && crank > 0.0 && offset >= 0.0 && size.is_finite())
+            || sign(ground + crank - offset, size).is_le()
+        {
             return None;
         }
         Some(match sign((crank - ground).abs() - offset, size) {

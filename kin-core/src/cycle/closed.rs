@@ -131,7 +131,12 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             };
             match done.last_mut() {
                 Some(last) if last.known == known && matches!(known, Known::Short | Known::Fails) => last.high = high,
-                _ => done.push(Interval { low, high, known, middle }),
+                _ => done.push(Interval {
+                    low,
+                    high,
+                    known,
+                    middle,
+                }),
             }
         }
         done
@@ -144,7 +149,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         let closes_at = |search: &Self, place: usize| {
             // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
             let neighbours = [place.checked_sub(1), Some(place)];
-            let mut neighbours = neighbours.into_iter().flatten().filter_map(|place| intervals.get(place));
+            let mut neighbours = neighbours
+                .into_iter()
+                .flatten()
+                .filter_map(|place| intervals.get(place));
             match neighbours.find_map(|interval| match interval.known {
                 Known::Closes => Some(true),
                 Known::Fails => Some(false),
@@ -255,13 +263,14 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         let inputs = self.line.inputs(bad);
         let error = self.mechanism.solve_position(inputs, assembly).err();
         let block = error.as_ref().map_or("", |error| error.block);
-        let is_domain = error.is_some_and(|error| {
-            !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. })
-        });
+        let is_domain =
+            error.is_some_and(|error| !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. }));
         let mut node: Node<M> = Node {
             kind: if is_domain { EndKind::Domain } else { EndKind::Limit },
             s: good,
-            unknowns: self.solved(good, assembly).unwrap_or_else(|| M::Unknowns::from_fn(|_| f64::NAN)),
+            unknowns: self
+                .solved(good, assembly)
+                .unwrap_or_else(|| M::Unknowns::from_fn(|_| f64::NAN)),
             block,
             assemblies: [index, index],
         };
@@ -358,7 +367,12 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         let first = own[CROSSING / 2]?;
         let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
         let partner = others
-            .filter_map(|(_, other)| Some((other, distance::<M>(self.size, &first, &self.solved(places[CROSSING / 2], other)?))))
+            .filter_map(|(_, other)| {
+                Some((
+                    other,
+                    distance::<M>(self.size, &first, &self.solved(places[CROSSING / 2], other)?),
+                ))
+            })
             .min_by(|one, other| one.1.total_cmp(&other.1))?
             .0;
         let mut means: [M::Unknowns<f64>; CROSSING] = [first; CROSSING];

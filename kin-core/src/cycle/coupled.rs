@@ -159,10 +159,20 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             let mut samples = vec![(place.s, start), (s, unknowns)];
             samples.extend(way.samples);
             let piece = if direction > 0.0 {
-                Piece { assembly: None, low: Tip::Node(node), high: way.tip, samples }
+                Piece {
+                    assembly: None,
+                    low: Tip::Node(node),
+                    high: way.tip,
+                    samples,
+                }
             } else {
                 samples.reverse();
-                Piece { assembly: None, low: way.tip, high: Tip::Node(node), samples }
+                Piece {
+                    assembly: None,
+                    low: way.tip,
+                    high: Tip::Node(node),
+                    samples,
+                }
             };
             self.found.pieces.push(piece);
         }
@@ -179,7 +189,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 self.seeds.iter().rposition(|seed| seed.s < s)
             };
             let Some(next) = next else {
-                return Way { tip: Tip::Seam, samples };
+                return Way {
+                    tip: Tip::Seam,
+                    samples,
+                };
             };
             let to = self.seeds[next].s;
             match track(self.mechanism, self.line.inputs(s), unknowns, self.line.inputs(to)) {
@@ -192,7 +205,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     let node = self.ended(s, unknowns, direction, error);
                     let place = self.found.nodes[node];
                     samples.push((place.s, nearest::<M>(place.unknowns, &unknowns)));
-                    return Way { tip: Tip::Node(node), samples };
+                    return Way {
+                        tip: Tip::Node(node),
+                        samples,
+                    };
                 }
             }
         }
@@ -223,7 +239,9 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     ) -> usize {
         let range = self.line.high - self.line.low;
         let node = match error {
-            TrackError::Limit(obstacle) => self.node(EndKind::Limit, obstacle.inputs, obstacle.unknowns, obstacle.block),
+            TrackError::Limit(obstacle) => {
+                self.node(EndKind::Limit, obstacle.inputs, obstacle.unknowns, obstacle.block)
+            }
             TrackError::ChangePoint(obstacle) => {
                 self.node(EndKind::ChangePoint, obstacle.inputs, obstacle.unknowns, obstacle.block)
             }

@@ -57,7 +57,12 @@ impl<M: Mechanism<Scalar = f64>> Line<M> {
     }
 
     /// The line over a given range of s.
-    pub(super) fn over(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>, range: &RangeInclusive<f64>) -> Self {
+    pub(super) fn over(
+        mechanism: &M,
+        from: M::Inputs<f64>,
+        direction: M::Inputs<f64>,
+        range: &RangeInclusive<f64>,
+    ) -> Self {
         let whole = Self::whole(mechanism, from, direction);
         Self {
             low: range.start().min(*range.end()),
@@ -75,7 +80,11 @@ impl<M: Mechanism<Scalar = f64>> Line<M> {
     pub(super) fn place(&self, inputs: M::Inputs<f64>) -> f64 {
         let rates = self.direction.as_ref().iter().enumerate();
         let (lead, rate) = rates.fold((0, 0.0_f64), |best, (index, rate)| {
-            if rate.abs() > best.1.abs() { (index, *rate) } else { best }
+            if rate.abs() > best.1.abs() {
+                (index, *rate)
+            } else {
+                best
+            }
         });
         (inputs[lead] - self.from[lead]) / rate
     }
@@ -134,11 +143,7 @@ fn lengths<M: Mechanism<Scalar = f64>>(inputs: M::Inputs<f64>) -> f64 {
 }
 
 /// The distance of two positions: the largest difference of a direction, or of a length in parts of the size of the mechanism.
-pub(super) fn distance<M: Mechanism<Scalar = f64>>(
-    size: f64,
-    one: &M::Unknowns<f64>,
-    other: &M::Unknowns<f64>,
-) -> f64 {
+pub(super) fn distance<M: Mechanism<Scalar = f64>>(size: f64, one: &M::Unknowns<f64>, other: &M::Unknowns<f64>) -> f64 {
     let pairs = one.as_ref().iter().zip(other.as_ref());
     let named = M::DESCRIPTION.unknowns.iter().zip(pairs);
     named.fold(0.0, |largest: f64, (quantity, (one, other))| {
@@ -156,7 +161,10 @@ pub(super) fn turned(angle: f64) -> f64 {
 }
 
 /// The values of the unknowns, with angles on the turns closest to others.
-pub(super) fn nearest<M: Mechanism<Scalar = f64>>(values: M::Unknowns<f64>, near: &M::Unknowns<f64>) -> M::Unknowns<f64> {
+pub(super) fn nearest<M: Mechanism<Scalar = f64>>(
+    values: M::Unknowns<f64>,
+    near: &M::Unknowns<f64>,
+) -> M::Unknowns<f64> {
     M::Unknowns::from_fn(|index| match M::DESCRIPTION.unknowns[index].dimension {
         Dimension::Angle => near[index] + turned(values[index] - near[index]),
         _ => values[index],

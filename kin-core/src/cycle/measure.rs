@@ -199,13 +199,21 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                     }
                     Which::Output(index) => {
                         let motions = pose.output_motions();
-                        [motions[index][0], motions[index].as_ref().get(1).copied().unwrap_or(0.0)]
+                        [
+                            motions[index][0],
+                            motions[index].as_ref().get(1).copied().unwrap_or(0.0),
+                        ]
                     }
                 })
             };
             let mut extremes = extremes(&self.branches[*branch], value)?;
             if let Which::Unknown(index) = which {
-                extremes.extend(self.branches[*branch].ends.iter().map(|end| (end.input, end.unknowns[index])));
+                extremes.extend(
+                    self.branches[*branch]
+                        .ends
+                        .iter()
+                        .map(|end| (end.input, end.unknowns[index])),
+                );
             }
             for (input, value) in extremes {
                 let own = Extreme {
@@ -311,9 +319,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                         .unknown_motions_near(Row::from_fn(|unknown| near[unknown]));
                     let inputs = self.line.inputs(input);
                     let angles = series.transmission_angles_at(
-                        Row::from_fn(|index| {
-                            Series::from_coefficients([inputs[index], self.line.direction[index]])
-                        }),
+                        Row::from_fn(|index| Series::from_coefficients([inputs[index], self.line.direction[index]])),
                         Row::from_fn(|index| {
                             let rate = motions[index].as_ref().get(1).copied().unwrap_or(0.0);
                             Series::from_coefficients([near[index], rate])
@@ -380,7 +386,11 @@ fn zero(
     (mut high, last): (f64, [f64; 2]),
 ) -> Result<(f64, f64), MeasureError> {
     let (mut at_low, mut at_high) = (first[1], last[1]);
-    let mut best = if at_low.abs() < at_high.abs() { (low, first) } else { (high, last) };
+    let mut best = if at_low.abs() < at_high.abs() {
+        (low, first)
+    } else {
+        (high, last)
+    };
     let mut side = 0_i8;
     for step in 0..ITERATIONS {
         let mut middle = (low * at_high - high * at_low) / (at_high - at_low);

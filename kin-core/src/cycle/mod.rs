@@ -358,9 +358,10 @@ fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(line: &Line<M>, size: f64, fou
     // The piece that goes on after another one beyond the seam.
     let after = |piece: &Piece<M>, used: &[bool]| {
         let (_, last) = piece.samples.last()?;
-        let candidates = pieces.iter().enumerate().filter(|(index, other)| {
-            !used[*index] && other.low == Tip::Seam && period.is_some()
-        });
+        let candidates = pieces
+            .iter()
+            .enumerate()
+            .filter(|(index, other)| !used[*index] && other.low == Tip::Seam && period.is_some());
         let nearest = candidates.filter_map(|(index, other)| {
             let (_, first) = other.samples.first()?;
             Some((index, distance::<M>(size, last, first)))
@@ -422,7 +423,10 @@ fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(line: &Line<M>, size: f64, fou
             }
         };
         let mut branch = Branch {
-            ends: [end(pieces[start].low, first_sample), end(pieces[last].high, last_sample)],
+            ends: [
+                end(pieces[start].low, first_sample),
+                end(pieces[last].high, last_sample),
+            ],
             samples,
             assembly: pieces[start].assembly,
             circuit: 0,
@@ -546,15 +550,16 @@ fn around<M: Mechanism<Scalar = f64>>(
         }
     }
     let turns = |sum: f64| Float::round(sum / TAU) as i32;
-    let input_is_angle = M::DESCRIPTION.inputs.iter().all(|input| input.dimension == Dimension::Angle);
+    let input_is_angle = M::DESCRIPTION
+        .inputs
+        .iter()
+        .all(|input| input.dimension == Dimension::Angle);
     Some(Circuit {
         branches: own,
         input_turns: Some(if input_is_angle { turns(way) } else { 0 }),
-        turns: Some(Row::from_fn(|index| {
-            match M::DESCRIPTION.unknowns[index].dimension {
-                Dimension::Angle => turns(angles[index]),
-                _ => 0,
-            }
+        turns: Some(Row::from_fn(|index| match M::DESCRIPTION.unknowns[index].dimension {
+            Dimension::Angle => turns(angles[index]),
+            _ => 0,
         })),
     })
 }

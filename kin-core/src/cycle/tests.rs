@@ -29,7 +29,10 @@ fn agrees_with_a_scan<M: Mechanism<Scalar = f64>>(name: &str, cycle: &Cycle<M>, 
     for place in 0..places {
         let input = low + (high - low) * (f64::from(place) + 0.317) / f64::from(places);
         let mut found = 0;
-        cycle.mechanism().positions_at(cycle.inputs(input), |_, _| found += 1).unwrap();
+        cycle
+            .mechanism()
+            .positions_at(cycle.inputs(input), |_, _| found += 1)
+            .unwrap();
         let count = cycle.at(input).count();
         if found != count {
             wrong += 1;
@@ -81,7 +84,10 @@ fn every_type_of_four_bar() {
     assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 4));
     for circuit in cycle.circuits() {
         assert_eq!(circuit.input_turns(), Some(0));
-        assert_eq!(circuit.turns().map(|[coupler, rocker]| (coupler.abs(), rocker)), Some((1, 0)));
+        assert_eq!(
+            circuit.turns().map(|[coupler, rocker]| (coupler.abs(), rocker)),
+            Some((1, 0))
+        );
     }
     // change point: a parallelogram
     let cycle = four_bar(90.0, 40.0, 90.0, 40.0);
@@ -91,7 +97,11 @@ fn every_type_of_four_bar() {
         }
     }
     assert_eq!(cycle.circuits().len(), 1);
-    let kinds: Vec<EndKind> = cycle.branches().iter().flat_map(|branch| branch.ends().map(|end| end.kind)).collect();
+    let kinds: Vec<EndKind> = cycle
+        .branches()
+        .iter()
+        .flat_map(|branch| branch.ends().map(|end| end.kind))
+        .collect();
     assert!(kinds.iter().all(|kind| *kind == EndKind::ChangePoint));
     assert_eq!(cycle.branches().len(), 4);
 }
@@ -122,7 +132,10 @@ fn the_library_has_no_other_branch() {
 
 /// Small numbers that depend on a step, the same in every run.
 fn mixed(step: u32, place: u32) -> f64 {
-    let mut state = step.wrapping_mul(2_654_435_761).wrapping_add(place.wrapping_mul(40_503)).wrapping_add(12_345);
+    let mut state = step
+        .wrapping_mul(2_654_435_761)
+        .wrapping_add(place.wrapping_mul(40_503))
+        .wrapping_add(12_345);
     for _ in 0..3 {
         state ^= state << 13;
         state ^= state >> 17;
@@ -148,7 +161,9 @@ fn labels_agree_with_the_cycle() {
         };
         let turns = |cycle: &Cycle<FourBar>| -> Vec<(Option<i32>, Option<[i32; 2]>)> {
             let turns = cycle.circuits().iter();
-            turns.map(|circuit| (circuit.input_turns(), circuit.turns().map(|turns| turns.map(i32::abs)))).collect()
+            turns
+                .map(|circuit| (circuit.input_turns(), circuit.turns().map(|turns| turns.map(i32::abs))))
+                .collect()
         };
         let has_change_point = cycle
             .branches()

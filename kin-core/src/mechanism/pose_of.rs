@@ -59,7 +59,7 @@ pub trait PoseOf<M: Mechanism>: Copy + Debug {
     /// use kin_core::library::FourBar;
     /// use kin_core::prelude::*;
     ///
-    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let linkage: FourBar = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
     /// let pose = linkage.solve(Motion::at_constant_speed(1.1, 10.0), Assembly::Open)?;
     /// let [[theta3], [theta4]] = pose.jacobian(&linkage)?;
     /// assert!((10.0 * theta3 - pose.theta3.velocity()).abs() < 1e-13);

@@ -115,6 +115,14 @@ pub fn described(visitor: &mut impl Visitor) {
     whole! { ranges in_space with_outputs as_directions library_of_each_form library_besides }
 }
 
+/// The four-bar linkage in every typing, whatever the features.
+pub fn four_bars_in_every_typing(visitor: &mut impl Visitor) {
+    four_bars(visitor);
+    if cfg!(not(feature = "every-case")) {
+        others::four_bars(visitor);
+    }
+}
+
 /// The library's mechanisms whose assemblies have names.
 pub fn library(visitor: &mut impl Visitor) {
     library_of_each_form(visitor);

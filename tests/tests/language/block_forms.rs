@@ -54,7 +54,7 @@ fn four_bars_in_any_typing() {
         named: Vec::new(),
         others: Vec::new(),
     };
-    cases::four_bars(&mut check);
+    cases::four_bars_in_every_typing(&mut check);
     println!("no four-bar: {:?}", check.others);
     assert!(check.named.len() >= 24, "{:?}", check.others);
 }

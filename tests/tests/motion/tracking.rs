@@ -139,7 +139,7 @@ fn four_bars_stop_at_their_limits() {
             }
         }
     }
-    assert!(found.iter().all(|count| *count > 100), "{found:?}");
+    assert!(found.iter().all(|count| *count > samples::of(100)), "{found:?}");
 }
 
 #[test]

@@ -84,7 +84,7 @@ fn a_relative_drive_stops_where_ground_and_rocker_are_in_line() {
             }
         }
     }
-    assert!(found > 200, "{found}");
+    assert!(found > samples::of(200), "{found}");
 }
 
 /// In small steps, as anybody would do it: each position is the guess for the next, halved until rates and steps agree.
@@ -223,7 +223,7 @@ fn triads() {
             .entry(compare(&mechanism, theta, [alpha, beta, gamma, phi], end))
             .or_insert(0) += 1;
     }
-    assert!(tally["there, and walked"] > 5 && tally["limit"] > 5, "{tally:?}");
+    assert!(tally["there, and walked"] > 2 && tally["limit"] > 2, "{tally:?}");
 }
 
 #[test]
@@ -245,5 +245,5 @@ fn six_bars_driven_at_the_far_dyad() {
             .entry(compare(&mechanism, theta6, unknowns, theta6 + TAU))
             .or_insert(0) += 1;
     }
-    assert!(tally["there, and walked"] > 5 && tally["limit"] > 5, "{tally:?}");
+    assert!(tally["there, and walked"] > 2 && tally["limit"] > 2, "{tally:?}");
 }
