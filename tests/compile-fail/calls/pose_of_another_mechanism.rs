@@ -1,0 +1,29 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    struct Press { crank: Length, rod: Length }
+    input theta: Angle;
+    unknown phi: Angle, stroke: Length;
+
+    crank * cis(theta) + rod * cis(phi) == vec2(stroke, 0);
+}
+
+mechanism! {
+    pub struct FourBar {
+        pub r1: Length,
+        pub r2: Length,
+        pub r3: Length,
+        pub r4: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+fn main() -> Result<(), SolveError> {
+    let linkage: FourBar = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    let press: Press = Press { crank: 30.0, rod: 90.0 };
+    let pose = press.position(1.0, Assembly::Open)?;
+    let _ = linkage.position_near(1.1, pose);
+    Ok(())
+}

@@ -1,0 +1,11 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    struct Press { crank: Length }
+    input theta: Angle;
+    unknown stroke: Length;
+
+    stroke == crank * np.cos(theta);
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    struct Press { crank: Length, rod: Length }
+    input theta: Angle;
+    unknown phi: Angle, stroke: Length;
+
+    crank * cis(theta) + rod * cis(phi) == vec2(stroke, 0);
+    output tip: Point = rotate(vec2(crank, 0), theta);
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    struct Press { crank: Length, rod: Length }
+    input theta: Angle;
+    unknown phi: Angle, stroke: Length;
+
+    crank * cis(theta) + rod * cis(phi) == vec2(stroke, 0);
+    let pin = crank * cis(theta);
+    body arm: 0, pin;
+    ground: 0;
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    struct Press { crank: Length, rod: Length }
+    input theta: Angle;
+    unknown phi: Angle, stroke: Length;
+
+    crank * cis(theta) + rod * cis(phi) == vec2(stroke, 0);
+    let pin = crank * cis(theta);
+    body rod_link: pin, vec2(stroke, 0);
+    slide vec2(stroke, 0) along x;
+}
+
+fn main() {}

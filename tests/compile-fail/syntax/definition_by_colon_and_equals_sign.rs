@@ -1,0 +1,13 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    struct Press { crank: Length, rod: Length }
+    input theta: Angle;
+    unknown phi: Angle, stroke: Length;
+
+    crank * cis(theta) + rod * cis(phi) == vec2(stroke, 0);
+    let pin := crank * cis(theta);
+    output tip: Point = pin;
+}
+
+fn main() {}

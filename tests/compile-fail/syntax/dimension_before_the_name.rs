@@ -1,0 +1,11 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    struct Press { crank: Length, rod: Length }
+    input Angle theta;
+    unknown phi: Angle, stroke: Length;
+
+    crank * cis(theta) + rod * cis(phi) == vec2(stroke, 0);
+}
+
+fn main() {}
