@@ -24,7 +24,7 @@ pub trait Reported {
 impl Reported for verify::Worst {
     fn report(&self, name: &str) {
         println!("{name}, {} poses\n{self}", self.poses);
-        assert!(self.poses > samples::of(80), "{name}: only {} poses", self.poses);
+        assert!(self.poses > samples::of(50), "{name}: only {} poses", self.poses);
         assert!(self.is_allowed(), "{name}\n{self}\n{:?}", self.finding);
     }
 }

@@ -217,7 +217,7 @@ impl Worst {
             let row = errors.map(|error| format!("{error:9.3}")).join(" ");
             println!("{name:32} {:6} poses, {label:8} {row}", self.poses);
         }
-        assert!(self.poses > samples::of(80), "{name}: only {} poses", self.poses);
+        assert!(self.poses > samples::of(50), "{name}: only {} poses", self.poses);
         for errors in [self.unknowns, self.outputs, self.closure] {
             for (order, (error, allowed)) in errors.into_iter().zip(ALLOWED).enumerate() {
                 assert!(error <= allowed, "{name}, order {order}: {error} units of error");
