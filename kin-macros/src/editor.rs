@@ -93,7 +93,7 @@ fn argument(item: &[TokenTree], known: &mut BTreeSet<String>) -> Option<TokenStr
 
 fn name(token: &TokenTree) -> Option<&Ident> {
     match token {
-        TokenTree::Ident(name) if !is_keyword(&name.to_string()) => Some(name),
+        TokenTree::Ident(name) if name != "_" && !is_keyword(&name.to_string()) => Some(name),
         _ => None,
     }
 }
@@ -181,6 +181,7 @@ fn operands(tokens: &[TokenTree], known: &BTreeSet<String>, runtime: &TokenStrea
         // parts and methods
         while let [dot, TokenTree::Ident(member), after @ ..] = rest
             && is_punct(dot, '.')
+            && !is_keyword(&member.to_string())
         {
             rest = after;
             operand.extend([dot.clone(), TokenTree::Ident(member.clone())]);

@@ -119,10 +119,10 @@ pub(super) fn is_unit(word: &str) -> bool {
 
 /// The number of degrees in a number with the unit of an angle behind it.
 fn in_degrees(digits: &str, unit: &str) -> Option<f64> {
-    let (_, size) = ANGLES.into_iter().find(|(name, _)| *name == unit)?;
-    let number: f64 = digits.parse().ok()?;
     // a product such as 0.1 * 0.9 has more digits than were typed
     const SCALE: f64 = 1e9;
+    let (_, size) = ANGLES.into_iter().find(|(name, _)| *name == unit)?;
+    let number: f64 = digits.parse().ok()?;
     Some((number * size * SCALE).round() / SCALE)
 }
 
