@@ -691,10 +691,15 @@ impl Lowering<'_, '_> {
             let quantity = if measures.len() == 2 { "both" } else { "all" };
             let (last, first) = measures.split_last()?;
             let first: Vec<String> = first.iter().map(Measure::to_string).collect();
+            let remedy = if name == Callee::Vec2.name() {
+                "; a vector of a length and an angle is written `polar(length, angle)`"
+            } else {
+                ""
+            };
             self.mistakes.error(
                 arguments[0].extent.to(arguments[arguments.len() - 1].extent),
                 format!(
-                    "{quantity} arguments of `{name}` must have the same dimension, but they are {} and {last}",
+                    "{quantity} arguments of `{name}` must have the same dimension, but they are {} and {last}{remedy}",
                     first.join(", "),
                 ),
             );

@@ -306,7 +306,7 @@ fn no_operand(input: ParseStream<'_>) -> &'static str {
     } else if input.peek(Token![&]) {
         "a formula takes no references: write the name alone"
     } else if input.peek(Token![|]) {
-        "there are no closures here: write the formula itself"
+        "there are no bars and closures here: write the formula itself, and `norm(v)` for the length of a vector"
     } else if input.peek(Token![!]) {
         "there are no conditions here: an equation always holds"
     } else if input.peek(Token![..]) {
@@ -591,6 +591,12 @@ fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Res
             ", counting the one before the `.`"
         } else {
             ""
+        };
+        let is_rotation = matches!(callee, Some(Callee::RotX | Callee::RotY | Callee::RotZ | Callee::Rot));
+        let form = if is_rotation && given == arity + 1 {
+            format!("{form} * v")
+        } else {
+            form.to_owned()
         };
         return Err(syn::Error::new_spanned(
             Extent::at(name.span()).to(Extent::at(close)),
