@@ -80,12 +80,12 @@ pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut
     mistakes.is_empty().then_some(structure)
 }
 
-/// Whether tokens may be a path: names and colons.
+/// Whether tokens may be a path: names, colons, and the `$` of a crate's own name.
 fn names_an_item(tokens: TokenStream) -> bool {
     !tokens.is_empty()
         && tokens.into_iter().all(|token| match token {
             TokenTree::Ident(_) => true,
-            TokenTree::Punct(punct) => punct.as_char() == ':',
+            TokenTree::Punct(punct) => matches!(punct.as_char(), ':' | '$'),
             TokenTree::Group(group) => group.delimiter() == Delimiter::None && names_an_item(group.stream()),
             TokenTree::Literal(_) => false,
         })
