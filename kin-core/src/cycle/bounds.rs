@@ -11,6 +11,8 @@ use crate::solve::{Check, Choose, Scalar};
 
 /// The bound of a number of which nothing is known.
 const HUGE: f64 = 1e150;
+/// The smallest bound that is not zero. Its square does not underflow.
+const TINY: f64 = 1e-140;
 /// The error of an elementary function, relative to its largest value.
 const FUNCTION: f64 = 8.0 * f64::EPSILON;
 
@@ -32,11 +34,13 @@ impl Doubt {
     const OPEN: Self = Self(4);
 
     /// The doubt about a number made of two.
+    #[inline]
     pub(super) const fn and(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
     /// Whether values exist at both ends only if they exist in between, and the places where they exist touch one certain end.
+    #[inline]
     pub(super) const fn is_one_sided(self) -> bool {
         self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
     }
@@ -58,17 +62,39 @@ pub(super) struct Bounds {
     pub(super) doubt: Doubt,
 }
 
+/// The smaller of two numbers, neither of which is NaN.
+#[inline]
+fn least(one: f64, other: f64) -> f64 {
+    if one < other { one } else { other }
+}
+
+/// The larger of two numbers, neither of which is NaN.
+#[inline]
+fn most(one: f64, other: f64) -> f64 {
+    if one > other { one } else { other }
+}
+
 /// The smallest interval that holds the products of two intervals.
+#[inline]
 fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    let products = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
-    let low = products.into_iter().fold(f64::INFINITY, f64::min);
-    let high = products.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    let [one, two, three, four] = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
+    let (low, high) = (
+        least(least(one, two), least(three, four)),
+        most(most(one, two), most(three, four)),
+    );
     widened([low, high])
 }
 
 /// An interval that holds the exact result of an operation, whose rounded ends are given.
+#[inline]
 fn widened([low, high]: [f64; 2]) -> [f64; 2] {
-    let slack = f64::EPSILON * low.abs().max(high.abs()) + f64::MIN_POSITIVE;
+    let size = most(low.abs(), high.abs());
+    // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which processors are slow.
+    let slack = if size < TINY && size > 0.0 {
+        TINY
+    } else {
+        f64::EPSILON * size
+    };
     let [low, high] = [low - slack, high + slack];
     // Nothing is known about a bound that is not a number.
     [
@@ -78,6 +104,7 @@ fn widened([low, high]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The reciprocals of an interval.
+#[inline]
 fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
     if low > 0.0 || high < 0.0 {
         widened([1.0 / high, 1.0 / low])
@@ -88,6 +115,7 @@ fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
 
 impl Bounds {
     /// The variable itself: all values from `low` to `high`.
+    #[inline]
     pub(super) fn variable(low: f64, high: f64) -> Self {
         let middle = 0.5 * (low + high);
         let [least, most] = widened([0.5 * (high - low); 2]);
@@ -103,10 +131,12 @@ impl Bounds {
     }
 
     /// The value in the middle of the interval, as far as it exists.
+    #[inline]
     pub(super) fn middle(self) -> f64 {
         self.middle
     }
 
+    #[inline]
     fn new(middle: f64, error: f64, values: [f64; 2], slopes: [f64; 2], doubt: Doubt) -> Self {
         let [low, high] = widened(values);
         let [least, most] = slopes;
@@ -123,26 +153,30 @@ impl Bounds {
     }
 
     /// The same function within the bounds that its derivative gives.
+    #[inline]
     fn tight(mut self) -> Self {
-        let reach = (self.least.abs().max(self.most.abs()) + self.error) * (1.0 + 4.0 * f64::EPSILON);
+        let reach = (most(self.least.abs(), self.most.abs()) + self.error) * (1.0 + 4.0 * f64::EPSILON);
         let rounding = f64::EPSILON * self.middle.abs();
         let (low, high) = (self.middle - reach - rounding, self.middle + reach + rounding);
-        if reach < HUGE && low.is_finite() && high.is_finite() {
-            self.low = self.low.max(low);
-            self.high = self.high.min(high);
+        if reach < HUGE {
+            self.low = most(low, self.low);
+            self.high = least(high, self.high);
         }
         self
     }
 
+    #[inline]
     fn values(self) -> [f64; 2] {
         [self.low, self.high]
     }
 
+    #[inline]
     fn slopes(self) -> [f64; 2] {
         [self.least, self.most]
     }
 
     /// A function of this number: its values, and its derivatives with respect to this number.
+    #[inline]
     fn through(self, middle: f64, [low, high]: [f64; 2], slopes: [f64; 2]) -> Self {
         let slack = FUNCTION * low.abs().max(high.abs()).max(f64::MIN_POSITIVE);
         let steepest = slopes[0].abs().max(slopes[1].abs());
@@ -156,23 +190,44 @@ impl Bounds {
     }
 
     /// A function that rises with this number.
+    #[inline]
     fn rising(self, domain: [f64; 2], function: impl Fn(f64) -> f64, slopes: [f64; 2]) -> Self {
         let inside = |value: f64| function(value.max(domain[0]).min(domain[1]));
         self.through(inside(self.middle), [inside(self.low), inside(self.high)], slopes)
     }
 
     /// A number of which only bounds of its values are known.
+    #[inline]
     fn rough(middle: f64, values: [f64; 2], doubt: Doubt) -> Self {
         Self::new(middle, 0.0, values, [-HUGE, HUGE], doubt)
     }
 
     /// Both of two numbers, of which one is right in a part of the interval.
+    #[inline]
     fn hull(self, other: Self, middle: f64) -> Self {
         let values = [self.low.min(other.low), self.high.max(other.high)];
         Self::rough(middle, values, self.doubt.and(other.doubt))
     }
 
+    /// The angles from the vector in the middle, whose components are `x` and this number, to the corners of the box of all vectors.
+    fn seen_from_the_middle(self, x: Self) -> [f64; 2] {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for y in self.values() {
+            for x_value in x.values() {
+                let along = x_value * x.middle + y * self.middle;
+                let across = y * x.middle - x_value * self.middle;
+                if along <= 0.0 {
+                    return [-core::f64::consts::PI, core::f64::consts::PI];
+                }
+                let angle = across.atan2(along);
+                (low, high) = (low.min(angle), high.max(angle));
+            }
+        }
+        [low, high]
+    }
+
     /// The values at which a comparison of this number or of its magnitude may go different ways.
+    #[inline]
     fn corners(self) -> ([f64; 3], usize) {
         if self.low == self.high {
             ([self.low; 3], 1)
@@ -185,6 +240,7 @@ impl Bounds {
 }
 
 /// Calls `visit` with all combinations of the corners of some numbers.
+#[inline]
 fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64; N])) {
     let corners = operands.map(Bounds::corners);
     let mut place = [0_usize; N];
@@ -213,6 +269,7 @@ enum Verdict {
 }
 
 /// The verdict of conditions that are comparisons of each operand or of its magnitude.
+#[inline]
 fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
     let operands = check.operands();
     let (mut always, mut never) = ([true; K], [true; K]);
@@ -236,6 +293,7 @@ fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> V
 }
 
 /// Whether a condition rises or falls along the interval.
+#[inline]
 fn trend<const N: usize, const K: usize>(
     check: &impl Check<Bounds, N, K>,
     operands: [Bounds; N],
@@ -280,6 +338,7 @@ fn trend<const N: usize, const K: usize>(
 impl Add for Bounds {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self::new(
             self.middle + other.middle,
@@ -294,6 +353,7 @@ impl Add for Bounds {
 impl Neg for Bounds {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         Self {
             middle: -self.middle,
@@ -309,7 +369,7 @@ impl Neg for Bounds {
 impl Sub for Bounds {
     type Output = Self;
 
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "the negative of an interval is exact")]
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -318,6 +378,7 @@ impl Sub for Bounds {
 impl Mul for Bounds {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let [one, two] = [
             product(self.slopes(), other.values()),
@@ -337,10 +398,7 @@ impl Mul for Bounds {
 impl Div for Bounds {
     type Output = Self;
 
-    #[expect(
-        clippy::suspicious_arithmetic_impl,
-        reason = "a quotient is a product with a reciprocal"
-    )]
+    #[inline]
     fn div(self, other: Self) -> Self {
         let inverse = reciprocal(other.values());
         if inverse == [-HUGE, HUGE] {
@@ -354,6 +412,7 @@ impl Div for Bounds {
 impl Number for Bounds {
     const EPSILON: f64 = f64::EPSILON;
 
+    #[inline]
     fn constant(value: f64) -> Self {
         Self {
             middle: value,
@@ -366,14 +425,17 @@ impl Number for Bounds {
         }
     }
 
+    #[inline]
     fn real(self) -> f64 {
         self.middle
     }
 
+    #[inline]
     fn is_finite(self) -> bool {
         !(self.low.is_nan() || self.high.is_nan())
     }
 
+    #[inline]
     fn sqrt(self) -> Self {
         let roots = self.values().map(|value| Float::sqrt(value.max(0.0)));
         let slopes = if roots[0] > 0.0 {
@@ -387,6 +449,7 @@ impl Number for Bounds {
         self.through(Float::sqrt(self.middle), roots, slopes)
     }
 
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = Number::sin_cos(self.middle);
         let reach = (self.high - self.middle).max(self.middle - self.low) * (1.0 + f64::EPSILON) + self.error;
@@ -409,6 +472,7 @@ impl Number for Bounds {
         )
     }
 
+    #[inline]
     fn asin(self) -> Self {
         let square = self * self;
         let rest = 1.0 - square.high;
@@ -420,10 +484,12 @@ impl Number for Bounds {
         self.rising([-1.0, 1.0], Number::asin, slopes)
     }
 
+    #[inline]
     fn acos(self) -> Self {
         Self::constant(core::f64::consts::FRAC_PI_2) - self.asin()
     }
 
+    #[inline]
     fn atan(self) -> Self {
         let square = self * self;
         let slopes = reciprocal([1.0 + square.low.max(0.0), 1.0 + square.high]);
@@ -431,29 +497,11 @@ impl Number for Bounds {
     }
 
     /// The angle goes on beyond half a turn, so that it is continuous over the interval.
+    #[inline]
     fn atan2(self, x: Self) -> Self {
         let doubt = self.doubt.and(x.doubt);
         let middle = self.middle.atan2(x.middle);
         let square = self * self + x * x;
-        let whole = [middle - core::f64::consts::PI, middle + core::f64::consts::PI];
-        // The corners of the box of values, seen from its middle.
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for y in self.values() {
-            for x_value in x.values() {
-                let along = x_value * x.middle + y * self.middle;
-                let across = y * x.middle - x_value * self.middle;
-                if along > 0.0 {
-                    let angle = across.atan2(along);
-                    (low, high) = (low.min(angle), high.max(angle));
-                } else {
-                    (low, high) = (-core::f64::consts::PI, core::f64::consts::PI);
-                }
-            }
-        }
-        let values = [
-            whole[0].max(middle + low - FUNCTION),
-            whole[1].min(middle + high + FUNCTION),
-        ];
         let inverse = reciprocal(square.values());
         let across = [product(x.values(), self.slopes()), product(self.values(), x.slopes())];
         let slopes = product(
@@ -462,32 +510,43 @@ impl Number for Bounds {
         );
         let steepest = Float::sqrt(inverse[1].abs());
         let error = (self.error + x.error) * steepest + FUNCTION * 4.0;
+        let half_turn = core::f64::consts::PI;
+        let mut values = [middle - half_turn, middle + half_turn];
+        if slopes[0].abs().max(slopes[1].abs()) > 1.0 {
+            let [low, high] = self.seen_from_the_middle(x);
+            values = [middle + low - FUNCTION, middle + high + FUNCTION];
+        }
         Self::new(middle, error, values, slopes, doubt)
     }
 
+    #[inline]
     fn sinh(self) -> Self {
         let slopes = self.cosh().values();
         self.rising([-HUGE, HUGE], Number::sinh, slopes)
     }
 
+    #[inline]
     fn cosh(self) -> Self {
         let power = self.exp();
         let half = Self::constant(0.5);
         power * half + half / power
     }
 
+    #[inline]
     fn tanh(self) -> Self {
         let largest = self.low.abs().max(self.high.abs());
         let tangent = Number::tanh(largest);
         self.rising([-HUGE, HUGE], Number::tanh, widened([1.0 - tangent * tangent, 1.0]))
     }
 
+    #[inline]
     fn asinh(self) -> Self {
         let largest = self.low.abs().max(self.high.abs());
         let slopes = widened([1.0 / Float::sqrt(1.0 + largest * largest), 1.0]);
         self.rising([-HUGE, HUGE], Number::asinh, slopes)
     }
 
+    #[inline]
     fn acosh(self) -> Self {
         let rest = self.low * self.low - 1.0;
         let slopes = if self.low > 1.0 && rest > 0.0 {
@@ -498,6 +557,7 @@ impl Number for Bounds {
         self.rising([1.0, HUGE], Number::acosh, slopes)
     }
 
+    #[inline]
     fn atanh(self) -> Self {
         let square = (self * self).high;
         let slopes = if square < 1.0 {
@@ -509,11 +569,13 @@ impl Number for Bounds {
         self.rising([-end, end], Number::atanh, slopes)
     }
 
+    #[inline]
     fn exp(self) -> Self {
         let slopes = widened(self.values().map(|value| Number::exp(value.min(340.0))));
         self.rising([-HUGE, 340.0], Number::exp, slopes)
     }
 
+    #[inline]
     fn ln(self) -> Self {
         let slopes = reciprocal(self.values());
         self.rising([f64::MIN_POSITIVE, HUGE], Number::ln, slopes)
@@ -521,6 +583,7 @@ impl Number for Bounds {
 }
 
 impl Scalar for Bounds {
+    #[inline]
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
         match verdict(check) {
             Verdict::Holds => Some(self),
@@ -532,6 +595,7 @@ impl Scalar for Bounds {
         }
     }
 
+    #[inline]
     fn either<const N: usize>(
         check: impl Check<Self, N, 1>,
         one: impl FnOnce() -> Self,
@@ -548,6 +612,7 @@ impl Scalar for Bounds {
         }
     }
 
+    #[inline]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         let mut choices: Option<Result<Assembly, Failure>> = None;
         let mut is_told = true;
@@ -568,6 +633,7 @@ impl Scalar for Bounds {
         }
     }
 
+    #[inline]
     fn root<const N: usize>(
         _: [Self; N],
         _: [Self; N],

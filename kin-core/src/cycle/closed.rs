@@ -7,7 +7,7 @@ use num_traits::Float;
 
 use super::EndKind;
 use super::bounds::{Bounds, Doubt, UNDECIDED};
-use super::line::{Line, distance, inputs_between, nearest, reach};
+use super::line::{Line, count, distance, inputs_at, nearest, reach};
 use super::pieces::{Found, Node, Piece, Tip};
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
@@ -82,7 +82,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
 
     /// What the bounds say about an interval, and the position in its middle.
     fn known(&self, low: f64, high: f64, assembly: M::Assembly) -> (Option<Known>, Option<M::Unknowns<f64>>) {
-        let inputs = inputs_between(self.line, Bounds::variable(low, high));
+        let inputs = inputs_at(self.line, Bounds::variable(low, high));
         let unknowns = match self.bounded.solve_position(inputs, assembly) {
             Ok(unknowns) => unknowns,
             Err(error) => {
@@ -153,17 +153,15 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 .into_iter()
                 .flatten()
                 .filter_map(|place| intervals.get(place));
-            match neighbours.find_map(|interval| match interval.known {
+            let known = neighbours.find_map(|interval| match interval.known {
                 Known::Closes => Some(true),
                 Known::Fails => Some(false),
                 _ => None,
-            }) {
-                Some(closes) => closes,
-                None => {
-                    let s = intervals.get(place).map_or(search.line.high, |interval| interval.low);
-                    search.solved(s, assembly).is_some()
-                }
-            }
+            });
+            known.unwrap_or_else(|| {
+                let s = intervals.get(place).map_or(search.line.high, |interval| interval.low);
+                search.solved(s, assembly).is_some()
+            })
         };
         let mut closes = closes_at(self, 0);
         if closes {
@@ -203,11 +201,12 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 } else {
                     open = Some(self.begun(assembly, node));
                 }
-            } else if closes && interval.known == Known::Short {
-                if let Some(node) = self.change_point(index, assembly, &intervals, place) {
-                    self.finish(open.take(), Tip::Node(node));
-                    open = Some(self.begun(assembly, node));
-                }
+            } else if closes
+                && interval.known == Known::Short
+                && let Some(node) = self.change_point(index, assembly, &intervals, place)
+            {
+                self.finish(open.take(), Tip::Node(node));
+                open = Some(self.begun(assembly, node));
             }
             closes = after;
         }
@@ -249,17 +248,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         if let Some(known) = known {
             return known;
         }
-        loop {
-            let middle = 0.5 * (good + bad);
-            if middle == good || middle == bad {
-                break;
-            }
-            if self.solved(middle, assembly).is_some() {
-                good = middle;
-            } else {
-                bad = middle;
-            }
-        }
+        self.narrow(assembly, &mut good, &mut bad);
         let inputs = self.line.inputs(bad);
         let error = self.mechanism.solve_position(inputs, assembly).err();
         let block = error.as_ref().map_or("", |error| error.block);
@@ -302,6 +291,55 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         self.found.nodes.len() - 1
     }
 
+    /// Moves a place that closes and one that does not together until no number lies between them.
+    ///
+    /// The square of the difference of the two assemblies that meet is zero at the limit, and smooth on the side that closes. Its secants lead
+    /// close to the limit, and bisection does the rest.
+    fn narrow(&self, assembly: M::Assembly, good: &mut f64, bad: &mut f64) {
+        let mut secant: Option<(f64, f64)> = None;
+        let mut partner = None;
+        for step in 0.. {
+            let middle = 0.5 * (*good + *bad);
+            if middle == *good || middle == *bad {
+                return;
+            }
+            let mut next = middle;
+            if (4..24).contains(&step)
+                && let Some(own) = self.solved(*good, assembly)
+            {
+                let separation = |other: M::Assembly| Some(distance::<M>(self.size, &own, &self.solved(*good, other)?));
+                if partner.is_none() {
+                    let others = M::assemblies().filter(|other| *other != assembly);
+                    let all = others.filter_map(|other| Some((other, separation(other)?)));
+                    partner = all
+                        .min_by(|one, other| one.1.total_cmp(&other.1))
+                        .map(|(other, _)| other);
+                }
+                if let Some(square) = partner.and_then(separation).map(|root| root * root) {
+                    if let Some((place, before)) = secant
+                        && place != *good
+                        && before != square
+                    {
+                        let root = *good + (*good - place) * square / (before - square);
+                        // A little beyond or before the limit, so that the interval shrinks from both sides.
+                        let aside = 1e-2 * (root - *good).abs() + 4.0 * f64::EPSILON * root.abs();
+                        let beyond = aside.copysign(*bad - *good);
+                        let trial = if step % 2 == 0 { root + beyond } else { root - beyond };
+                        if (trial - *good) * (trial - *bad) < 0.0 {
+                            next = trial;
+                        }
+                    }
+                    secant = Some((*good, square));
+                }
+            }
+            if self.solved(next, assembly).is_some() {
+                *good = next;
+            } else {
+                *bad = next;
+            }
+        }
+    }
+
     /// The change point in a short interval at both ends of which an assembly closes, if there is one.
     fn change_point(
         &mut self,
@@ -312,27 +350,54 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     ) -> Option<usize> {
         let own = &intervals[place];
         // As far as it certainly closes on both sides, but not farther than the curvature allows.
-        let far = 1e-2 * (self.line.high - self.line.low);
-        let closes = |interval: &&Interval<M>| interval.known == Known::Closes;
-        let before = intervals[..place].iter().rev().take_while(closes).last();
-        let after = intervals[place + 1..].iter().take_while(closes).last();
-        let start = before.map_or(own.low, |interval| interval.low.max(own.low - far));
-        let end = after.map_or(own.high, |interval| interval.high.min(own.high + far));
-        let unknowns = self.solved(start, assembly)?;
-        let (from, to) = (self.line.inputs(start), self.line.inputs(end));
-        let (s, unknowns, block) = match track(self.mechanism, from, unknowns, to) {
-            Ok(_) => return None,
-            Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => {
-                let s = self.line.place(obstacle.inputs);
-                let reach = (s - start).min(end - s).min(0.5 * far);
-                let (s, unknowns) = self
-                    .crossing(index, assembly, s, reach)
-                    .unwrap_or((s, obstacle.unknowns));
-                (s, unknowns, obstacle.block)
+        let far = 2e-2 * (self.line.high - self.line.low);
+        let may_close = |interval: &&Interval<M>| matches!(interval.known, Known::Closes | Known::OneLimit);
+        let before = intervals[..place].iter().rev().take_while(may_close).last();
+        let after = intervals[place + 1..].iter().take_while(may_close).last();
+        let closing = |wanted: f64, near: f64| {
+            if self.solved(wanted, assembly).is_some() {
+                wanted
+            } else {
+                near
             }
-            Err(_) => {
-                self.found.is_complete = false;
-                (0.5 * (own.low + own.high), unknowns, "")
+        };
+        let start = before.map_or(own.low, |interval| closing(interval.low.max(own.low - far), own.low));
+        let end = after.map_or(own.high, |interval| {
+            closing(interval.high.min(own.high + far), own.high)
+        });
+        let middle = 0.5 * (own.low + own.high);
+        let known = self.found.nodes.iter().position(|node| {
+            let is_inside = node.s >= own.low && node.s <= own.high;
+            node.kind == EndKind::ChangePoint && is_inside && node.assemblies[1] == index
+        });
+        if known.is_some() {
+            return known;
+        }
+        let reach = (middle - start).min(end - middle).min(0.5 * far);
+        let crossing = self.crossing(index, assembly, middle, reach);
+        let block_at = |s: f64| {
+            let error = self.mechanism.solve_position(self.line.inputs(s), assembly).err()?;
+            Some(error.block)
+        };
+        let crossing = crossing.and_then(|(s, unknowns, other)| Some((s, unknowns, block_at(s)?, other)));
+        let (s, unknowns, block, other) = match crossing {
+            Some(crossing) if crossing.0 >= own.low && crossing.0 <= own.high => crossing,
+            _ => {
+                let unknowns = self.solved(start, assembly)?;
+                let (from, to) = (self.line.inputs(start), self.line.inputs(end));
+                match track(self.mechanism, from, unknowns, to) {
+                    Ok(_) => return None,
+                    Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
+                        self.line.place(obstacle.inputs),
+                        obstacle.unknowns,
+                        obstacle.block,
+                        index,
+                    ),
+                    Err(_) => {
+                        self.found.is_complete = false;
+                        (middle, unknowns, "", index)
+                    }
+                }
             }
         };
         let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
@@ -349,32 +414,34 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             s,
             unknowns,
             block,
-            assemblies: [index, index],
+            assemblies: [index, other],
         });
         Some(self.found.nodes.len() - 1)
     }
 
-    /// The place near another one at which two assemblies cross, and the unknowns there.
+    /// The place near another one at which two assemblies cross, the unknowns there, and the index of the other assembly.
     ///
     /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the crossing, is a smooth
     /// function with a simple zero, which inverse interpolation finds from places where the difference has all its digits.
-    fn crossing(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<(f64, M::Unknowns<f64>)> {
+    fn crossing(
+        &self,
+        index: usize,
+        assembly: M::Assembly,
+        s: f64,
+        reach: f64,
+    ) -> Option<(f64, M::Unknowns<f64>, usize)> {
         let places: [f64; CROSSING] = core::array::from_fn(|place| {
-            let part = (place as f64 + 0.5) / CROSSING as f64;
+            let part = (count(place) + 0.5) / count(CROSSING);
             s - reach * Float::cos(core::f64::consts::PI * part)
         });
         let own = places.map(|place| self.solved(place, assembly));
         let first = own[CROSSING / 2]?;
         let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
-        let partner = others
-            .filter_map(|(_, other)| {
-                Some((
-                    other,
-                    distance::<M>(self.size, &first, &self.solved(places[CROSSING / 2], other)?),
-                ))
-            })
-            .min_by(|one, other| one.1.total_cmp(&other.1))?
-            .0;
+        let candidates = others.filter_map(|(which, other)| {
+            let position = self.solved(places[CROSSING / 2], other)?;
+            Some((which, other, distance::<M>(self.size, &first, &position)))
+        });
+        let (which, partner, _) = candidates.min_by(|one, other| one.2.total_cmp(&other.2))?;
         let mut means: [M::Unknowns<f64>; CROSSING] = [first; CROSSING];
         let mut halves = means;
         for (place, own) in own.into_iter().enumerate() {
@@ -394,7 +461,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             interpolated(&places, &core::array::from_fn(|place| means[place][unknown]), found)
         });
         let is_near = (found - s).abs() <= 1e-3 * reach && unknowns.as_ref().iter().all(|value| value.is_finite());
-        is_near.then_some((found, unknowns))
+        is_near.then_some((found, unknowns, which))
     }
 }
 

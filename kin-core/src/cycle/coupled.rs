@@ -12,7 +12,7 @@ use crate::number::Row;
 use crate::track::{TrackError, track};
 
 /// The number of inputs at which all positions are sought first.
-const SEEDS: u32 = 12;
+const SEEDS: u32 = 8;
 /// The largest number of searches, each with more seeds than the last.
 const ROUNDS: usize = 3;
 /// The largest distance of positions that are the same.
@@ -266,10 +266,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             if let Ok(near) = track(self.mechanism, self.line.inputs(s), unknowns, inputs) {
                 let limit = nearest::<M>(place.unknowns, &near);
                 let guess = Row::from_fn(|index| 2.0 * limit[index] - near[index]);
-                if let Ok(other) = self.mechanism.solve_position_near(inputs, guess) {
-                    if distance::<M>(self.size, &other, &near) > 0.1 * distance::<M>(self.size, &guess, &near) {
-                        self.waiting.push((node, inside, other, -direction));
-                    }
+                if let Ok(other) = self.mechanism.solve_position_near(inputs, guess)
+                    && distance::<M>(self.size, &other, &near) > 0.1 * distance::<M>(self.size, &guess, &near)
+                {
+                    self.waiting.push((node, inside, other, -direction));
                 }
             }
         }

@@ -6,8 +6,9 @@ use core::ops::RangeInclusive;
 use num_traits::Float;
 
 use crate::mechanism::Mechanism;
-use crate::number::{Number, Row};
+use crate::number::Row;
 use crate::quantity::Dimension;
+use crate::solve::Scalar;
 
 /// The largest number of turns of the inputs after which the closure may repeat itself.
 const MOST_TURNS: u32 = 12;
@@ -104,25 +105,39 @@ impl<M: Mechanism<Scalar = f64>> Line<M> {
         }
     }
 
-    /// Whether the closure is the same after a given way, at some places that have nothing in common.
+    /// Whether the closure is the same after a given way, at some places that have nothing in common. An angle that is a multiple of an input,
+    /// like that of a gear, may have made turns.
     fn repeats(&self, mechanism: &M, way: f64) -> bool {
         let size = reach(mechanism).max(1.0);
-        let unknowns = |seed: f64| {
-            M::Unknowns::from_fn(|index| {
-                let mixed = Float::sin(seed * (index as f64 + 1.7) * 12.9898);
-                match M::DESCRIPTION.unknowns[index].dimension {
-                    Dimension::Length => mixed * size,
-                    _ => mixed,
+        let agrees = |turned: Option<(usize, f64)>| {
+            (0..4).map(f64::from).all(|seed| {
+                let unknowns: M::Unknowns<f64> = Row::from_fn(|index| {
+                    let mixed = Float::sin((seed + 0.5) * (count(index) + 1.7) * 12.9898);
+                    match M::DESCRIPTION.unknowns[index].dimension {
+                        Dimension::Length => mixed * size,
+                        _ => mixed,
+                    }
+                });
+                let mut moved = unknowns;
+                if let Some((index, angle)) = turned {
+                    moved[index] += angle;
                 }
+                let s = 0.3 + 1.1 * seed;
+                let near = mechanism.residuals(self.inputs(s), unknowns);
+                let far = mechanism.residuals(self.inputs(s + way), moved);
+                let mut pairs = near.as_ref().iter().zip(far.as_ref());
+                pairs.all(|(near, far)| (near - far).abs() <= 1e-10 * (size + near.abs()))
             })
         };
-        (0..4).map(f64::from).all(|seed| {
-            let s = 0.3 + 1.1 * seed;
-            let near = mechanism.residuals(self.inputs(s), unknowns(seed + 0.5));
-            let far = mechanism.residuals(self.inputs(s + way), unknowns(seed + 0.5));
-            let mut pairs = near.as_ref().iter().zip(far.as_ref());
-            pairs.all(|(near, far)| (near - far).abs() <= 1e-10 * (size + near.abs()))
-        })
+        let angles = || {
+            let unknowns = M::DESCRIPTION.unknowns.iter().enumerate();
+            let angles = unknowns.filter(|(_, unknown)| unknown.dimension == Dimension::Angle);
+            angles.flat_map(|(index, _)| {
+                let turns = (1..=MOST_TURNS).map(|turns| TAU * f64::from(turns));
+                turns.flat_map(move |angle| [(index, angle), (index, -angle)])
+            })
+        };
+        agrees(None) || angles().any(|turned| agrees(Some(turned)))
     }
 }
 
@@ -171,14 +186,11 @@ pub(super) fn nearest<M: Mechanism<Scalar = f64>>(
     })
 }
 
-/// The line with bounds instead of numbers: all inputs from `low` to `high`.
-pub(super) fn inputs_between<M: Mechanism<Scalar = f64>, B: Number>(
+/// The inputs of the line as another number, for a place of that number.
+pub(super) fn inputs_at<M: Mechanism<Scalar = f64>, B: Scalar>(
     line: &Line<M>,
     s: B,
-) -> <M::With<B> as Mechanism>::Inputs<B>
-where
-    B: crate::solve::Scalar,
-{
+) -> <M::With<B> as Mechanism>::Inputs<B> {
     Row::from_fn(|index| {
         let (from, rate) = (B::constant(line.from[index]), line.direction[index]);
         if rate == 0.0 {
@@ -189,4 +201,9 @@ where
             from + B::constant(rate) * s
         }
     })
+}
+
+/// A small count as a number.
+pub(super) fn count(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }

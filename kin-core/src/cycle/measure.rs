@@ -368,10 +368,10 @@ fn extremes<M: Mechanism<Scalar = f64>>(
         if step == 0 || step == PLACES || own[1] == 0.0 {
             found.push((input, own[0]));
         }
-        if let Some((start, first)) = before {
-            if first[1] * own[1] < 0.0 {
-                found.push(zero(&mut function, (start, first), (input, own))?);
-            }
+        if let Some((start, first)) = before
+            && first[1] * own[1] < 0.0
+        {
+            found.push(zero(&mut function, (start, first), (input, own))?);
         }
         before = Some((input, own));
     }

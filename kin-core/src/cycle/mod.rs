@@ -178,7 +178,7 @@ impl<M: Mechanism<Scalar = f64>> Branch<M> {
         self.ends
     }
 
-    /// The smallest and the largest input. Over a closed range the largest may lie beyond half a turn.
+    /// The smallest and the largest input. A branch of a closed range may reach beyond half a turn, and a full turn may begin anywhere.
     #[must_use]
     pub fn range(&self) -> RangeInclusive<f64> {
         self.ends[0].input..=self.ends[1].input
@@ -333,7 +333,9 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 Some(period) => Float::floor((high - input) / period) - Float::ceil((low - input) / period) + 1.0,
                 None => f64::from(u8::from(input >= low && input <= high)),
             };
-            core::iter::repeat_n((index, branch), count.max(0.0) as usize)
+            core::iter::successors(Some(1.0), |passed| Some(passed + 1.0))
+                .take_while(move |passed| *passed <= count)
+                .map(move |_| (index, branch))
         })
     }
 
@@ -549,6 +551,7 @@ fn around<M: Mechanism<Scalar = f64>>(
             return None;
         }
     }
+    #[expect(clippy::cast_possible_truncation, reason = "a circuit has far fewer turns")]
     let turns = |sum: f64| Float::round(sum / TAU) as i32;
     let input_is_angle = M::DESCRIPTION
         .inputs

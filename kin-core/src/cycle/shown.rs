@@ -13,7 +13,7 @@ impl<M: Mechanism<Scalar = f64>> Debug for End<M> {
             .field("input", &self.input)
             .field("unknowns", &self.unknowns.as_ref())
             .field("block", &self.block)
-            .finish()
+            .finish_non_exhaustive()
     }
 }
 

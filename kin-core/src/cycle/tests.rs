@@ -1,10 +1,12 @@
 //! Cycles against textbook cases and dense scans.
 
 use core::f64::consts::PI;
-use std::println;
+use std::string::String;
 use std::vec::Vec;
+use std::{format, println};
 
 use super::{BarkerClass, Cycle, EndKind, FullCycle, GrashofType};
+use crate::geometry::Plane;
 use crate::library::*;
 use crate::mechanism::Mechanism;
 
@@ -19,29 +21,29 @@ fn four_bar(r1: f64, r2: f64, r3: f64, r4: f64) -> Cycle<FourBar> {
     FourBar { r1, r2, r3, r4 }.cycle().unwrap()
 }
 
-/// At places all over the range, as many positions exist as branches, and each lies between the ends of its own.
-fn agrees_with_a_scan<M: Mechanism<Scalar = f64>>(name: &str, cycle: &Cycle<M>, places: u32) {
+/// At places all over the range, as many positions exist as branches, and each lies near its own branch.
+fn disagreements<M: Mechanism<Scalar = f64>>(name: &str, cycle: &Cycle<M>, places: u32) -> Vec<String> {
     let (low, high) = match cycle.period() {
         Some(period) => (-0.5 * period, 0.5 * period),
         None => (cycle.line.low, cycle.line.high),
     };
-    let mut wrong = 0;
+    let mut wrong = Vec::new();
     for place in 0..places {
         let input = low + (high - low) * (f64::from(place) + 0.317) / f64::from(places);
-        let mut found = 0;
-        cycle
+        let mut found = Vec::new();
+        let search = cycle
             .mechanism()
-            .positions_at(cycle.inputs(input), |_, _| found += 1)
-            .unwrap();
-        let count = cycle.at(input).count();
-        if found != count {
-            wrong += 1;
-            if wrong < 4 {
-                println!("{name}: at {input} {found} positions, {count} branches");
-            }
+            .positions_at(cycle.inputs(input), |_, unknowns| found.push(unknowns));
+        assert!(search.is_ok());
+        let own: Vec<usize> = cycle.at(input).map(|(index, _)| index).collect();
+        if found.len() != own.len() {
+            wrong.push(format!(
+                "{name}: {} positions and branches {own:?} at {input}",
+                found.len()
+            ));
         }
     }
-    assert_eq!(wrong, 0, "{name}: {:?} {:?}", cycle.circuits(), cycle.branches());
+    wrong
 }
 
 #[test]
@@ -61,7 +63,7 @@ fn the_sample_linkage_swings() {
     let circuit = &cycle.circuits()[0];
     // No link turns fully.
     assert_eq!((circuit.input_turns(), circuit.turns()), (Some(0), Some([0, 0])));
-    agrees_with_a_scan("sample", &cycle, 500);
+    assert_eq!(disagreements("sample", &cycle, 500), Vec::<String>::new());
 }
 
 #[test]
@@ -93,7 +95,8 @@ fn every_type_of_four_bar() {
     let cycle = four_bar(90.0, 40.0, 90.0, 40.0);
     for branch in cycle.branches() {
         for end in branch.ends() {
-            assert!((2.0 * end.input).sin().abs() < 1e-13, "{end:?}");
+            // Next to a crossing, rounding changes the difference of the assemblies by ε divided by the distance, which is 0.01 there.
+            assert!((2.0 * end.input).sin().abs() < 16.0 * f64::EPSILON / 0.01, "{end:?}");
         }
     }
     assert_eq!(cycle.circuits().len(), 1);
@@ -106,28 +109,93 @@ fn every_type_of_four_bar() {
     assert_eq!(cycle.branches().len(), 4);
 }
 
+/// A dense scan finds as many positions as there are branches everywhere.
 #[test]
 fn the_library_has_no_other_branch() {
+    let mut wrong = Vec::new();
     macro_rules! scan {
-        ($($mechanism:expr),* $(,)?) => {
+        ($places:literal: $($mechanism:expr),* $(,)?) => {
             $({
-                let mechanism = $mechanism;
-                let start = std::time::Instant::now();
-                let cycle = mechanism.cycle().unwrap();
+                let cycle = $mechanism.cycle().unwrap();
                 println!(
-                    "{}: {} circuits, {} branches, complete {}, {:?}",
-                    stringify!($mechanism), cycle.circuits().len(), cycle.branches().len(), cycle.is_complete(), start.elapsed(),
+                    "{}: {} circuits, {} branches, complete {}, turns {:?}",
+                    stringify!($mechanism),
+                    cycle.circuits().len(),
+                    cycle.branches().len(),
+                    cycle.is_complete(),
+                    cycle.circuits().iter().map(|circuit| circuit.input_turns()).collect::<Vec<_>>(),
                 );
-                agrees_with_a_scan(stringify!($mechanism), &cycle, 211);
+                let name = stringify!($mechanism);
+                // Both dyads of Peaucellier's cell are singular at once, where the track finds no cause.
+                let has_closed_forms = cycle.seeds().is_empty() && !name.starts_with("Peaucellier");
+                if cycle.is_complete() != has_closed_forms {
+                    wrong.push(format!("{}: is_complete", stringify!($mechanism)));
+                }
+                wrong.extend(disagreements(stringify!($mechanism), &cycle, $places));
             })*
         };
     }
-    scan![
+    let at = |x: f64, y: f64| Plane::new(x, y);
+    let (p, q) = (at(1.5, 0.8), at(1.2, -0.6));
+    scan![701:
         SliderCrank { r: 1.0, l: 3.0 },
         SliderCrank { r: 3.0, l: 1.0 },
+        InvertedSliderCrank { r1: 2.0, r2: 1.0 },
+        InvertedSliderCrank { r1: 1.0, r2: 2.0 },
+        WhitworthQuickReturn { ground: 0.05, crank: 0.1, arm: 0.15, rod: 0.5 },
+        GearedFiveBar { r1: 2.0, r2: 0.5, r3: 2.5, r4: 2.5, r5: 0.5, ratio: -0.5, phase: PI },
+        GearedFiveBar { r1: 3.0, r2: 1.5, r3: 1.6, r4: 1.7, r5: 1.2, ratio: 2.0, phase: 0.3 },
+        PeaucellierLinkage { ground: 2.0, crank: 1.9, arm: 6.0, side: 4.0 },
+        RobertsLinkage { base: 1.0, arm: 2.0 },
+        WattI { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 },
+        WattI { r1: 3.0, r2: 2.4, r3: 2.0, r4: 2.2, p, q, r5: 1.5, r6: 1.6 },
+        WattII { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, arm: p, pivot: at(7.0, 0.0), r5: 3.0, r6: 2.5 },
+        StephensonI { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 },
+        StephensonIII { r1: 4.0, r2: 1.5, r3: 4.0, r4: 1.6, p: at(2.0, 1.0), r5: 1.5, pivot: at(5.0, 5.0), r6: 5.0 },
         JansenLeg::HOLY_NUMBERS,
-        SAMPLE,
+        KlannLeg::PATENT,
+        HoekenLinkage::PUBLISHED,
+        ChebyshevLinkage::PUBLISHED,
     ];
+    // the closed forms are sought by continuation here
+    scan![23:
+        StephensonIByDyad { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 },
+        StephensonII { r1: 4.0, r2: 2.0, r3: 1.5, r4: 1.2, p, q, r5: 1.6, r6: 3.0 },
+        WattIByDyad { r1: 4.0, r2: 1.0, r3: 3.0, r4: 2.5, p, q, r5: 2.5, r6: 2.0 },
+    ];
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+/// The triad moves by one leg while the others stand still, and the cycle closes.
+#[test]
+fn several_inputs_move_along_a_line() {
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(3.4, 0.0),
+        base_c: Plane::new(1.7, 3.0),
+        platform_b: Plane::new(1.7, 0.0),
+        platform_c: Plane::new(0.8, 1.5),
+    };
+    let cycle = triad
+        .cycle_along_over([0.0, 2.2, 2.3], [1.0, 0.0, 0.0], 0.3..=6.0)
+        .unwrap();
+    assert!(!cycle.is_complete() && !cycle.seeds().is_empty());
+    assert_eq!(disagreements("triad", &cycle, 23), Vec::<String>::new());
+    // at every limit, two branches meet
+    for branch in cycle.branches() {
+        for (end, joins) in branch.ends().iter().zip(branch.joins()) {
+            assert!(end.kind != EndKind::Limit || joins.len() == 1, "{branch:?}");
+        }
+    }
+    let robot = FiveBar {
+        ground: 2.0,
+        left: 1.5,
+        left_rod: 2.0,
+        right_rod: 1.9,
+        right: 1.5,
+    };
+    let cycle = robot.cycle_along([0.1, 0.7], [1.0, -1.0]).unwrap();
+    assert!(cycle.is_complete());
+    assert_eq!(disagreements("five-bar", &cycle, 701), Vec::<String>::new());
 }
 
 /// Small numbers that depend on a step, the same in every run.
@@ -185,6 +253,5 @@ fn labels_agree_with_the_cycle() {
         assert!(!has_change_point, "{name}");
         assert_eq!(turns(&cycle), expected, "{name} {cycle:?}");
     }
-    println!("{counts:?}");
     assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
 }
