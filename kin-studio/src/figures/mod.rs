@@ -1,5 +1,6 @@
 //! The figures of the book.
 
+mod circuits;
 mod diagrams;
 mod gallery;
 mod laws;
@@ -32,6 +33,7 @@ pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
         diagrams::coupler_curve()?,
         rates::jerk_and_snap()?,
         laws::motion_laws()?,
+        circuits::circuits()?,
         peaks::peaks()?,
         diagrams::pipeline(),
     ];
