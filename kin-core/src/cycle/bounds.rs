@@ -219,7 +219,7 @@ impl Bounds {
                 if along <= 0.0 {
                     return [-core::f64::consts::PI, core::f64::consts::PI];
                 }
-                let angle = across.atan2(along);
+                let angle = Number::atan2(across, along);
                 (low, high) = (low.min(angle), high.max(angle));
             }
         }
@@ -500,7 +500,7 @@ impl Number for Bounds {
     #[inline]
     fn atan2(self, x: Self) -> Self {
         let doubt = self.doubt.and(x.doubt);
-        let middle = self.middle.atan2(x.middle);
+        let middle = Number::atan2(self.middle, x.middle);
         let square = self * self + x * x;
         let inverse = reciprocal(square.values());
         let across = [product(x.values(), self.slopes()), product(self.values(), x.slopes())];
