@@ -24,6 +24,7 @@ chapters! {
     loads: "../../docs/loads.md";
     batches: "../../docs/batches.md";
     sweeps: "../../docs/sweeps.md";
+    cycle: "../../docs/cycle.md";
     library: "../../docs/library.md";
     gallery: "../../docs/gallery.md";
     theory: "../../docs/theory.md";

@@ -26,6 +26,7 @@ impl<'a> Race<'a> {
 
     /// Enters a contender: a function of one of the inputs, for each of which it is called once in a turn. There must be as many
     /// as there are poses.
+    #[allow(dead_code, reason = "the benchmarks of sweeps and cycles enter whole turns")]
     pub(crate) fn enter<I: Copy + 'a, R>(
         &mut self,
         name: impl Into<String>,

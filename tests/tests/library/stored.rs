@@ -69,7 +69,8 @@ impl Dimensions {
                 }
             }
         }
-        assert!(poses >= 10, "{name}: {poses} poses");
+        // one in five random guesses leads a coupled block to a position
+        assert!(poses >= 5, "{name}: {poses} poses");
     }
 }
 
