@@ -1,9 +1,14 @@
 //! The rates of the energies are the powers, and the efforts of conservative loads are the slopes of the potential energy.
 
-use super::{ARM, Arm, Case, FOUR_BAR, FourBar, Numbers, OfArm, OfEngine, OfFourBar, OfSpatial, OfTriad};
+use std::vec::Vec;
+
+use super::{
+    ARM, Arm, Case, FOUR_BAR, FourBar, Numbers, OfArm, OfEngine, OfFourBar, OfSpatial, OfTriad, SPATIAL, Spatial,
+    solid_of,
+};
 use crate::assembly::Assembly;
-use crate::geometry::Plane;
-use crate::load::Loads;
+use crate::geometry::{Plane, Space};
+use crate::load::{Balance, Loads};
 use crate::motion::Motion;
 
 /// In multiples of ε times the sum of the sizes of the terms. The largest that occurs is 20, in space.
@@ -167,6 +172,47 @@ fn a_rotor_shakes_by_its_centrifugal_force() {
     let moment = balance.shaking_moment().value().z - FOUR_BAR.r1 * force.y;
     let inertia = 0.05 + 2.0 * arm.norm_squared();
     assert!((moment + inertia * acceleration).abs() < 1e-13 * (inertia * acceleration).abs() + 1e-14 * size);
+}
+
+/// A body that consists of three particles is as heavy, and shakes as much, as these.
+#[test]
+fn a_body_in_space_is_the_sum_of_its_particles() {
+    let masses = [1.3, 0.8, 2.1];
+    let along = SPATIAL.arm.norm();
+    let foot = SPATIAL.arm.dot(SPATIAL.ear) / along;
+    let height = SPATIAL.arm.cross(SPATIAL.ear).norm() / along;
+    let places = [[0.0; 3], [along, 0.0, 0.0], [foot, height, 0.0]];
+    let solid = solid_of(&[0, 1, 2].map(|particle| (masses[particle], places[particle])));
+    let empty = Loads::<Spatial>::new().gravity(Space::new(0.5, 2.0, -9.81));
+    let body = empty.body(solid, |pose| [pose.root, pose.ball, pose.lug]);
+    let particles = empty
+        .mass(masses[0], |pose| pose.root)
+        .mass(masses[1], |pose| pose.ball)
+        .mass(masses[2], |pose| pose.lug);
+    let crank = [Motion::from([0.5, 2.0, -3.0, 9.0, 30.0])];
+    let one = body.at(&SPATIAL, crank, Assembly::Open).expect("it closes");
+    let other = particles.at(&SPATIAL, crank, Assembly::Open).expect("it closes");
+    let numbers = |balance: &Balance<Spatial>| {
+        let [effort] = balance.efforts();
+        let [[inertia]] = balance.inertias();
+        let mut numbers: Vec<f64> = effort.as_slice().to_vec();
+        numbers.extend(inertia.as_slice());
+        numbers.extend(balance.kinetic_energy().as_slice());
+        numbers.extend(balance.potential_energy().as_slice());
+        for vector in [balance.shaking_force(), balance.shaking_moment()] {
+            numbers.extend(vector.as_slice().iter().flat_map(|entry| [entry.x, entry.y, entry.z]));
+        }
+        numbers
+    };
+    let (one, other) = (numbers(&one), numbers(&other));
+    // the terms of every sum are of the size of the largest number at most
+    let size = other.iter().map(|number| number.abs()).fold(0.0, f64::max);
+    for (place, (one, other)) in one.iter().zip(&other).enumerate() {
+        assert!(
+            (one - other).abs() < 16.0 * f64::EPSILON * size,
+            "{place}: {one} {other}"
+        );
+    }
 }
 
 crate::mechanism! {

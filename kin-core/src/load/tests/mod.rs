@@ -123,10 +123,14 @@ pub(super) const PARTICLES: [(f64, [f64; 3]); 4] = [
 ];
 
 pub(super) fn solid() -> Solid {
-    let mass = PARTICLES.iter().map(|(mass, _)| mass).sum();
-    let centre = [0, 1, 2].map(|axis| PARTICLES.iter().map(|(mass, place)| mass * place[axis]).sum::<f64>() / mass);
+    solid_of(&PARTICLES)
+}
+
+pub(super) fn solid_of(particles: &[(f64, [f64; 3])]) -> Solid {
+    let mass = particles.iter().map(|(mass, _)| mass).sum();
+    let centre = [0, 1, 2].map(|axis| particles.iter().map(|(mass, place)| mass * place[axis]).sum::<f64>() / mass);
     let mut inertia = [[0.0; 3]; 3];
-    for (mass, place) in PARTICLES {
+    for &(mass, place) in particles {
         let arm = [0, 1, 2].map(|axis| place[axis] - centre[axis]);
         let square: f64 = arm.iter().map(|part| part * part).sum();
         for (row, entries) in inertia.iter_mut().enumerate() {
