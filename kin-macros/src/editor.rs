@@ -59,7 +59,12 @@ fn begins(tokens: &[TokenTree], words: &[&str]) -> bool {
     let [TokenTree::Ident(word), rest @ ..] = tokens else {
         return false;
     };
-    words.iter().any(|own| word == own) && !matches!(rest.first(), Some(TokenTree::Punct(_)) | None)
+    let goes_on = match rest {
+        [TokenTree::Punct(hash), TokenTree::Group(_), ..] => hash.as_char() == '#',
+        [TokenTree::Punct(_), ..] | [] => false,
+        _ => true,
+    };
+    goes_on && words.iter().any(|own| word == own)
 }
 
 /// The tokens between commas.
@@ -213,6 +218,6 @@ fn named(word: &Ident, known: &BTreeSet<String>, runtime: &TokenStream) -> Token
     if known.contains(&word.to_string()) {
         quote!(#word)
     } else {
-        quote!({ #word; use #runtime::editor::UNDECLARED as #word; })
+        quote_spanned!(Span::mixed_site()=> { let value = #word; use #runtime::editor::UNDECLARED as #word; value })
     }
 }
