@@ -145,6 +145,16 @@ pub fn all(visitor: &mut impl Visitor) {
     library(visitor);
 }
 
+/// All with the feature `every-case`, and one of each form without it: for visitors that instantiate much code for each.
+pub fn of_each_form(visitor: &mut impl Visitor) {
+    if cfg!(feature = "every-case") {
+        all(visitor);
+    } else {
+        with_outputs(visitor);
+        library_of_each_form(visitor);
+    }
+}
+
 groups! {
     /// One four-bar linkage in many typings.
     four_bars of four_bar_typings {

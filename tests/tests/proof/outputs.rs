@@ -60,7 +60,7 @@ fn assert_agree(name: &str, own: Motion<f64, 5>, expected: [f64; 5], size: f64, 
     }
 }
 
-/// Every output of every mechanism, by dual numbers through the position.
+/// Every output of mechanisms of every form, by dual numbers through the position.
 #[test]
 fn outputs_by_differentiation() {
     struct Prove(usize);
@@ -112,7 +112,7 @@ fn outputs_by_differentiation() {
         }
     }
     let mut prove = Prove(0);
-    cases::all(&mut prove);
+    cases::of_each_form(&mut prove);
     assert!(prove.0 > 1000, "{}", prove.0);
 }
 

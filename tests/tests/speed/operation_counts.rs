@@ -83,7 +83,7 @@ impl Visitor for Count {
 #[test]
 fn every_form_costs_what_is_published() {
     let mut count = Count::default();
-    cases::all(&mut count);
+    cases::of_each_form(&mut count);
     assert!(count.wrong.is_empty(), "{:#?}", count.wrong);
 }
 
