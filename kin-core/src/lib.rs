@@ -138,6 +138,8 @@ pub use assemblies::{Assemblies, Choices, Positions, continuation};
 pub use assembly::{Assembly, Guess, IntoAssembly, Near};
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
+#[doc(hidden)]
+pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
     Block, BlockForm, Description, Formula, Formulas, Mechanism, PartialMotions, Partials, Pose, PoseOf,
     PositionSearch, Sensitive, sensitivities_of,
@@ -367,7 +369,7 @@ macro_rules! __locals {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __poses {
-    ($mechanism:ident, $unknowns:literal, $fields:tt, $($pose:ident)*) => {
+    ($mechanism:ident, $arguments:tt, $unknowns:literal, $fields:tt, $($pose:ident)*) => {
         $(
             #[diagnostic::do_not_recommend]
             impl<T: $crate::Scalar> $crate::Guess<T, $unknowns, $mechanism<T>> for $pose<T> {
@@ -386,6 +388,43 @@ macro_rules! __poses {
                 }
             }
         )*
+        $crate::__guessed! { $mechanism $arguments $($pose)* }
+    };
+}
+
+/// The messages about calls that people guess, and that a mechanism and its poses do not have. The last pose has all orders.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __guessed {
+    ($mechanism:ident $arguments:tt $($pose:ident)*) => {
+        #[doc(hidden)]
+        impl<T> $crate::__private::guessed::MadeOfNamedParameters for $mechanism<T> {}
+
+        $crate::__guessed! { @integers $mechanism $arguments }
+        $crate::__guessed! { @before_the_last $($pose)* }
+    };
+    (@integers $mechanism:ident 1) => { $crate::__guessed! { @integers $mechanism IntegersInOne } };
+    (@integers $mechanism:ident 2) => { $crate::__guessed! { @integers $mechanism IntegersInTwo } };
+    (@integers $mechanism:ident 3) => { $crate::__guessed! { @integers $mechanism IntegersInThree } };
+    (@integers $mechanism:ident 4) => { $crate::__guessed! { @integers $mechanism IntegersInFour } };
+    (@integers $mechanism:ident $solvers:ident) => {
+        // integers without a stated type are `i32`
+        #[doc(hidden)]
+        impl $crate::__private::guessed::$solvers for $mechanism<$crate::__private::core::primitive::i32> {}
+
+        #[doc(hidden)]
+        impl $crate::__private::guessed::IntegersInASweep for $mechanism<$crate::__private::core::primitive::i32> {}
+    };
+    (@integers $mechanism:ident $more:literal) => {};
+    (@before_the_last $last:ident) => {};
+    (@before_the_last $pose:ident $($later:ident)+) => {
+        #[doc(hidden)]
+        impl<T> $crate::__private::guessed::LaterOrders for $pose<T> where
+            Self: $crate::__private::guessed::KnowsTheRatesBelow
+        {
+        }
+
+        $crate::__guessed! { @before_the_last $($later)+ }
     };
 }
 

@@ -6,6 +6,11 @@ pub use crate::cycle::FullCycle;
 pub use crate::failure::{Failure, SolveError};
 pub use crate::geometry::{Plane, Space};
 pub use crate::mechanism;
+#[doc(hidden)]
+pub use crate::mechanism::guessed::{
+    IntegersInASweep as _, IntegersInFour as _, IntegersInOne as _, IntegersInThree as _, IntegersInTwo as _,
+    LaterOrders as _, MadeOfNamedParameters as _,
+};
 pub use crate::mechanism::{Mechanism, Partials, Pose, PoseOf, Sensitive};
 pub use crate::motion::{Direction, Motion, rpm};
 pub use crate::number::{Number, Row};

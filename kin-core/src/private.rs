@@ -17,7 +17,7 @@ pub use crate::failure::{Failure, InputValues, SolveError};
 pub use crate::geometry::{Plane, Rotation, Space};
 pub use crate::mechanism::{
     Block, BlockForm, Description, Formula, Formulas, Mechanism, Partials, Pose, PoseOf, PositionSearch, Sensitive,
-    Shown, culprit, failed, fmt_pose, length,
+    Shown, culprit, failed, fmt_pose, guessed, length,
 };
 pub use crate::motion::{Direction, IntoMotion, Motion};
 pub use crate::number::{Number, Operations, Row, series};

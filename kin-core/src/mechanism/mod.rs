@@ -6,6 +6,8 @@ mod description;
 pub(crate) mod factored_matrix;
 mod failed;
 mod formulas;
+#[doc(hidden)]
+pub mod guessed;
 mod pose_of;
 mod position_search;
 mod sensitive;

@@ -17,7 +17,9 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
         .map(|index| mechanism.unknown_value(index))
         .collect();
     let inputs: Vec<_> = model.inputs.iter().map(|input| &input.name).collect();
-    let [input_count, unknown_count] = [inputs.len(), model.unknowns.len()].map(Literal::usize_unsuffixed);
+    let arguments = inputs.len() + usize::from(mechanism.is_coupled() || !mechanism.assembly_argument().is_empty());
+    let [input_count, arguments, unknown_count] =
+        [inputs.len(), arguments, model.unknowns.len()].map(Literal::usize_unsuffixed);
     let outputs = model.outputs.iter().map(|output| &output.name);
     let unknown_fields = model.unknowns.iter().map(|unknown| &unknown.name);
     let fields: Vec<_> = inputs.iter().copied().chain(unknown_fields).chain(outputs).collect();
@@ -33,7 +35,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     });
     quote! {
         #(#implementations)*
-        #runtime::poses! { #name, #unknown_count, [#(#fields)*], #(#poses)* }
+        #runtime::poses! { #name, #arguments, #unknown_count, [#(#fields)*], #(#poses)* }
     }
 }
 
