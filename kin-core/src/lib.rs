@@ -372,6 +372,7 @@ macro_rules! __poses {
     ($mechanism:ident, $arguments:tt, $unknowns:literal, $fields:tt, $($pose:ident)*) => {
         $(
             #[diagnostic::do_not_recommend]
+            #[doc(hidden)]
             impl<T: $crate::Scalar> $crate::Guess<T, $unknowns, $mechanism<T>> for $pose<T> {
                 fn values(self) -> [T; $unknowns] {
                     $crate::PoseOf::<$mechanism<T>>::unknowns(&self)
@@ -487,6 +488,8 @@ macro_rules! __choices {
         #[allow(unreachable_pub)]
         impl $assembly {
             /// The same assembly for every block.
+            #[doc(alias = "Open")]
+            #[doc(alias = "Crossed")]
             #[must_use]
             pub const fn all(assembly: $crate::Assembly) -> Self {
                 Self { $($field: assembly),* }

@@ -85,6 +85,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
             /// block by block:
             #(#[doc = #blocks])*
             #(#[doc = #assemblies])*
+            ///
             #formulas
             ///
             #[doc = #cost]

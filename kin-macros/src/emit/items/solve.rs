@@ -39,7 +39,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     quote! {
             #[doc = #summary]
             ///
-            /// Each input is one argument with its rates, `Motion::at_constant_speed(1.0, 10.0)` or an array; a number alone is at rest.
+            /// An input is one argument with its rates: an array, or `Motion::at_constant_speed(1.0, 10.0)`. A number alone is at rest.
+            ///
             /// Equivalent to `position` followed by the solvers of the derivatives, with a test that all results are finite.
             ///
             /// # Errors
