@@ -1,9 +1,12 @@
 //! The search where a block has no closed form: from all positions at some inputs, along the curve of solutions in both directions.
+//!
+//! If all limits are known, the ends of the range and the gaps beside those limits that no branch has reached are enough.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
 use super::EndKind;
+use super::limits::{Limit, limits};
 use super::line::{Line, distance, nearest, reach};
 use super::pieces::{Found, Node, Piece, Tip};
 use crate::failure::SolveError;
@@ -11,7 +14,7 @@ use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::track::{TrackError, track};
 
-/// The number of inputs at which all positions are sought first.
+/// The number of intervals of the first division.
 const SEEDS: u32 = 8;
 /// The largest number of searches, each with more seeds than the last.
 const ROUNDS: usize = 3;
@@ -21,6 +24,9 @@ const SAME: f64 = 1e-6;
 const BESIDE: f64 = 1e-7;
 /// The largest distance of places that are the same node, as a part of the range.
 const SAME_PLACE: f64 = 1e-9;
+/// The largest distance of a node from a limit that continuation found, as a part of the range, and of the unknowns there. A multiple
+/// solution is known to a part of the digits only.
+const LOCATED: [f64; 2] = [1e-6, 1e-3];
 /// The largest number of pieces.
 const MOST_PIECES: usize = 4096;
 
@@ -29,6 +35,10 @@ struct Seed<M: Mechanism<Scalar = f64>> {
     s: f64,
     positions: Vec<M::Unknowns<f64>>,
     visited: Vec<bool>,
+    /// Whether all positions were sought here; otherwise they are those of the branches that pass.
+    is_sought: bool,
+    /// Whether the search was complete.
+    is_complete: bool,
 }
 
 struct Search<'a, M: Mechanism<Scalar = f64>> {
@@ -41,46 +51,98 @@ struct Search<'a, M: Mechanism<Scalar = f64>> {
     waiting: Vec<(usize, f64, M::Unknowns<f64>, f64)>,
 }
 
-/// All pieces of branches that pass one of the seeds.
+/// All pieces of branches, or those that pass one of the seeds if the limits cannot be found by themselves.
 ///
 /// # Errors
 /// Returns the error of the search for positions, if a parameter is not finite.
 pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Result<Found<M>, SolveError> {
-    let place = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(SEEDS));
-    let mut seeds = Vec::new();
-    for part in 0..=SEEDS {
-        if part < SEEDS || !line.is_closed {
-            seeds.push(seed(mechanism, line, place(part))?);
+    match limits(mechanism, line) {
+        Some(limits) => from_limits(mechanism, line, &limits),
+        None => from_seeds(mechanism, line),
+    }
+}
+
+/// The places that divide the range, and whether each is an end of it.
+fn division<M: Mechanism<Scalar = f64>>(line: &Line<M>) -> impl Iterator<Item = (f64, bool)> {
+    let (low, high) = (line.low, line.high);
+    (0..=SEEDS).map(move |part| {
+        let place = low + (high - low) * (f64::from(part) / f64::from(SEEDS));
+        (place, part == 0 || part == SEEDS)
+    })
+}
+
+/// All pieces, from all limits.
+///
+/// A circuit that does not pass the ends of the range has a smallest input, which is a limit. So it is found from there, or all positions
+/// beside this limit are sought.
+fn from_limits<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    line: &Line<M>,
+    limits: &[Limit],
+) -> Result<Found<M>, SolveError> {
+    let mut seeds: Vec<Seed<M>> = Vec::new();
+    for (s, is_end) in division(line) {
+        seeds.push(if is_end && line.is_closed && !seeds.is_empty() {
+            seeds[0].again(s)
+        } else if is_end {
+            seed(mechanism, line, s)?
+        } else {
+            Seed::unknown(s)
+        });
+    }
+    let mut search = Search::new(mechanism, line, seeds);
+    search.all();
+    let range = line.high - line.low;
+    let mut places: Vec<f64> = limits.iter().map(|limit| limit.s).collect();
+    places.extend([line.low, line.high]);
+    places.sort_by(f64::total_cmp);
+    let mut beside: Vec<f64> = Vec::new();
+    let mut look_beside = |place: f64, clearance: f64| {
+        let after = places.iter().find(|other| **other > place + clearance * range);
+        let before = places.iter().rev().find(|other| **other < place - clearance * range);
+        for other in [before, after].into_iter().flatten() {
+            let middle = 0.5 * (place + other);
+            if !beside.contains(&middle) {
+                beside.push(middle);
+            }
+        }
+    };
+    for limit in limits {
+        if limit.is_multiple {
+            look_beside(limit.s, 1e-5);
+        } else if search.nodes_at(limit).next().is_none() {
+            look_beside(limit.s, SAME_PLACE);
         }
     }
-    if line.is_closed {
-        let first = seeds[0].positions.clone();
-        seeds.push(Seed {
-            s: line.high,
-            visited: vec![false; first.len()],
-            positions: first,
+    for (node, place) in search.found.nodes.iter().enumerate() {
+        if place.kind == EndKind::Limit && search.branches_at(node) != 2 {
+            look_beside(place.s, SAME_PLACE);
+        }
+    }
+    for s in beside {
+        search.look(s)?;
+    }
+    search.found.is_complete = search.agrees_with(limits);
+    Ok(search.finished())
+}
+
+/// All pieces that pass one of the seeds.
+fn from_seeds<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Result<Found<M>, SolveError> {
+    let mut seeds: Vec<Seed<M>> = Vec::new();
+    for (s, is_end) in division(line) {
+        seeds.push(if is_end && line.is_closed && !seeds.is_empty() {
+            seeds[0].again(s)
+        } else {
+            seed(mechanism, line, s)?
         });
     }
     let mut round = 1;
     loop {
-        let mut search = Search {
-            mechanism,
-            line,
-            size: reach(mechanism),
-            seeds,
-            found: Found {
-                nodes: Vec::new(),
-                pieces: Vec::new(),
-                is_complete: false,
-                seeds: Vec::new(),
-            },
-            waiting: Vec::new(),
-        };
+        let mut search = Search::new(mechanism, line, seeds);
         search.all();
         let more = if round < ROUNDS { search.missing()? } else { Vec::new() };
         if more.is_empty() {
-            search.found.seeds = search.seeds.iter().map(|seed| seed.s).collect();
-            return Ok(search.found);
+            return Ok(search.finished());
         }
         round += 1;
         seeds = search.seeds;
@@ -94,12 +156,48 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
 
 fn seed<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>, s: f64) -> Result<Seed<M>, SolveError> {
     let mut positions = Vec::new();
-    mechanism.positions_at(line.inputs(s), |_, unknowns| positions.push(unknowns))?;
+    let search = mechanism.positions_at(line.inputs(s), |_, unknowns| positions.push(unknowns))?;
     Ok(Seed {
         s,
         visited: vec![false; positions.len()],
         positions,
+        is_sought: true,
+        is_complete: search.is_complete && search.singular == 0,
     })
+}
+
+impl<M: Mechanism<Scalar = f64>> Seed<M> {
+    /// An input at which nothing is known yet.
+    fn unknown(s: f64) -> Self {
+        Self {
+            s,
+            positions: Vec::new(),
+            visited: Vec::new(),
+            is_sought: false,
+            is_complete: true,
+        }
+    }
+
+    /// Notes that a branch passes a position.
+    fn visit(&mut self, size: f64, unknowns: &M::Unknowns<f64>) {
+        let mut known = self.positions.iter();
+        if let Some(known) = known.position(|known| distance::<M>(size, known, unknowns) < SAME) {
+            self.visited[known] = true;
+        } else {
+            self.positions.push(*unknowns);
+            self.visited.push(true);
+        }
+    }
+
+    /// The same positions at another input.
+    fn again(&self, s: f64) -> Self {
+        Self {
+            s,
+            positions: self.positions.clone(),
+            visited: vec![false; self.positions.len()],
+            ..*self
+        }
+    }
 }
 
 /// The end of a way in one direction.
@@ -108,7 +206,109 @@ struct Way<M: Mechanism<Scalar = f64>> {
     samples: Vec<(f64, M::Unknowns<f64>)>,
 }
 
-impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
+impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
+    fn new(mechanism: &'a M, line: &'a Line<M>, seeds: Vec<Seed<M>>) -> Self {
+        Self {
+            mechanism,
+            line,
+            size: reach(mechanism),
+            seeds,
+            found: Found {
+                nodes: Vec::new(),
+                pieces: Vec::new(),
+                is_complete: false,
+                seeds: Vec::new(),
+            },
+            waiting: Vec::new(),
+        }
+    }
+
+    /// The outcome, with the inputs at which all positions were sought.
+    fn finished(self) -> Found<M> {
+        let mut found = self.found;
+        let sought = self.seeds.iter().filter(|seed| seed.is_sought);
+        found.seeds = sought.map(|seed| seed.s).collect();
+        found
+    }
+
+    /// Seeks all positions at an input, and follows those that are on no piece yet.
+    fn look(&mut self, s: f64) -> Result<(), SolveError> {
+        let mut own = seed(self.mechanism, self.line, s)?;
+        for piece in &self.found.pieces {
+            let inside = piece.samples.iter().enumerate().filter(|(index, _)| {
+                let is_low = *index == 0 && matches!(piece.low, Tip::Node(_));
+                let is_high = index + 1 == piece.samples.len() && matches!(piece.high, Tip::Node(_));
+                !is_low && !is_high
+            });
+            let [first, last] =
+                [piece.samples.first(), piece.samples.last()].map(|end| end.map_or(f64::NAN, |end| end.0));
+            if !(s > first && s < last) {
+                continue;
+            }
+            let nearest = inside.min_by(|(_, one), (_, other)| (one.0 - s).abs().total_cmp(&(other.0 - s).abs()));
+            let reached = nearest.and_then(|(_, (from, unknowns))| {
+                let (from, to) = (self.line.inputs(*from), self.line.inputs(s));
+                track(self.mechanism, from, *unknowns, to).ok()
+            });
+            if let Some(reached) = reached {
+                own.visit(self.size, &reached);
+            } else {
+                own.is_complete = false;
+            }
+        }
+        let place = self.seeds.partition_point(|seed| seed.s < s);
+        self.seeds.insert(place, own);
+        self.all();
+        Ok(())
+    }
+
+    /// The nodes at a limit that continuation found.
+    fn nodes_at(&self, limit: &Limit) -> impl Iterator<Item = usize> {
+        let nodes = self.found.nodes.iter().enumerate();
+        nodes
+            .filter(|(_, node)| self.is_at(node, limit))
+            .map(|(index, _)| index)
+    }
+
+    fn is_at(&self, node: &Node<M>, limit: &Limit) -> bool {
+        let tolerance = LOCATED[usize::from(limit.is_multiple)];
+        let mut own = node.unknowns;
+        for (unknown, value) in &limit.unknowns {
+            own[*unknown] = *value;
+        }
+        let is_singular = matches!(node.kind, EndKind::Limit | EndKind::ChangePoint);
+        is_singular
+            && (node.s - limit.s).abs() <= tolerance * (self.line.high - self.line.low)
+            && distance::<M>(self.size, &own, &node.unknowns) <= LOCATED[1]
+    }
+
+    /// The number of ends of pieces at a node.
+    fn branches_at(&self, node: usize) -> usize {
+        let tips = self.found.pieces.iter().flat_map(|piece| [piece.low, piece.high]);
+        tips.filter(|tip| *tip == Tip::Node(node)).count()
+    }
+
+    /// Whether the nodes are the limits that continuation found, each is where it has to be, and no search was incomplete.
+    fn agrees_with(&self, limits: &[Limit]) -> bool {
+        let nodes = || self.found.nodes.iter().enumerate();
+        let is_limit = |node: &Node<M>| limits.iter().any(|limit| self.is_at(node, limit));
+        let joins = |(index, node): (usize, &Node<M>)| match node.kind {
+            EndKind::Limit => self.branches_at(index) == 2,
+            EndKind::ChangePoint => true,
+            _ => false,
+        };
+        // If a block that is solved later does not close, its mechanism is not at a limit of an earlier one.
+        let is_whole = |limit: &&Limit| limit.unknowns.len() == M::DESCRIPTION.unknowns.len() && !limit.is_multiple;
+        nodes().all(|(_, node)| is_limit(node))
+            && nodes().all(joins)
+            && limits
+                .iter()
+                .filter(is_whole)
+                .all(|limit| self.nodes_at(limit).next().is_some())
+            && self.seeds.iter().all(|seed| seed.is_complete)
+            && self.found.pieces.len() < MOST_PIECES
+    }
+
     fn all(&mut self) {
         for index in 0..self.seeds.len() {
             for which in 0..self.seeds[index].positions.len() {
@@ -199,7 +399,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 Ok(reached) => {
                     (s, unknowns) = (to, reached);
                     samples.push((s, unknowns));
-                    self.visit(next, &unknowns);
+                    self.seeds[next].visit(self.size, &unknowns);
                 }
                 Err(error) => {
                     let node = self.ended(s, unknowns, direction, error);
@@ -211,21 +411,6 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     };
                 }
             }
-        }
-    }
-
-    fn visit(&mut self, index: usize, unknowns: &M::Unknowns<f64>) {
-        let size = self.size;
-        let seed = &mut self.seeds[index];
-        let known = seed
-            .positions
-            .iter()
-            .position(|known| distance::<M>(size, known, unknowns) < SAME);
-        if let Some(known) = known {
-            seed.visited[known] = true;
-        } else {
-            seed.positions.push(*unknowns);
-            seed.visited.push(true);
         }
     }
 

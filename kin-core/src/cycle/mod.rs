@@ -37,10 +37,13 @@ mod bounds;
 mod class;
 mod closed;
 mod coupled;
+mod limits;
 mod line;
 mod measure;
 mod pieces;
+mod polynomial;
 mod shown;
+mod singular;
 #[cfg(test)]
 mod tests;
 
@@ -281,13 +284,16 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         };
         let size = reach(mechanism);
         let mut branches = joined_at_the_seam(&line, size, &found);
+        let is_whole = branches
+            .iter()
+            .all(|branch| branch.ends.iter().all(|end| end.kind != EndKind::Lost));
         let circuits = circuits(&mut branches);
         Ok(Self {
             mechanism: *mechanism,
             line,
             branches,
             circuits,
-            is_complete: found.is_complete,
+            is_complete: found.is_complete && is_whole,
             seeds: found.seeds,
         })
     }

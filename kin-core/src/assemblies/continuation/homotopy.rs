@@ -7,7 +7,7 @@ use super::factors::ComplexFactors;
 use super::reduction::Coordinates;
 use super::scaling::Scales;
 use super::sequence::{self, Sequence};
-use super::system::PolynomialSystem;
+use super::system::BorrowedSystem;
 
 /// H(X, t) = t γ G(X) + (1 - t) F(X), homogeneous in X, with a random γ of modulus one for each equation.
 ///
@@ -18,10 +18,12 @@ use super::system::PolynomialSystem;
 /// - For an equation of second degree without squares whose variables can be divided into two sets, such that no
 ///   product has two variables of the same set, one form takes the first set and 1, the other the second set and 1,
 ///   with random coefficients.
+/// - For an equation that has half of its degree in the coordinates c + i s of circles, and half in c - i s, half of the forms take the
+///   first and half the second, each with 1 and random coefficients.
 /// - For any other equation of degree d, there are d forms of all its variables and 1, with random coefficients.
 #[derive(Clone, Debug)]
 pub(super) struct Homotopy<'a, const M: usize> {
-    system: &'a PolynomialSystem<M>,
+    system: &'a BorrowedSystem<'a, M>,
     coefficients: &'a [f64],
     coordinates: Coordinates<M>,
     /// The equations of degree two or more. There are as many as free coordinates.
@@ -63,6 +65,14 @@ enum Start<const M: usize> {
         members: [[bool; 2]; M],
         /// The inverse units of the variables of the equation.
         inverse_units: [f64; M],
+    },
+    /// Random coefficients of isotropic coordinates: of the first kind in the forms with an even index, of the second kind in the others.
+    Isotropic {
+        number: u64,
+        /// The circle of each variable of the equation, and whether it is the second variable there.
+        roles: [(usize, bool); M],
+        /// The inverse unit of the variables.
+        inverse_unit: f64,
     },
 }
 
@@ -126,6 +136,19 @@ impl<const M: usize> Start<M> {
                     Complex::ZERO
                 }
             }
+            Self::Isotropic {
+                number,
+                roles,
+                inverse_unit,
+            } => {
+                let (circle, is_second) = roles[place];
+                let own = sequence::entry(*number, factor, circle).scale(*inverse_unit);
+                match (is_second, factor % 2) {
+                    (false, _) => own,
+                    (true, 0) => own * Complex::new(0.0, 1.0),
+                    (true, _) => own * Complex::new(0.0, -1.0),
+                }
+            }
         }
     }
 
@@ -134,7 +157,7 @@ impl<const M: usize> Start<M> {
     fn constant(&self, factor: u8) -> Complex {
         match self {
             Self::Circle { constants, .. } => constants[usize::from(factor.min(1))],
-            Self::Random { number, .. } => sequence::entry(*number, factor, M),
+            Self::Random { number, .. } | Self::Isotropic { number, .. } => sequence::entry(*number, factor, M),
         }
     }
 }
@@ -191,7 +214,7 @@ impl<const M: usize> NonlinearEquation<M> {
 
 impl<'a, const M: usize> Homotopy<'a, M> {
     pub(super) fn new(
-        system: &'a PolynomialSystem<M>,
+        system: &'a BorrowedSystem<'a, M>,
         coefficients: &'a [f64],
         degrees: &[u8; M],
         scales: &Scales<M>,
@@ -217,6 +240,12 @@ impl<'a, const M: usize> Homotopy<'a, M> {
                         Start::Circle {
                             unit: scales.variables[support[0]],
                             constants: [random.complex(), random.complex()],
+                        }
+                    } else if let Some(roles) = system.isotropic(terms, coefficients, &support[..occurring], degree) {
+                        Start::Isotropic {
+                            number: random.next(),
+                            roles,
+                            inverse_unit: inverse_units[0],
                         }
                     } else {
                         Start::Random {

@@ -110,7 +110,7 @@ mod traveller;
 mod tests;
 
 pub use outcome::{PathCounts, Solution, Unsuitable};
-pub use system::{PolynomialSystem, Term};
+pub use system::{BorrowedSystem, BorrowedTerm, PolynomialSystem, Term};
 
 use crate::assemblies::Positions;
 use ending::EndKind;
@@ -132,7 +132,7 @@ const ATTEMPTS: u64 = 3;
 /// [`Unsuitable`], if the table, the coefficients, or the equations of first degree do not allow a start. A system
 /// without real solutions, or with lost paths, is not an error: the [`PathCounts`] report this.
 pub fn real_solutions<const M: usize, const PATHS: usize>(
-    system: &PolynomialSystem<M>,
+    system: &BorrowedSystem<'_, M>,
     coefficients: &[f64],
     mut found: impl FnMut(Solution<M>),
 ) -> Result<PathCounts, Unsuitable> {
@@ -174,7 +174,7 @@ pub fn real_solutions<const M: usize, const PATHS: usize>(
 }
 
 fn all_paths<const M: usize, const PATHS: usize>(
-    system: &PolynomialSystem<M>,
+    system: &BorrowedSystem<'_, M>,
     coefficients: &[f64],
 ) -> Result<Positions<FollowedPath<M>, PATHS>, Unsuitable> {
     if !system.fits(coefficients.len()) {

@@ -4,7 +4,7 @@ use num_traits::Float;
 
 use super::complex::Complex;
 use super::scaling::Scales;
-use super::system::PolynomialSystem;
+use super::system::BorrowedSystem;
 
 /// The largest remainder of a dependent linear equation, after the other equations are subtracted from it.
 const DEPENDENT: f64 = 1e-12;
@@ -109,7 +109,7 @@ impl<const M: usize> Vector<M> {
 /// # Errors
 /// Returns the index of an equation that follows from the others or contradicts them.
 pub(super) fn reduce<const M: usize>(
-    system: &PolynomialSystem<M>,
+    system: &BorrowedSystem<'_, M>,
     coefficients: &[f64],
     degrees: &[u8; M],
     scales: &Scales<M>,

@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use super::system::PolynomialSystem;
+use super::system::BorrowedSystem;
 
 /// The number of bits by which a term must be smaller than the largest term of its equation to count as rounding.
 const NEGLIGIBLE: f64 = 44.0;
@@ -20,7 +20,7 @@ pub(super) struct Scales<const M: usize> {
 /// The scales with the smallest sum of squared logarithms of all coefficients (A. P. Morgan, *Solving Polynomial
 /// Systems Using Continuation for Engineering and Scientific Problems*, 1987, chapter 5). They are powers of two, so
 /// scaling does not round.
-pub(super) fn scales<const M: usize>(system: &PolynomialSystem<M>, coefficients: &[f64]) -> Scales<M> {
+pub(super) fn scales<const M: usize>(system: &BorrowedSystem<'_, M>, coefficients: &[f64]) -> Scales<M> {
     let every = fit(system, coefficients, &[0.0; M], &[f64::NEG_INFINITY; M]);
     // Only now that lengths of all units can be compared is it clear which terms are rounding.
     let most = largest_terms(system, coefficients, &every);
@@ -46,7 +46,11 @@ fn size<const M: usize>(powers: &[(u16, u8)], coefficient: f64, variables: &[f64
         })
 }
 
-fn largest_terms<const M: usize>(system: &PolynomialSystem<M>, coefficients: &[f64], variables: &[f64; M]) -> [f64; M] {
+fn largest_terms<const M: usize>(
+    system: &BorrowedSystem<'_, M>,
+    coefficients: &[f64],
+    variables: &[f64; M],
+) -> [f64; M] {
     let mut most = [f64::NEG_INFINITY; M];
     for term in system.terms() {
         let most = &mut most[usize::from(term.equation)];
@@ -62,7 +66,7 @@ fn largest_terms<const M: usize>(system: &PolynomialSystem<M>, coefficients: &[f
 /// The logarithms of the units of the variables. Terms that are negligible compared with `most`, in the units
 /// `compared`, are left out.
 fn fit<const M: usize>(
-    system: &PolynomialSystem<M>,
+    system: &BorrowedSystem<'_, M>,
     coefficients: &[f64],
     compared: &[f64; M],
     most: &[f64; M],

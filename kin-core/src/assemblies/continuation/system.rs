@@ -1,20 +1,26 @@
 //! Systems of polynomial equations as tables.
 
+use super::complex::Complex;
+use super::sequence;
+
 /// One term of one equation: a coefficient times powers of variables.
+pub type Term = BorrowedTerm<'static>;
+
+/// A [`Term`] whose powers may be found at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Term {
+pub struct BorrowedTerm<'a> {
     /// The index of its equation.
     pub equation: u16,
     /// The index of its coefficient.
     pub coefficient: u16,
     /// The index and power of each variable in the term. Each variable occurs once, and its power is not zero.
-    pub powers: &'static [(u16, u8)],
+    pub powers: &'a [(u16, u8)],
 }
 
-impl Term {
+impl<'a> BorrowedTerm<'a> {
     /// A term of an equation, with its coefficient and the powers of its variables.
     #[must_use]
-    pub const fn new(equation: u16, coefficient: u16, powers: &'static [(u16, u8)]) -> Self {
+    pub const fn new(equation: u16, coefficient: u16, powers: &'a [(u16, u8)]) -> Self {
         Self {
             equation,
             coefficient,
@@ -51,21 +57,24 @@ impl Term {
 /// ]);
 /// assert_eq!(SYSTEM.paths(), 4);
 /// ```
+pub type PolynomialSystem<const M: usize> = BorrowedSystem<'static, M>;
+
+/// A [`PolynomialSystem`] whose table may be made at run time.
 #[derive(Clone, Copy, Debug)]
-pub struct PolynomialSystem<const M: usize> {
-    terms: &'static [Term],
+pub struct BorrowedSystem<'a, const M: usize> {
+    terms: &'a [BorrowedTerm<'a>],
 }
 
-impl<const M: usize> PolynomialSystem<M> {
+impl<'a, const M: usize> BorrowedSystem<'a, M> {
     /// The system with these terms, sorted by equation.
     #[must_use]
-    pub const fn new(terms: &'static [Term]) -> Self {
+    pub const fn new(terms: &'a [BorrowedTerm<'a>]) -> Self {
         Self { terms }
     }
 
     /// The terms.
     #[must_use]
-    pub const fn terms(&self) -> &'static [Term] {
+    pub const fn terms(&self) -> &'a [BorrowedTerm<'a>] {
         self.terms
     }
 
@@ -113,11 +122,11 @@ impl<const M: usize> PolynomialSystem<M> {
     }
 
     /// The terms of an equation that are not zero, and their coefficients.
-    fn present<'a>(
-        &'a self,
+    fn present<'b>(
+        &'b self,
         [first, end]: [usize; 2],
-        coefficients: &'a [f64],
-    ) -> impl Iterator<Item = (f64, &'static [(u16, u8)])> + 'a {
+        coefficients: &'b [f64],
+    ) -> impl Iterator<Item = (f64, &'a [(u16, u8)])> + 'b {
         self.terms[first..end].iter().filter_map(|term| {
             let coefficient = coefficients[usize::from(term.coefficient)];
             (coefficient != 0.0).then_some((coefficient, term.powers))
@@ -211,6 +220,76 @@ impl<const M: usize> PolynomialSystem<M> {
             }
         }
         members
+    }
+
+    /// The isotropic coordinates of an equation, if they bound it better than its degree does.
+    ///
+    /// Variables c and s that lie on a common circle have the isotropic coordinates c + i s and c - i s. The determinant of the Jacobian of
+    /// plane loops has half of its degree in the coordinates of the first kind, and half in those of the second. For each variable of the
+    /// equation, the result is the number of its circle, and whether it is the second variable there. It is `None` if a variable lies on
+    /// no circle, or if the degree is not divided in this way.
+    pub(super) fn isotropic(
+        &self,
+        range: [usize; 2],
+        coefficients: &[f64],
+        support: &[usize],
+        degree: u8,
+    ) -> Option<[(usize, bool); M]> {
+        if degree < 4 || degree % 2 != 0 {
+            return None;
+        }
+        let mut roles = [None; M];
+        for equation in 0..M {
+            let circle = self.range(equation);
+            if circle != range && self.is_circle(circle, coefficients) {
+                let (pair, _) = self.support(circle, coefficients);
+                for (side, variable) in pair[..2].iter().enumerate() {
+                    if let Some(place) = support.iter().position(|known| known == variable) {
+                        roles[place] = Some((equation, side == 1));
+                    }
+                }
+            }
+        }
+        let mut known = [(0, false); M];
+        for (known, role) in known.iter_mut().zip(&roles[..support.len()]) {
+            *known = (*role)?;
+        }
+        // The coefficients of the powers of λ, if all coordinates of the first kind are multiplied by λ: the sums over its roots of unity.
+        let points = f64::from(degree) + 1.0;
+        let turn = |count: f64| Complex::unit(core::f64::consts::TAU * count / points);
+        let value = |factor: Complex| {
+            let variable = |variable: u16| {
+                let place = support.iter().position(|known| *known == usize::from(variable));
+                let (circle, is_second) = place.map_or((0, false), |place| known[place]);
+                let [first, second] = [0, 1].map(|form| sequence::entry(1, form, circle));
+                let first = factor * first;
+                if is_second {
+                    (first - second) * Complex::new(0.0, -0.5)
+                } else {
+                    (first + second).scale(0.5)
+                }
+            };
+            self.present(range, coefficients)
+                .fold(Complex::ZERO, |sum, (coefficient, powers)| {
+                    let product = powers
+                        .iter()
+                        .fold(Complex::real(coefficient), |product, &(own, power)| {
+                            product * variable(own).power(power)
+                        });
+                    sum + product
+                })
+        };
+        let (mut largest, mut beyond) = (0.0_f64, 0.0_f64);
+        for power in 0..=degree {
+            let sum = (0..=degree).map(f64::from).fold(Complex::ZERO, |sum, point| {
+                sum + value(turn(point)) * turn(-point * f64::from(power))
+            });
+            largest = largest.max(sum.norm());
+            if power > degree / 2 {
+                beyond = beyond.max(sum.norm());
+            }
+        }
+        (beyond <= 1e-10 * largest).then_some(known)
     }
 
     /// Whether the equations are in order, all indices of the table exist, and no degree exceeds the largest that can

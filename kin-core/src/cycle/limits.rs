@@ -1,0 +1,87 @@
+//! All limits of a mechanism over a line of inputs.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+use num_traits::Float;
+
+use super::line::{Line, reach};
+use super::polynomial::{Kind, Quantities};
+use super::singular::singular_positions;
+use crate::mechanism::Mechanism;
+use crate::number::Row;
+use crate::quantity::Dimension;
+
+/// A place at which the Jacobian of a block is singular.
+#[derive(Clone, Debug)]
+pub(super) struct Limit {
+    pub(super) s: f64,
+    /// The indices of the unknowns on which the block depends, and their values.
+    pub(super) unknowns: Vec<(usize, f64)>,
+    /// Whether the closure and det J = 0 have a multiple solution here, as at a change point.
+    pub(super) is_multiple: bool,
+}
+
+/// All limits over the range of a line, in ascending order, whether or not the blocks close that are solved later.
+///
+/// It is `None` if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if there are too many
+/// paths, or if one of them was lost.
+pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Option<Vec<Limit>> {
+    let description = M::DESCRIPTION;
+    // Printed formulas hold a comparison only if an unknown has a range.
+    if M::FORMULAS.closure.text.contains(['<', '>', '≤', '≥']) {
+        return None;
+    }
+    let moving = description.inputs.iter().zip(line.direction.as_ref());
+    let is_angle = moving
+        .filter(|(_, rate)| **rate != 0.0)
+        .all(|(input, _)| input.dimension == Dimension::Angle);
+    let kind = |is_angle: bool| if is_angle { Kind::Angle } else { Kind::Plain };
+    let unknowns = description.unknowns.iter();
+    let kinds = unknowns.map(|unknown| kind(unknown.dimension == Dimension::Angle));
+    let quantities = Quantities::new(core::iter::once(kind(is_angle)).chain(kinds).collect());
+    let mut closure = |at: &[f64], values: &mut [f64]| {
+        let unknowns = M::Unknowns::from_fn(|index| at[index + 1]);
+        let residuals = mechanism.residuals(line.inputs(at[0]), unknowns);
+        for (value, residual) in values.iter_mut().zip(residuals.as_ref()) {
+            *value = *residual;
+        }
+    };
+    let blocks: Vec<[&[usize]; 2]> = description
+        .blocks
+        .iter()
+        .map(|block| [block.equations, block.members])
+        .collect();
+    let size = if is_angle {
+        reach(mechanism)
+    } else {
+        reach(mechanism).max(line.low.abs()).max(line.high.abs())
+    };
+    let found = singular_positions(&quantities, size, &blocks, &mut closure)?;
+    let period = is_angle.then_some(TAU);
+    let mut all: Vec<Limit> = found
+        .iter()
+        .flat_map(|position| {
+            let places = places(position.input, period, [line.low, line.high]);
+            places.into_iter().map(|s| Limit {
+                s,
+                unknowns: position.unknowns.clone(),
+                is_multiple: position.is_multiple,
+            })
+        })
+        .collect();
+    all.sort_by(|one, other| one.s.total_cmp(&other.s));
+    Some(all)
+}
+
+/// The places of a range that differ from one by whole periods.
+fn places(s: f64, period: Option<f64>, [low, high]: [f64; 2]) -> Vec<f64> {
+    let Some(period) = period else {
+        return if s >= low && s <= high { vec![s] } else { Vec::new() };
+    };
+    let first = s + period * Float::ceil((low - s) / period);
+    core::iter::successors(Some(first), |place| Some(place + period))
+        .take_while(|place| *place <= high)
+        .collect()
+}
