@@ -30,6 +30,14 @@ const LOCATED: [f64; 2] = [1e-6, 1e-3];
 /// The largest number of pieces.
 const MOST_PIECES: usize = 4096;
 
+/// The distance from a limit at which its two branches are sought, in the fastest unknown: about the root of [`BESIDE`].
+const ASIDE: f64 = 1e-3;
+
+/// Whether a limit is a position of the whole mechanism.
+fn is_whole<M: Mechanism<Scalar = f64>>(limit: &Limit) -> bool {
+    limit.unknowns.len() == M::DESCRIPTION.unknowns.len()
+}
+
 /// An input and all positions that are known there.
 struct Seed<M: Mechanism<Scalar = f64>> {
     s: f64,
@@ -110,7 +118,12 @@ fn from_limits<M: Mechanism<Scalar = f64>>(
     for limit in limits {
         if limit.is_multiple {
             look_beside(limit.s, 1e-5);
-        } else if search.nodes_at(limit).next().is_none() {
+            continue;
+        }
+        if search.nodes_at(limit).next().is_none() {
+            search.start_at(limit);
+        }
+        if search.nodes_at(limit).next().is_none() {
             look_beside(limit.s, SAME_PLACE);
         }
     }
@@ -231,6 +244,47 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
         found
     }
 
+    /// Follows the two branches that meet at a limit.
+    fn start_at(&mut self, limit: &Limit) {
+        if !is_whole::<M>(limit) {
+            return;
+        }
+        let mut position = M::Unknowns::from_fn(|_| 0.0);
+        let mut rates = position;
+        for unknown in &limit.unknowns {
+            (position[unknown.index], rates[unknown.index]) = (unknown.value, unknown.rate);
+        }
+        for side in [BESIDE, -BESIDE] {
+            let s = limit.s + side * (self.line.high - self.line.low);
+            if s <= self.line.low || s >= self.line.high {
+                continue;
+            }
+            let mut own = Seed::unknown(s);
+            for step in [ASIDE, -ASIDE] {
+                let guess = Row::from_fn(|index| position[index] + step * rates[index]);
+                let solved = self.mechanism.solve_position_near(self.line.inputs(s), guess);
+                if let Ok(unknowns) = solved
+                    && distance::<M>(self.size, &unknowns, &position) < 100.0 * ASIDE
+                    && own
+                        .positions
+                        .iter()
+                        .all(|known| distance::<M>(self.size, known, &unknowns) >= SAME)
+                {
+                    own.positions.push(unknowns);
+                    own.visited.push(false);
+                }
+            }
+            if own.positions.len() == 2 {
+                let place = self.seeds.partition_point(|seed| seed.s < s);
+                self.seeds.insert(place, own);
+                self.all();
+                // Later branches need no stop here.
+                self.seeds.remove(place);
+                return;
+            }
+        }
+    }
+
     /// Seeks all positions at an input, and follows those that are on no piece yet.
     fn look(&mut self, s: f64) -> Result<(), SolveError> {
         let mut own = seed(self.mechanism, self.line, s)?;
@@ -273,8 +327,8 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     fn is_at(&self, node: &Node<M>, limit: &Limit) -> bool {
         let tolerance = LOCATED[usize::from(limit.is_multiple)];
         let mut own = node.unknowns;
-        for (unknown, value) in &limit.unknowns {
-            own[*unknown] = *value;
+        for unknown in &limit.unknowns {
+            own[unknown.index] = unknown.value;
         }
         let is_singular = matches!(node.kind, EndKind::Limit | EndKind::ChangePoint);
         is_singular
@@ -298,7 +352,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             _ => false,
         };
         // If a block that is solved later does not close, its mechanism is not at a limit of an earlier one.
-        let is_whole = |limit: &&Limit| limit.unknowns.len() == M::DESCRIPTION.unknowns.len() && !limit.is_multiple;
+        let is_whole = |limit: &&Limit| is_whole::<M>(limit) && !limit.is_multiple;
         nodes().all(|(_, node)| is_limit(node))
             && nodes().all(joins)
             && limits

@@ -8,7 +8,7 @@ use num_traits::Float;
 
 use super::line::{Line, reach};
 use super::polynomial::{Kind, Quantities};
-use super::singular::singular_positions;
+use super::singular::{Singular, singular_positions};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::quantity::Dimension;
@@ -17,8 +17,8 @@ use crate::quantity::Dimension;
 #[derive(Clone, Debug)]
 pub(super) struct Limit {
     pub(super) s: f64,
-    /// The indices of the unknowns on which the block depends, and their values.
-    pub(super) unknowns: Vec<(usize, f64)>,
+    /// The unknowns on which the block depends.
+    pub(super) unknowns: Vec<Singular>,
     /// Whether the closure and det J = 0 have a multiple solution here, as at a change point.
     pub(super) is_multiple: bool,
 }

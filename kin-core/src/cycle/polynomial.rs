@@ -62,7 +62,7 @@ impl Quantities {
         self.first.partition_point(|first| *first <= variable).saturating_sub(1)
     }
 
-    fn variables(&self, values: &[f64]) -> Vec<f64> {
+    pub(super) fn variables(&self, values: &[f64]) -> Vec<f64> {
         let quantities = self.kinds.iter().zip(values);
         let variables = quantities.map(|(kind, value)| match kind {
             Kind::Angle => vec![Float::cos(*value), Float::sin(*value)],
@@ -117,11 +117,11 @@ impl Polynomial {
         degrees.max().unwrap_or(0)
     }
 
-    fn add(&mut self, powers: Powers, coefficient: f64) {
+    pub(super) fn add(&mut self, powers: Powers, coefficient: f64) {
         *self.terms.entry(powers).or_insert(0.0) += coefficient;
     }
 
-    fn value(&self, variables: &[f64]) -> f64 {
+    pub(super) fn value(&self, variables: &[f64]) -> f64 {
         self.terms().fold(0.0, |sum, (powers, coefficient)| {
             let factors = powers
                 .iter()
@@ -137,6 +137,21 @@ impl Polynomial {
                 self.add(product(powers, others), factor * coefficient * own);
             }
         }
+    }
+
+    /// This polynomial plus another one times a number.
+    pub(super) fn plus(&self, other: &Self, factor: f64) -> Self {
+        let mut sum = self.clone();
+        for (powers, coefficient) in &other.terms {
+            sum.add(powers.clone(), factor * coefficient);
+        }
+        sum.tidy();
+        sum
+    }
+
+    /// The coefficient of a product of powers.
+    pub(super) fn coefficient(&self, powers: &[(u16, u8)]) -> f64 {
+        self.terms.get(powers).copied().unwrap_or(0.0)
     }
 
     /// The derivative with respect to a quantity.

@@ -15,10 +15,78 @@ const MOST_PATHS: usize = 1024;
 #[derive(Clone, Debug)]
 pub(super) struct SingularPosition {
     pub(super) input: f64,
-    /// The indices of the unknowns on which the block depends, and their values.
-    pub(super) unknowns: Vec<(usize, f64)>,
+    /// The unknowns on which the block depends.
+    pub(super) unknowns: Vec<Singular>,
     /// Whether the system has a multiple solution here.
     pub(super) is_multiple: bool,
+}
+
+/// An unknown at a singular position.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Singular {
+    pub(super) index: usize,
+    pub(super) value: f64,
+    /// The rate at which it moves while the input stands still, where the fastest unknown has the rate 1.
+    pub(super) rate: f64,
+}
+
+/// The closure as polynomials of an input and the unknowns.
+struct Closure {
+    quantities: Quantities,
+    equations: Vec<Polynomial>,
+    /// The unknown angle, as a quantity, that was added to the input times the sign.
+    added: Option<(usize, f64)>,
+}
+
+impl Closure {
+    /// The closure whose first quantity is the input, or the input plus or minus an unknown angle, whichever makes the lowest degrees. The
+    /// angle of a motor between two links is a difference of their angles, for example.
+    fn new(quantities: &Quantities, size: f64, closure: &mut dyn FnMut(&[f64], &mut [f64])) -> Option<Self> {
+        let count = quantities.len();
+        let mut best: Option<(usize, Self)> = None;
+        let angles = (1..count).filter(|quantity| quantities.kind(*quantity) == Kind::Angle);
+        let sums = angles.flat_map(|angle| [Some((angle, 1.0)), Some((angle, -1.0))]);
+        for added in core::iter::once(None).chain(sums) {
+            if added.is_some() && quantities.kind(0) != Kind::Angle {
+                break;
+            }
+            let mut shifted = |at: &[f64], values: &mut [f64]| {
+                let mut at = at.to_vec();
+                if let Some((angle, sign)) = added {
+                    at[0] -= sign * at[angle];
+                }
+                closure(&at, values);
+            };
+            let found = polynomials(quantities, size, count - 1, &mut shifted);
+            let Some(equations) = found.into_iter().collect::<Option<Vec<Polynomial>>>() else {
+                continue;
+            };
+            let degree = equations.iter().map(Polynomial::degree).sum();
+            if best.as_ref().is_none_or(|(known, _)| degree < *known) {
+                let own = Self {
+                    quantities: quantities.clone(),
+                    equations,
+                    added,
+                };
+                best = Some((degree, own));
+            }
+            if degree < count {
+                break;
+            }
+        }
+        best.map(|(_, closure)| closure)
+    }
+
+    /// The derivative of an equation with respect to an unknown, while the input stands still.
+    fn derivative(&self, equation: usize, quantity: usize) -> Polynomial {
+        let own = self.equations[equation].derivative(&self.quantities, quantity);
+        match self.added {
+            Some((added, sign)) if added == quantity => {
+                own.plus(&self.equations[equation].derivative(&self.quantities, 0), sign)
+            }
+            _ => own,
+        }
+    }
 }
 
 /// The singular positions of every block. `blocks` are the indices of their equations and of their unknowns. The input is the first of the
@@ -32,9 +100,8 @@ pub(super) fn singular_positions(
     blocks: &[[&[usize]; 2]],
     closure: &mut dyn FnMut(&[f64], &mut [f64]),
 ) -> Option<Vec<SingularPosition>> {
-    let equations = polynomials(quantities, size.max(f64::MIN_POSITIVE), quantities.len() - 1, closure);
-    let equations: Vec<Polynomial> = equations.into_iter().collect::<Option<_>>()?;
-    if !is_bounded(quantities, &equations) {
+    let closure = Closure::new(quantities, size.max(f64::MIN_POSITIVE), closure)?;
+    if !is_bounded(quantities, &closure.equations) {
         return None;
     }
     let mut all = Vec::new();
@@ -42,7 +109,7 @@ pub(super) fn singular_positions(
         let row = |equation: &usize| {
             let columns = members.iter();
             columns
-                .map(|member| equations[*equation].derivative(quantities, member + 1))
+                .map(|member| closure.derivative(*equation, member + 1))
                 .collect()
         };
         let matrix: Vec<Vec<Polynomial>> = own.iter().map(row).collect();
@@ -53,18 +120,43 @@ pub(super) fn singular_positions(
         if singular.degree() == 0 {
             continue;
         }
-        let needed = needed(quantities, &equations, blocks, block);
-        let of_blocks = |side: usize| needed.iter().flat_map(move |block| blocks[*block][side]);
-        let mut system: Vec<&Polynomial> = of_blocks(0).map(|equation| &equations[*equation]).collect();
-        system.push(&singular);
-        let members: Vec<usize> = core::iter::once(0)
-            .chain(of_blocks(1).map(|member| member + 1))
-            .collect();
-        for (values, is_multiple) in solutions(quantities, &system, &members)? {
-            let unknowns = members[1..].iter().zip(&values[1..]);
+        let mut system = Vec::new();
+        let mut involved = vec![0];
+        for needed in needed(&closure, blocks, block) {
+            let [equations, unknowns] = blocks[needed];
+            system.extend(equations.iter().map(|equation| closure.equations[*equation].clone()));
+            involved.extend(unknowns.iter().map(|member| member + 1));
+        }
+        reduce(&mut system);
+        system.push(singular);
+        for (mut values, is_multiple) in solutions(quantities, &system, &involved)? {
+            let mut at = vec![0.0; quantities.len()];
+            for (quantity, value) in involved.iter().zip(&values) {
+                at[*quantity] = *value;
+            }
+            if let Some((angle, sign)) = closure.added {
+                values[0] -= sign * at[angle];
+            }
+            let variables = quantities.variables(&at);
+            let numbers = matrix
+                .iter()
+                .map(|row| row.iter().map(|entry| entry.value(&variables)).collect())
+                .collect();
+            let rates = kernel(numbers);
+            let unknowns = involved[1..]
+                .iter()
+                .zip(&values[1..])
+                .map(|(quantity, value)| Singular {
+                    index: quantity - 1,
+                    value: *value,
+                    rate: members
+                        .iter()
+                        .position(|member| member + 1 == *quantity)
+                        .map_or(0.0, |place| rates[place]),
+                });
             all.push(SingularPosition {
                 input: values[0],
-                unknowns: unknowns.map(|(member, value)| (member - 1, *value)).collect(),
+                unknowns: unknowns.collect(),
                 is_multiple,
             });
         }
@@ -72,17 +164,79 @@ pub(super) fn singular_positions(
     Some(all)
 }
 
+/// Subtracts equations from each other, so that fewer have a degree above one.
+fn reduce(system: &mut [Polynomial]) {
+    for pivot in 0..system.len() {
+        let highest = |polynomial: &Polynomial| {
+            let degree = |powers: &[(u16, u8)]| powers.iter().map(|(_, power)| u32::from(*power)).sum::<u32>();
+            let high = polynomial.terms().filter(|(powers, _)| degree(powers) > 1);
+            high.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))
+                .map(|(powers, coefficient)| (powers.to_vec(), coefficient))
+        };
+        let Some((powers, coefficient)) = highest(&system[pivot]) else {
+            continue;
+        };
+        let own = system[pivot].clone();
+        for (index, other) in system.iter_mut().enumerate() {
+            let share = other.coefficient(&powers) / coefficient;
+            if index != pivot && share != 0.0 {
+                *other = other.plus(&own, -share);
+            }
+        }
+    }
+}
+
+/// A vector of the kernel of a singular matrix, with the largest entry 1, by elimination with complete pivoting.
+fn kernel(mut matrix: Vec<Vec<f64>>) -> Vec<f64> {
+    let count = matrix.len();
+    let mut order: Vec<usize> = (0..count).collect();
+    for step in 0..count.saturating_sub(1) {
+        let places = (step..count).flat_map(|row| (step..count).map(move |column| (row, column)));
+        let best = places.max_by(|one, other| matrix[one.0][one.1].abs().total_cmp(&matrix[other.0][other.1].abs()));
+        let Some((row, column)) = best else { break };
+        matrix.swap(step, row);
+        order.swap(step, column);
+        for own in &mut matrix {
+            own.swap(step, column);
+        }
+        let pivot = matrix[step].clone();
+        for own in matrix.iter_mut().skip(step + 1) {
+            let share = own[step] / pivot[step];
+            for (entry, pivot) in own.iter_mut().zip(&pivot) {
+                *entry -= share * pivot;
+            }
+        }
+    }
+    let mut solution = vec![0.0; count];
+    let mut vector = vec![0.0; count];
+    for row in (0..count).rev() {
+        solution[row] = if row + 1 == count {
+            1.0
+        } else {
+            let sum: f64 = (row + 1..count)
+                .map(|column| matrix[row][column] * solution[column])
+                .sum();
+            -sum / matrix[row][row]
+        };
+        vector[order[row]] = solution[row];
+    }
+    let largest = vector.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+    vector.into_iter().map(|entry| entry / largest).collect()
+}
+
 /// The blocks on which a block depends, itself included, in the order of solution.
-fn needed(quantities: &Quantities, equations: &[Polynomial], blocks: &[[&[usize]; 2]], block: usize) -> Vec<usize> {
+fn needed(closure: &Closure, blocks: &[[&[usize]; 2]], block: usize) -> Vec<usize> {
     let mut needed = vec![false; block + 1];
     needed[block] = true;
     for own in (0..=block).rev() {
         if !needed[own] {
             continue;
         }
-        let terms = blocks[own][0].iter().flat_map(|equation| equations[*equation].terms());
+        let terms = blocks[own][0]
+            .iter()
+            .flat_map(|equation| closure.equations[*equation].terms());
         for (variable, _) in terms.flat_map(|(powers, _)| powers) {
-            let quantity = quantities.quantity(*variable);
+            let quantity = closure.quantities.quantity(*variable);
             let earlier = blocks[..own]
                 .iter()
                 .position(|[_, members]| quantity > 0 && members.contains(&(quantity - 1)));
@@ -142,7 +296,7 @@ fn is_bounded(quantities: &Quantities, equations: &[Polynomial]) -> bool {
 
 /// The real solutions of a system, as values of some quantities, and whether they are multiple. `None` if there are too many paths, or if
 /// one was lost.
-fn solutions(quantities: &Quantities, system: &[&Polynomial], members: &[usize]) -> Option<Vec<(Vec<f64>, bool)>> {
+fn solutions(quantities: &Quantities, system: &[Polynomial], members: &[usize]) -> Option<Vec<(Vec<f64>, bool)>> {
     let mut first = Vec::new();
     let mut count = 0_u16;
     for member in members {

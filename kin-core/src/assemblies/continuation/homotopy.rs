@@ -30,7 +30,21 @@ pub(super) struct Homotopy<'a, const M: usize> {
     equations: [NonlinearEquation<M>; M],
     /// The number of the forms of coordinates that make the marks.
     number: u64,
+    /// The forms of the equation of the highest degree.
+    drawn: DrawnForms<M>,
 }
+
+/// The linear forms of the start system for one equation, drawn once.
+#[derive(Clone, Debug)]
+struct DrawnForms<const M: usize> {
+    /// The row of the equation.
+    row: usize,
+    /// The coefficients of the variables of the equation, and of X₀.
+    forms: [([Complex; M], Complex); FACTORS],
+}
+
+/// The largest number of forms that are drawn once, and of variables in a term whose products are kept.
+const FACTORS: usize = 8;
 
 /// An equation of degree two or more.
 #[derive(Clone, Copy, Debug)]
@@ -113,6 +127,44 @@ impl<const M: usize> Slopes<M> {
         along: [Complex::ZERO; M],
         infinity: Complex::ZERO,
     };
+
+    /// Adds the slopes of a term along its variables, times the given power of X₀. Returns the term without that power.
+    #[inline]
+    fn add_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
+        // The products of the factors before each one.
+        let mut before = [Complex::real(coefficient); FACTORS + 1];
+        for (place, &(variable, power)) in powers.iter().enumerate() {
+            before[place + 1] = before[place] * x[usize::from(variable)].power(power);
+        }
+        let mut after = lift;
+        for (place, &(variable, power)) in powers.iter().enumerate().rev() {
+            let value = x[usize::from(variable)];
+            let mut slope = before[place] * after;
+            if power > 1 {
+                slope = slope * value.power(power - 1).scale(f64::from(power));
+            }
+            self.along[usize::from(variable)] += slope;
+            after = after * value.power(power);
+        }
+        before[powers.len()]
+    }
+
+    /// [`add_term`](Self::add_term) for any number of variables.
+    #[cold]
+    fn add_long_term(&mut self, powers: &[(u16, u8)], coefficient: f64, x: &[Complex; M], lift: Complex) -> Complex {
+        let value = |(variable, power): (u16, u8)| x[usize::from(variable)].power(power);
+        for (place, &(variable, power)) in powers.iter().enumerate() {
+            let less = x[usize::from(variable)].power(power - 1);
+            let others = powers.iter().enumerate().filter(|(other, _)| *other != place);
+            let slope = others.fold(lift.scale(coefficient) * less, |slope, (_, &factor)| {
+                slope * value(factor)
+            });
+            self.along[usize::from(variable)] += slope.scale(f64::from(power));
+        }
+        powers
+            .iter()
+            .fold(Complex::real(coefficient), |product, &factor| product * value(factor))
+    }
 }
 
 impl<const M: usize> Start<M> {
@@ -210,6 +262,40 @@ impl<const M: usize> NonlinearEquation<M> {
         slopes.value += product * times;
         product
     }
+
+    /// [`add_start`](Self::add_start) with forms that were drawn before.
+    #[inline]
+    fn add_drawn(
+        &self,
+        forms: &[([Complex; M], Complex)],
+        x: &[Complex; M],
+        infinity: Complex,
+        times: Complex,
+        slopes: &mut Slopes<M>,
+    ) -> Complex {
+        let support = &self.support[..self.occurring];
+        let mut values = [Complex::ONE; FACTORS];
+        let mut before = [Complex::ONE; FACTORS + 1];
+        for (factor, (along, constant)) in forms.iter().enumerate() {
+            let places = support.iter().zip(along);
+            values[factor] = places.fold(*constant * infinity, |sum, (&variable, slope)| {
+                sum + *slope * x[variable]
+            });
+            before[factor + 1] = before[factor] * values[factor];
+        }
+        let mut after = times;
+        for (factor, (along, constant)) in forms.iter().enumerate().rev() {
+            let others = before[factor] * after;
+            slopes.infinity += others * *constant;
+            for (&variable, slope) in support.iter().zip(along) {
+                slopes.along[variable] += others * *slope;
+            }
+            after = after * values[factor];
+        }
+        let product = before[forms.len()];
+        slopes.value += product * times;
+        product
+    }
 }
 
 impl<'a, const M: usize> Homotopy<'a, M> {
@@ -258,12 +344,31 @@ impl<'a, const M: usize> Homotopy<'a, M> {
                 row += 1;
             }
         }
+        let highest = equations[..row]
+            .iter()
+            .enumerate()
+            .filter(|(_, equation)| usize::from(equation.degree) <= FACTORS)
+            .max_by_key(|(_, equation)| equation.degree);
+        let mut drawn = DrawnForms {
+            row: M,
+            forms: [([Complex::ZERO; M], Complex::ZERO); FACTORS],
+        };
+        if let Some((row, equation)) = highest.filter(|(_, equation)| equation.degree > 2) {
+            drawn.row = row;
+            for (factor, (along, constant)) in (0..equation.degree).zip(&mut drawn.forms) {
+                *constant = equation.start.constant(factor);
+                for (place, entry) in along[..equation.occurring].iter_mut().enumerate() {
+                    *entry = equation.start.coefficient(factor, place);
+                }
+            }
+        }
         Self {
             system,
             coefficients,
             coordinates,
             equations,
             number: random.next(),
+            drawn,
         }
     }
 
@@ -391,7 +496,13 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             for &variable in support {
                 slopes.along[variable] = rest * slopes.along[variable];
             }
-            let start = equation.add_start(&x, infinity, t * equation.turn, &mut slopes);
+            let times = t * equation.turn;
+            let start = if row == self.drawn.row {
+                let forms = &self.drawn.forms[..usize::from(equation.degree)];
+                equation.add_drawn(forms, &x, infinity, times, &mut slopes)
+            } else {
+                equation.add_start(&x, infinity, times, &mut slopes)
+            };
             at.value[row] = slopes.value;
             at.rate[row] = equation.turn * start - target;
             self.coordinates
@@ -410,26 +521,18 @@ impl<'a, const M: usize> Homotopy<'a, M> {
             }
             let degree = term.powers.iter().fold(0, |sum, &(_, power)| sum + power);
             let missing = equation.degree - degree;
-            let lifted = infinity.power(missing).scale(coefficient);
-            let mut product = Complex::real(coefficient);
-            for (place, &(variable, power)) in term.powers.iter().enumerate() {
-                let variable = usize::from(variable);
-                let less = x[variable].power(power - 1);
-                let mut slope = lifted * less;
-                for (other, &(variable, power)) in term.powers.iter().enumerate() {
-                    if other != place {
-                        slope = slope * x[usize::from(variable)].power(power);
-                    }
-                }
-                slopes.along[variable] += slope.scale(f64::from(power));
-                product = product * less * x[variable];
-            }
+            let product = if term.powers.len() <= FACTORS {
+                slopes.add_term(term.powers, coefficient, x, infinity.power(missing))
+            } else {
+                slopes.add_long_term(term.powers, coefficient, x, infinity.power(missing))
+            };
             if missing > 0 {
                 let slope = product * infinity.power(missing - 1);
                 slopes.infinity += slope.scale(f64::from(missing));
-                product = slope * infinity;
+                slopes.value += slope * infinity;
+            } else {
+                slopes.value += product;
             }
-            slopes.value += product;
         }
     }
 
