@@ -33,17 +33,24 @@ pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
     if M::FORMULAS.closure.text.contains(['<', '>', '≤', '≥']) {
         return None;
     }
-    let moving = description.inputs.iter().zip(line.direction.as_ref());
-    let is_angle = moving
-        .filter(|(_, rate)| **rate != 0.0)
-        .all(|(input, _)| input.dimension == Dimension::Angle);
+    let moving = || {
+        let all = description.inputs.iter().zip(line.direction.as_ref()).enumerate();
+        all.filter(|(_, (_, rate))| **rate != 0.0)
+    };
+    let is_angle = moving().all(|(_, (input, _))| input.dimension == Dimension::Angle);
+    // A length that moves alone stands for the place on the line, so that its products with cosines are no sums.
+    let (from, rate) = match moving().next() {
+        Some((index, (_, rate))) if !is_angle && moving().count() == 1 => (line.from[index], *rate),
+        _ => (0.0, 1.0),
+    };
+    let place = |input: f64| (input - from) / rate;
     let kind = |is_angle: bool| if is_angle { Kind::Angle } else { Kind::Plain };
     let unknowns = description.unknowns.iter();
     let kinds = unknowns.map(|unknown| kind(unknown.dimension == Dimension::Angle));
     let quantities = Quantities::new(core::iter::once(kind(is_angle)).chain(kinds).collect());
     let mut closure = |at: &[f64], values: &mut [f64]| {
         let unknowns = M::Unknowns::from_fn(|index| at[index + 1]);
-        let residuals = mechanism.residuals(line.inputs(at[0]), unknowns);
+        let residuals = mechanism.residuals(line.inputs(place(at[0])), unknowns);
         for (value, residual) in values.iter_mut().zip(residuals.as_ref()) {
             *value = *residual;
         }
@@ -56,14 +63,15 @@ pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
     let size = if is_angle {
         reach(mechanism)
     } else {
-        reach(mechanism).max(line.low.abs()).max(line.high.abs())
+        let ends = [line.low, line.high].map(|s| (from + rate * s).abs());
+        reach(mechanism).max(ends[0]).max(ends[1])
     };
     let found = singular_positions(&quantities, size, &blocks, &mut closure)?;
     let period = is_angle.then_some(TAU);
     let mut all: Vec<Limit> = found
         .iter()
         .flat_map(|position| {
-            let places = places(position.input, period, [line.low, line.high]);
+            let places = places(place(position.input), period, [line.low, line.high]);
             places.into_iter().map(|s| Limit {
                 s,
                 unknowns: position.unknowns.clone(),

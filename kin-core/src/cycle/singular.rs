@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::f64::consts::PI;
 
 use num_traits::Float;
 
@@ -36,6 +37,9 @@ struct Closure {
     equations: Vec<Polynomial>,
     /// The unknown angle, as a quantity, that was added to the input times the sign.
     added: Option<(usize, f64)>,
+    /// The unknown angle, as a quantity, that turns the input, a length, and whose cosine and sine occur with it only. Their products with
+    /// the input have taken the place of its variables.
+    turned: Option<usize>,
 }
 
 impl Closure {
@@ -67,6 +71,7 @@ impl Closure {
                     quantities: quantities.clone(),
                     equations,
                     added,
+                    turned: None,
                 };
                 best = Some((degree, own));
             }
@@ -74,7 +79,45 @@ impl Closure {
                 break;
             }
         }
-        best.map(|(_, closure)| closure)
+        best.map(|(_, closure)| closure.with_the_input_turned())
+    }
+
+    /// The closure with the coordinates of the input's link as variables, if the input is the length of a turning link.
+    fn with_the_input_turned(mut self) -> Self {
+        let input = self.quantities.first(0);
+        let is_input = |&(variable, _): &(u16, u8)| variable == input;
+        let angle = self
+            .equations
+            .iter()
+            .flat_map(Polynomial::terms)
+            .find_map(|(powers, _)| {
+                let other = powers.iter().find(|factor| !is_input(factor))?;
+                powers.iter().any(is_input).then(|| self.quantities.quantity(other.0))
+            });
+        let Some(angle) = angle.filter(|_| self.quantities.kind(0) == Kind::Plain) else {
+            return self;
+        };
+        let is_angle = |&(variable, _): &(u16, u8)| self.quantities.quantity(variable) == angle;
+        let is_product = self.equations.iter().flat_map(Polynomial::terms).all(|(powers, _)| {
+            let degree = |counts: &dyn Fn(&(u16, u8)) -> bool| -> u32 {
+                let own = powers.iter().filter(|factor| counts(factor));
+                own.map(|(_, power)| u32::from(*power)).sum()
+            };
+            matches!((degree(&is_input), degree(&is_angle)), (0, 0) | (1, 1))
+        });
+        if is_product && self.quantities.kind(angle) == Kind::Angle {
+            let without = |equation: &Polynomial| {
+                let mut own = Polynomial::default();
+                for (powers, coefficient) in equation.terms() {
+                    let others = powers.iter().filter(|factor| !is_input(factor));
+                    own.add(others.copied().collect(), coefficient);
+                }
+                own
+            };
+            self.equations = self.equations.iter().map(without).collect();
+            self.turned = Some(angle);
+        }
+        self
     }
 
     /// The derivative of an equation with respect to an unknown, while the input stands still.
@@ -121,7 +164,10 @@ pub(super) fn singular_positions(
             continue;
         }
         let mut system = Vec::new();
-        let mut involved = vec![0];
+        let mut involved = match closure.turned {
+            Some(_) => Vec::new(),
+            None => vec![0],
+        };
         for needed in needed(&closure, blocks, block) {
             let [equations, unknowns] = blocks[needed];
             system.extend(equations.iter().map(|equation| closure.equations[*equation].clone()));
@@ -129,33 +175,39 @@ pub(super) fn singular_positions(
         }
         reduce(&mut system);
         system.push(singular);
-        for (mut values, is_multiple) in solutions(quantities, &system, &involved)? {
-            let mut at = vec![0.0; quantities.len()];
-            for (quantity, value) in involved.iter().zip(&values) {
-                at[*quantity] = *value;
+        // A block on which the input has no effect stands still.
+        if closure.turned.is_some_and(|turned| !involved.contains(&turned)) {
+            continue;
+        }
+        for (at, is_multiple) in solutions(&closure, &system, &involved)? {
+            let mut variables = quantities.variables(&at);
+            if let Some(turned) = closure.turned {
+                let first = usize::from(quantities.first(turned));
+                variables[first] *= at[0];
+                variables[first + 1] *= at[0];
             }
-            if let Some((angle, sign)) = closure.added {
-                values[0] -= sign * at[angle];
-            }
-            let variables = quantities.variables(&at);
             let numbers = matrix
                 .iter()
                 .map(|row| row.iter().map(|entry| entry.value(&variables)).collect())
                 .collect();
             let rates = kernel(numbers);
-            let unknowns = involved[1..]
-                .iter()
-                .zip(&values[1..])
-                .map(|(quantity, value)| Singular {
-                    index: quantity - 1,
-                    value: *value,
-                    rate: members
-                        .iter()
-                        .position(|member| member + 1 == *quantity)
-                        .map_or(0.0, |place| rates[place]),
-                });
+            let rate = |unknown: usize| {
+                let place = members.iter().position(|member| *member == unknown);
+                place.map_or(0.0, |place| rates[place])
+            };
+            let unknowns = involved.iter().filter_map(|quantity| {
+                let index = quantity.checked_sub(1)?;
+                Some(Singular {
+                    index,
+                    value: at[*quantity],
+                    rate: rate(index),
+                })
+            });
             all.push(SingularPosition {
-                input: values[0],
+                input: match closure.added {
+                    Some((angle, sign)) => at[0] - sign * at[angle],
+                    None => at[0],
+                },
                 unknowns: unknowns.collect(),
                 is_multiple,
             });
@@ -294,20 +346,24 @@ fn is_bounded(quantities: &Quantities, equations: &[Polynomial]) -> bool {
     }
 }
 
-/// The real solutions of a system, as values of some quantities, and whether they are multiple. `None` if there are too many paths, or if
-/// one was lost.
-fn solutions(quantities: &Quantities, system: &[Polynomial], members: &[usize]) -> Option<Vec<(Vec<f64>, bool)>> {
+/// The real solutions of a system, as values of all quantities, of which some are involved, and whether they are multiple. `None` if there
+/// are too many paths, or if one was lost.
+fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Option<Vec<(Vec<f64>, bool)>> {
+    let quantities = &closure.quantities;
     let mut first = Vec::new();
     let mut count = 0_u16;
-    for member in members {
+    for quantity in involved {
         first.push(count);
-        let is_angle = quantities.kind(*member) == Kind::Angle;
-        count += if is_angle { 2 } else { 1 };
+        count += if quantities.kind(*quantity) == Kind::Angle {
+            2
+        } else {
+            1
+        };
     }
     // The variable of the system for a variable of the closure.
     let own = |variable: u16| {
         let quantity = quantities.quantity(variable);
-        let place = members.iter().position(|member| *member == quantity)?;
+        let place = involved.iter().position(|own| *own == quantity)?;
         Some(first[place] + (variable - quantities.first(quantity)))
     };
     let mut terms: Vec<(u16, f64, Vec<(u16, u8)>)> = Vec::new();
@@ -324,8 +380,11 @@ fn solutions(quantities: &Quantities, system: &[Polynomial], members: &[usize]) 
         }
         equation += 1;
     }
-    for (member, first) in members.iter().zip(&first) {
-        if quantities.kind(*member) == Kind::Angle {
+    let mut pairs = Vec::new();
+    for (quantity, first) in involved.iter().zip(&first) {
+        if closure.turned == Some(*quantity) {
+            pairs.push([*first, *first + 1]);
+        } else if quantities.kind(*quantity) == Kind::Angle {
             for powers in [vec![(*first, 2)], vec![(*first + 1, 2)], Vec::new()] {
                 terms.push((equation, if powers.is_empty() { -1.0 } else { 1.0 }, powers));
             }
@@ -337,33 +396,39 @@ fn solutions(quantities: &Quantities, system: &[Polynomial], members: &[usize]) 
         return None;
     }
     let real = match (usize::from(count), paths) {
-        (0..=6, 0..=32) => real::<6, 32>(&mut terms, count)?,
-        (0..=10, 0..=128) => real::<10, 128>(&mut terms, count)?,
-        (0..=20, _) => real::<20, MOST_PATHS>(&mut terms, count)?,
+        (0..=6, 0..=32) => real::<6, 32>(&mut terms, &pairs, count)?,
+        (0..=10, 0..=128) => real::<10, 128>(&mut terms, &pairs, count)?,
+        (0..=20, _) => real::<20, MOST_PATHS>(&mut terms, &pairs, count)?,
         _ => return None,
     };
-    let values = |variables: Vec<f64>| {
-        let places = members.iter().zip(&first);
-        places
-            .map(|(member, first)| {
-                let first = usize::from(*first);
-                match quantities.kind(*member) {
-                    Kind::Angle => Float::atan2(variables[first + 1], variables[first]),
-                    Kind::Plain => variables[first],
-                }
-            })
-            .collect()
-    };
-    Some(
-        real.into_iter()
-            .map(|(variables, is_multiple)| (values(variables), is_multiple))
-            .collect(),
-    )
+    let mut all = Vec::new();
+    for (variables, is_multiple) in real {
+        let mut at = vec![0.0; quantities.len()];
+        for (quantity, first) in involved.iter().zip(&first) {
+            let first = usize::from(*first);
+            at[*quantity] = match quantities.kind(*quantity) {
+                Kind::Angle => Float::atan2(variables[first + 1], variables[first]),
+                Kind::Plain => variables[first],
+            };
+            if closure.turned == Some(*quantity) {
+                at[0] = Float::hypot(variables[first], variables[first + 1]);
+            }
+        }
+        all.push((at.clone(), is_multiple));
+        // A negative length points the other way.
+        if let Some(turned) = closure.turned {
+            at[0] = -at[0];
+            at[turned] -= PI.copysign(at[turned]);
+            all.push((at, is_multiple));
+        }
+    }
+    Some(all)
 }
 
 /// The real solutions of a system of `count` equations, with room for `N` variables. The others are zero.
 fn real<const N: usize, const PATHS: usize>(
     terms: &mut Vec<(u16, f64, Vec<(u16, u8)>)>,
+    pairs: &[[u16; 2]],
     count: u16,
 ) -> Option<Vec<(Vec<f64>, bool)>> {
     for variable in count..u16::try_from(N).ok()? {
@@ -377,8 +442,12 @@ fn real<const N: usize, const PATHS: usize>(
         .collect();
     let table = table?;
     let mut found = Vec::new();
-    let counts = real_solutions::<N, PATHS>(&BorrowedSystem::new(&table), &coefficients, |solution| {
-        found.push((solution.values[..usize::from(count)].to_vec(), !solution.is_regular()));
-    });
+    let counts = real_solutions::<N, PATHS>(
+        &BorrowedSystem::new(&table).with_pairs(pairs),
+        &coefficients,
+        |solution| {
+            found.push((solution.values[..usize::from(count)].to_vec(), !solution.is_regular()));
+        },
+    );
     counts.is_ok_and(|counts| counts.is_complete()).then_some(found)
 }

@@ -1,6 +1,7 @@
-//! Motion from one position to another: tracking without leaving the assembly, and the paths of points; sweeps and
+//! Motion from one position to another: tracking without leaving the assembly, and the paths of points; full cycles; sweeps and
 //! their extremes.
 
+mod cycles;
 mod point_paths;
 mod sweeps;
 mod tracking;

@@ -63,13 +63,23 @@ pub type PolynomialSystem<const M: usize> = BorrowedSystem<'static, M>;
 #[derive(Clone, Copy, Debug)]
 pub struct BorrowedSystem<'a, const M: usize> {
     terms: &'a [BorrowedTerm<'a>],
+    pairs: &'a [[u16; 2]],
 }
 
 impl<'a, const M: usize> BorrowedSystem<'a, M> {
     /// The system with these terms, sorted by equation.
     #[must_use]
     pub const fn new(terms: &'a [BorrowedTerm<'a>]) -> Self {
-        Self { terms }
+        Self { terms, pairs: &[] }
+    }
+
+    /// The same system, with pairs of variables that are the coordinates of a vector in the plane.
+    ///
+    /// Like the cosine and the sine of an angle, x and y are then replaced by x + i y and x - i y where an equation of high degree has half
+    /// of its degree in each kind.
+    #[must_use]
+    pub const fn with_pairs(self, pairs: &'a [[u16; 2]]) -> Self {
+        Self { pairs, ..self }
     }
 
     /// The terms.
@@ -247,6 +257,13 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
                     if let Some(place) = support.iter().position(|known| known == variable) {
                         roles[place] = Some((equation, side == 1));
                     }
+                }
+            }
+        }
+        for (number, pair) in self.pairs.iter().enumerate() {
+            for (side, variable) in pair.iter().enumerate() {
+                if let Some(place) = support.iter().position(|known| *known == usize::from(*variable)) {
+                    roles[place] = Some((M + number, side == 1));
                 }
             }
         }

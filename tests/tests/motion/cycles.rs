@@ -1,0 +1,325 @@
+//! Full cycles of random linkages: dense scans find nothing else, and labels say what the cycles find.
+
+use kin_core::cycle::{BlockClass, Cycle, EndKind, FullCycle, InvertedSliderCrankType, SliderCrankType};
+use kin_core::library::{
+    StephensonI, StephensonIByDyad, StephensonII, StephensonIIByElbow, StephensonIII, StephensonIIIByDyad, WattI,
+    WattIByDyad, WattII, WattIIByCouplers,
+};
+use kin_core::prelude::*;
+use kin_tests::random::Random;
+use kin_tests::samples;
+
+mechanism! {
+    /// A slider-crank whose slider's line passes beside the crank's pivot.
+    struct OffsetSliderCrank { crank: Length, coupler: Length, offset: Length }
+    input theta: Angle;
+    unknown phi: Angle, slide: Length;
+    crank * cis(theta) + coupler * cis(phi) == vec2(slide, offset);
+}
+
+mechanism! {
+    /// A crank with a pin in a slide, whose line passes beside the pivot of its link.
+    struct OffsetInvertedSliderCrank { ground: Length, crank: Length, offset: Length }
+    input theta: Angle;
+    unknown phi: Angle, slide: Length;
+    ground + crank * cis(theta) == vec2(slide, offset) * cis(phi);
+}
+
+/// All positions at places all over the turn lie on a branch, each on its own.
+fn scan<M>(mechanism: M, places: u32, counts: &mut [usize; 2]) -> Result<(), String>
+where
+    M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+{
+    let name = M::DESCRIPTION.name;
+    let parameters = mechanism.parameters();
+    let context = || format!("{name} {:?}", parameters.as_ref());
+    let cycle = mechanism.cycle().map_err(|error| format!("{}: {error}", context()))?;
+    if !cycle.is_complete() {
+        return Err(format!("{}: not complete, {:?}", context(), cycle.branches()));
+    }
+    counts[0] += cycle.circuits().len();
+    counts[1] += cycle.branches().len();
+    for place in 0..places {
+        let input = core::f64::consts::TAU * ((f64::from(place) + 0.317) / f64::from(places) - 0.5);
+        let mut found = Vec::new();
+        let search = mechanism.positions_at([input], |_, unknowns| found.push(unknowns));
+        let search = search.map_err(|error| format!("{}: {error}", context()))?;
+        if search.singular > 0 || !search.is_complete {
+            continue;
+        }
+        let own: Vec<usize> = cycle.at(input).map(|(branch, _)| branch).collect();
+        if own.len() != found.len() {
+            return Err(format!("{}: {found:?} at {input}, but branches {own:?}", context()));
+        }
+        for branch in own {
+            let on = cycle
+                .position_on(branch, input)
+                .map_err(|error| format!("{}: {error}", context()))?;
+            let distance = |position: &M::Unknowns<f64>| {
+                let angles = position.as_ref().iter().zip(on.as_ref());
+                angles.fold(0.0_f64, |most, (one, other)| {
+                    most.max((0.5 * (one - other)).sin().abs())
+                })
+            };
+            let nearest =
+                (0..found.len()).min_by(|one, other| distance(&found[*one]).total_cmp(&distance(&found[*other])));
+            match nearest {
+                Some(nearest) if distance(&found[nearest]) < 1e-7 => drop(found.swap_remove(nearest)),
+                _ => {
+                    return Err(format!(
+                        "{}: branch {branch} is not among the positions at {input}",
+                        context()
+                    ));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Random six-bars of all kinds, with both drives: a dense scan finds no position beside those of the cycle.
+#[test]
+fn six_bars_have_no_other_position() {
+    let mut random = Random::new(71);
+    let mut counts = [0; 2];
+    let mut wrong = Vec::new();
+    for round in 0..samples::of(200) {
+        let [r1, r2, r3, r4, r5, r6] = [(); 6].map(|()| random.between(0.8, 4.0));
+        let [p, q] = [(); 2].map(|()| Plane::new(random.between(-2.0, 2.0), random.between(-2.0, 2.0)));
+        let pivot = Plane::new(random.between(-5.0, 5.0), random.between(-5.0, 5.0));
+        let result = match round % 10 {
+            0 => scan(
+                WattI {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    q,
+                    r5,
+                    r6,
+                },
+                1400,
+                &mut counts,
+            ),
+            1 => scan(
+                WattII {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    arm: p,
+                    pivot,
+                    r5,
+                    r6,
+                },
+                1400,
+                &mut counts,
+            ),
+            2 => scan(
+                StephensonI {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    q,
+                    r5,
+                    r6,
+                },
+                1400,
+                &mut counts,
+            ),
+            3 => scan(
+                StephensonIIByElbow {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    q,
+                    r5,
+                    r6,
+                },
+                1400,
+                &mut counts,
+            ),
+            4 => scan(
+                StephensonIII {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    r5,
+                    pivot,
+                    r6,
+                },
+                1400,
+                &mut counts,
+            ),
+            5 => scan(
+                WattIByDyad {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    q,
+                    r5,
+                    r6,
+                },
+                40,
+                &mut counts,
+            ),
+            6 => scan(
+                WattIIByCouplers {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    arm: p,
+                    pivot,
+                    r5,
+                    r6,
+                },
+                40,
+                &mut counts,
+            ),
+            7 => scan(
+                StephensonIByDyad {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    q,
+                    r5,
+                    r6,
+                },
+                40,
+                &mut counts,
+            ),
+            8 => scan(
+                StephensonII {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    q,
+                    r5,
+                    r6,
+                },
+                40,
+                &mut counts,
+            ),
+            _ => scan(
+                StephensonIIIByDyad {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    p,
+                    r5,
+                    pivot,
+                    r6,
+                },
+                40,
+                &mut counts,
+            ),
+        };
+        wrong.extend(result.err());
+    }
+    println!("{} circuits, {} branches", counts[0], counts[1]);
+    assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(counts[0] > samples::of(200) && counts[1] > counts[0]);
+}
+
+/// Turns of the input and of the first unknown, an angle, along each circuit, and whether there is a change point.
+fn told<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> (Vec<(Option<i32>, Option<i32>)>, bool) {
+    let turns = cycle.circuits().iter().map(|circuit| {
+        let unknown = circuit.turns().map(|turns| turns[0].abs());
+        (circuit.input_turns(), unknown)
+    });
+    let mut ends = cycle.branches().iter().flat_map(|branch| branch.ends());
+    (turns.collect(), ends.any(|end| end.kind == EndKind::ChangePoint))
+}
+
+/// The labels of slider-cranks say which links turn, for whole lengths, of which many have change points.
+#[test]
+fn labels_of_slider_cranks_agree_with_the_cycle() {
+    let mut random = Random::new(72);
+    let mut counts = [0_usize; 5];
+    for _ in 0..samples::of(10_000) {
+        let [crank, coupler] = [(); 2].map(|()| random.between(1.0, 13.0).floor());
+        let offset = random.between(0.0, 13.0).floor();
+        let mechanism = OffsetSliderCrank { crank, coupler, offset };
+        let [form] = mechanism.block_forms();
+        let label = match BlockClass::of(&form) {
+            Some(BlockClass::SliderCrank(label)) => Some(label),
+            None => None,
+            other => panic!("{mechanism:?} {form:?} {other:?}"),
+        };
+        let cycle = mechanism.cycle().unwrap();
+        let (turns, has_change_point) = told(&cycle);
+        let context = format!("{mechanism:?} {label:?} {cycle:?}");
+        let expected = match label {
+            None => vec![],
+            Some(SliderCrankType::TurningCrank) => vec![(Some(1), Some(0)); 2],
+            Some(SliderCrankType::TurningCoupler) => vec![(Some(0), Some(1)); 2],
+            Some(SliderCrankType::Swinging) => vec![(Some(0), Some(0))],
+            Some(SliderCrankType::ChangePoint) => {
+                counts[4] += 1;
+                assert!(has_change_point && turns.len() == 1, "{context}");
+                continue;
+            }
+        };
+        counts[label.map_or(0, |label| 1 + label as usize)] += 1;
+        assert!(cycle.is_complete() && !has_change_point, "{context}");
+        assert_eq!(turns, expected, "{context}");
+    }
+    assert!(
+        counts.iter().all(|count| *count > samples::of(10_000) / 50),
+        "{counts:?}"
+    );
+}
+
+/// The labels of inverted slider-cranks say which links turn.
+#[test]
+fn labels_of_inverted_slider_cranks_agree_with_the_cycle() {
+    let mut random = Random::new(73);
+    let mut counts = [0_usize; 5];
+    for _ in 0..samples::of(10_000) {
+        let [ground, crank] = [(); 2].map(|()| random.between(1.0, 13.0).floor());
+        let offset = random.between(0.0, 13.0).floor();
+        let mechanism = OffsetInvertedSliderCrank { ground, crank, offset };
+        let [form] = mechanism.block_forms();
+        let label = match BlockClass::of(&form) {
+            Some(BlockClass::InvertedSliderCrank(label)) => Some(label),
+            None => None,
+            other => panic!("{mechanism:?} {form:?} {other:?}"),
+        };
+        let cycle = mechanism.cycle().unwrap();
+        let (turns, has_change_point) = told(&cycle);
+        let context = format!("{mechanism:?} {label:?} {cycle:?}");
+        let expected = match label {
+            None => vec![],
+            Some(InvertedSliderCrankType::TurningLink) => vec![(Some(1), Some(1)); 2],
+            Some(InvertedSliderCrankType::SwingingLink) => vec![(Some(1), Some(0)); 2],
+            Some(InvertedSliderCrankType::SwingingCrank) => vec![(Some(0), Some(0))],
+            Some(InvertedSliderCrankType::ChangePoint) => {
+                counts[4] += 1;
+                assert!(has_change_point && turns.len() == 1, "{context}");
+                continue;
+            }
+        };
+        counts[label.map_or(0, |label| 1 + label as usize)] += 1;
+        assert!(cycle.is_complete() && !has_change_point, "{context}");
+        assert_eq!(turns, expected, "{context}");
+    }
+    assert!(
+        counts.iter().all(|count| *count > samples::of(10_000) / 50),
+        "{counts:?}"
+    );
+}
