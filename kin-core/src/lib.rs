@@ -65,7 +65,7 @@
 //! | verification of your own mechanism | `verify` (feature `std`) |
 //! | all solutions of a block without a closed form | [`continuation`], [`Positions`], [`Assemblies`] |
 //! | files and messages: JSON and other formats | `stored` (feature `serde`) |
-//! | number types | [`Number`] and [`Scalar`], and [`series`] for truncated Taylor series |
+//! | number types | [`Number`] and [`Scalar`], [`series`] for truncated Taylor series, [`Changing`] for a number with one derivative |
 //!
 //! # Units
 //!
@@ -147,7 +147,7 @@ pub use mechanism::{
 pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;
-pub use number::{Number, Operations, Row, series};
+pub use number::{Changing, Number, Operations, Row, series};
 pub use picture::{Body, Outline, Place, Places, Skeleton, Slide, TransmissionAngle};
 pub use quantity::{Dimension, Quantity};
 pub use solve::Scalar;

@@ -2,6 +2,7 @@
 
 use core::ops::Deref;
 
+use crate::load::{Balance, Load, LoadError, Loads};
 use crate::mechanism::{Mechanism, Pose, PoseOf};
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
@@ -76,6 +77,60 @@ impl<M: Mechanism> At<M> {
         };
         let angles = self.mechanism.transmission_angles(&values);
         angles.as_ref().get(dyad).copied()
+    }
+
+    /// The balance of loads and drives, with its change along the sweep. The loads are those of the mechanism over `Local`.
+    ///
+    /// # Errors
+    /// As for [`Loads::at`].
+    pub fn balance<L: Load<M::With<Local>>>(
+        &self,
+        loads: &Loads<M::With<Local>, L>,
+    ) -> Result<Balance<M::With<Local>>, LoadError> {
+        loads.near(&self.mechanism, self.inputs, self.near_series())
+    }
+
+    /// The effort of the drive of an input, by its index: a torque or a force.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::extremes::Over;
+    /// use kin_core::load::Loads;
+    /// use kin_core::prelude::*;
+    /// use kin_core::sweep::Local;
+    ///
+    /// mechanism! {
+    ///     /// Four-bar linkage in metres.
+    ///     struct Press { r1: Length, r2: Length, r3: Length, r4: Length }
+    ///     input theta2: Angle;
+    ///     unknown theta3: Angle, theta4: Angle;
+    ///     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    ///     output coupler: Point = r2 * cis(theta2) + r3 / 2 * cis(theta3);
+    /// }
+    ///
+    /// let press = Press { r1: 0.4, r2: 0.12, r3: 0.36, r4: 0.28 };
+    /// let loads = Loads::<Press<Local>>::new()
+    ///     .gravity(Plane::new(0.0, -9.81))
+    ///     .mass(1.4, |pose| pose.coupler)
+    ///     .inertia(0.03, |pose| pose.theta4);
+    /// let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(rpm(120.0));
+    /// let peak = turn.peak_by(|at| at.effort(&loads, 0))?;
+    /// let rms = turn.rms_by(|at| at.effort(&loads, 0), Over::Time)?;
+    /// println!("{} N m at {}°, in the mean {} N m", peak.value, peak.at.to_degrees(), rms.value);
+    /// assert!(rms.value < peak.value.abs());
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Loads::at`], and [`LoadError::NoEffort`] if there is no such input, or if the mechanism is declared to a lower order than 2.
+    pub fn effort<L: Load<M::With<Local>>>(
+        &self,
+        loads: &Loads<M::With<Local>, L>,
+        input: usize,
+    ) -> Result<Local, LoadError> {
+        let efforts = self.balance(loads)?.efforts();
+        let effort = efforts.as_ref().get(input).and_then(|effort| effort.derivative(0));
+        effort.ok_or(LoadError::NoEffort { input })
     }
 
     /// The unknowns as series.

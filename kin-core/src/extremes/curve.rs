@@ -7,6 +7,7 @@ use super::ExtremesError;
 use super::at::At;
 use crate::failure::SolveError;
 use crate::law::Side;
+use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 use crate::quantity::Dimension;
@@ -81,7 +82,7 @@ pub(super) struct Node<M: Mechanism> {
 /// A quantity over a sweep.
 pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D, F> {
     pub(super) course: &'c Course<M, D>,
-    series: M::With<Local>,
+    pub(super) series: M::With<Local>,
     quantity: F,
 }
 
@@ -89,7 +90,7 @@ impl<'c, M, D, F> Curve<'c, M, D, F>
 where
     M: Mechanism<Scalar = f64>,
     D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Local,
+    F: Fn(&At<M>) -> Result<Local, LoadError>,
 {
     pub(super) fn new(course: &'c Course<M, D>, quantity: F) -> Self {
         let series = course.mechanism.convert(Local::constant);
@@ -111,6 +112,24 @@ where
         } else {
             Side::Right
         };
+        let (value, walk) = self.value(&self.series, variable, side, near)?;
+        Ok(Node {
+            parameter,
+            at,
+            value,
+            walk,
+        })
+    }
+
+    /// The quantity for a mechanism and a variable that change together, found from a pose nearby.
+    pub(super) fn value(
+        &self,
+        mechanism: &M::With<Local>,
+        variable: Local,
+        side: Side,
+        near: Walk<M>,
+    ) -> Result<(Local, Walk<M>), ExtremesError> {
+        let at = variable.real();
         let inputs = self.course.drive.series(at, side);
         let mut walk = near;
         let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order].real()));
@@ -119,28 +138,23 @@ where
             .step(&self.course.mechanism, self.course.assembly, motions)
             .map_err(gap)?;
         let inputs = Row::from_fn(|input| Row::from_fn(|order| composed(inputs[input][order], variable)));
-        let pose = self
-            .series
+        let pose = mechanism
             .solve_motion_near(
                 inputs,
                 Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
             )
             .map_err(gap)?;
         let value = (self.quantity)(&At {
-            mechanism: self.series,
+            mechanism: *mechanism,
             pose,
             inputs,
             near: Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
         });
+        let value = value.map_err(|error| ExtremesError::Load { at, error })?;
         if !Number::is_finite(value) {
             return Err(ExtremesError::NotFinite { at });
         }
-        Ok(Node {
-            parameter,
-            at,
-            value,
-            walk,
-        })
+        Ok((value, walk))
     }
 
     /// Whether the sweep is one full turn of the only input that moves.

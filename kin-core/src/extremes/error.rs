@@ -3,7 +3,9 @@
 use core::error::Error;
 use core::fmt;
 
+use super::Kind;
 use crate::failure::SolveError;
+use crate::load::LoadError;
 use crate::quantity::Digits;
 use crate::sweep::{NoSuchColumn, SweepError};
 
@@ -26,6 +28,20 @@ pub enum ExtremesError {
     NotFinite {
         /// The place.
         at: f64,
+    },
+    /// The loads have no balance at a place where the mechanism closes.
+    Load {
+        /// The place.
+        at: f64,
+        /// The reason.
+        error: LoadError,
+    },
+    /// The peak moves with the end of the circuit or stands at a kink, so that it has no sensitivity of its own.
+    NoSensitivity {
+        /// The place of the peak.
+        at: f64,
+        /// Its kind.
+        kind: Kind,
     },
     /// The quantity grows beyond all bounds towards a turning point, so it has no peak.
     Unbounded {
@@ -66,6 +82,13 @@ impl fmt::Display for ExtremesError {
                 Digits(*at)
             ),
             Self::NotFinite { at } => write!(formatter, "the quantity is not finite at {}", Digits(*at)),
+            Self::Load { at, error } => write!(formatter, "at {}: {error}", Digits(*at)),
+            Self::NoSensitivity { at, kind } => write!(
+                formatter,
+                "the peak at {} stands at {}, where it has no sensitivity: end the sweep short of it",
+                Digits(*at),
+                if *kind == Kind::Limit { "a limit" } else { "a kink" }
+            ),
             Self::Unbounded { at } => write!(
                 formatter,
                 "the quantity grows beyond all bounds towards the turning point at {}: end the sweep short of it",

@@ -32,6 +32,7 @@
 //! Two extremes are told from rounding errors if the quantity differs between them by more than 10⁻⁸ of the range of their piece, and by
 //! more than 10⁻¹² of its size.
 
+mod answer;
 mod at;
 mod curve;
 mod error;
@@ -39,12 +40,17 @@ mod mean;
 mod parts;
 mod quantity;
 mod search;
+mod sensitivity;
+#[cfg(test)]
+mod sensitivity_tests;
 #[cfg(test)]
 mod tests;
 
+pub use answer::Answer;
 pub use at::At;
 pub use error::ExtremesError;
 pub use mean::{Mean, Over};
+pub use sensitivity::{PeakSensitivities, PeakSensitivity};
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -54,7 +60,7 @@ use quantity::Named;
 
 use crate::mechanism::Mechanism;
 use crate::quantity::Digits;
-use crate::sweep::{Course, Local, SmoothDrive};
+use crate::sweep::{Course, SmoothDrive};
 
 /// The kind of an extreme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,7 +146,7 @@ pub struct Dwell {
 }
 
 /// Extremes and means. A quantity is called by the name of its column, as in `"theta4_jerk"`; the methods that end on `_by` take a
-/// closure, as in `|at| at.theta4.jerk()`, for any expression of a pose.
+/// closure, as in `|at| at.theta4.jerk()`, for any expression of a pose, or `|at| at.effort(&loads, 0)` for the effort of a drive.
 ///
 /// # Errors
 /// [`ExtremesError`] for all of them.
@@ -158,26 +164,48 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     ///
     /// # Errors
     /// As for [`peak`](Self::peak).
-    pub fn peak_by(&self, quantity: impl Fn(&At<M>) -> Local) -> Result<Peak, ExtremesError> {
-        let found = Curve::new(self, quantity).extremes()?;
-        let mut peak = Peak {
-            at: self.from,
-            value: found.first,
-            kind: Kind::End,
-        };
-        for extreme in found.extremes {
-            let Some(value) = extreme.value else {
-                return Err(ExtremesError::Unbounded { at: extreme.at });
-            };
-            if value.abs() > peak.value.abs() {
-                peak = Peak {
-                    at: extreme.at,
-                    value,
-                    kind: extreme.kind,
-                };
-            }
-        }
-        Ok(peak)
+    pub fn peak_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
+        Curve::new(self, |at| quantity(at).answer()).peak()
+    }
+
+    /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
+    ///
+    /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or a kink there is
+    /// none: it moves with the limit, and its value need not have a derivative.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+    /// let found = turn.peak_sensitivities("theta4_acceleration")?;
+    /// for (name, by) in ["r1", "r2", "r3", "r4"].iter().zip(found.by) {
+    ///     println!("{name}: {} rad/s² for each unit of length, and {} rad", by.value, by.at);
+    /// }
+    /// // a longer crank makes the rocker faster
+    /// assert!(found.by[1].value * found.peak.value > 0.0);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink, and the errors of [`peak`](Self::peak).
+    pub fn peak_sensitivities(&self, name: &str) -> Result<PeakSensitivities<M>, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.peak_sensitivities_by(|at| named.of(at))
+    }
+
+    /// [`peak_sensitivities`](Self::peak_sensitivities) of an expression: of the effort of a drive, for example.
+    ///
+    /// # Errors
+    /// As for [`peak_sensitivities`](Self::peak_sensitivities).
+    pub fn peak_sensitivities_by<A: Answer>(
+        &self,
+        quantity: impl Fn(&At<M>) -> A,
+    ) -> Result<PeakSensitivities<M>, ExtremesError> {
+        let curve = Curve::new(self, |at| quantity(at).answer());
+        curve.sensitivities(curve.peak()?)
     }
 
     /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
@@ -209,8 +237,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     ///
     /// # Errors
     /// As for [`extremes`](Self::extremes).
-    pub fn extremes_by(&self, quantity: impl Fn(&At<M>) -> Local) -> Result<Vec<Extreme>, ExtremesError> {
-        Ok(Curve::new(self, quantity).extremes()?.extremes)
+    pub fn extremes_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Vec<Extreme>, ExtremesError> {
+        Ok(Curve::new(self, |at| quantity(at).answer()).extremes()?.extremes)
     }
 
     /// The places where a quantity crosses a level, in the order of the sweep: zero for its changes of sign.
@@ -226,8 +254,12 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     ///
     /// # Errors
     /// As for [`extremes`](Self::extremes).
-    pub fn crossings_by(&self, quantity: impl Fn(&At<M>) -> Local, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
-        Curve::new(self, quantity).crossings(level)
+    pub fn crossings_by<A: Answer>(
+        &self,
+        quantity: impl Fn(&At<M>) -> A,
+        level: f64,
+    ) -> Result<Vec<Crossing>, ExtremesError> {
+        Curve::new(self, |at| quantity(at).answer()).crossings(level)
     }
 
     /// The parts of the sweep on which a quantity stays within a tolerance of a level.
@@ -243,13 +275,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     ///
     /// # Errors
     /// As for [`extremes`](Self::extremes).
-    pub fn dwells_by(
+    pub fn dwells_by<A: Answer>(
         &self,
-        quantity: impl Fn(&At<M>) -> Local,
+        quantity: impl Fn(&At<M>) -> A,
         level: f64,
         tolerance: f64,
     ) -> Result<Vec<Dwell>, ExtremesError> {
-        Curve::new(self, quantity).dwells(level, tolerance)
+        Curve::new(self, |at| quantity(at).answer()).dwells(level, tolerance)
     }
 
     /// The mean, over the time or over the way of the input. Both are the same at constant speed.
@@ -267,8 +299,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     ///
     /// # Errors
     /// As for [`mean`](Self::mean).
-    pub fn mean_by(&self, quantity: impl Fn(&At<M>) -> Local, over: Over) -> Result<Mean, ExtremesError> {
-        Curve::new(self, quantity).mean(over, 1)
+    pub fn mean_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
+        Curve::new(self, |at| quantity(at).answer()).mean(over, 1)
     }
 
     /// The root of the mean square.
@@ -284,8 +316,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     ///
     /// # Errors
     /// As for [`mean`](Self::mean).
-    pub fn rms_by(&self, quantity: impl Fn(&At<M>) -> Local, over: Over) -> Result<Mean, ExtremesError> {
-        let square = Curve::new(self, quantity).mean(over, 2)?;
+    pub fn rms_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
+        let square = Curve::new(self, |at| quantity(at).answer()).mean(over, 2)?;
         let value = num_traits::Float::sqrt(square.value);
         Ok(Mean {
             value,

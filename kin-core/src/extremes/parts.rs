@@ -4,6 +4,7 @@ use super::ExtremesError;
 use super::at::At;
 use super::curve::{Curve, Node, Stretch};
 use crate::hermite::Piece;
+use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::quantity::Dimension;
@@ -31,7 +32,7 @@ impl<M, D, F> Curve<'_, M, D, F>
 where
     M: Mechanism<Scalar = f64>,
     D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Local,
+    F: Fn(&At<M>) -> Result<Local, LoadError>,
 {
     /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
     ///

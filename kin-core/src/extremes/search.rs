@@ -6,7 +6,8 @@ use super::ExtremesError;
 use super::at::At;
 use super::curve::{Curve, End, NEAREST, Node, Stretch};
 use super::parts::Part;
-use super::{Crossing, Dwell, Extreme, Kind};
+use super::{Crossing, Dwell, Extreme, Kind, Peak};
+use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::sweep::{Local, SmoothDrive};
@@ -29,7 +30,7 @@ impl<M, D, F> Curve<'_, M, D, F>
 where
     M: Mechanism<Scalar = f64>,
     D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Local,
+    F: Fn(&At<M>) -> Result<Local, LoadError>,
 {
     pub(super) fn extremes(&self) -> Result<Found, ExtremesError> {
         let stretches = self.stretches()?;
@@ -80,6 +81,29 @@ where
             extremes,
             first: first.unwrap_or(f64::NAN),
         })
+    }
+
+    /// The value that is largest in size.
+    pub(super) fn peak(&self) -> Result<Peak, ExtremesError> {
+        let found = self.extremes()?;
+        let mut peak = Peak {
+            at: self.course.from,
+            value: found.first,
+            kind: Kind::End,
+        };
+        for extreme in found.extremes {
+            let Some(value) = extreme.value else {
+                return Err(ExtremesError::Unbounded { at: extreme.at });
+            };
+            if value.abs() > peak.value.abs() {
+                peak = Peak {
+                    at: extreme.at,
+                    value,
+                    kind: extreme.kind,
+                };
+            }
+        }
+        Ok(peak)
     }
 
     /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.

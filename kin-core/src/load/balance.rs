@@ -7,7 +7,7 @@ use crate::load::coordinate::entries;
 use crate::load::totals::Totals;
 use crate::mechanism::Mechanism;
 use crate::motion::{Contains, leibniz};
-use crate::number::Row;
+use crate::number::{Number, Row};
 
 /// A quantity of dynamics with its derivatives by time.
 ///
@@ -77,19 +77,19 @@ impl<M: Mechanism, V: Copy + fmt::Debug> fmt::Debug for Rates<M, V> {
 /// newton metres at inputs that are angles, energies are joules, powers watts.
 #[derive(Clone, Copy)]
 pub struct Balance<M: Mechanism> {
-    inputs: M::Inputs<M::Motion<f64>>,
-    effort: M::Inputs<M::Motion<f64>>,
-    inertia: M::Inputs<M::Inputs<M::Motion<f64>>>,
-    kinetic: M::Motion<f64>,
-    potential: M::Motion<f64>,
-    applied: M::Motion<f64>,
-    damped: M::Motion<f64>,
-    shaking_force: [M::Motion<f64>; 3],
-    shaking_moment: [M::Motion<f64>; 3],
+    inputs: M::Inputs<M::Motion<M::Scalar>>,
+    effort: M::Inputs<M::Motion<M::Scalar>>,
+    inertia: M::Inputs<M::Inputs<M::Motion<M::Scalar>>>,
+    kinetic: M::Motion<M::Scalar>,
+    potential: M::Motion<M::Scalar>,
+    applied: M::Motion<M::Scalar>,
+    damped: M::Motion<M::Scalar>,
+    shaking_force: [M::Motion<M::Scalar>; 3],
+    shaking_moment: [M::Motion<M::Scalar>; 3],
 }
 
 impl<M: Mechanism> Balance<M> {
-    pub(super) fn new(inputs: M::Inputs<M::Motion<f64>>, totals: &Totals<M>) -> Self {
+    pub(super) fn new(inputs: M::Inputs<M::Motion<M::Scalar>>, totals: &Totals<M>) -> Self {
         Self {
             inputs,
             effort: totals.effort,
@@ -106,19 +106,26 @@ impl<M: Mechanism> Balance<M> {
     /// The effort of the drive of each input, with its rates: the torque on an input that is an angle, the force on one that is a
     /// length. It is positive where it drives the input in its positive direction.
     #[must_use]
-    pub fn efforts(&self) -> M::Inputs<Rates<M, f64>> {
+    pub fn efforts(&self) -> M::Inputs<Rates<M, M::Scalar>> {
         M::Inputs::from_fn(|input| Rates::new(self.effort[input], Totals::<M>::effort_entries()))
     }
 
     /// The power of the drive of each input: its effort times its velocity.
     #[must_use]
-    pub fn powers(&self) -> M::Inputs<Rates<M, f64>> {
+    pub fn powers(&self) -> M::Inputs<Rates<M, M::Scalar>> {
         let known = Totals::<M>::effort_entries();
         M::Inputs::from_fn(|input| {
-            let (effort, motion): (M::Motion<f64>, M::Motion<f64>) = (self.effort[input], self.inputs[input]);
+            let (effort, motion): (M::Motion<M::Scalar>, M::Motion<M::Scalar>) =
+                (self.effort[input], self.inputs[input]);
             let power = |order: usize| leibniz(&effort.as_ref()[..=order], &motion.as_ref()[1..=order + 1]);
             Rates::new(
-                M::Motion::from_fn(|order| if order < known { power(order) } else { 0.0 }),
+                M::Motion::from_fn(|order| {
+                    if order < known {
+                        power(order)
+                    } else {
+                        M::Scalar::constant(0.0)
+                    }
+                }),
                 known,
             )
         })
@@ -128,52 +135,52 @@ impl<M: Mechanism> Balance<M> {
     /// one input, it is the inertia that this input feels. Rates are those along the motion; for the derivatives by the inputs, see
     /// [`Loads::equivalent_inertia`](crate::load::Loads::equivalent_inertia).
     #[must_use]
-    pub fn inertias(&self) -> M::Inputs<M::Inputs<Rates<M, f64>>> {
+    pub fn inertias(&self) -> M::Inputs<M::Inputs<Rates<M, M::Scalar>>> {
         M::Inputs::from_fn(|row| {
-            let entries_of_row: M::Inputs<M::Motion<f64>> = self.inertia[row];
+            let entries_of_row: M::Inputs<M::Motion<M::Scalar>> = self.inertia[row];
             M::Inputs::from_fn(|column| Rates::new(entries_of_row[column], entries::<M>()))
         })
     }
 
     /// The kinetic energy.
     #[must_use]
-    pub fn kinetic_energy(&self) -> Rates<M, f64> {
+    pub fn kinetic_energy(&self) -> Rates<M, M::Scalar> {
         Rates::new(self.kinetic, Totals::<M>::power_entries())
     }
 
     /// The potential energy of gravity and springs. That of gravity is zero at the origin.
     #[must_use]
-    pub fn potential_energy(&self) -> Rates<M, f64> {
+    pub fn potential_energy(&self) -> Rates<M, M::Scalar> {
         Rates::new(self.potential, entries::<M>())
     }
 
     /// The power that the forces and torques among the loads put into the mechanism.
     #[must_use]
-    pub fn applied_power(&self) -> Rates<M, f64> {
+    pub fn applied_power(&self) -> Rates<M, M::Scalar> {
         Rates::new(self.applied, Totals::<M>::effort_entries())
     }
 
     /// The power that the dampers take.
     #[must_use]
-    pub fn damped_power(&self) -> Rates<M, f64> {
+    pub fn damped_power(&self) -> Rates<M, M::Scalar> {
         Rates::new(self.damped, Totals::<M>::effort_entries())
     }
 
     /// The shaking force: the sum of the inertia forces -m a of the moving masses, which the mechanism exerts on its ground. Weights and
     /// other loads are not in it.
     #[must_use]
-    pub fn shaking_force(&self) -> Rates<M, Space<f64>> {
+    pub fn shaking_force(&self) -> Rates<M, Space<M::Scalar>> {
         Self::vector(&self.shaking_force)
     }
 
     /// The shaking moment about the origin: the sum of -r × m a and of the inertia moments of the links. In the plane it is about z.
     /// About another point c it is greater by -c × the shaking force.
     #[must_use]
-    pub fn shaking_moment(&self) -> Rates<M, Space<f64>> {
+    pub fn shaking_moment(&self) -> Rates<M, Space<M::Scalar>> {
         Self::vector(&self.shaking_moment)
     }
 
-    fn vector([x, y, z]: &[M::Motion<f64>; 3]) -> Rates<M, Space<f64>> {
+    fn vector([x, y, z]: &[M::Motion<M::Scalar>; 3]) -> Rates<M, Space<M::Scalar>> {
         Rates::new(
             M::Motion::from_fn(|order| Space::new(x[order], y[order], z[order])),
             Totals::<M>::effort_entries(),

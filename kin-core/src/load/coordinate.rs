@@ -10,7 +10,7 @@ use crate::number::{Number, Row};
 
 /// The number of entries of a motion of the mechanism: the value, and a derivative for each order.
 pub(super) const fn entries<M: Mechanism>() -> usize {
-    <M::Motion<f64> as Row<f64>>::LENGTH
+    <M::Motion<M::Scalar> as Row<M::Scalar>>::LENGTH
 }
 
 /// A coordinate of a point, an angle or a distance: its motion, and its influence coefficients as motions.
@@ -19,13 +19,13 @@ pub(super) const fn entries<M: Mechanism>() -> usize {
 /// motion is its n-th derivative by time. Sums and products follow the product rule.
 #[derive(Clone, Copy)]
 pub(super) struct Coordinate<M: Mechanism> {
-    pub(super) motion: M::Motion<f64>,
-    pub(super) influence: M::Inputs<M::Motion<f64>>,
+    pub(super) motion: M::Motion<M::Scalar>,
+    pub(super) influence: M::Inputs<M::Motion<M::Scalar>>,
 }
 
 impl<M: Mechanism> Coordinate<M> {
     /// The coordinates of a selected point, x, y and z.
-    pub(super) fn of_point<P: Varying<Space<Change>>>(
+    pub(super) fn of_point<P: Varying<Space<Change<M::Scalar>>>>(
         poses: &M::Inputs<Moving<M>>,
         point: impl Fn(Moving<M>) -> P,
     ) -> [Self; 3] {
@@ -44,7 +44,10 @@ impl<M: Mechanism> Coordinate<M> {
     }
 
     /// A selected angle, or another coordinate that is a number.
-    pub(super) fn of_number<P: Varying<Change>>(poses: &M::Inputs<Moving<M>>, number: impl Fn(Moving<M>) -> P) -> Self {
+    pub(super) fn of_number<P: Varying<Change<M::Scalar>>>(
+        poses: &M::Inputs<Moving<M>>,
+        number: impl Fn(Moving<M>) -> P,
+    ) -> Self {
         const {
             assert!(
                 P::ENTRIES >= entries::<M>(),
@@ -56,11 +59,11 @@ impl<M: Mechanism> Coordinate<M> {
     }
 
     /// Each item holds the same motion, with its change along one input.
-    fn gathered<E: Fn(usize) -> Change>(items: impl Iterator<Item = E>) -> Self {
+    fn gathered<E: Fn(usize) -> Change<M::Scalar>>(items: impl Iterator<Item = E>) -> Self {
         let mut gathered = Self::constant(0.0);
         for (input, entry) in items.enumerate() {
             for order in 0..entries::<M>() {
-                let [value, change] = entry(order).coefficients();
+                let Change { value, change } = entry(order);
                 gathered.motion[order] = value;
                 gathered.influence[input][order] = change;
             }
@@ -69,32 +72,34 @@ impl<M: Mechanism> Coordinate<M> {
     }
 
     pub(super) fn constant(value: f64) -> Self {
-        let zero = M::Motion::from_fn(|_| 0.0);
+        let number = M::Scalar::constant;
+        let zero = M::Motion::from_fn(|_| number(0.0));
         Self {
-            motion: M::Motion::from_fn(|order| if order == 0 { value } else { 0.0 }),
+            motion: M::Motion::from_fn(|order| number(if order == 0 { value } else { 0.0 })),
             influence: M::Inputs::from_fn(|_| zero),
         }
     }
 
-    pub(super) fn scale(self, factor: f64) -> Self {
+    pub(super) fn scale(self, factor: M::Scalar) -> Self {
         self.map(|entry| factor * entry)
     }
 
     /// The square root. The value must be positive.
     pub(super) fn sqrt(self) -> Self {
-        let mut root = M::Motion::from_fn(|_| 0.0);
-        root[0] = Number::sqrt(self.motion[0]);
+        let number = M::Scalar::constant;
+        let mut root = M::Motion::from_fn(|_| number(0.0));
+        root[0] = self.motion[0].sqrt();
         for order in 1..entries::<M>() {
             // the entry of this order is still zero
             let known = leibniz(&root.as_ref()[..=order], &root.as_ref()[..=order]);
-            root[order] = (self.motion[order] - known) / (2.0 * root[0]);
+            root[order] = (self.motion[order] - known) / (number(2.0) * root[0]);
         }
         let influence = |input| {
-            let change: &M::Motion<f64> = &self.influence[input];
-            let mut quotient = M::Motion::from_fn(|_| 0.0);
+            let change: &M::Motion<M::Scalar> = &self.influence[input];
+            let mut quotient = M::Motion::from_fn(|_| number(0.0));
             for order in 0..entries::<M>() {
                 let known = leibniz(&quotient.as_ref()[..=order], &root.as_ref()[..=order]);
-                quotient[order] = (0.5 * change[order] - known) / root[0];
+                quotient[order] = (number(0.5) * change[order] - known) / root[0];
             }
             quotient
         };
@@ -104,21 +109,22 @@ impl<M: Mechanism> Coordinate<M> {
         }
     }
 
-    fn map(self, function: impl Fn(f64) -> f64) -> Self {
+    fn map(self, function: impl Fn(M::Scalar) -> M::Scalar) -> Self {
         Self {
             motion: M::Motion::from_fn(|order| function(self.motion[order])),
             influence: M::Inputs::from_fn(|input| {
-                let own: M::Motion<f64> = self.influence[input];
+                let own: M::Motion<M::Scalar> = self.influence[input];
                 M::Motion::from_fn(|order| function(own[order]))
             }),
         }
     }
 
-    fn with(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
+    fn with(self, other: Self, function: impl Fn(M::Scalar, M::Scalar) -> M::Scalar) -> Self {
         Self {
             motion: M::Motion::from_fn(|order| function(self.motion[order], other.motion[order])),
             influence: M::Inputs::from_fn(|input| {
-                let (one, two): (M::Motion<f64>, M::Motion<f64>) = (self.influence[input], other.influence[input]);
+                let (one, two): (M::Motion<M::Scalar>, M::Motion<M::Scalar>) =
+                    (self.influence[input], other.influence[input]);
                 M::Motion::from_fn(|order| function(one[order], two[order]))
             }),
         }
@@ -145,7 +151,7 @@ impl<M: Mechanism> Mul for Coordinate<M> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let product = |one: &M::Motion<f64>, two: &M::Motion<f64>, order: usize| {
+        let product = |one: &M::Motion<M::Scalar>, two: &M::Motion<M::Scalar>, order: usize| {
             leibniz(&one.as_ref()[..=order], &two.as_ref()[..=order])
         };
         Self {

@@ -35,6 +35,11 @@ pub enum LoadError {
         /// The place of the first input that is concerned, from 0 on.
         input: usize,
     },
+    /// The drive has no effort: there is no such input, or the mechanism is declared to the first order, without accelerations.
+    NoEffort {
+        /// The place of the input, from 0 on.
+        input: usize,
+    },
     /// A result is not finite: a mass, a force or another number of a load is not, or is too large.
     NotFinite,
 }
@@ -65,6 +70,11 @@ impl fmt::Display for LoadError {
             Self::NoInertia { input } => write!(
                 formatter,
                 "no mass or inertia resists a motion of input {input}, counted from 0, so that its acceleration is not determined"
+            ),
+            Self::NoEffort { input } => write!(
+                formatter,
+                "the drive of input {input}, counted from 0, has no effort: there is no such input, or the mechanism is declared \
+                 without accelerations"
             ),
             Self::NotFinite => write!(
                 formatter,

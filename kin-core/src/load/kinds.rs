@@ -48,7 +48,7 @@ pub struct Mass<F> {
     pub(super) point: F,
 }
 
-impl<M: Mechanism, P: Varying<Space<Change>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Mass<F> {
+impl<M: Mechanism, P: Varying<Space<Change<M::Scalar>>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Mass<F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -64,8 +64,8 @@ fn add_mass<M: Mechanism>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate
     }
     totals.shaking(mass, point);
     let Space { x, y, z } = totals.gravity;
-    let along = point[0].scale(x) + point[1].scale(y) + point[2].scale(z);
-    totals.potential(&along.scale(-mass));
+    let along = [x, y, z].map(|part| M::Scalar::constant(-mass * part));
+    totals.potential(&(point[0].scale(along[0]) + point[1].scale(along[1]) + point[2].scale(along[2])));
 }
 
 /// A moment of inertia about an axis of fixed direction.
@@ -76,7 +76,7 @@ pub struct Inertia<F> {
     pub(super) angle: F,
 }
 
-impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Inertia<F> {
+impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Inertia<F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -85,7 +85,7 @@ impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for
         let Space { x, y, z } = self.axis;
         for (sum, direction) in totals.shaking_moment.iter_mut().zip([x, y, z]) {
             for order in 0..Totals::<M>::effort_entries() {
-                sum[order] -= self.moment * direction * angle.motion[order + 2];
+                sum[order] = sum[order] - M::Scalar::constant(self.moment * direction) * angle.motion[order + 2];
             }
         }
         Ok(())
@@ -114,7 +114,7 @@ pub struct Body<F> {
     pub(super) points: F,
 }
 
-impl<M: Mechanism, P: Varying<Space<Change>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for Body<F> {
+impl<M: Mechanism, P: Varying<Space<Change<M::Scalar>>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for Body<F> {
     const COUNT: usize = 1;
 
     // With the arms ξ from the centre of mass along unit vectors e fixed to the body, the velocity of a mass element is that of the
@@ -129,20 +129,24 @@ impl<M: Mechanism, P: Varying<Space<Change>>, F: Fn(Moving<M>) -> [P; 3] + Copy>
         }
         let normal = cross(&along, &across);
         // The lengths are constant, because the body is rigid.
-        let length = |vector: &[Coordinate<M>; 3]| Number::sqrt(dot(vector, vector).motion[0]);
+        let length = |vector: &[Coordinate<M>; 3]| dot(vector, vector).motion[0].sqrt();
         let (base, area) = (length(&along), length(&normal));
         // Below this ratio the orientation has fewer than half of the digits.
-        if area <= Number::sqrt(f64::EPSILON) * base * length(&across) {
+        if area.real() <= Number::sqrt(f64::EPSILON) * (base * length(&across)).real() {
             return Err(LoadError::Collinear { load });
         }
-        let first = along.map(|coordinate| coordinate.scale(1.0 / base));
-        let third = normal.map(|coordinate| coordinate.scale(1.0 / area));
+        let one = M::Scalar::constant(1.0);
+        let first = along.map(|coordinate| coordinate.scale(one / base));
+        let third = normal.map(|coordinate| coordinate.scale(one / area));
         let axes = [first, cross(&third, &first), third];
 
         let Solid { mass, centre, inertia } = self.solid;
         let arms = [centre.x, centre.y, centre.z];
         let point = [0, 1, 2].map(|coordinate| {
-            let steps = axes.iter().zip(arms).map(|(axis, arm)| axis[coordinate].scale(arm));
+            let steps = axes
+                .iter()
+                .zip(arms)
+                .map(|(axis, arm)| axis[coordinate].scale(M::Scalar::constant(arm)));
             steps.fold(a[coordinate], |sum, step| sum + step)
         });
         add_mass(totals, mass, &point);
@@ -165,12 +169,11 @@ impl<M: Mechanism, P: Varying<Space<Change>>, F: Fn(Moving<M>) -> [P; 3] + Copy>
 fn rigid<M: Mechanism>(one: &[Coordinate<M>; 3], two: &[Coordinate<M>; 3]) -> Result<(), f64> {
     let product = dot(one, two);
     for (input, influence) in product.influence.as_ref().iter().enumerate() {
-        let terms = one
-            .iter()
-            .zip(two)
-            .map(|(a, b)| (a.motion[0] * b.influence[input][0]).abs() + (b.motion[0] * a.influence[input][0]).abs());
-        if influence[0].abs() > Number::sqrt(f64::EPSILON) * terms.sum::<f64>() {
-            return Err(influence[0]);
+        let part = |a: &Coordinate<M>, b: &Coordinate<M>| (a.motion[0] * b.influence[input][0]).real().abs();
+        let terms = one.iter().zip(two).map(|(a, b)| part(a, b) + part(b, a));
+        let rate = influence[0].real();
+        if rate.abs() > Number::sqrt(f64::EPSILON) * terms.sum::<f64>() {
+            return Err(rate);
         }
     }
     Ok(())
@@ -186,8 +189,8 @@ pub struct Force<V, F> {
 impl<M, V, P, F> Load<M> for Force<V, F>
 where
     M: Mechanism,
-    V: Varying<Space<f64>>,
-    P: Varying<Space<Change>>,
+    V: Varying<Space<M::Scalar>>,
+    P: Varying<Space<Change<M::Scalar>>>,
     F: Fn(Moving<M>) -> P + Copy,
 {
     const COUNT: usize = 1;
@@ -211,8 +214,8 @@ pub struct Torque<V, F> {
 impl<M, V, P, F> Load<M> for Torque<V, F>
 where
     M: Mechanism,
-    V: Varying<f64>,
-    P: Varying<Change>,
+    V: Varying<M::Scalar>,
+    P: Varying<Change<M::Scalar>>,
     F: Fn(Moving<M>) -> P + Copy,
 {
     const COUNT: usize = 1;
@@ -256,8 +259,8 @@ pub struct Damper {
 fn square<M, P, Q>(totals: &Totals<M>, from: impl Fn(Moving<M>) -> P, to: impl Fn(Moving<M>) -> Q) -> Coordinate<M>
 where
     M: Mechanism,
-    P: Varying<Space<Change>>,
-    Q: Varying<Space<Change>>,
+    P: Varying<Space<Change<M::Scalar>>>,
+    Q: Varying<Space<Change<M::Scalar>>>,
 {
     let (from, to) = (
         Coordinate::of_point(&totals.poses, from),
@@ -269,7 +272,7 @@ where
 
 /// The distance, from its square.
 fn distance<M: Mechanism>(square: Coordinate<M>, load: usize) -> Result<Coordinate<M>, LoadError> {
-    if square.motion[0] > f64::SMALLEST {
+    if square.motion[0].real() > M::Scalar::SMALLEST {
         Ok(square.sqrt())
     } else {
         Err(LoadError::NoDirection { load })
@@ -279,8 +282,8 @@ fn distance<M: Mechanism>(square: Coordinate<M>, load: usize) -> Result<Coordina
 impl<M, P, Q, F, G> Load<M> for Link<Spring, F, G>
 where
     M: Mechanism,
-    P: Varying<Space<Change>>,
-    Q: Varying<Space<Change>>,
+    P: Varying<Space<Change<M::Scalar>>>,
+    Q: Varying<Space<Change<M::Scalar>>>,
     F: Fn(Moving<M>) -> P + Copy,
     G: Fn(Moving<M>) -> Q + Copy,
 {
@@ -296,7 +299,7 @@ where
             let stretch = distance(square, totals.load)? - Coordinate::constant(rest);
             stretch * stretch
         };
-        totals.potential(&squared_stretch.scale(0.5 * stiffness));
+        totals.potential(&squared_stretch.scale(M::Scalar::constant(0.5 * stiffness)));
         Ok(())
     }
 }
@@ -304,8 +307,8 @@ where
 impl<M, P, Q, F, G> Load<M> for Link<Damper, F, G>
 where
     M: Mechanism,
-    P: Varying<Space<Change>>,
-    Q: Varying<Space<Change>>,
+    P: Varying<Space<Change<M::Scalar>>>,
+    Q: Varying<Space<Change<M::Scalar>>>,
     F: Fn(Moving<M>) -> P + Copy,
     G: Fn(Moving<M>) -> Q + Copy,
 {
@@ -318,18 +321,18 @@ where
     }
 }
 
-impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Spring, F> {
+impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Spring, F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
         let Spring { stiffness, rest } = self.kind;
         let twist = Coordinate::of_number(&totals.poses, self.angle) - Coordinate::constant(rest);
-        totals.potential(&(twist * twist).scale(0.5 * stiffness));
+        totals.potential(&(twist * twist).scale(M::Scalar::constant(0.5 * stiffness)));
         Ok(())
     }
 }
 
-impl<M: Mechanism, P: Varying<Change>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Damper, F> {
+impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Damper, F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {

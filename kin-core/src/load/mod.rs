@@ -73,16 +73,17 @@ pub use varying::Varying;
 use core::fmt;
 use core::marker::PhantomData;
 
+use crate::failure::SolveError;
 use crate::geometry::Space;
 use crate::mechanism::Mechanism;
-use crate::number::series::Series;
+use crate::number::{Changing, Number, Row};
 
 /// A number with its change along one input.
-pub type Change = Series<2>;
+pub type Change<T = f64> = Changing<T>;
 
 /// The pose that the functions of loads receive: that of the mechanism `M`, over numbers with their change along one input. It has the
 /// fields of any pose.
-pub type Moving<M> = <<M as Mechanism>::With<Change> as Mechanism>::Pose;
+pub type Moving<M> = <<M as Mechanism>::With<Change<<M as Mechanism>::Scalar>> as Mechanism>::Pose;
 
 /// Masses, moments of inertia, gravity, forces, torques, springs and dampers on the mechanism `M`.
 ///
@@ -147,7 +148,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn mass<P, F>(self, mass: f64, point: F) -> Loads<M, (L, Mass<F>)>
     where
-        P: Varying<Space<Change>>,
+        P: Varying<Space<Change<M::Scalar>>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         self.and(Mass { mass, point })
@@ -158,7 +159,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn inertia<P, F>(self, inertia: f64, angle: F) -> Loads<M, (L, Inertia<F>)>
     where
-        P: Varying<Change>,
+        P: Varying<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         self.inertia_about(Space::new(0.0, 0.0, 1.0), inertia, angle)
@@ -168,7 +169,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn inertia_about<P, F>(self, axis: Space<f64>, inertia: f64, angle: F) -> Loads<M, (L, Inertia<F>)>
     where
-        P: Varying<Change>,
+        P: Varying<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         self.and(Inertia {
@@ -211,7 +212,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn body<P, F>(self, solid: Solid, points: F) -> Loads<M, (L, Body<F>)>
     where
-        P: Varying<Space<Change>>,
+        P: Varying<Space<Change<M::Scalar>>>,
         F: Fn(Moving<M>) -> [P; 3] + Copy,
     {
         self.and(Body { solid, points })
@@ -221,16 +222,11 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn force<V, P, F>(self, force: V, point: F) -> Loads<M, (L, Force<V, F>)>
     where
-        V: Varying<Space<f64>>,
-        P: Varying<Space<Change>>,
+        V: Varying<Space<M::Scalar>>,
+        P: Varying<Space<Change<M::Scalar>>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
-        const {
-            assert!(
-                V::ENTRIES.saturating_add(2) >= coordinate::entries::<M>(),
-                "a force needs its derivatives"
-            );
-        };
+        const { assert!(has_rates::<M>(V::ENTRIES), "a force needs its derivatives") };
         self.and(Force { force, point })
     }
 
@@ -238,16 +234,11 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn torque<V, P, F>(self, torque: V, angle: F) -> Loads<M, (L, Torque<V, F>)>
     where
-        V: Varying<f64>,
-        P: Varying<Change>,
+        V: Varying<M::Scalar>,
+        P: Varying<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
-        const {
-            assert!(
-                V::ENTRIES.saturating_add(2) >= coordinate::entries::<M>(),
-                "a torque needs its derivatives"
-            );
-        };
+        const { assert!(has_rates::<M>(V::ENTRIES), "a torque needs its derivatives") };
         self.and(Torque { torque, angle })
     }
 
@@ -255,8 +246,8 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn spring<P, Q, F, G>(self, stiffness: f64, rest: f64, from: F, to: G) -> Loads<M, (L, Link<Spring, F, G>)>
     where
-        P: Varying<Space<Change>>,
-        Q: Varying<Space<Change>>,
+        P: Varying<Space<Change<M::Scalar>>>,
+        Q: Varying<Space<Change<M::Scalar>>>,
         F: Fn(Moving<M>) -> P + Copy,
         G: Fn(Moving<M>) -> Q + Copy,
     {
@@ -268,8 +259,8 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn damper<P, Q, F, G>(self, damping: f64, from: F, to: G) -> Loads<M, (L, Link<Damper, F, G>)>
     where
-        P: Varying<Space<Change>>,
-        Q: Varying<Space<Change>>,
+        P: Varying<Space<Change<M::Scalar>>>,
+        Q: Varying<Space<Change<M::Scalar>>>,
         F: Fn(Moving<M>) -> P + Copy,
         G: Fn(Moving<M>) -> Q + Copy,
     {
@@ -281,7 +272,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn torsion_spring<P, F>(self, stiffness: f64, rest: f64, angle: F) -> Loads<M, (L, Turning<Spring, F>)>
     where
-        P: Varying<Change>,
+        P: Varying<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         let kind = Spring { stiffness, rest };
@@ -292,7 +283,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn torsion_damper<P, F>(self, damping: f64, angle: F) -> Loads<M, (L, Turning<Damper, F>)>
     where
-        P: Varying<Change>,
+        P: Varying<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         let kind = Damper { damping };
@@ -300,7 +291,12 @@ impl<M: Mechanism, L> Loads<M, L> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
+/// Whether a force with so many entries has as many rates as an effort.
+const fn has_rates<M: Mechanism>(entries: usize) -> bool {
+    entries.saturating_add(2) >= coordinate::entries::<M>()
+}
+
+impl<M: Mechanism, L: Load<M>> Loads<M, L> {
     /// The balance of loads and drives in the pose at given motions of the inputs.
     ///
     /// The mechanism is solved once for each input, over numbers with their change.
@@ -310,10 +306,37 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
     pub fn at(
         &self,
         mechanism: &M,
-        inputs: M::Inputs<M::Motion<f64>>,
+        inputs: M::Inputs<M::Motion<M::Scalar>>,
         assembly: M::Assembly,
     ) -> Result<Balance<M>, LoadError> {
-        let poses = totals::poses(mechanism, inputs, assembly)?;
+        self.balance(mechanism, inputs, |changing, moved| {
+            changing.solve_motion(moved, assembly)
+        })
+    }
+
+    /// [`at`](Self::at), in the pose closest to values of the unknowns.
+    ///
+    /// # Errors
+    /// As for [`at`](Self::at).
+    pub fn near(
+        &self,
+        mechanism: &M,
+        inputs: M::Inputs<M::Motion<M::Scalar>>,
+        near: M::Unknowns<M::Scalar>,
+    ) -> Result<Balance<M>, LoadError> {
+        let zero = M::Scalar::constant(0.0);
+        self.balance(mechanism, inputs, |changing, moved| {
+            changing.solve_motion_near(moved, Row::from_fn(|unknown| Change::new(near[unknown], zero)))
+        })
+    }
+
+    fn balance(
+        &self,
+        mechanism: &M,
+        inputs: M::Inputs<M::Motion<M::Scalar>>,
+        solve: impl Fn(&totals::Changing<M>, totals::ChangingInputs<M>) -> Result<Moving<M>, SolveError>,
+    ) -> Result<Balance<M>, LoadError> {
+        let poses = totals::poses(mechanism, inputs, solve)?;
         let mut totals = Totals::new(poses, self.gravity);
         self.list.add(&mut totals)?;
         if totals.are_finite() {

@@ -1,11 +1,12 @@
 //! The sums over all loads.
 
+use crate::failure::SolveError;
 use crate::geometry::Space;
 use crate::load::coordinate::{Coordinate, entries};
 use crate::load::{Change, Moving};
 use crate::mechanism::Mechanism;
 use crate::motion::leibniz;
-use crate::number::Row;
+use crate::number::{Number, Row};
 
 /// The sums over all loads, to which each load adds its own part.
 ///
@@ -17,19 +18,19 @@ pub struct Totals<M: Mechanism> {
     pub(super) gravity: Space<f64>,
     /// The place of the load that is being added, from 1 on.
     pub(super) load: usize,
-    pub(super) effort: M::Inputs<M::Motion<f64>>,
-    pub(super) inertia: M::Inputs<M::Inputs<M::Motion<f64>>>,
-    pub(super) kinetic: M::Motion<f64>,
-    pub(super) potential: M::Motion<f64>,
-    pub(super) applied: M::Motion<f64>,
-    pub(super) damped: M::Motion<f64>,
-    pub(super) shaking_force: [M::Motion<f64>; 3],
-    pub(super) shaking_moment: [M::Motion<f64>; 3],
+    pub(super) effort: M::Inputs<M::Motion<M::Scalar>>,
+    pub(super) inertia: M::Inputs<M::Inputs<M::Motion<M::Scalar>>>,
+    pub(super) kinetic: M::Motion<M::Scalar>,
+    pub(super) potential: M::Motion<M::Scalar>,
+    pub(super) applied: M::Motion<M::Scalar>,
+    pub(super) damped: M::Motion<M::Scalar>,
+    pub(super) shaking_force: [M::Motion<M::Scalar>; 3],
+    pub(super) shaking_moment: [M::Motion<M::Scalar>; 3],
 }
 
 impl<M: Mechanism> Totals<M> {
     pub(super) fn new(poses: M::Inputs<Moving<M>>, gravity: Space<f64>) -> Self {
-        let zero = M::Motion::from_fn(|_| 0.0);
+        let zero = M::Motion::from_fn(|_| M::Scalar::constant(0.0));
         let zeros = M::Inputs::from_fn(|_| zero);
         Self {
             poses,
@@ -58,25 +59,26 @@ impl<M: Mechanism> Totals<M> {
 
     /// The kinetic energy w a' b' / 2 of two coordinates, which may be the same.
     pub(super) fn inertia(&mut self, weight: f64, a: &Coordinate<M>, b: &Coordinate<M>) {
-        let half = 0.5 * weight;
+        let half = M::Scalar::constant(0.5 * weight);
         let inputs = <M::Inputs<f64> as Row<f64>>::LENGTH;
         for input in 0..inputs {
             let (by_a, by_b) = (a.influence[input].as_ref(), b.influence[input].as_ref());
             for order in 0..Self::effort_entries() {
                 let one = leibniz(&a.motion.as_ref()[2..=order + 2], &by_b[..=order]);
                 let two = leibniz(&b.motion.as_ref()[2..=order + 2], &by_a[..=order]);
-                self.effort[input][order] += half * (one + two);
+                add(&mut self.effort[input][order], half * (one + two));
             }
             for other in 0..inputs {
                 for order in 0..entries::<M>() {
                     let one = leibniz(&by_a[..=order], &b.influence[other].as_ref()[..=order]);
                     let two = leibniz(&by_b[..=order], &a.influence[other].as_ref()[..=order]);
-                    self.inertia[input][other][order] += half * (one + two);
+                    add(&mut self.inertia[input][other][order], half * (one + two));
                 }
             }
         }
         for order in 0..Self::power_entries() {
-            self.kinetic[order] += half * leibniz(&a.motion.as_ref()[1..=order + 1], &b.motion.as_ref()[1..=order + 1]);
+            let square = leibniz(&a.motion.as_ref()[1..=order + 1], &b.motion.as_ref()[1..=order + 1]);
+            add(&mut self.kinetic[order], half * square);
         }
     }
 
@@ -84,7 +86,7 @@ impl<M: Mechanism> Totals<M> {
     pub(super) fn shaking(&mut self, mass: f64, point: &[Coordinate<M>; 3]) {
         for (force, coordinate) in self.shaking_force.iter_mut().zip(point) {
             for order in 0..Self::effort_entries() {
-                force[order] -= mass * coordinate.motion[order + 2];
+                force[order] = force[order] - M::Scalar::constant(mass) * coordinate.motion[order + 2];
             }
         }
         self.spin(mass, point, point);
@@ -101,7 +103,11 @@ impl<M: Mechanism> Totals<M> {
                         &b[along].motion.as_ref()[2..=order + 2],
                     )
                 };
-                self.shaking_moment[axis][order] -= weight * (moment(next, last) - moment(last, next));
+                let both = moment(last, next) - moment(next, last);
+                add(
+                    &mut self.shaking_moment[axis][order],
+                    M::Scalar::constant(weight) * both,
+                );
             }
         }
     }
@@ -109,48 +115,50 @@ impl<M: Mechanism> Totals<M> {
     /// A load with the given potential energy.
     pub(super) fn potential(&mut self, energy: &Coordinate<M>) {
         for order in 0..entries::<M>() {
-            self.potential[order] += energy.motion[order];
+            add(&mut self.potential[order], energy.motion[order]);
         }
         for input in 0..<M::Inputs<f64> as Row<f64>>::LENGTH {
             for order in 0..Self::effort_entries() {
-                self.effort[input][order] += energy.influence[input][order];
+                add(&mut self.effort[input][order], energy.influence[input][order]);
             }
         }
     }
 
     /// A force along a coordinate, positive in its direction.
-    pub(super) fn force(&mut self, force: impl Fn(usize) -> f64, along: &Coordinate<M>) {
+    pub(super) fn force(&mut self, force: impl Fn(usize) -> M::Scalar, along: &Coordinate<M>) {
         let force = M::Motion::from_fn(|order| {
             if order < Self::effort_entries() {
                 force(order)
             } else {
-                0.0
+                M::Scalar::constant(0.0)
             }
         });
         for order in 0..Self::effort_entries() {
             for input in 0..<M::Inputs<f64> as Row<f64>>::LENGTH {
-                self.effort[input][order] -=
-                    leibniz(&force.as_ref()[..=order], &along.influence[input].as_ref()[..=order]);
+                let work = leibniz(&force.as_ref()[..=order], &along.influence[input].as_ref()[..=order]);
+                add(&mut self.effort[input][order], -work);
             }
-            self.applied[order] += leibniz(&force.as_ref()[..=order], &along.motion.as_ref()[1..=order + 1]);
+            let power = leibniz(&force.as_ref()[..=order], &along.motion.as_ref()[1..=order + 1]);
+            add(&mut self.applied[order], power);
         }
     }
 
     /// A damper, whose force is proportional to the rate of a coordinate.
     pub(super) fn damper(&mut self, damping: f64, along: &Coordinate<M>) {
+        let damping = M::Scalar::constant(damping);
         let rates = |order: usize| &along.motion.as_ref()[1..=order + 1];
         for order in 0..Self::effort_entries() {
             for input in 0..<M::Inputs<f64> as Row<f64>>::LENGTH {
-                self.effort[input][order] +=
-                    damping * leibniz(rates(order), &along.influence[input].as_ref()[..=order]);
+                let work = leibniz(rates(order), &along.influence[input].as_ref()[..=order]);
+                add(&mut self.effort[input][order], damping * work);
             }
-            self.damped[order] += damping * leibniz(rates(order), rates(order));
+            add(&mut self.damped[order], damping * leibniz(rates(order), rates(order)));
         }
     }
 
     /// Whether all sums are finite.
     pub(super) fn are_finite(&self) -> bool {
-        let finite = |motion: &M::Motion<f64>| motion.as_ref().iter().all(|entry| entry.is_finite());
+        let finite = |motion: &M::Motion<M::Scalar>| motion.as_ref().iter().all(|entry| entry.is_finite());
         let sums = [self.kinetic, self.potential, self.applied, self.damped];
         self.effort.as_ref().iter().all(finite)
             && self.inertia.as_ref().iter().all(|row| row.as_ref().iter().all(finite))
@@ -162,23 +170,28 @@ impl<M: Mechanism> Totals<M> {
     }
 }
 
-/// The poses of a mechanism in motion: one for each input, with the change along that input.
-pub(super) fn poses<M: Mechanism<Scalar = f64>>(
+fn add<T: Number>(sum: &mut T, term: T) {
+    *sum = *sum + term;
+}
+
+/// The poses of a mechanism in motion: one for each input, with the change along that input. `solve` finds one of them.
+pub(super) fn poses<M: Mechanism>(
     mechanism: &M,
-    inputs: M::Inputs<M::Motion<f64>>,
-    assembly: M::Assembly,
-) -> Result<M::Inputs<Moving<M>>, crate::failure::SolveError> {
-    let changing = mechanism.convert(|value| Change::from_coefficients([value, 0.0]));
+    inputs: M::Inputs<M::Motion<M::Scalar>>,
+    solve: impl Fn(&Changing<M>, ChangingInputs<M>) -> Result<Moving<M>, SolveError>,
+) -> Result<M::Inputs<Moving<M>>, SolveError> {
+    let zero = M::Scalar::constant(0.0);
+    let parameters = mechanism.parameters();
+    let changing = Changing::<M>::from_parameters(Row::from_fn(|place| Change::new(parameters[place], zero)));
     let solve = |direction: usize| {
-        let moved =
-            <<M::With<Change> as Mechanism>::Inputs<M::Motion<Change>> as Row<M::Motion<Change>>>::from_fn(|input| {
-                let motion: M::Motion<f64> = inputs[input];
-                Row::from_fn(|order| {
-                    let change = if order == 0 && input == direction { 1.0 } else { 0.0 };
-                    Change::from_coefficients([motion[order], change])
-                })
-            });
-        changing.solve_motion(moved, assembly)
+        let moved = Row::from_fn(|input| {
+            let motion: M::Motion<M::Scalar> = inputs[input];
+            Row::from_fn(|order| {
+                let change = if order == 0 && input == direction { 1.0 } else { 0.0 };
+                Change::new(motion[order], M::Scalar::constant(change))
+            })
+        });
+        solve(&changing, moved)
     };
     let first = solve(0)?;
     let mut poses = M::Inputs::from_fn(|_| first);
@@ -187,3 +200,10 @@ pub(super) fn poses<M: Mechanism<Scalar = f64>>(
     }
     Ok(poses)
 }
+
+/// A mechanism over numbers with their change.
+pub(super) type Changing<M> = <M as Mechanism>::With<Change<<M as Mechanism>::Scalar>>;
+
+/// The motions of its inputs.
+pub(super) type ChangingInputs<M> =
+    <Changing<M> as Mechanism>::Inputs<<M as Mechanism>::Motion<Change<<M as Mechanism>::Scalar>>>;

@@ -1,9 +1,9 @@
 //! What a load accepts as a point, an angle, a force or a torque: constants and motions.
 
 use crate::geometry::{Plane, Space};
-use crate::load::Change;
 use crate::motion::{Direction, Motion};
 use crate::number::Number;
+use crate::solve::Scalar;
 
 /// A quantity that is constant, or that is given with its derivatives by time.
 ///
@@ -76,10 +76,10 @@ impl<T: Number, const N: usize> Varying<Space<T>> for Motion<Space<T>, N> {
     }
 }
 
-impl<const N: usize> Varying<Change> for Direction<Change, N> {
+impl<T: Scalar, const N: usize> Varying<T> for Direction<T, N> {
     const ENTRIES: usize = N + 1;
 
-    fn entry(&self, order: usize) -> Change {
+    fn entry(&self, order: usize) -> T {
         match order.checked_sub(1) {
             None => self.angle(),
             Some(rate) => self.rates()[rate],

@@ -1,5 +1,6 @@
 //! Numbers, and rows of them.
 
+mod changing;
 #[cfg(feature = "std")]
 pub mod count;
 pub(crate) mod elementary;
@@ -11,6 +12,7 @@ pub(crate) mod scatter;
 pub mod series;
 mod single;
 
+pub use changing::Changing;
 pub use operations::Operations;
 pub use row::Row;
 pub(crate) use single::single;

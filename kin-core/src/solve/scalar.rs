@@ -3,7 +3,7 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::series::Series;
-use crate::number::{Number, Row};
+use crate::number::{Changing, Number, Row};
 use crate::solve::check::{Check, Choose, Measure, Negative};
 use crate::solve::newton::damped_root;
 
@@ -139,5 +139,6 @@ pub trait Scalar: Number {
 impl Scalar for f64 {}
 impl Scalar for f32 {}
 impl<const N: usize> Scalar for Series<N> {}
+impl<S: Scalar> Scalar for Changing<S> {}
 #[cfg(feature = "std")]
 impl Scalar for crate::number::count::Counted {}

@@ -3,12 +3,11 @@
 use std::vec::Vec;
 
 use super::carrier::Carrier;
-use super::changing::Changing;
 use super::rounded::Rounded;
 use super::{Inputs, Unknowns};
 use crate::mechanism::Mechanism;
 use crate::number::series::Series;
-use crate::number::{Number, Row};
+use crate::number::{Changing, Number, Row};
 
 /// The value of each motion.
 pub(super) fn values<R: Row<f64>>(motions: &[R]) -> Vec<f64> {

@@ -48,7 +48,6 @@
 //! This module needs the feature `std`, which is on by default.
 
 mod carrier;
-mod changing;
 mod closure;
 mod differentiation;
 mod gauge;

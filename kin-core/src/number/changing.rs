@@ -1,19 +1,24 @@
-//! Numbers that carry a first-order change.
+//! Numbers that carry a change.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::number::Number;
-use crate::solve::Scalar;
 
 /// A number and its change with one quantity: the first derivative with respect to this quantity.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Changing<S> {
-    pub(super) value: S,
-    pub(super) change: S,
+///
+/// The number itself may be of any type, so that a series can change as well.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Changing<S> {
+    /// The number.
+    pub value: S,
+    /// Its derivative.
+    pub change: S,
 }
 
 impl<S: Number> Changing<S> {
-    pub(super) const fn new(value: S, change: S) -> Self {
+    /// A number with its derivative.
+    #[must_use]
+    pub const fn new(value: S, change: S) -> Self {
         Self { value, change }
     }
 
@@ -150,8 +155,6 @@ impl<S: Number> Number for Changing<S> {
         self.sloped(self.value.ln(), S::constant(1.0) / self.value)
     }
 }
-
-impl<S: Scalar> Scalar for Changing<S> {}
 
 #[cfg(test)]
 mod tests {
