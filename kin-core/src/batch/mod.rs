@@ -38,6 +38,7 @@ mod comparison_tests;
 mod destination;
 mod dispatch;
 pub(crate) mod lanes;
+mod loads;
 mod outcome;
 #[cfg(feature = "rayon")]
 mod parallel;
