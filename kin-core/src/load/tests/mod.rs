@@ -4,6 +4,8 @@ mod energy;
 #[cfg(feature = "num-dual")]
 mod lagrange;
 mod mistakes;
+mod shaking;
+mod textbooks;
 
 use crate::geometry::{Plane, Space};
 use crate::library::ClassThreeTriad;
