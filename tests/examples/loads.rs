@@ -10,8 +10,10 @@
 //! ```
 
 use std::error::Error;
+use std::f64::consts::TAU;
 use std::path::Path;
 
+use kin_core::extremes::Over;
 use kin_core::load::{Load, LoadError, Loads};
 use kin_core::prelude::*;
 use plotters::coord::Shift;
@@ -20,7 +22,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 mechanism! {
     /// Four-bar linkage in metres, whose crank turns fully.
-    struct Linkage {
+    pub(crate) struct Linkage {
         /// From the pivot of the crank to the pivot of the rocker.
         r1: Length,
         /// Crank.
@@ -60,15 +62,18 @@ const SPEED: f64 = 120.0;
 /// The angle from which the crank falls, in degrees.
 const RELEASED: f64 = 40.0;
 
+/// The numbers of steps in which the fall is integrated.
+pub(crate) const STEPS: [u32; 4] = [750, 1500, 3000, 6000];
+
 /// The time of the fall, in seconds.
 const FALL: f64 = 3.0;
 
 /// Uniform bars of 4 kg per metre.
-fn bars() -> Loads<Linkage, impl Load<Linkage>> {
+pub(crate) fn bars<T: Scalar>() -> Loads<Linkage<T>, impl Load<Linkage<T>>> {
     let mass = |length: f64| 4.0 * length;
     // about the middle
     let inertia = |length: f64| mass(length) * length * length / 12.0;
-    Loads::<Linkage>::new()
+    Loads::<Linkage<T>>::new()
         .gravity(Plane::new(0.0, -9.81))
         .mass(mass(LINKAGE.r2), |pose| pose.crank)
         .inertia(inertia(LINKAGE.r2), |pose| pose.theta2)
@@ -99,14 +104,14 @@ fn step(loads: &Loads<Linkage, impl Load<Linkage>>, state: State, time: f64) -> 
 }
 
 /// The energies at one instant of the fall.
-struct Instant {
+pub(crate) struct Instant {
     time: f64,
     kinetic: f64,
     potential: f64,
 }
 
 /// The fall in equal steps.
-fn fall(loads: &Loads<Linkage, impl Load<Linkage>>, steps: u32) -> Result<Vec<Instant>, LoadError> {
+pub(crate) fn fall(loads: &Loads<Linkage, impl Load<Linkage>>, steps: u32) -> Result<Vec<Instant>, LoadError> {
     let length = FALL / f64::from(steps);
     let mut state = [RELEASED.to_radians(), 0.0];
     let mut instants = Vec::new();
@@ -124,7 +129,7 @@ fn fall(loads: &Loads<Linkage, impl Load<Linkage>>, steps: u32) -> Result<Vec<In
 }
 
 /// The largest change of the energy, as a part of the largest kinetic energy.
-fn drift(instants: &[Instant]) -> f64 {
+pub(crate) fn drift(instants: &[Instant]) -> f64 {
     let energy = |instant: &Instant| instant.kinetic + instant.potential;
     let most = instants.iter().map(|instant| instant.kinetic).fold(0.0, f64::max);
     let changes = instants
@@ -134,36 +139,40 @@ fn drift(instants: &[Instant]) -> f64 {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let loads = bars();
+    let loads = bars::<f64>();
     let mut torques = Vec::new();
     for degrees in 0..=360 {
         let crank = Motion::at_constant_speed(f64::from(degrees).to_radians(), rpm(SPEED));
         let [torque] = loads.at(&LINKAGE, [crank], Assembly::Open)?.efforts();
         torques.push((f64::from(degrees), torque));
     }
-    let peak = |name: &str, unit: &str, value: &dyn Fn(usize) -> f64| {
-        let most = (0..torques.len()).max_by(|one, other| value(*one).abs().total_cmp(&value(*other).abs()));
-        if let Some(most) = most {
-            println!(
-                "{name}: largest {:.2} {unit}, near {:.0} degrees",
-                value(most),
-                torques[most].0
-            );
-        }
-    };
     println!("the drive at {SPEED} revolutions per minute");
-    peak("  torque", "N m", &|row| torques[row].1.value());
-    peak("  its rate", "N m/s", &|row| torques[row].1.rate());
-    peak("  its second rate", "N m/s²", &|row| torques[row].1.second_rate());
-    let square: f64 = torques[1..].iter().map(|(_, torque)| torque.value().powi(2)).sum();
-    println!(
-        "  torque, root mean square over a turn: {:.2} N m",
-        (square / 360.0).sqrt()
+    let (swept, turn) = (
+        bars(),
+        LINKAGE.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(rpm(SPEED)),
     );
+    for (order, name, unit) in [
+        (0, "torque", "N m"),
+        (1, "its rate", "N m/s"),
+        (2, "its second rate", "N m/s²"),
+    ] {
+        let peak = turn.peak_by(|at| {
+            let balance = at.balance(&swept)?;
+            let [torque] = balance.efforts();
+            Ok::<_, LoadError>(torque.as_slice()[order])
+        })?;
+        println!(
+            "  {name}: largest {:.2} {unit}, at {:.2} degrees",
+            peak.value,
+            peak.at.to_degrees()
+        );
+    }
+    let mean = turn.rms_by(|at| at.effort(&swept, 0), Over::Time)?;
+    println!("  torque, root mean square over a turn: {:.2} N m", mean.value);
 
     println!("the fall from {RELEASED} degrees, for {FALL} s: drift of the energy");
     let mut before: Option<f64> = None;
-    for steps in [750, 1500, 3000, 6000] {
+    for steps in STEPS {
         let drift = drift(&fall(&loads, steps)?);
         let ratio = before.map_or(String::new(), |before| format!(", {:.1} times smaller", before / drift));
         println!("  {steps} steps: {drift:.1e} of the largest kinetic energy{ratio}");

@@ -50,7 +50,13 @@
 //! that input. Because partial derivatives by q and by time commute, this gives all their derivatives by time, too. Nothing is divided by
 //! a speed, so that a start from rest and a dwell are like other poses, and closed forms and Newton's method serve alike.
 //!
-//! Not here are joint reactions, friction, impact, and sensitivities of efforts to dimensions.
+//! # Other numbers
+//!
+//! Loads take the number type of the mechanism. `Loads::<Press<Local>>` balances along a [sweep](crate::sweep), where an effort carries its
+//! derivatives, so that its peaks, means and sensitivities are found like those of any quantity. A function of any number type serves
+//! both: `fn loads<T: Scalar>() -> Loads<Press<T>, impl Load<Press<T>>>`.
+//!
+//! Not here are joint reactions, friction and impact.
 
 mod balance;
 mod coordinate;

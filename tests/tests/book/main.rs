@@ -1,5 +1,6 @@
 //! The texts that people read: the chapters of the book, and the messages about mistakes.
 
 mod chapters;
+mod free_fall;
 mod laws;
 mod mistakes;
