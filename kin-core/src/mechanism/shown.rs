@@ -6,24 +6,8 @@ use crate::geometry::{Plane, Space};
 use crate::mechanism::{Description, Mechanism};
 use crate::motion::{Direction, Motion};
 use crate::number::Number;
-use crate::quantity::{Dimension, Quantity, Told};
+use crate::quantity::{Dimension, Quantity, RATES, Told};
 use crate::solve::Scalar;
-
-/// The names of the derivatives, from the first on.
-const RATES: [&str; 12] = [
-    "velocity",
-    "acceleration",
-    "jerk",
-    "snap",
-    "crackle",
-    "pop",
-    "derivative 7",
-    "derivative 8",
-    "derivative 9",
-    "derivative 10",
-    "derivative 11",
-    "derivative 12",
-];
 
 /// A field of a pose, as numbers.
 pub trait Shown {

@@ -6,6 +6,22 @@ mod told;
 pub(crate) use digits::Digits;
 pub(crate) use told::Told;
 
+/// The names of the derivatives with respect to time, from the first on.
+pub(crate) const RATES: [&str; 12] = [
+    "velocity",
+    "acceleration",
+    "jerk",
+    "snap",
+    "crackle",
+    "pop",
+    "derivative_7",
+    "derivative_8",
+    "derivative_9",
+    "derivative_10",
+    "derivative_11",
+    "derivative_12",
+];
+
 /// A named quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::Variable;
 use crate::mechanism::Mechanism;
-use crate::quantity::{Dimension, Quantity};
+use crate::quantity::{Dimension, Quantity, RATES};
 
 /// What a column holds: a quantity, and the order of its derivative with respect to time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,22 +16,6 @@ pub struct Label {
     /// The variable of the sweep itself, which has no orders, if it is no input.
     pub(super) is_variable: bool,
 }
-
-const ORDERS: [&str; 13] = [
-    "",
-    "velocity",
-    "acceleration",
-    "jerk",
-    "snap",
-    "crackle",
-    "pop",
-    "derivative_7",
-    "derivative_8",
-    "derivative_9",
-    "derivative_10",
-    "derivative_11",
-    "derivative_12",
-];
 
 impl Label {
     pub(crate) fn new(quantity: Quantity, order: usize) -> Self {
@@ -48,9 +32,9 @@ impl Label {
         let Some(rest) = name.strip_prefix(self.quantity.name) else {
             return false;
         };
-        match self.order {
-            0 => rest.is_empty(),
-            order => rest.strip_prefix('_') == ORDERS.get(order).copied(),
+        match self.order.checked_sub(1) {
+            None => rest.is_empty(),
+            Some(rate) => rest.strip_prefix('_') == RATES.get(rate).copied(),
         }
     }
 }
@@ -59,9 +43,9 @@ impl Label {
 impl fmt::Display for Label {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.quantity.name)?;
-        match self.order {
-            0 => Ok(()),
-            order => write!(formatter, "_{}", ORDERS.get(order).unwrap_or(&"derivative")),
+        match self.order.checked_sub(1) {
+            None => Ok(()),
+            Some(rate) => write!(formatter, "_{}", RATES.get(rate).unwrap_or(&"derivative")),
         }
     }
 }

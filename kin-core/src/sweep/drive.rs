@@ -5,11 +5,17 @@ use crate::hermite::TERMS;
 use crate::law::{Law, Piecewise, Side, approached};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::number::{Number, Row, series::Series};
-use crate::quantity::Quantity;
+use crate::number::{Row, series::Series};
+use crate::quantity::{Quantity, RATES};
 
 /// A value that carries its first four derivatives with respect to the variable of a sweep.
 pub type Local = Series<TERMS>;
+
+/// The time of a formula, with all derivatives that are read of it.
+pub type Instant = Series<READ>;
+
+/// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its series.
+pub(crate) const READ: usize = RATES.len() + TERMS;
 
 /// The inputs of the mechanism `M`, each in all orders, as numbers of the type `V`.
 pub type InputMotions<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
@@ -61,8 +67,19 @@ pub trait Drive<M: Mechanism<Scalar = f64>> {
 
 /// A drive that is known with its derivatives to any order, so that the poses between the rows are known as well.
 pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
-    /// The motions of the inputs as Taylor series in the variable. Where two pieces of a law meet, `side` selects one.
-    fn series(&self, at: f64, side: Side) -> InputMotions<M, Local>;
+    /// The inputs with their derivatives with respect to the variable. Where two pieces of a law meet, `side` selects one.
+    fn derivatives(&self, at: f64, side: Side) -> M::Inputs<Motion<f64, READ>>;
+
+    /// The change of the variable for each unit of time.
+    fn rate(&self) -> f64 {
+        1.0
+    }
+
+    /// The motions of the inputs as Taylor series in the variable.
+    fn series(&self, at: f64, side: Side) -> InputMotions<M, Local> {
+        let inputs = self.derivatives(at, side);
+        Row::from_fn(|input| Row::from_fn(|order| by_time(&inputs[input], order, self.rate())))
+    }
 
     /// The first place beyond `after` where two pieces of a law meet, if there is one.
     fn next_joint(&self, after: f64) -> Option<f64> {
@@ -72,16 +89,20 @@ pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
 
     /// The time for each unit of the variable.
     fn time_per_variable(&self) -> f64 {
-        1.0
+        1.0 / self.rate().abs()
     }
 
     /// The way of the first input for each unit of the variable, without its sign.
     fn way_per_variable(&self, at: f64) -> f64 {
-        self.series(at, Side::Right)
-            .as_ref()
-            .first()
-            .map_or(1.0, |motion| motion[0].coefficients()[1].abs())
+        let inputs = self.derivatives(at, Side::Right);
+        inputs.as_ref().first().map_or(1.0, |motion| motion[1].abs())
     }
+}
+
+/// A derivative with respect to time, as a series in the variable, from the derivatives with respect to the variable.
+pub(crate) fn by_time(derivatives: &Motion<f64, READ>, order: usize, rate: f64) -> Local {
+    let factor = (0..order).fold(1.0, |factor, _| factor * rate);
+    Local::from_derivatives(core::array::from_fn(|above| factor * derivatives[order + above]))
 }
 
 /// A straight line in the space of the inputs, at constant speed.
@@ -157,18 +178,12 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Line<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Line<M> {
-    fn series(&self, at: f64, _: Side) -> InputMotions<M, Local> {
-        Row::from_fn(|input| {
-            Row::from_fn(|order| match order {
-                0 => Local::from_coefficients([self.value(input, at), self.slope(input), 0.0, 0.0, 0.0]),
-                1 => Local::constant(self.slope(input) * self.speed),
-                _ => Local::constant(0.0),
-            })
-        })
+    fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
+        Row::from_fn(|input| Motion::at_constant_speed(self.value(input, at), self.slope(input)))
     }
 
-    fn time_per_variable(&self) -> f64 {
-        1.0 / self.speed.abs()
+    fn rate(&self) -> f64 {
+        self.speed
     }
 
     fn way_per_variable(&self, _: f64) -> f64 {
@@ -194,8 +209,36 @@ where
     }
 }
 
-/// The number of derivatives of a law that are read: those of the highest order of a mechanism, and those of its series.
-const READ: usize = 12 + TERMS;
+/// Motions over time, given by formulas.
+#[derive(Clone, Copy, Debug)]
+pub struct Formula<F>(pub(super) F);
+
+impl<M, F> Drive<M> for Formula<F>
+where
+    M: Mechanism<Scalar = f64>,
+    F: Fn(Instant) -> M::Inputs<Instant>,
+{
+    fn variable(&self) -> Variable {
+        Variable::Time
+    }
+
+    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+        let inputs: M::Inputs<Motion<f64, READ>> = SmoothDrive::<M>::derivatives(self, at, Side::Right);
+        Row::from_fn(|input| Row::from_fn(|order| inputs[input][order]))
+    }
+}
+
+impl<M, F> SmoothDrive<M> for Formula<F>
+where
+    M: Mechanism<Scalar = f64>,
+    F: Fn(Instant) -> M::Inputs<Instant>,
+{
+    fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
+        let time = Motion::<f64, READ>::at_constant_speed(at, 1.0);
+        let inputs = (self.0)(Instant::from_derivatives(time.derivatives()));
+        Row::from_fn(|input| Motion::new(inputs[input].derivatives()))
+    }
+}
 
 /// Motion laws over time, one for each input.
 #[derive(Clone, Copy)]
@@ -215,11 +258,8 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Laws<'_, M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Laws<'_, M> {
-    fn series(&self, at: f64, side: Side) -> InputMotions<M, Local> {
-        Row::from_fn(|input| {
-            let motion: Motion<f64, READ> = approached(self.0[input], at, side);
-            Row::from_fn(|order| Local::from_derivatives(core::array::from_fn(|above| motion[order + above])))
-        })
+    fn derivatives(&self, at: f64, side: Side) -> M::Inputs<Motion<f64, READ>> {
+        Row::from_fn(|input| approached(self.0[input], at, side))
     }
 
     fn next_joint(&self, after: f64) -> Option<f64> {

@@ -26,18 +26,13 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// [`SweepError`] if an end of the range is not finite, if there are no rows, or if given columns have different lengths.
     pub fn table(&self) -> Result<Table, SweepError> {
         self.check()?;
-        let is_closed;
-        let mut table;
+        let mut table = self.empty(self.count);
         if M::ASSEMBLY_COUNT > 0 {
-            table = self.without_data(self.count);
-            is_closed = self.fill_by_batch(&mut table)?;
+            self.fill_by_batch(&mut table)?;
         } else {
-            table = self.empty(self.count);
-            is_closed = self.fill_by_steps(&mut table);
+            self.fill_by_steps(&mut table);
         }
-        if !is_closed {
-            limits::find(self, &mut table);
-        }
+        limits::find(self, &mut table);
         Ok(table)
     }
 
@@ -55,15 +50,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             .map_or(Ok(()), |mismatch| Err(SweepError::Columns(mismatch)))
     }
 
-    /// A table of zeros.
+    /// A table of zeros. The system hands out large columns of zeros without writing them.
     pub(super) fn empty(&self, count: usize) -> Table {
-        let mut table = self.without_data(count);
-        table.data.resize(table.labels.len() * count, 0.0);
-        table
-    }
-
-    /// A table whose columns have not been written.
-    fn without_data(&self, count: usize) -> Table {
         let variable = self.drive.variable();
         let column = match variable {
             Variable::Input(input) => input * (M::DESCRIPTION.order + 1),
@@ -72,40 +60,37 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         Table::new(labels::<M>(variable).collect(), count, column)
     }
 
-    /// Writes the inputs of all rows, and lets a batch write the rest. It returns whether every row closes.
-    fn fill_by_batch(&self, table: &mut Table) -> Result<bool, SweepError> {
+    /// Writes the inputs of all rows, and lets a batch write the rest.
+    fn fill_by_batch(&self, table: &mut Table) -> Result<(), SweepError> {
         let description = M::DESCRIPTION;
         let (count, orders) = (table.count, description.order + 1);
         let same = InputMotions::<M, Option<f64>>::from_fn(|input| Row::from_fn(|order| self.drive.same(input, order)));
-        // Each number is written once: zeros that are overwritten would cost as much as a third of the batch.
-        let data = &mut table.data;
-        data.clear();
-        data.reserve_exact(table.labels.len() * count);
         let own = match self.drive.variable() {
             Variable::Input(_) => 0,
-            Variable::Time | Variable::Row => {
-                self.write_places(data);
-                1
-            }
+            Variable::Time | Variable::Row => 1,
         };
-        let mut varies = false;
-        for input in 0..description.inputs.len() {
-            for order in 0..orders {
-                match same[input][order] {
-                    Some(value) => data.resize(data.len() + count, value),
-                    None if order == 0 && self.drive.variable() == Variable::Input(input) => self.write_places(data),
-                    None => {
-                        varies = true;
-                        data.resize(data.len() + count, 0.0);
-                    }
-                }
-            }
+        let (given, results) = table
+            .data
+            .split_at_mut((own + description.inputs.len() * orders) * count);
+        if own > 0 {
+            self.write_places(&mut given[..count]);
         }
-        data.resize(table.labels.len() * count, 0.0);
-        let (given, results) = data.split_at_mut((own + description.inputs.len() * orders) * count);
         let inputs = &mut given[own * count..];
         let column =
             |input: usize, order: usize| (input * orders + order) * count..(input * orders + order + 1) * count;
+        // Each number is written once, and zeros not at all: they would cost as much as a third of the batch.
+        let mut varies = false;
+        for input in 0..description.inputs.len() {
+            for order in 0..orders {
+                let values = &mut inputs[column(input, order)];
+                match same[input][order] {
+                    Some(0.0) => {}
+                    Some(value) => values.fill(value),
+                    None if order == 0 && self.drive.variable() == Variable::Input(input) => self.write_places(values),
+                    None => varies = true,
+                }
+            }
+        }
         if varies {
             for row in 0..count {
                 let motions = self.drive.motions(self.at(row));
@@ -145,7 +130,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         };
         let outcomes = &mut table.outcomes;
         let vectors = Vectors::widest();
-        let summary = batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
+        batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
         drop(places);
         for (unknown, sines) in sines.iter().enumerate() {
             let angles = &mut results[unknown * orders * count..(unknown * orders + 1) * count];
@@ -159,19 +144,20 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 continue_turns(&mut columns[..count]);
             }
         }
-        Ok(summary.failed == 0)
+        Ok(())
     }
 
-    /// Appends the values of the variable.
+    /// Writes the values of the variable.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
-    fn write_places(&self, column: &mut Vec<f64>) {
-        let start = column.len();
+    fn write_places(&self, column: &mut [f64]) {
         let way = self.to - self.from;
         let last = self.count.saturating_sub(1).max(1) as f64;
         // without a branch, so that several are calculated at once
-        column.extend((0..self.count).map(|row| self.from + way * (row as f64 / last)));
+        for (row, place) in column.iter_mut().enumerate() {
+            *place = self.from + way * (row as f64 / last);
+        }
         for row in [0, self.count - 1] {
-            column[start + row] = self.at(row);
+            column[row] = self.at(row);
         }
     }
 
@@ -190,8 +176,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         }
     }
 
-    /// Solves row after row. It returns whether every row closes.
-    fn fill_by_steps(&self, table: &mut Table) -> bool {
+    /// Solves row after row.
+    fn fill_by_steps(&self, table: &mut Table) {
         let count = table.count;
         let mut walk = Walk::BEGINNING;
         for row in 0..count {
@@ -207,7 +193,6 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 data[column * count + row] = value;
             });
         }
-        table.outcomes.iter().all(Outcome::is_solved)
     }
 
     /// Passes on the numbers of a row, each with its column. Without a pose, they are NaN.

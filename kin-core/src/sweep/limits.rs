@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::drive::{Drive, Variable};
-use super::{Course, Table};
+use super::{Course, Table, gaps};
 use crate::batch::Outcome;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -164,30 +164,34 @@ fn place_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(
 
 /// Finds the limits between the rows of a table.
 pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table) {
-    if table.outcomes.iter().all(Outcome::is_solved) {
+    let mut suspects = gaps::suspects(course, table).into_iter().peekable();
+    if suspects.peek().is_none() && table.outcomes.iter().all(Outcome::is_solved) {
         return;
     }
-    // columns follow in the order of inputs and unknowns, each in all orders
+    let first = table.first_unknown::<M>();
     let orders = M::DESCRIPTION.order + 1;
-    let first =
-        table.labels.iter().take_while(|label| label.is_variable).count() + M::DESCRIPTION.inputs.len() * orders;
     let unknowns =
         |table: &Table, row: usize| M::Unknowns::from_fn(|unknown| table.values(first + unknown * orders)[row]);
-    let variable = table.variable;
-    for row in 1..table.count {
-        let (one, other) = (table.outcomes[row - 1], table.outcomes[row]);
-        let (closed, open) = match (one.is_solved(), other.is_solved()) {
-            (true, false) => (row - 1, row),
-            (false, true) => (row, row - 1),
+    for row in 0..table.count.saturating_sub(1) {
+        let is_suspect = suspects.next_if_eq(&row).is_some();
+        let places = table.values(table.variable);
+        let (start, end) = (places[row], places[row + 1]);
+        let sides = match [row, row + 1].map(|row| table.outcomes[row].is_solved()) {
+            [true, false] => [Some((row, end)), None],
+            [false, true] => [None, Some((row + 1, start))],
+            [true, true] if is_suspect => match gaps::open_place(course, [start, end]) {
+                Some(open) => [Some((row, open)), Some((row + 1, open))],
+                None => continue,
+            },
             _ => continue,
         };
-        let places = table.values(variable);
-        // the variable in radians, as the drive takes it
-        let (start, end) = (places[closed], places[open]);
-        if let Some(mut limit) = between(course, start, unknowns(table, closed), end) {
-            limit.row = row - 1;
-            limit.closes_before = closed < open;
-            table.limits.push(limit);
+        for (closed, open) in sides.into_iter().flatten() {
+            let place = table.values(table.variable)[closed];
+            if let Some(mut limit) = between(course, place, unknowns(table, closed), open) {
+                limit.row = row;
+                limit.closes_before = closed == row;
+                table.limits.push(limit);
+            }
         }
     }
 }

@@ -24,7 +24,8 @@
 //! | the inputs move | by |
 //! |---|---|
 //! | over a range, at constant speed | [`over`](Assembled::over), [`between`](Assembled::between) for several inputs |
-//! | over time, by a function | [`over_time`](Assembled::over_time) |
+//! | over time, by a formula | [`by_formula`](Assembled::by_formula) |
+//! | over time, by any function | [`over_time`](Assembled::over_time) |
 //! | over time, by motion laws | [`under_laws`](Assembled::under_laws) |
 //! | along columns | [`along`](Assembled::along) |
 //!
@@ -48,10 +49,14 @@ mod error;
 #[cfg(feature = "alloc")]
 mod fill;
 #[cfg(feature = "alloc")]
+mod gaps;
+#[cfg(feature = "alloc")]
 mod limits;
 #[cfg(feature = "alloc")]
 mod names;
 mod rows;
+#[cfg(test)]
+pub(crate) mod samples;
 #[cfg(feature = "alloc")]
 mod table;
 #[cfg(test)]
@@ -60,7 +65,9 @@ mod walk;
 
 #[cfg(feature = "alloc")]
 pub use columns::{ColumnOf, Label, Unit};
-pub use drive::{Along, Drive, InputMotions, Laws, Line, Local, OverTime, SmoothDrive, Variable};
+pub use drive::{Along, Drive, Formula, InputMotions, Instant, Laws, Line, Local, OverTime, SmoothDrive, Variable};
+#[cfg(feature = "alloc")]
+pub(crate) use drive::{READ, by_time};
 #[cfg(feature = "alloc")]
 pub use error::SweepError;
 #[cfg(feature = "alloc")]
@@ -162,8 +169,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
 
     /// Over a range of the time, with a function that gives the motion of every input: an array of what `solve` takes.
     ///
-    /// Only the poses of the rows are read. [Extremes](crate::extremes) between them need [`under_laws`](Self::under_laws), which
-    /// knows derivatives above the order of the mechanism.
+    /// Only the poses of the rows are read. [Extremes](crate::extremes) between them need [`by_formula`](Self::by_formula) or
+    /// [`under_laws`](Self::under_laws), which know derivatives above the order of the mechanism.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
@@ -180,6 +187,31 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
         F: Fn(f64) -> InputMotions<M, f64>,
     {
         self.course(OverTime(motions), &range, rows)
+    }
+
+    /// Over a range of the time, with a formula that gives the value of every input. It is calculated in numbers that carry their
+    /// derivatives, so the formula says nothing of rates. Constants are `Instant::constant(2.0)`.
+    ///
+    /// ```
+    /// use kin_core::library::SliderCrank;
+    /// use kin_core::prelude::*;
+    /// use kin_core::sweep::Instant;
+    ///
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// // the crank swings by half a radian about one, twice a second
+    /// let frequency = Instant::constant(2.0 * std::f64::consts::TAU);
+    /// let swing = press.sweep(Assembly::Open).by_formula(0.0..=0.5, 101, |time| {
+    ///     let (sine, _) = (frequency * time).sin_cos();
+    ///     [Instant::constant(1.0) + Instant::constant(0.5) * sine]
+    /// });
+    /// println!("{} m/s³", swing.peak("s_jerk")?);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    pub fn by_formula<F>(self, range: RangeInclusive<f64>, rows: usize, formula: F) -> Course<M, Formula<F>>
+    where
+        F: Fn(Instant) -> M::Inputs<Instant>,
+    {
+        self.course(Formula(formula), &range, rows)
     }
 
     /// Over a range of the time, with a [motion law](crate::law) for each input.

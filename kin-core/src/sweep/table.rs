@@ -7,6 +7,7 @@ use super::columns::{ColumnOf, Label, Unit};
 use super::limits::Limit;
 use super::names::NoSuchColumn;
 use crate::batch::Outcome;
+use crate::mechanism::Mechanism;
 use crate::quantity::Dimension;
 
 /// The poses of a sweep as named columns of numbers.
@@ -56,7 +57,7 @@ pub struct Table {
 impl Table {
     pub(super) fn new(labels: Vec<Label>, count: usize, variable: usize) -> Self {
         Self {
-            data: Vec::new(),
+            data: alloc::vec![0.0; labels.len() * count],
             labels,
             count,
             outcomes: alloc::vec![Outcome::Unsolved; count],
@@ -113,10 +114,34 @@ impl Table {
         self.outcomes.get(row).and_then(Outcome::margin)
     }
 
-    /// The places between rows where the mechanism begins or ceases to close, in the order of the rows.
+    /// The places between rows where the mechanism begins or ceases to close, in the order of the rows. A gap that lies between two rows which
+    /// both close has two.
     #[must_use]
     pub fn limits(&self) -> &[Limit] {
         &self.limits
+    }
+
+    /// The numbers of a limit, in the order and the units of the columns: the inputs and the unknowns. Rates and outputs, which may have no
+    /// value there, are NaN.
+    #[must_use]
+    pub fn values_at<'t>(&'t self, limit: &'t Limit) -> impl Iterator<Item = f64> + 't {
+        let mut values = limit.inputs.iter().chain(&limit.unknowns);
+        self.labels.iter().enumerate().map(move |(index, label)| {
+            if label.is_variable {
+                return limit.at;
+            }
+            let value = match label.order {
+                0 => values.next().copied(),
+                _ => None,
+            };
+            match value {
+                // exactly as it stands there, in the unit of the table
+                Some(_) if index == self.variable => limit.at,
+                Some(value) if self.in_degrees && label.quantity.dimension == Dimension::Angle => value.to_degrees(),
+                Some(value) => value,
+                None => f64::NAN,
+            }
+        })
     }
 
     /// The table with degrees in the place of radians, in every column of an angle or of its derivatives, and in its limits.
@@ -148,6 +173,12 @@ impl Table {
         self.length = length.to_string();
         self.time = time.to_string();
         self
+    }
+
+    /// The column of the first unknown: columns follow in the order of inputs and unknowns, each in all orders.
+    pub(super) fn first_unknown<M: Mechanism>(&self) -> usize {
+        let variables = self.labels.iter().take_while(|label| label.is_variable).count();
+        variables + M::DESCRIPTION.inputs.len() * (M::DESCRIPTION.order + 1)
     }
 
     pub(super) fn find(&self, name: &str) -> Result<usize, NoSuchColumn> {

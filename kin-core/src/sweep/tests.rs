@@ -5,27 +5,15 @@ use core::f64::consts::{PI, TAU};
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::{LimitKind, Sweep, SweepError};
+use super::samples::{CRANK_ROCKER, LIMITED, triad};
+use super::{Instant, LimitKind, Sweep, SweepError};
 use crate::assembly::{Assembly, Near};
 use crate::batch::{Column, Outcome};
-use crate::geometry::Plane;
 use crate::law::{Law, Rise, Shape};
-use crate::library::{ClassThreeTriad, FiveBar, FourBar};
+use crate::library::{FiveBar, FourBar};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-
-const CRANK_ROCKER: FourBar = FourBar {
-    r1: 90.0,
-    r2: 30.0,
-    r3: 70.0,
-    r4: 60.0,
-};
-const LIMITED: FourBar = FourBar {
-    r1: 90.0,
-    r2: 30.0,
-    r3: 60.0,
-    r4: 45.0,
-};
+use crate::number::Number;
 
 /// The table and the iterator hold the same poses, up to the rounding of lanes and whole turns.
 #[test]
@@ -124,16 +112,99 @@ fn limits_under_a_law_have_a_time() {
     assert_eq!(same.table().unwrap().limits()[0].at, limit.at);
 }
 
+/// A gap about the stretched position, narrower than a step, is found wherever the rows lie, and nothing where there is none.
+#[test]
+fn gaps_between_rows_are_found() {
+    for rest in [1e-2, 1e-4, 1e-6] {
+        let linkage = FourBar {
+            r4: 50.0 - rest,
+            ..CRANK_ROCKER
+        };
+        let FourBar { r1, r2, r3, r4 } = linkage;
+        let cosine = (r1 * r1 + r2 * r2 - (r3 + r4) * (r3 + r4)) / (2.0 * r1 * r2);
+        let edge = cosine.acos();
+        // the arc cosine has the slope of one over the sine there
+        let tolerance = 64.0 * f64::EPSILON / edge.sin();
+        for count in (2..40).chain([36, 90, 150, 361, 1500]) {
+            for (from, to) in [(0.0, TAU), (0.1, TAU), (6.0, 0.3)] {
+                let table = linkage
+                    .sweep(Assembly::Open)
+                    .over(from..=to, count)
+                    .speed(7.0)
+                    .table()
+                    .unwrap();
+                let [first, second] = table.limits() else {
+                    panic!("{rest} {count} from {from}: {:?}", table.limits())
+                };
+                let (low, high) = if from < to { (first, second) } else { (second, first) };
+                assert!((low.at - edge).abs() < tolerance, "{rest} {count}: {} {edge}", low.at);
+                assert!((high.at - (TAU - edge)).abs() < tolerance, "{rest} {count}");
+                assert!(first.closes_before && !second.closes_before);
+            }
+        }
+    }
+    for count in (2..40).chain([361, 3600]) {
+        for assembly in Assembly::BOTH {
+            for linkage in [
+                CRANK_ROCKER,
+                FourBar {
+                    r1: 30.0,
+                    r2: 90.0,
+                    ..CRANK_ROCKER
+                },
+            ] {
+                let table = linkage
+                    .sweep(assembly)
+                    .over(0.0..=TAU, count)
+                    .speed(10.0)
+                    .table()
+                    .unwrap();
+                assert!(table.limits().is_empty(), "{count} {:?}", table.limits());
+            }
+        }
+    }
+}
+
+/// Also over time, where the gap has times, and adaptively.
+#[test]
+fn gaps_over_time_are_found() {
+    let linkage = FourBar {
+        r4: 49.99,
+        ..CRANK_ROCKER
+    };
+    let rise = Rise::new(Shape::Cycloidal, 0.0, 6.0, 1.0).unwrap();
+    let sweep = linkage.sweep(Assembly::Open).under_laws([&rise], 0.0..=1.0, 12);
+    let exact = linkage.sweep(Assembly::Open).over(0.0..=6.0, 200).table().unwrap();
+    let adaptive = sweep.adaptive_table(1e-2, 1, 2000).unwrap();
+    for table in [sweep.table().unwrap(), adaptive] {
+        assert_eq!(table.limits().len(), 2);
+        for (limit, exact) in table.limits().iter().zip(exact.limits()) {
+            let place: Motion<f64, 1> = rise.at(limit.at);
+            assert!((place[0] - exact.at).abs() < 1e-12);
+        }
+    }
+}
+
+/// A formula says the same as a function that gives every rate.
+#[test]
+fn formulas_know_their_rates() {
+    let start = CRANK_ROCKER.sweep(Assembly::Open);
+    let formula = start.by_formula(0.0..=2.0, 41, |time| [Instant::constant(1.5) * time * time + time]);
+    let given = start.over_time(0.0..=2.0, 41, |time| [Motion::polynomial(&[0.0, 1.0, 1.5], time)]);
+    let (formula, given) = (formula.table().unwrap(), given.table().unwrap());
+    for (one, other) in formula.columns().zip(given.columns()) {
+        assert_eq!(one.label, other.label);
+        let size = other.values.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+        for (one, other) in one.values.iter().zip(other.values) {
+            assert!((one - other).abs() <= 1e-12 * size, "{}", one);
+        }
+    }
+}
+
 /// A coupled block is followed up to the end of its circuit, and does not close again behind it.
 #[test]
 fn a_coupled_block_stays_in_its_circuit() {
-    let root = 3.0_f64.sqrt();
-    let triad = ClassThreeTriad {
-        base_b: Plane::new(2.0 * root, 0.0),
-        base_c: Plane::new(root, 3.0),
-        platform_b: Plane::new(root, 0.0),
-        platform_c: Plane::new(root / 2.0, 1.5),
-    };
+    let triad = triad();
     let leg = 5.0_f64.sqrt();
     // the platform stops where the legs are as short as they can be, and the sweep comes back at the end
     let sweep = triad

@@ -1,0 +1,139 @@
+//! Gaps between two rows that both close.
+//!
+//! At both ends of a gap an unknown y is a root of the distance d from the end: y' grows with 1/√d and has opposite signs on the two
+//! sides, while y'' is large and of the same sign. So the change of y' between two rows disagrees with the one that y'' at both rows
+//! predicts, by more than y' itself. On a smooth curve, the difference falls with the third power of the step. Steps that disagree are halved until
+//! they agree, or until a place that does not close is met.
+
+use alloc::vec::Vec;
+
+use super::Course;
+use super::drive::{Drive, Variable};
+use super::table::Table;
+use crate::mechanism::Mechanism;
+use crate::number::{Number, Row, series::Series};
+
+/// A value with two derivatives.
+type Bend = Series<3>;
+
+/// The disagreement of a step, as a part of the slopes at its ends, from which on it is halved.
+const SUSPECT: f64 = 0.5;
+/// A disagreement by rounding errors, as a part of the value.
+const ROUNDING: f64 = 1e-12;
+/// The shortest step, as a part of the way between two rows. A narrower gap counts as a change point.
+const SHORTEST: f64 = 1e-9;
+/// The most poses between two rows. A kink of a law takes about sixty.
+const MOST: usize = 500;
+
+/// The pairs of rows that may have a gap between them, by the rows in front of it.
+pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &Table) -> Vec<usize> {
+    let rows = 0..table.count.saturating_sub(1);
+    if M::ASSEMBLY_COUNT == 0 || course.drive.variable() == Variable::Row {
+        // coupled blocks are tracked from row to row, and columns say nothing of what lies between their rows
+        return Vec::new();
+    }
+    let description = M::DESCRIPTION;
+    let orders = description.order + 1;
+    let time = match course.drive.variable() {
+        Variable::Input(lead) => {
+            1.0 / course.drive.motions(course.from).as_ref()[lead]
+                .as_ref()
+                .get(1)
+                .unwrap_or(&0.0)
+        }
+        _ => 1.0,
+    };
+    if orders < 3 || !time.is_finite() {
+        return rows.filter(|row| closes(table, *row)).collect();
+    }
+    let places = table.values(table.variable);
+    let first = table.first_unknown::<M>();
+    let columns = |unknown: usize| {
+        let column = first + unknown * orders;
+        (table.values(column + 1), table.values(column + 2))
+    };
+    let disagrees = |row: usize, (velocity, acceleration): (&[f64], &[f64])| {
+        let [one, other] = [velocity[row], velocity[row + 1]];
+        let step = 0.5 * time * (places[row + 1] - places[row]);
+        let predicted = step * (acceleration[row] + acceleration[row + 1]);
+        // a comparison with NaN fails, so that rows which do not close are left out
+        (other - one - predicted).abs() > SUSPECT * (one.abs() + other.abs())
+    };
+    // most sweeps have none, which is found out for several rows at once
+    let unknowns = 0..description.unknowns.len();
+    let any = |unknown: usize| {
+        let columns = columns(unknown);
+        rows.clone().fold(false, |any, row| any | disagrees(row, columns))
+    };
+    if !unknowns.clone().any(any) {
+        return Vec::new();
+    }
+    rows.filter(|row| unknowns.clone().any(|unknown| disagrees(*row, columns(unknown))))
+        .collect()
+}
+
+fn closes(table: &Table, row: usize) -> bool {
+    table.outcomes[row].is_solved() && table.outcomes[row + 1].is_solved()
+}
+
+/// A place between two rows that does not close, if there is one.
+pub(super) fn open_place<M: Mechanism<Scalar = f64>, D: Drive<M>>(
+    course: &Course<M, D>,
+    [start, end]: [f64; 2],
+) -> Option<f64> {
+    let inputs = |at: f64| {
+        let motions = course.drive.motions(at);
+        M::Inputs::<f64>::from_fn(|input| motions[input][0])
+    };
+    let (from, to) = (inputs(start), inputs(end));
+    let mut search = Search {
+        course,
+        mechanism: course.mechanism.convert(Bend::constant),
+        slopes: Row::from_fn(|input| (to[input] - from[input]) / (end - start)),
+        shortest: SHORTEST * (end - start).abs(),
+        budget: MOST,
+    };
+    let (left, right) = (search.bends(start)?, search.bends(end)?);
+    search.open(start, &left, end, &right)
+}
+
+struct Search<'c, M: Mechanism<Scalar = f64>, D> {
+    course: &'c Course<M, D>,
+    mechanism: M::With<Bend>,
+    /// The inputs' change for each unit of the variable.
+    slopes: M::Inputs<f64>,
+    shortest: f64,
+    budget: usize,
+}
+
+type Bends<M> = <<M as Mechanism>::With<Bend> as Mechanism>::Unknowns<Bend>;
+
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Search<'_, M, D> {
+    /// The unknowns with their derivatives with respect to the variable, or nothing where the mechanism does not close.
+    fn bends(&mut self, at: f64) -> Option<Bends<M>> {
+        self.budget = self.budget.saturating_sub(1);
+        let motions = self.course.drive.motions(at);
+        let inputs = Row::from_fn(|input| Bend::from_coefficients([motions[input][0], self.slopes[input], 0.0]));
+        self.mechanism.solve_position(inputs, self.course.assembly).ok()
+    }
+
+    fn open(&mut self, start: f64, left: &Bends<M>, end: f64, right: &Bends<M>) -> Option<f64> {
+        let step = end - start;
+        let is_suspect = left.as_ref().iter().zip(right.as_ref()).any(|(left, right)| {
+            let [value, one, first] = left.derivatives();
+            let [_, other, last] = right.derivatives();
+            let disagreement = (other - one - 0.5 * step * (first + last)).abs();
+            (step * disagreement).abs()
+                > SUSPECT * (step * (one.abs() + other.abs())).abs() + ROUNDING * value.abs().max(1.0)
+        });
+        let middle = f64::midpoint(start, end);
+        if !is_suspect || step.abs() <= self.shortest || self.budget == 0 {
+            return None;
+        }
+        let Some(between) = self.bends(middle) else {
+            return Some(middle);
+        };
+        self.open(start, left, middle, &between)
+            .or_else(|| self.open(middle, &between, end, right))
+    }
+}
