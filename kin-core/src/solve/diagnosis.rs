@@ -3,18 +3,19 @@
 use num_traits::Float;
 
 use crate::failure::Failure;
+use crate::solve::check::Real;
 
 /// Whether a number is positive, and whether the number and its reciprocal have full precision: both must hold. NaN
 /// fails. The square root of such a number passes too.
 #[inline(always)]
-pub(super) fn ordinary(number: f64, smallest: f64) -> [bool; 2] {
-    ordinary_from(number, smallest, smallest)
+pub(super) fn ordinary<R: Real>(number: R, smallest: f64) -> [R::Truth; 2] {
+    ordinary_from(number, R::of(smallest), smallest)
 }
 
 /// [`ordinary`] for a number that must also be at least `least`, which is no smaller than `smallest`.
 #[inline(always)]
-pub(super) fn ordinary_from(number: f64, least: f64, smallest: f64) -> [bool; 2] {
-    [number >= least, number <= 1.0 / smallest]
+pub(super) fn ordinary_from<R: Real>(number: R, least: R, smallest: f64) -> [R::Truth; 2] {
+    [number.is_at_least(least), R::of(1.0 / smallest).is_at_least(number)]
 }
 
 /// The length of a vector, computed without overflow.

@@ -2,7 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Negative, SumOfSizes, Told};
+use crate::solve::check::{Negative, Real, SumOfSizes, Told};
 
 /// A number whose sign decides, checked against the terms of which it is the sum. If the number holds several poses,
 /// each pose that is smaller than [a part](Scalar::DOUBT) of its terms becomes NaN. Any other number is returned
@@ -46,8 +46,11 @@ pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
 
 /// Whether a number differs clearly from one end of its range, where `size` is the size of the rounded numbers.
 #[inline(always)]
-pub(super) fn is_told_from<T: Scalar>(end: f64, number: f64, size: f64) -> bool {
-    T::DOUBT == 0.0 || end.is_infinite() || (number - end).abs() >= T::DOUBT * size
+pub(super) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
+    if T::DOUBT == 0.0 || end.is_infinite() {
+        return R::certainly(true);
+    }
+    (number - R::of(end)).magnitude().is_at_least(R::of(T::DOUBT) * size)
 }
 
 #[inline(always)]

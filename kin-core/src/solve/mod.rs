@@ -46,7 +46,7 @@ mod scalar;
 mod size;
 
 pub use crate::assembly::both;
-pub use check::{Check, Choose, Measure, Negative};
+pub use check::{Check, Choose, Measure, Negative, Real};
 pub use direction::{direction, directions};
 pub use doubt::{decisive, decisive_vector};
 pub(crate) use factor::{Elimination, eliminate, level, substitute};

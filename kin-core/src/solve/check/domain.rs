@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::doubt::{is_told_from, size};
 
 /// The domain of a function.
@@ -39,30 +39,31 @@ pub(in crate::solve) struct Domain<T> {
 
 impl<T: Scalar> Domain<T> {
     #[inline(always)]
-    pub(in crate::solve) fn is_inside(&self, x: f64) -> bool {
+    pub(in crate::solve) fn is_inside<R: Real>(&self, x: R) -> R::Truth {
         match self.ends {
-            Ends::NotNegative => x >= 0.0,
-            Ends::Positive => x > 0.0,
-            Ends::Unit => x.abs() <= 1.0,
-            Ends::WithinUnit => x.abs() < 1.0,
-            Ends::FromOne => x >= 1.0,
-            Ends::RightAngles => x.abs() <= FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON),
+            Ends::NotNegative => x.is_at_least(R::of(0.0)),
+            Ends::Positive => x.exceeds(R::of(0.0)),
+            Ends::Unit => R::of(1.0).is_at_least(x.magnitude()),
+            Ends::WithinUnit => R::of(1.0).exceeds(x.magnitude()),
+            Ends::FromOne => x.is_at_least(R::of(1.0)),
+            Ends::RightAngles => R::of(FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON)).is_at_least(x.magnitude()),
             Ends::HalfTurn => {
                 let rounding = 4.0 * PI * T::EPSILON;
-                x >= -rounding && x <= PI + rounding
+                R::both(x.is_at_least(R::of(-rounding)), || R::of(PI + rounding).is_at_least(x))
             }
-            Ends::WithinRightAngles => x.abs() < FRAC_PI_2,
+            Ends::WithinRightAngles => R::of(FRAC_PI_2).exceeds(x.magnitude()),
         }
     }
 
     /// Whether an argument is clearly inside or outside the ends whose size is about 1.
     #[inline(always)]
-    fn is_told(&self, x: f64) -> bool {
-        let told = |low, high| is_told_from::<T>(low, x, 1.0) && is_told_from::<T>(high, x, 1.0);
+    fn is_told<R: Real>(&self, x: R) -> R::Truth {
+        let one = R::of(1.0);
+        let told = |low, high| R::both(is_told_from::<T, R>(low, x, one), || is_told_from::<T, R>(high, x, one));
         match self.ends {
-            Ends::NotNegative | Ends::Positive => true,
+            Ends::NotNegative | Ends::Positive => R::certainly(true),
             Ends::Unit | Ends::WithinUnit => told(-1.0, 1.0),
-            Ends::FromOne => is_told_from::<T>(1.0, x, 1.0),
+            Ends::FromOne => is_told_from::<T, R>(1.0, x, one),
             Ends::RightAngles | Ends::WithinRightAngles => told(-FRAC_PI_2, FRAC_PI_2),
             Ends::HalfTurn => told(0.0, PI),
         }
@@ -80,7 +81,7 @@ impl<T: Scalar> Check<T, 2, 3> for Domain<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [argument, result]: [f64; 2]) -> [bool; 3] {
+    fn holds<R: Real>(&self, [argument, result]: [R; 2]) -> [R::Truth; 3] {
         // Each of several poses needs the test for a finite value here, because a later division by an infinite value
         // hides it.
         [self.is_inside(argument), self.is_told(argument), result.is_finite()]

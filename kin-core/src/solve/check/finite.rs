@@ -1,7 +1,7 @@
 //! The check that numbers are finite.
 
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 
 /// Whether the real parts of some numbers are all finite.
 #[derive(Clone, Copy)]
@@ -18,8 +18,8 @@ impl<T: Scalar, const N: usize> Check<T, N, N> for Finite<T, N> {
     }
 
     #[inline(always)]
-    fn holds(&self, numbers: [f64; N]) -> [bool; N] {
-        numbers.map(f64::is_finite)
+    fn holds<R: Real>(&self, numbers: [R; N]) -> [R::Truth; N] {
+        numbers.map(R::is_finite)
     }
 
     /// The margin is infinite or NaN.

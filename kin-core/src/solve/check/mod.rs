@@ -7,6 +7,7 @@
 mod domain;
 mod finite;
 mod pivot;
+mod real;
 mod regular;
 mod sides;
 mod sign;
@@ -21,12 +22,13 @@ mod tests;
 pub(super) use domain::{Domain, Ends};
 pub(super) use finite::Finite;
 pub(super) use pivot::Multiplier;
+pub use real::Real;
 pub(super) use regular::Regular;
 pub(super) use sides::SameSides;
 pub use sign::Negative;
 pub(super) use sign::{NotNegative, Zero};
 pub(super) use size::{LargestLength, LargestSize, SumOfSizes};
-pub(super) use span::{AngleInRange, SolutionInRange, Span, ValueInRange, out_of_range};
+pub(super) use span::{AngleInRange, SolutionInRange, Span, ValueInRange, out_of_range, within};
 pub(super) use told::Told;
 pub(super) use turns::{NearestTurns, TellsDirection, TurnsInto};
 
@@ -42,7 +44,7 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
     fn operands(&self) -> [T; N];
 
     /// Whether the conditions hold for one pose with these operands. No condition holds if its operand is NaN.
-    fn holds(&self, operands: [f64; N]) -> [bool; K];
+    fn holds<R: Real>(&self, operands: [R; N]) -> [R::Truth; K];
 
     /// The distance of the check from failing, in the unit of its operands. It is positive while the check holds, and
     /// negative if the check fails because the operands miss its limit.
@@ -79,5 +81,5 @@ pub trait Measure<T, const N: usize>: Copy {
     fn operands(&self) -> [T; N];
 
     /// The constant for one pose with these operands.
-    fn measure(&self, operands: [f64; N]) -> f64;
+    fn measure<R: Real>(&self, operands: [R; N]) -> R;
 }

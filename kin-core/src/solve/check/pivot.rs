@@ -1,7 +1,7 @@
 //! The check that a pivot is large enough.
 
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::doubt;
 
 /// The largest multiplier. One pose has multipliers of at most 1, because each pivot is the largest entry of its
@@ -24,8 +24,8 @@ impl<T: Scalar> Check<T, 1, 1> for Multiplier<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [multiplier]: [f64; 1]) -> [bool; 1] {
-        [multiplier.abs() <= LARGEST_MULTIPLIER]
+    fn holds<R: Real>(&self, [multiplier]: [R; 1]) -> [R::Truth; 1] {
+        [R::of(LARGEST_MULTIPLIER).is_at_least(multiplier.magnitude())]
     }
 
     fn margin(&self) -> T {

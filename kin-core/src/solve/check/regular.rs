@@ -1,7 +1,7 @@
 //! The check that a determinant may be a divisor.
 
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::ordinary;
 use crate::solve::doubt::size;
 
@@ -20,8 +20,8 @@ impl<T: Scalar> Check<T, 1, 2> for Regular<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [determinant]: [f64; 1]) -> [bool; 2] {
-        ordinary(determinant.abs(), T::SMALLEST)
+    fn holds<R: Real>(&self, [determinant]: [R; 1]) -> [R::Truth; 2] {
+        ordinary(determinant.magnitude(), T::SMALLEST)
     }
 
     fn margin(&self) -> T {

@@ -1,7 +1,7 @@
 //! The check that values of the unknowns lie on the same sides of the singular positions.
 
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::doubt;
 
 /// Whether the orientations of a pose are certain and equal those of the leading pose.
@@ -23,12 +23,15 @@ impl<T: Scalar, const K: usize> Check<T, K, 2> for SameSides<T, K> {
     }
 
     #[inline(always)]
-    fn holds(&self, orientations: [f64; K]) -> [bool; 2] {
-        let is_told = orientations.iter().all(|orientation| !orientation.is_nan());
-        [
-            is_told,
-            orientations.map(|orientation| orientation >= 0.0) == self.leading,
-        ]
+    fn holds<R: Real>(&self, orientations: [R; K]) -> [R::Truth; 2] {
+        let (mut is_told, mut agrees) = (R::certainly(true), R::certainly(true));
+        for (orientation, is_positive) in orientations.into_iter().zip(self.leading) {
+            // NaN does not equal itself.
+            is_told = R::both(is_told, || orientation.equals(orientation));
+            let own = orientation.is_at_least(R::of(0.0));
+            agrees = R::both(agrees, || if is_positive { own } else { R::not(own) });
+        }
+        [is_told, agrees]
     }
 
     /// The smallest orientation.

@@ -1,7 +1,7 @@
 //! The checks of the sign of a number.
 
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 
 macro_rules! sign {
     ($(#[doc = $doc:literal] $visibility:vis $name:ident, $words:literal: |$number:ident| $holds:expr, $margin:expr;)+) => {
@@ -21,7 +21,7 @@ macro_rules! sign {
                 }
 
                 #[inline(always)]
-                fn holds(&self, [$number]: [f64; 1]) -> [bool; 1] {
+                fn holds<R: Real>(&self, [$number]: [R; 1]) -> [R::Truth; 1] {
                     [$holds]
                 }
 
@@ -36,9 +36,9 @@ macro_rules! sign {
 
 sign! {
     /// Whether a number is less than zero.
-    pub Negative, "negative number": |number| number < 0.0, -number;
+    pub Negative, "negative number": |number| R::of(0.0).exceeds(number), -number;
     /// Whether a number is zero or more.
-    pub(in crate::solve) NotNegative, "number that is not negative": |number| number >= 0.0, number;
+    pub(in crate::solve) NotNegative, "number that is not negative": |number| number.is_at_least(R::of(0.0)), number;
     /// Whether a number is zero.
-    pub(in crate::solve) Zero, "zero": |number| number == 0.0, crate::solve::doubt::size(number) * T::constant(-1.0);
+    pub(in crate::solve) Zero, "zero": |number| number.equals(R::of(0.0)), crate::solve::doubt::size(number) * T::constant(-1.0);
 }

@@ -1,7 +1,7 @@
 //! The sizes of numbers.
 
 use crate::solve::Scalar;
-use crate::solve::check::Measure;
+use crate::solve::check::{Measure, Real};
 
 /// The sum of the magnitudes of some terms.
 #[derive(Clone, Copy)]
@@ -18,10 +18,10 @@ impl<T: Scalar, const N: usize> Measure<T, N> for SumOfSizes<T, N> {
     }
 
     #[inline(always)]
-    fn measure(&self, terms: [f64; N]) -> f64 {
-        let mut sum = 0.0;
+    fn measure<R: Real>(&self, terms: [R; N]) -> R {
+        let mut sum = R::of(0.0);
         for term in terms {
-            sum += term.abs();
+            sum = sum + term.magnitude();
         }
         sum
     }
@@ -45,9 +45,9 @@ impl<T: Scalar> Measure<T, 2> for LargestSize<T> {
     }
 
     #[inline(always)]
-    fn measure(&self, [largest, number]: [f64; 2]) -> f64 {
-        let size = number.abs();
-        if size > largest { size } else { largest }
+    fn measure<R: Real>(&self, [largest, number]: [R; 2]) -> R {
+        let size = number.magnitude();
+        R::choose(size.exceeds(largest), || size, || largest)
     }
 }
 
@@ -66,10 +66,13 @@ impl<T: Scalar, const N: usize> Measure<T, N> for LargestLength<T, N> {
     }
 
     #[inline(always)]
-    fn measure(&self, lengths: [f64; N]) -> f64 {
-        let largest = lengths
-            .iter()
-            .fold(0.0_f64, |largest, length| largest.max(length.abs()));
-        if largest > 0.0 { largest } else { 1.0 }
+    fn measure<R: Real>(&self, lengths: [R; N]) -> R {
+        let zero = R::of(0.0);
+        let mut largest = zero;
+        for length in lengths {
+            let size = length.magnitude();
+            largest = R::choose(size.exceeds(largest), || size, || largest);
+        }
+        R::choose(largest.exceeds(zero), || largest, || R::of(1.0))
     }
 }

@@ -2,12 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use num_traits::Float;
-
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Choose, TurnsInto};
+use crate::solve::check::{Check, Choose, Real, TurnsInto};
 use crate::solve::doubt::{is_told_from, size, smaller};
 
 /// The tolerance for solutions outside the range, in units of ε times the size of the numbers.
@@ -18,76 +16,100 @@ const IN_DOUBT: Failure = Failure::NotFinite { quantity: "lanes" };
 
 /// A range. It contains its ends, and also values that lie beyond them by no more than rounding.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct Span {
+pub(in crate::solve) struct Span<R> {
     pub(in crate::solve) low: f64,
     pub(in crate::solve) high: f64,
-    tolerance: f64,
+    tolerance: R,
 }
 
-impl Span {
+/// Whether a value lies in a range that contains its ends.
+#[inline(always)]
+pub(in crate::solve) fn within<R: Real>(value: R, low: f64, high: f64) -> R::Truth {
+    R::both(value.is_at_least(R::of(low)), || R::of(high).is_at_least(value))
+}
+
+#[inline(always)]
+fn larger<R: Real>(one: R, other: R) -> R {
+    R::choose(other.exceeds(one), || other, || one)
+}
+
+impl<R: Real> Span<R> {
     /// The range from `low` to `high`. The tolerance suits values of the size of `value`.
-    pub(in crate::solve) fn new(low: f64, high: f64, value: f64, epsilon: f64) -> Self {
+    #[inline(always)]
+    pub(in crate::solve) fn new(low: f64, high: f64, value: R, epsilon: f64) -> Self {
         let finite = |end: f64| if end.is_finite() { end.abs() } else { 0.0 };
-        let size = finite(low).max(finite(high)).max(finite(value));
+        let ends = R::of(finite(low).max(finite(high)));
+        let own = R::choose(value.is_finite(), || value.magnitude(), || R::of(0.0));
         Self {
             low,
             high,
-            tolerance: TOLERANCE * epsilon * size,
+            tolerance: R::of(TOLERANCE * epsilon) * larger(ends, own),
         }
     }
 
-    fn holds_strictly(self, value: f64) -> bool {
-        value >= self.low && value <= self.high
+    fn holds_strictly(self, value: R) -> R::Truth {
+        within(value, self.low, self.high)
     }
 
-    fn holds(self, value: f64) -> bool {
-        value >= self.low - self.tolerance && value <= self.high + self.tolerance
+    fn holds(self, value: R) -> R::Truth {
+        let above = value.is_at_least(R::of(self.low) - self.tolerance);
+        R::both(above, || (R::of(self.high) + self.tolerance).is_at_least(value))
     }
 
     /// Whether a value is clearly on one side of each end. Several poses need a distance of more than their
     /// [doubt](Scalar::DOUBT).
-    fn tells<T: Scalar>(self, value: f64) -> bool {
-        let size = self.tolerance / TOLERANCE / T::EPSILON;
-        is_told_from::<T>(self.low, value, size) && is_told_from::<T>(self.high, value, size)
+    fn tells<T: Scalar>(self, value: R) -> R::Truth {
+        let size = self.tolerance / R::of(TOLERANCE) / R::of(T::EPSILON);
+        R::both(is_told_from::<T, R>(self.low, value, size), || {
+            is_told_from::<T, R>(self.high, value, size)
+        })
     }
 
     /// [`tells`](Self::tells) for an angle that whole turns may have brought into the range.
-    fn tells_angle<T: Scalar>(self, angle: f64) -> bool {
-        let size = angle.abs().max(TAU);
+    fn tells_angle<T: Scalar>(self, angle: R) -> R::Truth {
+        let size = larger(angle.magnitude(), R::of(TAU));
         let ends = [self.low, self.low + TAU, self.high, self.high - TAU];
-        ends.iter().all(|end| is_told_from::<T>(*end, angle, size))
+        ends.iter().fold(R::certainly(true), |told, end| {
+            R::both(told, || is_told_from::<T, R>(*end, angle, size))
+        })
     }
 
-    fn distance(self, value: f64) -> f64 {
-        (self.low - value).max(value - self.high).max(0.0)
+    fn distance(self, value: R) -> R {
+        let outside = larger(R::of(self.low) - value, value - R::of(self.high));
+        larger(outside, R::of(0.0))
     }
 
     /// The smallest number of turns that brings an angle into the range, or next to it.
-    pub(in crate::solve) fn turns(self, angle: f64) -> f64 {
-        let turns = if angle < self.low {
-            Float::ceil((self.low - self.tolerance - angle) / TAU)
-        } else if angle > self.high {
-            -Float::ceil((angle - self.high - self.tolerance) / TAU)
-        } else {
-            0.0
-        };
-        if turns == 0.0 { 0.0 } else { turns }
+    #[inline(always)]
+    pub(in crate::solve) fn turns(self, angle: R) -> R {
+        let (low, high, zero) = (R::of(self.low), R::of(self.high), R::of(0.0));
+        let turns = R::choose(
+            low.exceeds(angle),
+            || ((low - self.tolerance - angle) / R::of(TAU)).raised(),
+            || {
+                R::choose(
+                    angle.exceeds(high),
+                    || -((angle - high - self.tolerance) / R::of(TAU)).raised(),
+                    || zero,
+                )
+            },
+        );
+        // Zero has no sign.
+        R::choose(turns.equals(zero), || zero, || turns)
     }
 
     /// The representative of an angle that lies in the range, or comes closest to it.
-    pub(in crate::solve) fn representative(self, angle: f64) -> f64 {
-        let inside = angle + TAU * self.turns(angle);
-        if self.holds(inside) {
-            return inside;
-        }
+    pub(in crate::solve) fn representative(self, angle: R) -> R {
+        let inside = angle + R::of(TAU) * self.turns(angle);
         // An angle can miss a range of less than a turn on either side.
-        [inside - TAU, inside + TAU].into_iter().fold(inside, |nearest, other| {
-            if self.distance(other) < self.distance(nearest) {
-                other
-            } else {
-                nearest
-            }
-        })
+        let nearest = || {
+            let others = [inside - R::of(TAU), inside + R::of(TAU)];
+            others.into_iter().fold(inside, |nearest, other| {
+                let is_nearer = self.distance(nearest).exceeds(self.distance(other));
+                R::choose(is_nearer, || other, || nearest)
+            })
+        };
+        R::choose(self.holds(inside), || inside, nearest)
     }
 }
 
@@ -110,12 +132,16 @@ impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [value]: [f64; 1]) -> [bool; 2] {
+    fn holds<R: Real>(&self, [value]: [R; 1]) -> [R::Truth; 2] {
         let span = || Span::new(self.low, self.high, value, T::EPSILON);
-        let is_strictly_inside = value >= self.low && value <= self.high;
+        let is_inside = || R::either(within(value, self.low, self.high), || span().holds(value));
         [
-            value.is_finite() && (is_strictly_inside || span().holds(value)),
-            T::DOUBT == 0.0 || span().tells::<T>(value),
+            R::both(value.is_finite(), is_inside),
+            if T::DOUBT == 0.0 {
+                R::certainly(true)
+            } else {
+                span().tells::<T>(value)
+            },
         ]
     }
 
@@ -143,20 +169,22 @@ impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [angle]: [f64; 1]) -> [bool; 2] {
+    fn holds<R: Real>(&self, [angle]: [R; 1]) -> [R::Truth; 2] {
         let span = || Span::new(self.low, self.high, angle, T::EPSILON);
-        let is_strictly_inside = angle >= self.low && angle <= self.high;
-        let holds = || {
-            let span = span();
-            span.holds(span.representative(angle))
-        };
-        let is_told = || {
-            let span = span();
-            span.tells_angle::<T>(span.representative(angle))
+        let is_inside = || {
+            R::either(within(angle, self.low, self.high), || {
+                let span = span();
+                span.holds(span.representative(angle))
+            })
         };
         [
-            angle.is_finite() && (is_strictly_inside || holds()),
-            T::DOUBT == 0.0 || is_told(),
+            R::both(angle.is_finite(), is_inside),
+            if T::DOUBT == 0.0 {
+                R::certainly(true)
+            } else {
+                let span = span();
+                span.tells_angle::<T>(span.representative(angle))
+            },
         ]
     }
 
@@ -240,7 +268,13 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
     }
 }
 
-fn choose(unknown: &'static str, first: f64, second: f64, span: Span, is_angle: bool) -> Result<Assembly, Failure> {
+fn choose(
+    unknown: &'static str,
+    first: f64,
+    second: f64,
+    span: Span<f64>,
+    is_angle: bool,
+) -> Result<Assembly, Failure> {
     if !(first.is_finite() && second.is_finite()) {
         return Err(Failure::NotFinite { quantity: unknown });
     }
@@ -248,7 +282,7 @@ fn choose(unknown: &'static str, first: f64, second: f64, span: Span, is_angle: 
         return Ok(Assembly::Open);
     }
     // Rounding counts only if there would be no solution otherwise.
-    for inside in [Span::holds_strictly, Span::holds] {
+    for inside in [Span::<f64>::holds_strictly, Span::<f64>::holds] {
         match (inside(span, first), inside(span, second)) {
             (true, false) => return Ok(Assembly::Open),
             (false, true) => return Ok(Assembly::Crossed),

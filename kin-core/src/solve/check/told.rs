@@ -1,7 +1,7 @@
 //! The check that a number differs clearly from zero.
 
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::doubt;
 
 /// Whether a sum is larger than [a part](Scalar::DOUBT) of its terms.
@@ -23,8 +23,8 @@ impl<T: Scalar> Check<T, 2, 1> for Told<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [number, size]: [f64; 2]) -> [bool; 1] {
-        [number.abs() >= T::DOUBT * size]
+    fn holds<R: Real>(&self, [number, size]: [R; 2]) -> [R::Truth; 1] {
+        [number.magnitude().is_at_least(R::of(T::DOUBT) * size)]
     }
 
     fn margin(&self) -> T {

@@ -2,10 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use num_traits::Float;
-
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Measure, Span};
+use crate::solve::check::{Check, Measure, Real, Span, within};
 
 /// The turns that bring an angle closest to a guess, in radians.
 #[derive(Clone, Copy)]
@@ -25,11 +23,11 @@ impl<T: Scalar> Measure<T, 2> for NearestTurns<T> {
     }
 
     #[inline(always)]
-    fn measure(&self, [angle, guess]: [f64; 2]) -> f64 {
-        let turns = Float::round((guess - angle) / TAU);
+    fn measure<R: Real>(&self, [angle, guess]: [R; 2]) -> R {
+        let turns = ((guess - angle) / R::of(TAU)).rounded();
         // A guess that is not finite does not move the angle.
-        let turns = if turns.is_finite() { turns } else { 0.0 };
-        turns * TAU
+        let turns = R::choose(turns.is_finite(), || turns, || R::of(0.0));
+        turns * R::of(TAU)
     }
 }
 
@@ -52,14 +50,14 @@ impl<T: Scalar> Measure<T, 1> for TurnsInto<T> {
     }
 
     #[inline(always)]
-    fn measure(&self, [angle]: [f64; 1]) -> f64 {
-        let is_inside = angle >= self.low && angle <= self.high;
-        let turns = if is_inside {
-            0.0
-        } else {
-            Span::new(self.low, self.high, angle, T::EPSILON).turns(angle)
-        };
-        turns * TAU
+    fn measure<R: Real>(&self, [angle]: [R; 1]) -> R {
+        // The tolerance is calculated outside of the range only.
+        let turns = R::choose(
+            within(angle, self.low, self.high),
+            || R::of(0.0),
+            || Span::new(self.low, self.high, angle, T::EPSILON).turns(angle),
+        );
+        turns * R::of(TAU)
     }
 }
 
@@ -82,8 +80,11 @@ impl<T: Scalar> Check<T, 1, 1> for TellsDirection<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [size]: [f64; 1]) -> [bool; 1] {
-        [size <= self.limit || size.is_nan()]
+    fn holds<R: Real>(&self, [size]: [R; 1]) -> [R::Truth; 1] {
+        // NaN does not equal itself.
+        [R::either(R::of(self.limit).is_at_least(size), || {
+            R::not(size.equals(size))
+        })]
     }
 
     fn margin(&self) -> T {

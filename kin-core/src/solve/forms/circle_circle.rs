@@ -5,7 +5,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, SumOfSizes};
+use crate::solve::check::{Check, Real, SumOfSizes};
 use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
 use crate::solve::doubt::{least, size, smaller};
 
@@ -128,9 +128,9 @@ impl<T: Scalar> Check<T, 4, 3> for Reach<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [q2, least_q2, d2, least_d2]: [f64; 4]) -> [bool; 3] {
+    fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
-        [low, high, d2 >= least_d2]
+        [low, high, d2.is_at_least(least_d2)]
     }
 
     fn margin(&self) -> T {
@@ -159,9 +159,9 @@ impl<T: Scalar> Check<T, 4, 3> for ReachOfSquares<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [q2, least_q2, d2, least_d2]: [f64; 4]) -> [bool; 3] {
+    fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
-        [low, high, d2 >= least_d2]
+        [low, high, d2.is_at_least(least_d2)]
     }
 
     fn margin(&self) -> T {

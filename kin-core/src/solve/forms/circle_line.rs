@@ -5,7 +5,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Finite, SumOfSizes};
+use crate::solve::check::{Check, Finite, Real, SumOfSizes};
 use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
 use crate::solve::doubt::{least, size};
 
@@ -121,9 +121,9 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [q2, least, u2]: [f64; 3]) -> [bool; 3] {
+    fn holds<R: Real>(&self, [q2, least, u2]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-        [low, high, u2 >= T::SMALLEST]
+        [low, high, u2.is_at_least(R::of(T::SMALLEST))]
     }
 
     fn margin(&self) -> T {
@@ -151,7 +151,7 @@ impl<T: Scalar> Check<T, 3, 3> for ReachAlongX<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [q2, least, x]: [f64; 3]) -> [bool; 3] {
+    fn holds<R: Real>(&self, [q2, least, x]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, x.is_finite()]
     }

@@ -4,7 +4,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::{length, ordinary_from, refusal};
 use crate::solve::doubt::{least, size};
 
@@ -44,10 +44,11 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<Pl
     let inverse = T::constant(1.0) / rho2;
     let cosine = c * inverse;
     let sine = q2.sqrt() * inverse;
-    Ok(match assembly {
-        Assembly::Open => Plane::new(a * cosine - b * sine, b * cosine + a * sine),
-        Assembly::Crossed => Plane::new(a * cosine + b * sine, b * cosine - a * sine),
-    })
+    let (along, beside) = (Plane::new(a * cosine, b * cosine), Plane::new(b * sine, a * sine));
+    Ok(Plane::new(
+        T::assembled(assembly, || along.x - beside.x, || along.x + beside.x),
+        T::assembled(assembly, || along.y + beside.y, || along.y - beside.y),
+    ))
 }
 
 /// Whether the amplitude ρ of `a cos x + b sin x` reaches `c`.
@@ -70,7 +71,7 @@ impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [q2, least]: [f64; 2]) -> [bool; 2] {
+    fn holds<R: Real>(&self, [q2, least]: [R; 2]) -> [R::Truth; 2] {
         ordinary_from(q2, least, T::SMALLEST)
     }
 

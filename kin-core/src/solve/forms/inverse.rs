@@ -4,7 +4,7 @@ use super::root::Root;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::{ordinary_from, refusal};
 use crate::solve::doubt::{least, size};
 
@@ -85,7 +85,7 @@ impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [square, least]: [f64; 2]) -> [bool; 2] {
+    fn holds<R: Real>(&self, [square, least]: [R; 2]) -> [R::Truth; 2] {
         ordinary_from(square, least, T::SMALLEST)
     }
 

@@ -3,7 +3,7 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::refusal;
 use crate::solve::doubt::is_told_from;
 
@@ -52,8 +52,13 @@ impl<T: Scalar> Check<T, 1, 3> for AboveOne<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [value]: [f64; 1]) -> [bool; 3] {
-        [value > 1.0, value < f64::INFINITY, is_told_from::<T>(1.0, value, 1.0)]
+    fn holds<R: Real>(&self, [value]: [R; 1]) -> [R::Truth; 3] {
+        let one = R::of(1.0);
+        [
+            value.exceeds(one),
+            R::of(f64::INFINITY).exceeds(value),
+            is_told_from::<T, R>(1.0, value, one),
+        ]
     }
 
     fn margin(&self) -> T {

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Finite};
+use crate::solve::check::{Check, Finite, Real};
 use crate::solve::doubt::{decisive, size};
 
 const QUANTITY: &str = "coefficients of a linear equation, or its solution";
@@ -55,7 +55,7 @@ pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failu
     };
     let (Some(x), Some(y)) = (x.provided(meet), y.provided(meet)) else {
         // Solutions can overflow although the lines are not parallel; then the determinant is not at fault.
-        let parallel = determinant.real().abs() <= noise::<T>(product.real());
+        let parallel = determinant.real().abs() <= noise::<T, f64>(product.real());
         let right = parallel && b[0].real().is_finite() && b[1].real().is_finite();
         return Err(no_solution(determinant.real(), right));
     };
@@ -82,11 +82,11 @@ impl<T: Scalar> Check<T, 4, 4> for Meet<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [determinant, product, x, y]: [f64; 4]) -> [bool; 4] {
-        let size = determinant.abs();
+    fn holds<R: Real>(&self, [determinant, product, x, y]: [R; 4]) -> [R::Truth; 4] {
+        let size = determinant.magnitude();
         [
-            size > noise::<T>(product),
-            size < f64::INFINITY,
+            size.exceeds(noise::<T, R>(product)),
+            R::of(f64::INFINITY).exceeds(size),
             x.is_finite(),
             y.is_finite(),
         ]
@@ -100,8 +100,8 @@ impl<T: Scalar> Check<T, 4, 4> for Meet<T> {
 /// The size of rounding errors in the determinant. The determinant of parallel lines is of this size, so the lines
 /// would seem to meet far away.
 #[inline(always)]
-fn noise<T: Scalar>(product: f64) -> f64 {
-    2.0 * T::EPSILON * product.abs()
+fn noise<T: Scalar, R: Real>(product: R) -> R {
+    R::of(2.0 * T::EPSILON) * product.magnitude()
 }
 
 #[cold]

@@ -5,7 +5,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::{length, ordinary, ordinary_from, refusal};
 use crate::solve::doubt::{least, size};
 
@@ -95,7 +95,7 @@ impl<T: Scalar> Check<T, 1, 2> for Apart<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [d2]: [f64; 1]) -> [bool; 2] {
+    fn holds<R: Real>(&self, [d2]: [R; 1]) -> [R::Truth; 2] {
         ordinary(d2, T::SMALLEST)
     }
 
@@ -125,7 +125,7 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [q2, least, shift]: [f64; 3]) -> [bool; 3] {
+    fn holds<R: Real>(&self, [q2, least, shift]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, shift.is_finite()]
     }

@@ -3,7 +3,7 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Finite, NotNegative};
+use crate::solve::check::{Check, Finite, NotNegative, Real};
 use crate::solve::diagnosis::{ordinary_from, root};
 use crate::solve::doubt::{least, size, smaller};
 
@@ -44,9 +44,17 @@ pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, F
     // g and q are added with the same sign. The root is that sum divided by a, or c divided by it.
     let sum = T::either(NotNegative(g), || g + q, || g - q);
     // In (g ± q) / a, a negative divisor reverses the order of the roots.
-    let direct = IsSum { a, g, assembly };
-    let above = T::either(direct, || sum, || c);
-    let below = T::either(direct, || a, || sum);
+    let direct = IsSum { a, g };
+    let above = T::assembled(
+        assembly,
+        || T::either(direct, || sum, || c),
+        || T::either(direct, || c, || sum),
+    );
+    let below = T::assembled(
+        assembly,
+        || T::either(direct, || a, || sum),
+        || T::either(direct, || sum, || a),
+    );
     let x = above / below;
     x.provided(Finite([x])).ok_or_else(fails)
 }
@@ -70,9 +78,9 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [q2, least, a]: [f64; 3]) -> [bool; 3] {
+    fn holds<R: Real>(&self, [q2, least, a]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
-        [low, high, a != 0.0]
+        [low, high, R::not(a.equals(R::of(0.0)))]
     }
 
     fn margin(&self) -> T {
@@ -81,13 +89,12 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     }
 }
 
-/// Whether the wanted root is the sum g ± q divided by the leading coefficient; otherwise it is the last coefficient
-/// divided by that sum.
+/// Whether the larger root is the sum g ± q divided by the leading coefficient; otherwise the smaller root is. The other
+/// root is the last coefficient divided by that sum.
 #[derive(Clone, Copy)]
 struct IsSum<T> {
     a: T,
     g: T,
-    assembly: Assembly,
 }
 
 impl<T: Scalar> Check<T, 2, 1> for IsSum<T> {
@@ -101,9 +108,9 @@ impl<T: Scalar> Check<T, 2, 1> for IsSum<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [a, g]: [f64; 2]) -> [bool; 1] {
-        let plus = (self.assembly == Assembly::Open) == (a > 0.0);
-        [plus == (g >= 0.0)]
+    fn holds<R: Real>(&self, [a, g]: [R; 2]) -> [R::Truth; 1] {
+        let (plus, above) = (a.exceeds(R::of(0.0)), g.is_at_least(R::of(0.0)));
+        [R::either(R::both(plus, || above), || R::not(R::either(plus, || above)))]
     }
 
     /// The smaller of the magnitudes of the two coefficients.

@@ -3,7 +3,7 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::Check;
+use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::root;
 use crate::solve::doubt::size;
 
@@ -44,8 +44,8 @@ impl<T: Scalar> Check<T, 1, 2> for Positive<T> {
     }
 
     #[inline(always)]
-    fn holds(&self, [square]: [f64; 1]) -> [bool; 2] {
-        [square > 0.0, square < f64::INFINITY]
+    fn holds<R: Real>(&self, [square]: [R; 1]) -> [R::Truth; 2] {
+        [square.exceeds(R::of(0.0)), R::of(f64::INFINITY).exceeds(square)]
     }
 
     fn margin(&self) -> T {
