@@ -64,6 +64,7 @@
 //! | the closed forms, with their costs | [`solve`] |
 //! | verification of your own mechanism | `verify` (feature `std`) |
 //! | all solutions of a block without a closed form | [`continuation`], [`Positions`], [`Assemblies`] |
+//! | solvers as data, for other languages | `tape` (feature `tape`) |
 //! | files and messages: JSON and other formats | `stored` (feature `serde`) |
 //! | number types | [`Number`] and [`Scalar`], [`series`] for truncated Taylor series, [`Changing`] for a number with one derivative |
 //!
@@ -77,7 +78,8 @@
 //! supplies the floating-point functions. The feature `alloc`, which `std` implies, adds tables and extremes of sweeps. The feature `library` adds declared mechanisms, and `rayon` solves batches on
 //! all cores. The feature `num-dual` makes the dual numbers of that crate a [`Scalar`], and `verify` uses them. The feature
 //! `nalgebra` converts to and from the points and vectors of that crate, and `approx` compares vectors and motions within
-//! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses.
+//! a tolerance by the traits of that crate. The feature `serde` lets programs store parameters, motions, assemblies and poses. The feature
+//! `tape`, which needs `std`, records solvers as data.
 //!
 //! The features stand for one version of each crate: `num-dual` 0.15, `nalgebra` 0.35, `approx` 0.5, `serde` 1. With another
 //! version, pass vectors as their coordinates.
@@ -130,6 +132,8 @@ pub mod solve;
 #[cfg(feature = "serde")]
 pub mod stored;
 pub mod sweep;
+#[cfg(feature = "tape")]
+pub mod tape;
 mod track;
 #[cfg(feature = "std")]
 pub mod verify;

@@ -57,7 +57,7 @@ pub struct Factors<T, const N: usize> {
 /// ```
 #[inline(always)]
 pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<T, N>, Failure> {
-    factor_here(matrix, T::EPSILON)
+    T::factored(matrix)
 }
 
 /// [`factor`] for entries known to a relative error of `epsilon`. Their type may be more precise than that.
@@ -69,7 +69,10 @@ pub(super) fn factor_to<T: Scalar, const N: usize>(
 }
 
 #[inline(always)]
-fn factor_here<T: Scalar, const N: usize>(mut entries: [[T; N]; N], epsilon: f64) -> Result<Factors<T, N>, Failure> {
+pub(super) fn factor_here<T: Scalar, const N: usize>(
+    mut entries: [[T; N]; N],
+    epsilon: f64,
+) -> Result<Factors<T, N>, Failure> {
     if !entries.iter().flatten().all(|entry| entry.is_finite()) {
         return Err(Failure::NotFinite { quantity: QUANTITY });
     }
@@ -217,6 +220,12 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     #[inline(always)]
     #[must_use]
     pub fn solve(&self, right: [T; N]) -> [T; N] {
+        T::substituted(self, right)
+    }
+
+    /// [`solve`](Self::solve) for a number that holds values.
+    #[inline(always)]
+    pub(super) fn solve_here(&self, right: [T; N]) -> [T; N] {
         let mut solution = right;
         substitute(
             &self.entries,
@@ -227,6 +236,25 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
             &mut solution,
         );
         solution
+    }
+
+    /// Factors of a number without a value: every entry stands for the whole matrix.
+    #[cfg(feature = "tape")]
+    pub(crate) fn standing_for(system: T) -> Self {
+        Self {
+            entries: [[system; N]; N],
+            origins: [0; N],
+            row_exponents: [0; N],
+            column_exponents: [0; N],
+            odd: false,
+            norm: 0.0,
+        }
+    }
+
+    /// The number that stands for the whole matrix.
+    #[cfg(feature = "tape")]
+    pub(crate) fn stands_for(&self) -> T {
+        self.entries[0][0]
     }
 
     /// The determinant of the matrix. It is infinite or zero if it exceeds the range of the number type.

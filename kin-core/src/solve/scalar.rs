@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::number::series::Series;
 use crate::number::{Changing, Number, Row};
 use crate::solve::check::{Check, Choose, Measure, Negative};
+use crate::solve::factor::{Factors, factor_here};
 use crate::solve::newton::damped_root;
 
 /// A number with which a mechanism can be solved: a [`Number`] that can also decide.
@@ -120,6 +121,31 @@ pub trait Scalar: Number {
             }
         }
         best
+    }
+
+    /// The assembly of the side of the singular positions on which a number lies that is zero there: open if its real part is
+    /// positive or zero.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn side(self) -> Assembly {
+        Assembly::from_sign(self.real())
+    }
+
+    /// The factors that [`solve::factor`](crate::solve::factor()) finds, with the same argument.
+    ///
+    /// # Errors
+    /// Returns the errors of that function.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn factored<const N: usize>(matrix: [[Self; N]; N]) -> Result<Factors<Self, N>, Failure> {
+        factor_here(matrix, Self::EPSILON)
+    }
+
+    /// The solution that [`Factors::solve`] finds.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn substituted<const N: usize>(factors: &Factors<Self, N>, right: [Self; N]) -> [Self; N] {
+        factors.solve_here(right)
     }
 
     /// The root that [`solve::newton`](crate::solve::newton()) finds, with the same arguments.

@@ -62,6 +62,7 @@ pub(crate) const CORE: House = House {
         room("sweep", &["sweep/"], "sweeps, tables"),
         room("extremes", &["extremes/"], "peaks, means"),
         room("cycle", &["cycle/"], "circuits, branches"),
+        room("tape", &["tape/"], "solvers as data"),
         room("stored", &["stored/"], "traits of serde"),
         room("interop", &["interop/"], "other crates' types"),
         room("verify", &["verify/"], "two oracles"),

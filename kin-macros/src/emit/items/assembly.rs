@@ -231,7 +231,6 @@ struct Sides {
 
 impl Sides {
     fn new(mechanism: &Compiled<'_>) -> Self {
-        let runtime = mechanism.runtime;
         let inputs = mechanism.input_names();
         let program = &mechanism.solvers.orientations;
         let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
@@ -254,10 +253,7 @@ impl Sides {
             .iter()
             .map(|&symbol| text.name(symbol))
             .collect();
-        let signs: Vec<TokenStream> = orientations
-            .iter()
-            .map(|name| quote!(#runtime::Assembly::from_sign(#runtime::Number::real(#name))))
-            .collect();
+        let signs: Vec<TokenStream> = orientations.iter().map(|name| quote!(T::side(#name))).collect();
         let result = if let [sign] = signs.as_slice() {
             sign.clone()
         } else {

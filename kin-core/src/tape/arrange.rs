@@ -1,0 +1,270 @@
+//! From a record to a tape: what nobody needs goes, and what is left is put in order.
+
+use std::vec;
+use std::vec::Vec;
+
+use crate::tape::recorder::{Event, Noted, Recorder};
+use crate::tape::{Argument, Check, Condition, Node, Role, Search, Solution, Step, System, Tape, Value};
+
+/// Which nodes are needed, and where.
+struct Needs<'a> {
+    recorder: &'a Recorder,
+    /// Whether a step needs the node.
+    is_needed: Vec<bool>,
+    searches: Vec<bool>,
+    systems: Vec<bool>,
+    solutions: Vec<bool>,
+}
+
+impl<'a> Needs<'a> {
+    fn new(recorder: &'a Recorder) -> Self {
+        Self {
+            recorder,
+            is_needed: vec![false; recorder.nodes.len()],
+            searches: vec![false; recorder.searches.len()],
+            systems: vec![false; recorder.systems.len()],
+            solutions: vec![false; recorder.solutions.len()],
+        }
+    }
+
+    fn add(&mut self, value: Value) {
+        let mut open = vec![value];
+        while let Some(value) = open.pop() {
+            if core::mem::replace(&mut self.is_needed[value.index()], true) {
+                continue;
+            }
+            let node = self.recorder.nodes[value.index()];
+            node.operands(|operand| open.push(operand));
+            match node {
+                Node::Root { search, .. } => self.search(search, &mut open),
+                Node::Solution { solution, .. } if !self.solutions[solution] => {
+                    self.solutions[solution] = true;
+                    let (system, right) = &self.recorder.solutions[solution];
+                    open.extend(right);
+                    self.system(*system, &mut open);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn condition(&mut self, condition: Condition) {
+        let mut open = Vec::new();
+        match condition {
+            Condition::Holds(truth) => open.push(truth),
+            Condition::Found(search) => self.search(search, &mut open),
+            Condition::Regular(system) => self.system(system, &mut open),
+        }
+        for value in open {
+            self.add(value);
+        }
+    }
+
+    fn search(&mut self, search: usize, open: &mut Vec<Value>) {
+        if !core::mem::replace(&mut self.searches[search], true) {
+            let sought = &self.recorder.searches[search];
+            open.extend(sought.guess.iter().chain(&sought.sizes).chain(&sought.residuals));
+            open.extend(sought.jacobian.iter().flatten());
+        }
+    }
+
+    fn system(&mut self, system: usize, open: &mut Vec<Value>) {
+        if !core::mem::replace(&mut self.systems[system], true) {
+            open.extend(self.recorder.systems[system].iter().flatten());
+        }
+    }
+}
+
+/// The highest order of an input on which each node depends, and the search on whose unknowns it depends.
+fn dependences(recorder: &Recorder, arguments: &[Argument]) -> (Vec<usize>, Vec<Option<usize>>) {
+    let (mut orders, mut searches) = (Vec::new(), Vec::new());
+    for node in &recorder.nodes {
+        let (mut order, mut search) = (0, None);
+        let mut join = |value: Value| {
+            order = order.max(orders[value.index()]);
+            search = search.or(searches[value.index()]);
+        };
+        node.operands(&mut join);
+        match *node {
+            Node::Argument(argument) => {
+                if let Role::Input { order: own, .. } = arguments[argument].role {
+                    order = own;
+                }
+            }
+            Node::Unknown { search: own, .. } => search = Some(own),
+            Node::Solution { solution, .. } => {
+                let (_, right) = &recorder.solutions[solution];
+                right.iter().copied().for_each(join);
+            }
+            _ => {}
+        }
+        orders.push(order);
+        searches.push(search);
+    }
+    (orders, searches)
+}
+
+/// Whether a node is computed by a step of its own.
+fn is_step(node: Node) -> bool {
+    !matches!(
+        node,
+        Node::Argument(_)
+            | Node::Constant(_)
+            | Node::Certain(_)
+            | Node::Unknown { .. }
+            | Node::Root { .. }
+            | Node::Solution { .. }
+    )
+}
+
+/// Fills the tape from the record. `block` is the block of a check.
+pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Noted) -> &'static str) {
+    let (orders, searches) = dependences(recorder, &tape.arguments);
+    let order_of = |check: &Noted| match check.condition {
+        _ if check.is_of_position => 0,
+        Condition::Holds(truth) => orders[truth.index()].max(1),
+        Condition::Found(_) | Condition::Regular(_) => 1,
+    };
+    let mut needs = Needs::new(recorder);
+    for result in &tape.results {
+        needs.add(result.value);
+    }
+    let is_wanted = |check: &Noted| order_of(check) <= tape.order;
+    for check in recorder.checks.iter().filter(|check| is_wanted(check)) {
+        needs.condition(check.condition);
+    }
+    // The margins come last: they are computed where a check has failed.
+    let is_step_of_its_own = needs.is_needed.clone();
+    let mut cold: Vec<Vec<Value>> = vec![Vec::new(); recorder.checks.len()];
+    for (check, steps) in recorder.checks.iter().zip(&mut cold) {
+        let Some(margin) = check.margin.filter(|_| is_wanted(check)) else {
+            continue;
+        };
+        let is_there = |value: Value| is_step_of_its_own[value.index()] && value.index() < check.before;
+        let mut open = vec![margin];
+        while let Some(value) = open.pop() {
+            let node = recorder.nodes[value.index()];
+            if is_there(value) || steps.contains(&value) {
+                continue;
+            }
+            if is_step(node) {
+                steps.push(value);
+            }
+            node.operands(|operand| open.push(operand));
+        }
+        steps.sort_unstable();
+        needs.add(margin);
+    }
+
+    let moved = numbers(&needs.is_needed);
+    let (new_searches, new_systems) = (numbers(&needs.searches), numbers(&needs.systems));
+    let new_solutions = numbers(&needs.solutions);
+    let value = |old: Value| Value(u32::try_from(moved[old.index()]).unwrap_or(u32::MAX));
+    let all = |old: &[Value]| -> Vec<Value> { old.iter().map(|own| value(*own)).collect() };
+    let rows = |old: &[Vec<Value>]| -> Vec<Vec<Value>> { old.iter().map(|row| all(row)).collect() };
+    let is_kept = |(index, _): &(usize, &Node)| needs.is_needed[*index];
+    let nodes = recorder.nodes.iter().enumerate().filter(is_kept);
+    tape.nodes = nodes
+        .map(|(_, node)| match node.with_operands(value) {
+            Node::Unknown { search, index } => Node::Unknown {
+                search: new_searches[search],
+                index,
+            },
+            Node::Root { search, index } => Node::Root {
+                search: new_searches[search],
+                index,
+            },
+            Node::Solution { solution, index } => Node::Solution {
+                solution: new_solutions[solution],
+                index,
+            },
+            node => node,
+        })
+        .collect();
+    for result in &mut tape.results {
+        result.value = value(result.value);
+    }
+    let wanted: Vec<bool> = recorder.checks.iter().map(is_wanted).collect();
+    let new_checks = numbers(&wanted);
+    for (check, steps) in recorder.checks.iter().zip(&cold) {
+        if is_wanted(check) {
+            tape.checks.push(Check {
+                name: check.name,
+                block: block(check),
+                order: order_of(check),
+                condition: match check.condition {
+                    Condition::Holds(truth) => Condition::Holds(value(truth)),
+                    Condition::Found(search) => Condition::Found(new_searches[search]),
+                    Condition::Regular(system) => Condition::Regular(new_systems[system]),
+                },
+                cold: all(steps),
+                margin: check.margin.map(value),
+            });
+        }
+    }
+    for (index, sought) in recorder
+        .searches
+        .iter()
+        .enumerate()
+        .filter(|(index, _)| needs.searches[*index])
+    {
+        let body = (0..recorder.nodes.len()).filter(|node| {
+            searches[*node] == Some(index) && is_step_of_its_own[*node] && is_step(recorder.nodes[*node])
+        });
+        tape.searches.push(Search {
+            guess: all(&sought.guess),
+            sizes: all(&sought.sizes),
+            body: body
+                .map(|node| Value(u32::try_from(moved[node]).unwrap_or(u32::MAX)))
+                .collect(),
+            residuals: all(&sought.residuals),
+            jacobian: rows(&sought.jacobian),
+        });
+    }
+    for (_, system) in recorder
+        .systems
+        .iter()
+        .enumerate()
+        .filter(|(index, _)| needs.systems[*index])
+    {
+        tape.systems.push(System { rows: rows(system) });
+    }
+    let solutions = recorder.solutions.iter().enumerate();
+    for (_, (system, right)) in solutions.filter(|(index, _)| needs.solutions[*index]) {
+        tape.solutions.push(Solution {
+            system: new_systems[*system],
+            right: all(right),
+        });
+    }
+
+    let mut events = recorder.events.iter().peekable();
+    for index in 0..=recorder.nodes.len() {
+        while let Some((_, event)) = events.next_if(|(before, _)| *before <= index) {
+            match *event {
+                Event::Check(check) if wanted[check] => tape.steps.push(Step::Check(new_checks[check])),
+                Event::Search(search) if needs.searches[search] => tape.steps.push(Step::Search(new_searches[search])),
+                Event::Factor(system) if needs.systems[system] => tape.steps.push(Step::Factor(new_systems[system])),
+                Event::Solve(solution) if needs.solutions[solution] => {
+                    tape.steps.push(Step::Solve(new_solutions[solution]));
+                }
+                _ => {}
+            }
+        }
+        let is_computed = |node: &Node| is_step(*node) && is_step_of_its_own[index] && searches[index].is_none();
+        if recorder.nodes.get(index).is_some_and(is_computed) {
+            tape.steps
+                .push(Step::Compute(Value(u32::try_from(moved[index]).unwrap_or(u32::MAX))));
+        }
+    }
+}
+
+/// The new number of each kept place.
+fn numbers(kept: &[bool]) -> Vec<usize> {
+    let mut next = 0;
+    let number = |is_kept: &bool| {
+        let own = next;
+        next += usize::from(*is_kept);
+        own
+    };
+    kept.iter().map(number).collect()
+}

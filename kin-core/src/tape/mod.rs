@@ -1,0 +1,35 @@
+//! Solvers as data: recorded once, printed in other languages, run by themselves.
+//!
+//! A [`Tape`] is the solver of a mechanism as straight-line code. It is recorded by solving with a number that writes down what is
+//! done with it, so it does what `solve` does, operation by operation. The choice between assemblies is an argument, and so are the
+//! dimensions, unless they are folded in. A decision of the solver is a [`Check`] with its margin, a block without a closed form is a
+//! [`Search`], and a matrix whose pivots are chosen at run time is a [`System`].
+//!
+//! ```
+//! use kin_core::library::SliderCrank;
+//! use kin_core::tape::{self, Options};
+//!
+//! let tape = tape::record::<SliderCrank>(&Options::new().up_to(1))?;
+//! println!("{tape}");
+//! # Ok::<(), tape::RecordError>(())
+//! ```
+
+mod arrange;
+mod node;
+mod print;
+mod record;
+mod recorded;
+mod recorder;
+mod run;
+mod structure;
+
+#[cfg(test)]
+mod tests;
+
+pub use node::{Comparison, Constant, Function, Node, Operator, Value};
+pub use record::{Options, Plain, RecordError, record, record_with_sensitivities};
+pub use recorded::Recorded;
+pub use run::Stop;
+pub use structure::{
+    Argument, Check, Condition, Outcome, Precision, ResultOf, Role, Search, Solution, Step, System, Tape,
+};

@@ -1,0 +1,136 @@
+//! A tape as text, to be read.
+
+use core::fmt::{self, Display, Formatter};
+
+use crate::tape::{Comparison, Condition, Function, Node, Operator, ResultOf, Role, Step, Tape, Value};
+
+/// Writes the arguments, the steps and the results, one on each line.
+impl Display for Tape {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(formatter, "{} in {:?} precision", self.description.name, self.precision)?;
+        for (place, node) in self.nodes.iter().enumerate() {
+            let value = Value(u32::try_from(place).unwrap_or(u32::MAX));
+            match node {
+                Node::Argument(argument) => {
+                    let own = &self.arguments[*argument];
+                    let order = match own.role {
+                        Role::Input { order, .. } => order,
+                        _ => 0,
+                    };
+                    writeln!(formatter, "{value} = argument {}{}", own.name, "'".repeat(order))?;
+                }
+                Node::Constant(constant) => writeln!(formatter, "{value} = {constant:?}")?,
+                Node::Unknown { search, index } => writeln!(formatter, "{value} = unknown {index} of search {search}")?,
+                Node::Root { search, index } => writeln!(formatter, "{value} = root {index} of search {search}")?,
+                Node::Solution { solution, index } => {
+                    writeln!(formatter, "{value} = entry {index} of solution {solution}")?
+                }
+                _ => {}
+            }
+        }
+        for step in &self.steps {
+            match *step {
+                Step::Compute(value) => self.line(formatter, "", value)?,
+                Step::Check(index) => {
+                    let check = &self.checks[index];
+                    write!(formatter, "check {} ({}): ", check.name, check.block)?;
+                    match check.condition {
+                        Condition::Holds(truth) => writeln!(formatter, "{truth}")?,
+                        Condition::Found(search) => writeln!(formatter, "search {search} found a root")?,
+                        Condition::Regular(system) => writeln!(formatter, "system {system} is regular")?,
+                    }
+                    for value in &check.cold {
+                        self.line(formatter, "    ", *value)?;
+                    }
+                    if let Some(margin) = check.margin {
+                        writeln!(formatter, "    margin {margin}")?;
+                    }
+                }
+                Step::Search(index) => {
+                    let search = &self.searches[index];
+                    writeln!(formatter, "search {index} from {}", List(&search.guess))?;
+                    for value in &search.body {
+                        self.line(formatter, "    ", *value)?;
+                    }
+                    writeln!(formatter, "    residuals {}", List(&search.residuals))?;
+                    for row in &search.jacobian {
+                        writeln!(formatter, "    jacobian {}", List(row))?;
+                    }
+                }
+                Step::Factor(index) => {
+                    writeln!(formatter, "factor system {index}")?;
+                    for row in &self.systems[index].rows {
+                        writeln!(formatter, "    {}", List(row))?;
+                    }
+                }
+                Step::Solve(index) => {
+                    let solution = &self.solutions[index];
+                    let right = List(&solution.right);
+                    writeln!(formatter, "solution {index} of system {} for {right}", solution.system)?;
+                }
+            }
+        }
+        for result in &self.results {
+            let kind = match result.quantity {
+                ResultOf::UnknownPartial { .. } | ResultOf::OutputPartial { .. } => "partial ",
+                _ => "",
+            };
+            writeln!(
+                formatter,
+                "{kind}{}{} = {}",
+                result.name,
+                "'".repeat(result.order),
+                result.value
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl Tape {
+    fn line(&self, formatter: &mut Formatter<'_>, indent: &str, value: Value) -> fmt::Result {
+        write!(formatter, "{indent}{value} = ")?;
+        match self.nodes[value.index()] {
+            Node::Call(Function::Negate, one) => writeln!(formatter, "-{one}"),
+            Node::Call(function, one) => writeln!(formatter, "{function:?}({one})"),
+            Node::Binary(Operator::ArcTangent, y, x) => writeln!(formatter, "ArcTangent({y}, {x})"),
+            Node::Binary(operator, one, other) => {
+                let sign = match operator {
+                    Operator::Add => "+",
+                    Operator::Subtract => "-",
+                    Operator::Multiply => "*",
+                    _ => "/",
+                };
+                writeln!(formatter, "{one} {sign} {other}")
+            }
+            Node::PlusProduct(sum, one, other) => writeln!(formatter, "{sum} + {one} * {other}"),
+            Node::MinusProduct(sum, one, other) => writeln!(formatter, "{sum} - {one} * {other}"),
+            Node::Select(truth, one, other) => writeln!(formatter, "{truth} ? {one} : {other}"),
+            Node::Compare(comparison, one, other) => {
+                let sign = match comparison {
+                    Comparison::AtLeast => ">=",
+                    Comparison::Exceeds => ">",
+                    Comparison::Equals => "==",
+                };
+                writeln!(formatter, "{one} {sign} {other}")
+            }
+            Node::IsFinite(one) => writeln!(formatter, "finite({one})"),
+            Node::Both(one, other) => writeln!(formatter, "{one} and {other}"),
+            Node::Either(one, other) => writeln!(formatter, "{one} or {other}"),
+            Node::Not(one) => writeln!(formatter, "not {one}"),
+            node => writeln!(formatter, "{node:?}"),
+        }
+    }
+}
+
+/// Values separated by commas.
+struct List<'a>(&'a [Value]);
+
+impl Display for List<'_> {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        for (place, value) in self.0.iter().enumerate() {
+            write!(formatter, "{}{value}", if place == 0 { "" } else { ", " })?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,373 @@
+//! The number that records.
+
+use core::marker::PhantomData;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use std::vec::Vec;
+
+use crate::assembly::Assembly;
+use crate::failure::Failure;
+use crate::number::Number;
+use crate::solve::{Check, Choose, Factors, Measure, Real, Scalar};
+use crate::tape::recorder::{Event, Sought, with};
+use crate::tape::{Comparison, Condition, Function, Node, Operator, Value};
+
+/// A number that writes down what is done with it, for a tape in the number type `F`.
+///
+/// It stands for a node and has no value of its own. It is used inside of [`tape::record`](crate::tape::record()) only.
+#[derive(Debug)]
+pub struct Recorded<F> {
+    value: Value,
+    number: PhantomData<F>,
+}
+
+impl<F> Clone for Recorded<F> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<F> Copy for Recorded<F> {}
+
+impl<F> Recorded<F> {
+    pub(super) const fn at(value: Value) -> Self {
+        Self {
+            value,
+            number: PhantomData,
+        }
+    }
+
+    pub(super) const fn value(self) -> Value {
+        self.value
+    }
+
+    fn call(self, function: Function) -> Self {
+        put(Node::Call(function, self.value))
+    }
+
+    fn with(self, operator: Operator, other: Self) -> Self {
+        put(Node::Binary(operator, self.value, other.value))
+    }
+}
+
+fn put<F>(node: Node) -> Recorded<F> {
+    Recorded::at(with(|recorder| recorder.put(node)))
+}
+
+fn truth(node: Node) -> Value {
+    with(|recorder| recorder.put(node))
+}
+
+macro_rules! operators {
+    ($($trait:ident $method:ident $operator:ident,)+) => {
+        $(
+            impl<F> $trait for Recorded<F> {
+                type Output = Self;
+
+                fn $method(self, other: Self) -> Self {
+                    self.with(Operator::$operator, other)
+                }
+            }
+        )+
+    };
+}
+
+operators! { Add add Add, Sub sub Subtract, Mul mul Multiply, Div div Divide, }
+
+impl<F> Neg for Recorded<F> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.call(Function::Negate)
+    }
+}
+
+macro_rules! functions {
+    ($($method:ident $function:ident,)+) => {
+        $(
+            fn $method(self) -> Self {
+                self.call(Function::$function)
+            }
+        )+
+    };
+}
+
+impl<F: Number> Number for Recorded<F> {
+    const EPSILON: f64 = F::EPSILON;
+    const SMALLEST: f64 = F::SMALLEST;
+
+    fn constant(value: f64) -> Self {
+        Self::at(with(|recorder| recorder.constant(value)))
+    }
+
+    fn real(self) -> f64 {
+        with(|recorder| {
+            recorder.is_read = true;
+            recorder.values.get(self.value.index()).copied().unwrap_or(f64::NAN)
+        })
+    }
+
+    fn is_finite(self) -> bool {
+        Self::are_finite([self])
+    }
+
+    fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
+        with(|recorder| {
+            if recorder.fails.is_some() && !recorder.failed.is_empty() {
+                // The solver looks for the number that made the check fail.
+                return !numbers.iter().any(|number| recorder.failed.contains(&number.value));
+            }
+            let before = recorder.nodes.len();
+            let mut all = recorder.put(Node::Certain(true));
+            for number in numbers {
+                let finite = recorder.put(Node::IsFinite(number.value));
+                all = recorder.put(Node::Both(all, finite));
+            }
+            // The margin of a number that is not finite is not finite: the sum of all, times zero, and infinity.
+            let zero = recorder.constant(0.0);
+            let mut sum = zero;
+            for number in numbers {
+                let nothing = recorder.put(Node::Binary(Operator::Multiply, number.value, zero));
+                sum = recorder.put(Node::Binary(Operator::Add, sum, nothing));
+            }
+            let infinite = recorder.constant(f64::INFINITY);
+            let margin = recorder.put(Node::Binary(Operator::Add, infinite, sum));
+            let holds = recorder.check("finite numbers", Condition::Holds(all), Some(margin), before);
+            if !holds {
+                recorder.failed = numbers.iter().map(|number| number.value).collect();
+            }
+            holds
+        })
+    }
+
+    functions! {
+        sqrt SquareRoot, asin ArcSine, acos ArcCosine, atan ArcTangent, sinh HyperbolicSine, cosh HyperbolicCosine,
+        tanh HyperbolicTangent, asinh AreaHyperbolicSine, acosh AreaHyperbolicCosine, atanh AreaHyperbolicTangent,
+        exp Exponential, ln Logarithm,
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        (self.call(Function::Sine), self.call(Function::Cosine))
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        self.with(Operator::ArcTangent, x)
+    }
+
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        put(Node::PlusProduct(self.value, a.value, b.value))
+    }
+
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        put(Node::MinusProduct(self.value, a.value, b.value))
+    }
+}
+
+impl<F: Number> Real for Recorded<F> {
+    type Truth = Value;
+
+    fn of(value: f64) -> Self {
+        Self::constant(value)
+    }
+
+    fn magnitude(self) -> Self {
+        self.call(Function::Magnitude)
+    }
+
+    fn rounded(self) -> Self {
+        self.call(Function::Round)
+    }
+
+    fn raised(self) -> Self {
+        self.call(Function::Raise)
+    }
+
+    fn is_at_least(self, other: Self) -> Value {
+        truth(Node::Compare(Comparison::AtLeast, self.value, other.value))
+    }
+
+    fn exceeds(self, other: Self) -> Value {
+        truth(Node::Compare(Comparison::Exceeds, self.value, other.value))
+    }
+
+    fn equals(self, other: Self) -> Value {
+        truth(Node::Compare(Comparison::Equals, self.value, other.value))
+    }
+
+    fn is_finite(self) -> Value {
+        truth(Node::IsFinite(self.value))
+    }
+
+    fn certainly(answer: bool) -> Value {
+        truth(Node::Certain(answer))
+    }
+
+    fn both(one: Value, other: impl FnOnce() -> Value) -> Value {
+        let other = other();
+        truth(Node::Both(one, other))
+    }
+
+    fn either(one: Value, other: impl FnOnce() -> Value) -> Value {
+        let other = other();
+        truth(Node::Either(one, other))
+    }
+
+    fn not(own: Value) -> Value {
+        truth(Node::Not(own))
+    }
+
+    fn choose(truth: Value, one: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
+        let (one, other) = (one(), other());
+        put(Node::Select(truth, one.value, other.value))
+    }
+}
+
+/// The node of all conditions together.
+fn all<const K: usize>(conditions: [Value; K]) -> Value {
+    conditions
+        .into_iter()
+        .reduce(|one, other| truth(Node::Both(one, other)))
+        .unwrap_or_else(|| truth(Node::Certain(true)))
+}
+
+impl<F: Number> Scalar for Recorded<F> {
+    fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
+        let condition = all(check.holds(check.operands()));
+        let before = with(|recorder| recorder.nodes.len());
+        let margin = check.margin();
+        let holds =
+            with(|recorder| recorder.check(check.name(), Condition::Holds(condition), Some(margin.value), before));
+        holds.then_some(self)
+    }
+
+    fn either<const N: usize>(
+        check: impl Check<Self, N, 1>,
+        one: impl FnOnce() -> Self,
+        other: impl FnOnce() -> Self,
+    ) -> Self {
+        let [holds] = check.holds(check.operands());
+        Self::choose(holds, one, other)
+    }
+
+    fn assembled(assembly: Assembly, open: impl FnOnce() -> Self, crossed: impl FnOnce() -> Self) -> Self {
+        match with(|recorder| recorder.is_open(assembly)) {
+            Ok((truth, is_mirrored)) => {
+                let (open, crossed) = (open(), crossed());
+                let [one, other] = if is_mirrored { [crossed, open] } else { [open, crossed] };
+                put(Node::Select(truth, one.value, other.value))
+            }
+            Err(known) => {
+                let (open, crossed) = (open(), crossed());
+                match known {
+                    Assembly::Open => open,
+                    Assembly::Crossed => crossed,
+                }
+            }
+        }
+    }
+
+    fn side(self) -> Assembly {
+        let is_open = self.is_at_least(Self::constant(0.0));
+        with(|recorder| {
+            let number = recorder.sides.len();
+            recorder.sides.push(is_open);
+            if recorder.crossed_side == Some(number) {
+                Assembly::Crossed
+            } else {
+                Assembly::Open
+            }
+        })
+    }
+
+    fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
+        measure.measure(measure.operands())
+    }
+
+    fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
+        with(|recorder| recorder.refused = Some(choice.name()));
+        Err(Failure::NotFinite {
+            quantity: choice.name(),
+        })
+    }
+
+    fn root<const N: usize>(
+        guess: [Self; N],
+        sizes: [Self; N],
+        mut evaluate: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
+    ) -> Result<[Self; N], Failure> {
+        let mut sought_with = |search: usize| {
+            let (residuals, jacobian) = evaluate(core::array::from_fn(|index| put(Node::Unknown { search, index })));
+            Sought {
+                guess: values(&guess),
+                sizes: values(&sizes),
+                residuals: values(&residuals),
+                jacobian: jacobian.iter().map(|row| values(row)).collect(),
+            }
+        };
+        // The same search may have been recorded before: then its equations are the same nodes of its unknowns.
+        let count = with(|recorder| recorder.searches.len());
+        let is_known = |search: &usize| {
+            let own = sought_with(*search);
+            with(|recorder| recorder.searches[*search] == own)
+        };
+        let known = (0..count).find(is_known);
+        let search = known.unwrap_or_else(|| {
+            let sought = sought_with(count);
+            with(|recorder| {
+                recorder.searches.push(sought);
+                recorder.events.push((recorder.nodes.len(), Event::Search(count)));
+            });
+            count
+        });
+        let holds = with(|recorder| {
+            let before = recorder.nodes.len();
+            recorder.check("root of coupled equations", Condition::Found(search), None, before)
+        });
+        if !holds {
+            return Err(Failure::NotFinite { quantity: "root" });
+        }
+        Ok(core::array::from_fn(|index| put(Node::Root { search, index })))
+    }
+
+    fn factored<const N: usize>(matrix: [[Self; N]; N]) -> Result<Factors<Self, N>, Failure> {
+        let (system, holds) = with(|recorder| {
+            let rows: Vec<Vec<Value>> = matrix.iter().map(|row| values(row)).collect();
+            let before = recorder.nodes.len();
+            let known = recorder.systems.iter().position(|own| *own == rows);
+            let system = known.unwrap_or_else(|| {
+                recorder.systems.push(rows);
+                recorder
+                    .events
+                    .push((before, Event::Factor(recorder.systems.len() - 1)));
+                recorder.systems.len() - 1
+            });
+            let holds = recorder.check("regular matrix", Condition::Regular(system), None, before);
+            (system, holds)
+        });
+        if holds {
+            // The entries stand for the whole system.
+            let system = u32::try_from(system).unwrap_or(u32::MAX);
+            Ok(Factors::standing_for(Self::at(Value(system))))
+        } else {
+            Err(Failure::NotFinite { quantity: "matrix" })
+        }
+    }
+
+    fn substituted<const N: usize>(factors: &Factors<Self, N>, right: [Self; N]) -> [Self; N] {
+        let system = factors.stands_for().value.index();
+        let solution = with(|recorder| {
+            let own = (system, values(&right));
+            let known = recorder.solutions.iter().position(|solution| *solution == own);
+            known.unwrap_or_else(|| {
+                let solution = recorder.solutions.len();
+                recorder.solutions.push(own);
+                recorder.events.push((recorder.nodes.len(), Event::Solve(solution)));
+                solution
+            })
+        });
+        core::array::from_fn(|index| put(Node::Solution { solution, index }))
+    }
+}
+
+fn values<F>(numbers: &[Recorded<F>]) -> Vec<Value> {
+    numbers.iter().map(|number| number.value).collect()
+}

@@ -1,0 +1,308 @@
+//! A tape that is run by itself.
+
+use core::error::Error;
+use core::fmt;
+use std::vec;
+use std::vec::Vec;
+
+use num_traits::Float;
+
+use crate::number::Number;
+use crate::solve;
+use crate::tape::{Condition, Function, Node, Operator, Plain, Step, Tape, Value};
+
+/// The check that failed in a run of a tape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Stop {
+    /// The index of the check.
+    pub check: usize,
+    /// The subject of the check, in a few words.
+    pub name: &'static str,
+    /// The unknowns of the block in which it was made, separated by commas.
+    pub block: &'static str,
+    /// The distance from passing; see [`Check::margin`](crate::tape::Check::margin).
+    pub margin: f64,
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            name, block, margin, ..
+        } = self;
+        write!(
+            formatter,
+            "the check `{name}` failed for `{block}`, with the margin {margin}"
+        )
+    }
+}
+
+impl Error for Stop {}
+
+impl Tape {
+    /// Runs the tape on the [arguments](Self::arguments), in their order, in the number type for which it was recorded. The numbers
+    /// found are in the order of the [results](Self::results).
+    ///
+    /// The numbers are those of `solve` to the last bit, in double precision. Where this crate's own build fuses products, so does
+    /// the run.
+    ///
+    /// # Errors
+    /// The first check that fails. If a number is missing among the arguments, it counts as NaN.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::tape::{self, Options};
+    ///
+    /// let tape = tape::record::<FourBar>(&Options::new().up_to(0))?;
+    /// let stop = tape.run(&[90.0, 30.0, 20.0, 25.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap_err();
+    /// assert_eq!((stop.name, stop.block), ("reach of two circles", "theta3, theta4"));
+    /// assert!(stop.margin < -30.0);
+    /// # Ok::<(), tape::RecordError>(())
+    /// ```
+    pub fn run(&self, arguments: &[f64]) -> Result<Vec<f64>, Stop> {
+        match self.precision {
+            crate::tape::Precision::Single => self.run_in::<f32>(arguments),
+            crate::tape::Precision::Double => self.run_in::<f64>(arguments),
+        }
+    }
+
+    fn run_in<F: Plain + Float>(&self, arguments: &[f64]) -> Result<Vec<f64>, Stop> {
+        let mut run = Run::<F>::new(self, arguments);
+        for step in &self.steps {
+            match *step {
+                Step::Compute(value) => run.compute(value),
+                Step::Check(check) => run.check(check)?,
+                Step::Search(search) => run.search(search),
+                Step::Factor(system) => run.factor(system),
+                Step::Solve(solution) => run.solve(solution),
+            }
+        }
+        let results = self.results.iter();
+        Ok(results.map(|result| run.number(result.value).real()).collect())
+    }
+}
+
+/// What a run has found so far.
+struct Run<'a, F> {
+    tape: &'a Tape,
+    numbers: Vec<F>,
+    truths: Vec<bool>,
+    /// The roots of each search, or the residual where it stopped.
+    roots: Vec<Result<Vec<F>, f64>>,
+    /// The determinant of each singular system.
+    singular: Vec<Option<f64>>,
+    solutions: Vec<Vec<F>>,
+}
+
+/// Calls a function for the number of unknowns, up to 16.
+macro_rules! by_count {
+    ($count:expr, $function:ident $arguments:tt) => {
+        by_count!($count, $function $arguments, 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16)
+    };
+    ($count:expr, $function:ident $arguments:tt, $($n:literal)+) => {
+        match $count {
+            $($n => $function::<F, $n> $arguments,)+
+            _ => Err(f64::NAN),
+        }
+    };
+}
+
+impl<'a, F: Plain + Float> Run<'a, F> {
+    fn new(tape: &'a Tape, arguments: &[f64]) -> Self {
+        let mut run = Self {
+            tape,
+            numbers: vec![F::nan(); tape.nodes.len()],
+            truths: vec![false; tape.nodes.len()],
+            roots: vec![Err(f64::NAN); tape.searches.len()],
+            singular: vec![None; tape.systems.len()],
+            solutions: vec![Vec::new(); tape.solutions.len()],
+        };
+        for (place, node) in tape.nodes.iter().enumerate() {
+            match *node {
+                Node::Argument(argument) => {
+                    run.numbers[place] = arguments.get(argument).map_or_else(F::nan, |own| F::constant(*own));
+                }
+                Node::Constant(constant) => run.numbers[place] = F::constant(constant.value()),
+                Node::Certain(truth) => run.truths[place] = truth,
+                _ => {}
+            }
+        }
+        run
+    }
+
+    fn number(&self, value: Value) -> F {
+        match self.tape.nodes[value.index()] {
+            Node::Root { search, index } => match &self.roots[search] {
+                Ok(roots) => roots[index],
+                Err(_) => F::nan(),
+            },
+            Node::Solution { solution, index } => self.solutions[solution][index],
+            _ => self.numbers[value.index()],
+        }
+    }
+
+    fn all(&self, values: &[Value]) -> Vec<F> {
+        values.iter().map(|value| self.number(*value)).collect()
+    }
+
+    fn truth(&self, value: Value) -> bool {
+        self.truths[value.index()]
+    }
+
+    fn compute(&mut self, value: Value) {
+        let node = self.tape.nodes[value.index()];
+        if node.is_truth() {
+            self.truths[value.index()] = self.decided(node);
+        } else {
+            self.numbers[value.index()] = self.computed(node);
+        }
+    }
+
+    fn decided(&self, node: Node) -> bool {
+        match node {
+            Node::Compare(comparison, one, other) => {
+                comparison.holds(self.number(one).real(), self.number(other).real())
+            }
+            Node::IsFinite(one) => Number::is_finite(self.number(one)),
+            Node::Both(one, other) => self.truth(one) && self.truth(other),
+            Node::Either(one, other) => self.truth(one) || self.truth(other),
+            Node::Not(one) => !self.truth(one),
+            _ => false,
+        }
+    }
+
+    fn computed(&self, node: Node) -> F {
+        let own = |value: Value| self.number(value);
+        match node {
+            Node::Call(function, one) => called(function, own(one)),
+            Node::Binary(operator, one, other) => {
+                let (one, other) = (own(one), own(other));
+                match operator {
+                    Operator::Add => one + other,
+                    Operator::Subtract => one - other,
+                    Operator::Multiply => one * other,
+                    Operator::Divide => one / other,
+                    Operator::ArcTangent => Number::atan2(one, other),
+                }
+            }
+            Node::PlusProduct(sum, one, other) => own(sum).plus_product(own(one), own(other)),
+            Node::MinusProduct(sum, one, other) => own(sum).minus_product(own(one), own(other)),
+            Node::Select(truth, one, other) => own(if self.truth(truth) { one } else { other }),
+            _ => F::nan(),
+        }
+    }
+
+    fn check(&mut self, index: usize) -> Result<(), Stop> {
+        let check = &self.tape.checks[index];
+        let told = match check.condition {
+            Condition::Holds(truth) => (!self.truth(truth)).then_some(f64::NAN),
+            Condition::Found(search) => self.roots[search].as_ref().err().copied(),
+            Condition::Regular(system) => self.singular[system],
+        };
+        let Some(told) = told else { return Ok(()) };
+        for value in &check.cold {
+            self.compute(*value);
+        }
+        Err(Stop {
+            check: index,
+            name: check.name,
+            block: check.block,
+            margin: check.margin.map_or(told, |margin| self.number(margin).real()),
+        })
+    }
+
+    fn search(&mut self, index: usize) {
+        fn found<F: Plain + Float, const N: usize>(run: &mut Run<'_, F>, index: usize) -> Result<Vec<F>, f64> {
+            let search = &run.tape.searches[index];
+            let (guess, sizes) = (run.all(&search.guess), run.all(&search.sizes));
+            let unknowns: Vec<(usize, usize)> = (run.tape.nodes.iter().enumerate())
+                .filter_map(|(place, node)| match *node {
+                    Node::Unknown { search, index: unknown } if search == index => Some((place, unknown)),
+                    _ => None,
+                })
+                .collect();
+            let root = solve::newton::<F, N>(
+                core::array::from_fn(|unknown| guess[unknown]),
+                core::array::from_fn(|unknown| sizes[unknown]),
+                |at| {
+                    for (place, unknown) in &unknowns {
+                        run.numbers[*place] = at[*unknown];
+                    }
+                    for value in &search.body {
+                        run.compute(*value);
+                    }
+                    let residual = |row: usize| run.number(search.residuals[row]);
+                    let entry = |row: usize, column: usize| run.number(search.jacobian[row][column]);
+                    (
+                        core::array::from_fn(residual),
+                        core::array::from_fn(|row| core::array::from_fn(|column| entry(row, column))),
+                    )
+                },
+            );
+            root.map(|root| root.to_vec()).map_err(|failure| match failure {
+                crate::failure::Failure::NotConverged { residual, .. } => residual,
+                crate::failure::Failure::Singular { determinant } => determinant,
+                _ => f64::NAN,
+            })
+        }
+        let count = self.tape.searches[index].guess.len();
+        self.roots[index] = by_count!(count, found(self, index));
+    }
+
+    fn factor(&mut self, index: usize) {
+        fn determinant<F: Plain + Float, const N: usize>(run: &Run<'_, F>, index: usize) -> Result<(), f64> {
+            solve::factor(run.matrix::<N>(index))
+                .map(drop)
+                .map_err(|failure| match failure {
+                    crate::failure::Failure::Singular { determinant } => determinant,
+                    _ => f64::NAN,
+                })
+        }
+        let count = self.tape.systems[index].rows.len();
+        self.singular[index] = by_count!(count, determinant(self, index)).err();
+    }
+
+    fn solve(&mut self, index: usize) {
+        fn solved<F: Plain + Float, const N: usize>(
+            run: &Run<'_, F>,
+            system: usize,
+            right: &[Value],
+        ) -> Result<Vec<F>, f64> {
+            let factors = solve::factor(run.matrix::<N>(system)).map_err(|_| f64::NAN)?;
+            let right = core::array::from_fn(|row| run.number(right[row]));
+            Ok(factors.solve(right).to_vec())
+        }
+        let solution = &self.tape.solutions[index];
+        let count = solution.right.len();
+        let found = by_count!(count, solved(self, solution.system, &solution.right));
+        self.solutions[index] = found.unwrap_or_else(|_| vec![F::nan(); count]);
+    }
+
+    fn matrix<const N: usize>(&self, system: usize) -> [[F; N]; N] {
+        let rows = &self.tape.systems[system].rows;
+        core::array::from_fn(|row| core::array::from_fn(|column| self.number(rows[row][column])))
+    }
+}
+
+fn called<F: Plain + Float>(function: Function, one: F) -> F {
+    match function {
+        Function::Negate => -one,
+        Function::Magnitude => Float::abs(one),
+        Function::SquareRoot => Number::sqrt(one),
+        Function::Sine => Number::sin_cos(one).0,
+        Function::Cosine => Number::sin_cos(one).1,
+        Function::ArcSine => Number::asin(one),
+        Function::ArcCosine => Number::acos(one),
+        Function::ArcTangent => Number::atan(one),
+        Function::HyperbolicSine => Number::sinh(one),
+        Function::HyperbolicCosine => Number::cosh(one),
+        Function::HyperbolicTangent => Number::tanh(one),
+        Function::AreaHyperbolicSine => Number::asinh(one),
+        Function::AreaHyperbolicCosine => Number::acosh(one),
+        Function::AreaHyperbolicTangent => Number::atanh(one),
+        Function::Exponential => Number::exp(one),
+        Function::Logarithm => Number::ln(one),
+        Function::Round => Float::round(one),
+        Function::Raise => Float::ceil(one),
+    }
+}
