@@ -22,7 +22,7 @@ fn a_tape_of_a_four_bar_is_its_solver() {
             let arguments = [r1, r2, r3, r4, crank, velocity, acceleration, jerk, snap, sign];
             match (linkage.solve(motion, assembly), tape.run(&arguments)) {
                 (Ok(pose), Ok(found)) => {
-                    let own = [pose.theta3, pose.theta4].map(Motion::derivatives).concat();
+                    let own = [pose.theta3, pose.theta4].map(|motion| motion.derivatives()).concat();
                     let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
                     assert_eq!(bits(&found), bits(&own), "{crank} {assembly}");
                 }
