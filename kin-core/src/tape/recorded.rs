@@ -116,12 +116,12 @@ impl<F: Number> Number for Recorded<F> {
                 // The solver looks for the number that made the check fail.
                 return !numbers.iter().any(|number| recorder.failed.contains(&number.value));
             }
-            let before = recorder.nodes.len();
             let mut all = recorder.put(Node::Certain(true));
             for number in numbers {
                 let finite = recorder.put(Node::IsFinite(number.value));
                 all = recorder.put(Node::Both(all, finite));
             }
+            let before = recorder.nodes.len();
             // The margin of a number that is not finite is not finite: the sum of all, times zero, and infinity.
             let zero = recorder.constant(0.0);
             let mut sum = zero;

@@ -1,0 +1,107 @@
+//! The lowest order that needs each step of a tape, for printers that write a function for each order.
+
+use std::vec;
+use std::vec::Vec;
+
+use crate::tape::{Condition, Node, Step, Tape, Value};
+
+/// The lowest order that needs each node, search, system and solution; `usize::MAX` for a node that only a margin needs.
+pub(super) struct Stages {
+    nodes: Vec<usize>,
+    searches: Vec<usize>,
+    systems: Vec<usize>,
+    solutions: Vec<usize>,
+}
+
+impl Stages {
+    pub(super) fn new(tape: &Tape) -> Self {
+        let never = usize::MAX;
+        let mut own = Self {
+            nodes: vec![never; tape.nodes.len()],
+            searches: vec![never; tape.searches.len()],
+            systems: vec![never; tape.systems.len()],
+            solutions: vec![never; tape.solutions.len()],
+        };
+        for result in &tape.results {
+            own.need(result.value, result.order);
+        }
+        for check in &tape.checks {
+            match check.condition {
+                Condition::Holds(truth) => own.need(truth, check.order),
+                Condition::Found(search) => own.search(tape, search, check.order),
+                Condition::Regular(system) => own.system(tape, system, check.order),
+            }
+            // A margin takes what is there already.
+            let mut taken = Vec::new();
+            for value in &check.cold {
+                tape.nodes[value.index()].operands(|operand| taken.push(operand));
+            }
+            taken.extend(check.margin);
+            for value in taken.into_iter().filter(|value| !check.cold.contains(value)) {
+                own.need(value, check.order);
+            }
+        }
+        for place in (0..tape.nodes.len()).rev() {
+            let order = own.nodes[place];
+            if order == never {
+                continue;
+            }
+            let node = tape.nodes[place];
+            node.operands(|operand| own.need(operand, order));
+            match node {
+                Node::Root { search, .. } => own.search(tape, search, order),
+                Node::Solution { solution, .. } => {
+                    own.solutions[solution] = own.solutions[solution].min(order);
+                    for value in &tape.solutions[solution].right {
+                        own.need(*value, order);
+                    }
+                    own.system(tape, tape.solutions[solution].system, order);
+                }
+                _ => {}
+            }
+        }
+        own
+    }
+
+    fn need(&mut self, value: Value, order: usize) {
+        let own = &mut self.nodes[value.index()];
+        *own = order.min(*own);
+    }
+
+    fn search(&mut self, tape: &Tape, search: usize, order: usize) {
+        self.searches[search] = self.searches[search].min(order);
+        let own = &tape.searches[search];
+        let values = own.guess.iter().chain(&own.sizes).chain(&own.residuals);
+        for value in values.chain(own.jacobian.iter().flatten()) {
+            self.need(*value, order);
+        }
+    }
+
+    fn system(&mut self, tape: &Tape, system: usize, order: usize) {
+        self.systems[system] = self.systems[system].min(order);
+        for value in tape.systems[system].rows.iter().flatten() {
+            self.need(*value, order);
+        }
+    }
+
+    /// The order of a node.
+    pub(super) fn of(&self, value: Value) -> usize {
+        self.nodes[value.index()]
+    }
+
+    /// The order of a system.
+    pub(super) fn of_system(&self, system: usize) -> usize {
+        self.systems[system]
+    }
+
+    /// The order of a step.
+    pub(super) fn of_step(&self, tape: &Tape, step: Step) -> usize {
+        match step {
+            Step::Compute(value) => self.of(value),
+            Step::Check(check) => tape.checks[check].order,
+            Step::Search(search) => self.searches[search],
+            Step::Factor(system) => self.systems[system],
+            Step::Solve(solution) => self.solutions[solution],
+        }
+    }
+}

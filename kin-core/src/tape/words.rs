@@ -1,0 +1,176 @@
+//! Names and comments of other languages.
+
+use std::collections::BTreeSet;
+use std::format;
+use std::string::{String, ToString as _};
+use std::vec::Vec;
+
+/// Names that are told apart, none of which is a word of the language.
+pub(super) struct Names {
+    keywords: &'static [&'static str],
+    taken: BTreeSet<String>,
+}
+
+impl Names {
+    pub(super) fn new(keywords: &'static [&'static str]) -> Self {
+        Self {
+            keywords,
+            taken: BTreeSet::new(),
+        }
+    }
+
+    /// An identifier for a name as declared, different from all before.
+    pub(super) fn name(&mut self, declared: &str) -> String {
+        let plain = identifier(declared);
+        let is_value = |name: &str| name.strip_prefix('v').is_some_and(|rest| rest.parse::<u32>().is_ok());
+        let mut own = plain.clone();
+        if self.keywords.contains(&plain.as_str()) || is_value(&plain) {
+            own.push('_');
+        }
+        let mut number = 2;
+        while !self.taken.insert(own.clone()) {
+            own = format!("{plain}_{number}");
+            number += 1;
+        }
+        own
+    }
+}
+
+/// The letters of the Greek alphabet as words, as people call them.
+const GREEK: [(char, &str); 24] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('ο', "omicron"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+];
+
+/// A name in letters, digits and underscores that begins with a letter.
+fn identifier(declared: &str) -> String {
+    let declared = declared.strip_prefix("r#").unwrap_or(declared);
+    let mut own = String::new();
+    for letter in declared.chars() {
+        let greek = |wanted: char| GREEK.iter().find(|(own, _)| *own == wanted).map(|(_, word)| *word);
+        let lower = letter.to_lowercase().next().unwrap_or(letter);
+        if letter.is_ascii_alphanumeric() || letter == '_' {
+            own.push(letter);
+        } else if letter == '.' {
+            own.push('_');
+        } else if let Some(word) = greek(letter) {
+            own.push_str(word);
+        } else if let Some(word) = greek(lower) {
+            own.push_str(&word[..1].to_uppercase());
+            own.push_str(&word[1..]);
+        } else {
+            own.push_str(&format!("u{:x}", u32::from(letter)));
+        }
+    }
+    // Names that begin with an underscore belong to the language.
+    let own = own.trim_start_matches('_').to_string();
+    match own.chars().next() {
+        Some(first) if first.is_ascii_alphabetic() => own,
+        _ => format!("n{own}"),
+    }
+}
+
+/// A type's name in small letters with underscores: `FourBar` becomes `four_bar`.
+pub(super) fn snake(name: &str) -> String {
+    let mut own = String::new();
+    let letters: Vec<char> = identifier(name).chars().collect();
+    for (place, letter) in letters.iter().enumerate() {
+        let before = place.checked_sub(1).and_then(|place| letters.get(place));
+        let after = letters.get(place + 1);
+        let starts = letter.is_ascii_uppercase()
+            && before.is_some_and(|before| *before != '_')
+            && (before.is_some_and(|before| !before.is_ascii_uppercase())
+                || after.is_some_and(char::is_ascii_lowercase));
+        if starts {
+            own.push('_');
+        }
+        own.push(letter.to_ascii_lowercase());
+    }
+    own
+}
+
+/// The words of a text in lines of at most `width` letters. Control letters become blanks, so that a text has no line
+/// separators and no marks of direction.
+pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
+    let is_mark = |letter: char| {
+        letter.is_control() || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+    };
+    let text: String = text.chars().map(|letter| if is_mark(letter) { ' ' } else { letter }).collect();
+    let mut lines = Vec::new();
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
+            lines.push(core::mem::take(&mut line));
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    if !line.is_empty() {
+        lines.push(line);
+    }
+    lines
+}
+
+/// The name of a time derivative: `theta3`, `theta3_velocity` and so on.
+pub(super) fn of_order(name: &str, order: usize) -> String {
+    match order {
+        0 => name.to_string(),
+        1 => format!("{name}_velocity"),
+        2 => format!("{name}_acceleration"),
+        3 => format!("{name}_jerk"),
+        4 => format!("{name}_snap"),
+        _ => format!("{name}_order{order}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Names, lines, snake};
+
+    #[test]
+    fn names_are_told_apart_and_are_no_keywords() {
+        let mut names = Names::new(&["int", "double"]);
+        let declared = ["p.x", "p_x", "int", "int_", "θ", "theta", "Θ2", "v12", "_a", "__b", "2x", "été", "r#double"];
+        let own = declared.map(|name| names.name(name));
+        let expected = [
+            "p_x", "p_x_2", "int_", "int__2", "theta", "theta_2", "Theta2", "v12_", "a", "b", "n2x", "ue9tue9", "double_",
+        ];
+        assert_eq!(own, expected);
+    }
+
+    #[test]
+    fn types_become_small_letters() {
+        let own = ["FourBar", "WattIIByCouplers", "Rssr", "StephensonIII"].map(snake);
+        assert_eq!(own, ["four_bar", "watt_ii_by_couplers", "rssr", "stephenson_iii"]);
+    }
+
+    #[test]
+    fn lines_hold_no_separators() {
+        assert_eq!(lines("one\ntwo\u{2028}three  four\\", 9), ["one two", "three", "four\\"]);
+        assert!(lines(" \n", 10).is_empty());
+    }
+}
