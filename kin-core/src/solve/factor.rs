@@ -358,12 +358,12 @@ fn levelling<'a, T: Scalar>(entries: impl Iterator<Item = &'a T>) -> i32 {
 }
 
 /// The largest exponent for which both the power of two and its reciprocal have full precision in the type.
-fn range<T: Scalar>() -> i32 {
+pub(crate) fn range<T: Scalar>() -> i32 {
     -exponent_of(T::SMALLEST) - 6
 }
 
 /// The exponent of the largest power of two that does not exceed a positive number.
-fn exponent_of(value: f64) -> i32 {
+pub(crate) fn exponent_of(value: f64) -> i32 {
     let field = (value.to_bits() >> 52) & 0x7ff;
     i32::try_from(field).map_or(0, |field| field - 1023)
 }

@@ -49,12 +49,16 @@ pub use crate::assembly::both;
 pub use check::{Check, Choose, Measure, Negative, Real};
 pub use direction::{direction, directions};
 pub use doubt::{decisive, decisive_vector};
+#[cfg(feature = "tape")]
+pub(crate) use factor::{exponent_of, range};
 pub(crate) use factor::{Elimination, eliminate, level, substitute};
 pub use factor::{Factors, factor};
 pub use forms::*;
 pub use guard::*;
 pub use newton::newton;
 pub(crate) use newton::{FIRST_STEP, LINEAR_STEP};
+#[cfg(feature = "tape")]
+pub(crate) use newton::{ITERATIONS, SMALLEST_PART, TRIALS};
 pub use scalar::Scalar;
 pub use size::largest;
 

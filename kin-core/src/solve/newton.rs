@@ -9,15 +9,15 @@ const QUANTITY: &str = "guess, size of an unknown, or residual or Jacobian there
 const SOLUTION: &str = "solution of a block without closed form, or its derivatives";
 
 /// The number of steps after which the solver gives up. A good guess takes about five.
-const ITERATIONS: u32 = 64;
+pub(crate) const ITERATIONS: u32 = 64;
 /// The limit of the first step, in the sizes of the unknowns: half a radian for an angle.
 pub(crate) const FIRST_STEP: f64 = 0.5;
 /// The square of a step over which the equations are linear, in units of ε.
 pub(crate) const LINEAR_STEP: f64 = 4096.0;
 /// The number of times a step is shortened, to half or less each time, before the solver gives up.
-const TRIALS: u32 = 20;
+pub(crate) const TRIALS: u32 = 20;
 /// The smallest part of a correction that a forecast may ask for.
-const SMALLEST_PART: f64 = 1e-5;
+pub(crate) const SMALLEST_PART: f64 = 1e-5;
 
 /// The root of as many equations as unknowns near a guess, found by Newton's method.
 ///

@@ -21,6 +21,7 @@ mod record;
 mod recorded;
 mod recorder;
 mod run;
+mod runtime;
 mod structure;
 
 #[cfg(test)]

@@ -14,10 +14,10 @@ use super::polynomial::{FUSED, multiply_add, polynomial};
 use crate::number::single;
 
 /// π/4 as a multiple of 2⁻²⁶, and the rest.
-pub(super) const HALF_RIGHT_ANGLE: [f64; 2] = [0.785_398_155_450_820_9, 7.946_627_386_764_098e-9];
+pub(crate) const HALF_RIGHT_ANGLE: [f64; 2] = [0.785_398_155_450_820_9, 7.946_627_386_764_098e-9];
 
 /// (t - atan t) / t³ in powers of t², |t| ≤ 1/2. The relative error of the arctangent is 2⁻⁵⁷·⁷.
-pub(super) const ARC_TANGENT: [f64; 12] = [
+pub(crate) const ARC_TANGENT: [f64; 12] = [
     0.333_333_333_333_329_8,
     -0.199_999_999_999_031_62,
     0.142_857_142_763_899_88,
@@ -33,7 +33,7 @@ pub(super) const ARC_TANGENT: [f64; 12] = [
 ];
 
 /// The coefficients of [`ARC_TANGENT`] for single precision, with a relative error of 2⁻³¹·⁸.
-const ARC_TANGENT_SINGLE: [f64; 6] = [
+pub(crate) const ARC_TANGENT_SINGLE: [f64; 6] = [
     0.333_333_269_253_162_3,
     -0.199_994_898_356_003_5,
     0.142_720_783_320_407_6,

@@ -32,6 +32,13 @@ mod sine_cosine;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod sse2;
 
+/// The constants of these functions, which programs in other languages carry along.
+#[cfg(feature = "tape")]
+pub(crate) mod constants {
+    pub(crate) use super::arc_tangent::{ARC_TANGENT, ARC_TANGENT_SINGLE, HALF_RIGHT_ANGLE};
+    pub(crate) use super::sine_cosine::{COSINE, COSINE_SINGLE, LIMIT, QUARTER_TURN, ROUNDING, SINE, SINE_SINGLE};
+}
+
 pub(crate) use arc_tangent::{
     arc_tangent, arc_tangent_single, arc_tangents, arc_tangents_single, ordinary_arc_tangent,
 };

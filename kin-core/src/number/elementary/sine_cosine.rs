@@ -8,24 +8,24 @@ use crate::number::single;
 
 /// The largest angle reduced here. Up to it, the multiple of π/2 has 16 bits and its products with [`QUARTER_TURN`] are
 /// exact: 2¹⁶ π/2 = 102943.
-const LIMIT: f64 = 1e5;
+pub(crate) const LIMIT: f64 = 1e5;
 
 /// π/2 as a sum of 37, 37 and 53 bits, for the reduction in parts of Cody and Waite, *Software Manual for the
 /// Elementary Functions* (1980).
 ///
 /// No double up to [`LIMIT`] is closer to a multiple of π/2 than 6·10⁻¹⁹. At that distance the reduced angle has a
 /// relative error of 2⁻⁶³.
-const QUARTER_TURN: [f64; 3] = [
+pub(crate) const QUARTER_TURN: [f64; 3] = [
     1.570_796_326_792_333_3,
     2.563_344_151_583_955_8e-12,
     1.056_299_906_698_742_8e-23,
 ];
 
 /// A number whose addition rounds to an integer and leaves that integer in the lowest bits.
-const ROUNDING: f64 = 6_755_399_441_055_744.0;
+pub(crate) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// (r - sin r) / r³ in powers of r², |r| ≤ π/4. The relative error of the sine is 2⁻⁵⁷·⁹.
-pub(super) const SINE: [f64; 6] = [
+pub(crate) const SINE: [f64; 6] = [
     0.166_666_666_666_666_3,
     -0.008_333_333_333_322_118,
     0.000_198_412_698_295_891_21,
@@ -35,7 +35,7 @@ pub(super) const SINE: [f64; 6] = [
 ];
 
 /// (cos r - 1 + r²/2) / r⁴ in powers of r², |r| ≤ π/4. The relative error of the cosine is 2⁻⁶³·⁹.
-pub(super) const COSINE: [f64; 6] = [
+pub(crate) const COSINE: [f64; 6] = [
     0.041_666_666_666_666_595,
     -0.001_388_888_888_887_305_6,
     2.480_158_728_885_143_6e-5,
@@ -45,7 +45,7 @@ pub(super) const COSINE: [f64; 6] = [
 ];
 
 /// The coefficients of [`SINE`] for single precision, with a relative error of 2⁻³⁷·⁵.
-const SINE_SINGLE: [f64; 4] = [
+pub(crate) const SINE_SINGLE: [f64; 4] = [
     0.166_666_666_407_964_6,
     -0.008_333_329_304_745_389,
     0.000_198_393_122_371_727_66,
@@ -53,7 +53,7 @@ const SINE_SINGLE: [f64; 4] = [
 ];
 
 /// The coefficients of [`COSINE`] for single precision, with a relative error of 2⁻³³.
-const COSINE_SINGLE: [f64; 3] = [
+pub(crate) const COSINE_SINGLE: [f64; 3] = [
     0.041_666_645_682_931_17,
     -0.001_388_731_625_073_425_1,
     2.443_315_653_731_113_7e-5,
