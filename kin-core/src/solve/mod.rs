@@ -49,10 +49,10 @@ pub use crate::assembly::both;
 pub use check::{Check, Choose, Measure, Negative, Real};
 pub use direction::{direction, directions};
 pub use doubt::{decisive, decisive_vector};
-#[cfg(feature = "tape")]
-pub(crate) use factor::{exponent_of, range};
 pub(crate) use factor::{Elimination, eliminate, level, substitute};
 pub use factor::{Factors, factor};
+#[cfg(feature = "tape")]
+pub(crate) use factor::{exponent_of, range};
 pub use forms::*;
 pub use guard::*;
 pub use newton::newton;

@@ -15,6 +15,7 @@
 //! ```
 
 mod arrange;
+mod c;
 mod node;
 mod print;
 mod record;
@@ -22,12 +23,17 @@ mod recorded;
 mod recorder;
 mod run;
 mod runtime;
+mod stages;
 mod structure;
+mod words;
 
 #[cfg(test)]
 mod tests;
 
+pub use c::C;
 pub use node::{Comparison, Constant, Function, Node, Operator, Value};
+#[doc(hidden)]
+pub use record::record_at;
 pub use record::{Options, Plain, RecordError, record, record_with_sensitivities};
 pub use recorded::Recorded;
 pub use run::Stop;

@@ -148,6 +148,13 @@ pub fn record<M: Mechanism<Scalar: Plain>>(options: &Options) -> Result<Tape, Re
     recorded::<M>(options, &[], |_, _| Vec::new())
 }
 
+/// [`record`] at a place: wherever the solver asks for the value of an argument, it is the one given here. The tape is the same at
+/// all places.
+#[doc(hidden)]
+pub fn record_at<M: Mechanism<Scalar: Plain>>(options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
+    recorded::<M>(options, at, |_, _| Vec::new())
+}
+
 /// [`record`], with the partial derivatives of every unknown and output with respect to each parameter.
 ///
 /// # Errors
@@ -322,7 +329,7 @@ fn run<M: Mechanism<Scalar: Plain>>(
     type Found<M> = Recorded<<M as Mechanism>::Scalar>;
 
     let description = M::DESCRIPTION;
-    let mut started = Recorder::new(M::Scalar::PRECISION, sources.to_vec());
+    let mut started = Recorder::new(M::Scalar::PRECISION, sources.to_vec(), at);
     started.fails = probe.fails;
     started.crossed_side = probe.crossed_side;
     let before = recorder::begin(started);
@@ -336,14 +343,7 @@ fn run<M: Mechanism<Scalar: Plain>>(
             dimension,
             description: text,
         });
-        Recorded::at(with(|recorder| {
-            let value = recorder.put(Node::Argument(index));
-            if let Some(own) = at.get(index) {
-                recorder.values.resize(value.index() + 1, f64::NAN);
-                recorder.values[value.index()] = *own;
-            }
-            value
-        }))
+        Recorded::at(with(|recorder| recorder.put(Node::Argument(index))))
     };
     let parameters = <<R<M> as Mechanism>::Parameters<Found<M>> as Row<_>>::from_fn(|index| match &options.folded {
         Some(folded) => <Found<M> as crate::number::Number>::constant(folded[index]),

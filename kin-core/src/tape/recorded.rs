@@ -100,10 +100,7 @@ impl<F: Number> Number for Recorded<F> {
     }
 
     fn real(self) -> f64 {
-        with(|recorder| {
-            recorder.is_read = true;
-            recorder.values.get(self.value.index()).copied().unwrap_or(f64::NAN)
-        })
+        with(|recorder| recorder.read(self.value))
     }
 
     fn is_finite(self) -> bool {

@@ -5,10 +5,11 @@ use std::collections::HashMap;
 use std::vec::Vec;
 
 use crate::assembly::Assembly;
+use crate::tape::run::{called, combined};
 use crate::tape::{Comparison, Condition, Constant, Function, Node, Operator, Precision, Value};
 
 std::thread_local! {
-    static RECORDER: RefCell<Recorder> = RefCell::new(Recorder::new(Precision::Double, Vec::new()));
+    static RECORDER: RefCell<Recorder> = RefCell::new(Recorder::new(Precision::Double, Vec::new(), &[]));
 }
 
 /// Calls `work` with the recorder of this thread.
@@ -94,13 +95,15 @@ pub(super) struct Recorder {
     pub(super) crossed_side: Option<usize>,
     /// Whether the solver has read a value, and may have decided by it.
     pub(super) is_read: bool,
-    /// The value of each node at the place of the record; empty if there is no such place.
-    pub(super) values: Vec<f64>,
+    /// The values of the arguments at the place of the record; empty if there is no such place.
+    at: Vec<f64>,
+    /// The value of each node there. Truths are 1 and 0, and a root is its guess.
+    values: Vec<f64>,
     pub(super) refused: Option<&'static str>,
 }
 
 impl Recorder {
-    pub(super) fn new(precision: Precision, sources: Vec<Source>) -> Self {
+    pub(super) fn new(precision: Precision, sources: Vec<Source>, at: &[f64]) -> Self {
         Self {
             precision,
             nodes: Vec::new(),
@@ -120,6 +123,7 @@ impl Recorder {
             sides: Vec::new(),
             crossed_side: None,
             is_read: false,
+            at: at.to_vec(),
             values: Vec::new(),
             refused: None,
         }
@@ -140,9 +144,44 @@ impl Recorder {
             return *value;
         }
         let value = Value(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        if !self.at.is_empty() {
+            let own = self.value_of(node);
+            self.values.push(own);
+        }
         self.nodes.push(node);
         self.known.insert(node, value);
         value
+    }
+
+    /// The value of a node at the place of the record, and NaN if there is no such place.
+    pub(super) fn read(&mut self, value: Value) -> f64 {
+        self.is_read = true;
+        self.values.get(value.index()).copied().unwrap_or(f64::NAN)
+    }
+
+    fn value_of(&self, node: Node) -> f64 {
+        let of = |value: Value| self.values.get(value.index()).copied().unwrap_or(f64::NAN);
+        let truth = |holds: bool| f64::from(u8::from(holds));
+        match node {
+            Node::Argument(argument) => self.at.get(argument).copied().unwrap_or(f64::NAN),
+            Node::Constant(constant) => constant.value(),
+            Node::Certain(holds) => truth(holds),
+            Node::Call(function, one) => called(function, of(one)),
+            Node::Binary(operator, one, other) => combined(operator, of(one), of(other)),
+            Node::PlusProduct(sum, one, other) => of(sum) + of(one) * of(other),
+            Node::MinusProduct(sum, one, other) => of(sum) - of(one) * of(other),
+            Node::Select(own, one, other) => of(if of(own) > 0.0 { one } else { other }),
+            Node::Compare(comparison, one, other) => truth(comparison.holds(of(one), of(other))),
+            Node::IsFinite(one) => truth(of(one).is_finite()),
+            Node::Both(one, other) => of(one) * of(other),
+            Node::Either(one, other) => of(one).max(of(other)),
+            Node::Not(one) => 1.0 - of(one),
+            Node::Root { search, index } => {
+                let guess = self.searches.get(search).and_then(|sought| sought.guess.get(index));
+                guess.map_or(f64::NAN, |guess| of(*guess))
+            }
+            Node::Unknown { .. } | Node::Solution { .. } => 1.0,
+        }
     }
 
     pub(super) fn constant(&mut self, value: f64) -> Value {

@@ -175,16 +175,7 @@ impl<'a, F: Plain + Float> Run<'a, F> {
         let own = |value: Value| self.number(value);
         match node {
             Node::Call(function, one) => called(function, own(one)),
-            Node::Binary(operator, one, other) => {
-                let (one, other) = (own(one), own(other));
-                match operator {
-                    Operator::Add => one + other,
-                    Operator::Subtract => one - other,
-                    Operator::Multiply => one * other,
-                    Operator::Divide => one / other,
-                    Operator::ArcTangent => Number::atan2(one, other),
-                }
-            }
+            Node::Binary(operator, one, other) => combined(operator, own(one), own(other)),
             Node::PlusProduct(sum, one, other) => own(sum).plus_product(own(one), own(other)),
             Node::MinusProduct(sum, one, other) => own(sum).minus_product(own(one), own(other)),
             Node::Select(truth, one, other) => own(if self.truth(truth) { one } else { other }),
@@ -284,7 +275,19 @@ impl<'a, F: Plain + Float> Run<'a, F> {
     }
 }
 
-fn called<F: Plain + Float>(function: Function, one: F) -> F {
+/// A function of two numbers.
+pub(super) fn combined<F: Plain>(operator: Operator, one: F, other: F) -> F {
+    match operator {
+        Operator::Add => one + other,
+        Operator::Subtract => one - other,
+        Operator::Multiply => one * other,
+        Operator::Divide => one / other,
+        Operator::ArcTangent => one.atan2(other),
+    }
+}
+
+/// A function of one number.
+pub(super) fn called<F: Plain + Float>(function: Function, one: F) -> F {
     match function {
         Function::Negate => -one,
         Function::Magnitude => Float::abs(one),

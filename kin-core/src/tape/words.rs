@@ -115,9 +115,13 @@ pub(super) fn snake(name: &str) -> String {
 /// separators and no marks of direction.
 pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
     let is_mark = |letter: char| {
-        letter.is_control() || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
+        letter.is_control()
+            || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
     };
-    let text: String = text.chars().map(|letter| if is_mark(letter) { ' ' } else { letter }).collect();
+    let text: String = text
+        .chars()
+        .map(|letter| if is_mark(letter) { ' ' } else { letter })
+        .collect();
     let mut lines = Vec::new();
     let mut line = String::new();
     for word in text.split_whitespace() {
@@ -154,10 +158,13 @@ mod tests {
     #[test]
     fn names_are_told_apart_and_are_no_keywords() {
         let mut names = Names::new(&["int", "double"]);
-        let declared = ["p.x", "p_x", "int", "int_", "θ", "theta", "Θ2", "v12", "_a", "__b", "2x", "été", "r#double"];
+        let declared = [
+            "p.x", "p_x", "int", "int_", "θ", "theta", "Θ2", "v12", "_a", "__b", "2x", "été", "r#double",
+        ];
         let own = declared.map(|name| names.name(name));
         let expected = [
-            "p_x", "p_x_2", "int_", "int__2", "theta", "theta_2", "Theta2", "v12_", "a", "b", "n2x", "ue9tue9", "double_",
+            "p_x", "p_x_2", "int_", "int__2", "theta", "theta_2", "Theta2", "v12_", "a", "b", "n2x", "ue9tue9",
+            "double_",
         ];
         assert_eq!(own, expected);
     }
@@ -170,7 +177,10 @@ mod tests {
 
     #[test]
     fn lines_hold_no_separators() {
-        assert_eq!(lines("one\ntwo\u{2028}three  four\\", 9), ["one two", "three", "four\\"]);
+        assert_eq!(
+            lines("one\ntwo\u{2028}three  four\\", 9),
+            ["one two", "three", "four\\"]
+        );
         assert!(lines(" \n", 10).is_empty());
     }
 }

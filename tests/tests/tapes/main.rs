@@ -1,12 +1,16 @@
 //! Recorded solvers of the whole library against the solvers themselves.
 
-use kin_core::tape::{self, Options, Stop};
-use kin_core::{Failure, Pose, Row, SolveError};
-use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
-use kin_tests::random::Random;
+mod c;
+mod poses;
 
-/// A mechanism of the library has this many poses compared, half of them with dimensions that may not close.
-const POSES: usize = 120;
+use kin_core::tape::{self, Options, Stop};
+use kin_core::{Failure, Pose, SolveError};
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
+
+use poses::poses;
+
+/// How many inputs and dimensions of a mechanism are compared, half of them with dimensions that may not close.
+const POSES: u32 = 120;
 
 /// What was compared.
 #[derive(Default)]
@@ -16,28 +20,6 @@ struct Compared {
     refused: usize,
     margins: usize,
     wrong: Vec<String>,
-}
-
-/// The numbers that a tape is given for a pose.
-fn arguments<M: ThroughSnap>(
-    mechanism: &M,
-    inputs: M::Inputs<M::Motion<f64>>,
-    near: Option<M::Unknowns<f64>>,
-    number: usize,
-) -> Vec<f64> {
-    let mut own: Vec<f64> = mechanism.parameters().as_ref().to_vec();
-    for motion in inputs.as_ref() {
-        own.extend(motion.as_ref());
-    }
-    match near {
-        Some(near) => own.extend(near.as_ref()),
-        None => {
-            let choices = M::ASSEMBLY_COUNT.trailing_zeros();
-            let is_crossed = |choice: u32| number >> (choices - 1 - choice) & 1 == 1;
-            own.extend((0..choices).map(|choice| if is_crossed(choice) { -1.0 } else { 1.0 }));
-        }
-    }
-    own
 }
 
 impl Compared {
@@ -81,32 +63,14 @@ impl Visitor for Compared {
     fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let tape = tape::record::<M>(&Options::new()).expect("every mechanism of the library is recorded");
         self.mechanisms.push(M::DESCRIPTION.name);
-        let mut random = Random::new(16);
-        for pose in 0..POSES {
-            let mechanism: M = if pose % 2 == 0 {
-                case.varied(&mut random)
-            } else {
-                M::from_parameters(M::Parameters::from_fn(|index| {
-                    case.parameters[index] * random.between(0.3, 2.0)
-                }))
+        for pose in poses::<M>(case, POSES) {
+            let own = match pose.near {
+                Some(near) => pose.mechanism.solve_motion_near(pose.inputs, near),
+                None => pose
+                    .mechanism
+                    .solve_motion(pose.inputs, M::assembly(pose.number).expect("it is one of them")),
             };
-            let inputs = case.inputs::<M>((pose as f64 + 0.5) / POSES as f64, &mut random);
-            let size = mechanism
-                .parameters()
-                .as_ref()
-                .iter()
-                .fold(1.0, |sum, own| sum + own.abs());
-            let motions = <M::Inputs<M::Motion<f64>> as Row<_>>::from_fn(|index| inputs[index]);
-            if M::ASSEMBLY_COUNT > 0 {
-                for (number, assembly) in M::assemblies().enumerate() {
-                    let found = tape.run(&arguments(&mechanism, motions, None, number));
-                    self.compare::<M>(mechanism.solve_motion(motions, assembly), found, size);
-                }
-            } else {
-                let near = M::Unknowns::from_fn(|_| random.between(-4.0, 4.0));
-                let found = tape.run(&arguments(&mechanism, motions, Some(near), 0));
-                self.compare::<M>(mechanism.solve_motion_near(motions, near), found, size);
-            }
+            self.compare::<M>(own, tape.run(&pose.arguments()), pose.size());
         }
     }
 }
@@ -131,4 +95,24 @@ fn tapes_are_their_solvers() {
         &wrong[..wrong.len().min(12)]
     );
     assert!(compared.found > 2000 && compared.refused > 500 && compared.margins > 500);
+}
+
+/// A record does not depend on the place where it is made: at 20 poses, in reach and out of reach, the tape is the same.
+struct SameEverywhere;
+
+impl Visitor for SameEverywhere {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        let everywhere = tape::record::<M>(&Options::new().with_skeleton()).expect("it is recorded");
+        for pose in poses::<M>(case, 20) {
+            let there =
+                tape::record_at::<M>(&Options::new().with_skeleton(), &pose.arguments()).expect("it is recorded");
+            assert!(there == everywhere, "{} at {:?}", M::DESCRIPTION.name, pose.arguments());
+        }
+    }
+}
+
+#[test]
+fn tapes_are_the_same_wherever_they_are_recorded() {
+    cases::library(&mut SameEverywhere);
+    cases::coupled_library(&mut SameEverywhere);
 }

@@ -40,9 +40,16 @@ impl Expression {
         let value = constant.value();
         let size = value.abs();
         let text = if value.is_nan() {
-            return Self::whole("NAN");
+            // `NAN` alone is a `float`.
+            return match precision {
+                Precision::Single => Self::whole("NAN"),
+                Precision::Double => Self::of(Binding::Sign, "(double)NAN".to_string()),
+            };
         } else if size.is_infinite() {
-            "INFINITY".to_string()
+            match precision {
+                Precision::Single => "HUGE_VALF".to_string(),
+                Precision::Double => "HUGE_VAL".to_string(),
+            }
         } else {
             number(size, precision)
         };
@@ -71,12 +78,20 @@ impl Expression {
 
     pub(super) fn sum(&self, sign: char, other: &Self) -> Self {
         // Sums and products are carried out from left to right, and may not be carried out otherwise.
-        let text = format!("{} {sign} {}", self.within(Binding::Sum), other.within(Binding::Product));
+        let text = format!(
+            "{} {sign} {}",
+            self.within(Binding::Sum),
+            other.within(Binding::Product)
+        );
         Self::of(Binding::Sum, text)
     }
 
     pub(super) fn product(&self, sign: char, other: &Self) -> Self {
-        let text = format!("{} {sign} {}", self.within(Binding::Product), other.within(Binding::Sign));
+        let text = format!(
+            "{} {sign} {}",
+            self.within(Binding::Product),
+            other.within(Binding::Sign)
+        );
         Self::of(Binding::Product, text)
     }
 
@@ -102,13 +117,21 @@ impl Expression {
     }
 
     pub(super) fn both(&self, other: &Self) -> Self {
-        let text = format!("{} && {}", self.within(Binding::Equality), other.within(Binding::Equality));
+        let text = format!(
+            "{} && {}",
+            self.within(Binding::Equality),
+            other.within(Binding::Equality)
+        );
         Self::of(Binding::And, text)
     }
 
     pub(super) fn either(&self, other: &Self) -> Self {
         // Compilers warn of `&&` inside of `||` without parentheses.
-        let text = format!("{} || {}", self.within(Binding::Equality), other.within(Binding::Equality));
+        let text = format!(
+            "{} || {}",
+            self.within(Binding::Equality),
+            other.within(Binding::Equality)
+        );
         Self::of(Binding::Or, text)
     }
 
@@ -162,7 +185,10 @@ impl Expression {
 }
 
 /// A number that is zero or positive, and finite.
-#[expect(clippy::cast_possible_truncation, reason = "constants of a tape in single precision have that precision")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "constants of a tape in single precision have that precision"
+)]
 fn number(value: f64, precision: Precision) -> String {
     match precision {
         Precision::Single => format!("{:?}f", value as f32),
@@ -200,7 +226,8 @@ mod tests {
             (a.compared(Comparison::AtLeast, &b.sum('+', &c)), "a >= b + c"),
             (a.compared(Comparison::Equals, &b).not(), "!(a == b)"),
             (
-                a.compared(Comparison::Exceeds, &b).both(&b.compared(Comparison::Exceeds, &c)),
+                a.compared(Comparison::Exceeds, &b)
+                    .both(&b.compared(Comparison::Exceeds, &c)),
                 "a > b && b > c",
             ),
             (a.both(&b).either(&c), "(a && b) || c"),
@@ -220,8 +247,8 @@ mod tests {
         for value in [0.1, 1e300, 5e-324, f64::MAX, 1.0, 3.0e-7, -0.0, -2.5] {
             assert_eq!(double(value).parse::<f64>().unwrap().to_bits(), value.to_bits());
         }
-        assert_eq!(double(f64::NEG_INFINITY), "-INFINITY");
-        assert_eq!(double(f64::NAN), "NAN");
+        assert_eq!(double(f64::NEG_INFINITY), "-HUGE_VAL");
+        assert_eq!(double(f64::NAN), "(double)NAN");
         let single = Expression::constant(Constant::new(f64::from(0.1_f32)), Precision::Single).text;
         assert_eq!(single, "0.1f");
     }

@@ -3,6 +3,7 @@
 mod expression;
 mod header;
 mod source;
+mod writer;
 
 use std::format;
 use std::string::{String, ToString as _};
@@ -13,17 +14,146 @@ use crate::tape::{Condition, Precision, ResultOf, Role, Tape};
 
 /// The words of C and C++, the names of `<math.h>` that the code calls, and the names of the code's own arguments.
 const KEYWORDS: &[&str] = &[
-    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char", "class",
-    "compl", "const", "constexpr", "continue", "decltype", "default", "delete", "do", "double", "else", "enum", "explicit",
-    "export", "extern", "false", "float", "for", "friend", "goto", "if", "inline", "int", "long", "mutable", "namespace", "new",
-    "noexcept", "not", "not_eq", "nullptr", "operator", "or", "or_eq", "private", "protected", "public", "register",
-    "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "template", "this", "throw", "true", "try",
-    "typedef", "typeid", "typename", "typeof", "union", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while",
-    "xor", "xor_eq", "acos", "acosf", "acosh", "acoshf", "asin", "asinf", "asinh", "asinhf", "atan", "atanf", "atanh", "atanhf",
-    "ceil", "ceilf", "cos", "cosf", "cosh", "coshf", "exp", "expf", "fabs", "fabsf", "frexp", "frexpf", "ldexp", "ldexpf", "log",
-    "logf", "round", "roundf", "sin", "sinf", "sinh", "sinhf", "sqrt", "sqrtf", "tanh", "tanhf", "main", "linux", "unix", "chain",
-    "dimensions", "inputs", "assembly", "near", "pose", "NAN", "INFINITY", "I", "given", "unknowns", "residuals", "jacobian",
-    "DBL_MAX", "FLT_MAX", "DBL_EPSILON", "FLT_EPSILON",
+    "alignas",
+    "alignof",
+    "and",
+    "and_eq",
+    "asm",
+    "auto",
+    "bitand",
+    "bitor",
+    "bool",
+    "break",
+    "case",
+    "catch",
+    "char",
+    "class",
+    "compl",
+    "const",
+    "constexpr",
+    "continue",
+    "decltype",
+    "default",
+    "delete",
+    "do",
+    "double",
+    "else",
+    "enum",
+    "explicit",
+    "export",
+    "extern",
+    "false",
+    "float",
+    "for",
+    "friend",
+    "goto",
+    "if",
+    "inline",
+    "int",
+    "long",
+    "mutable",
+    "namespace",
+    "new",
+    "noexcept",
+    "not",
+    "not_eq",
+    "nullptr",
+    "operator",
+    "or",
+    "or_eq",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "restrict",
+    "return",
+    "short",
+    "signed",
+    "sizeof",
+    "static",
+    "struct",
+    "switch",
+    "template",
+    "this",
+    "throw",
+    "true",
+    "try",
+    "typedef",
+    "typeid",
+    "typename",
+    "typeof",
+    "union",
+    "unsigned",
+    "using",
+    "virtual",
+    "void",
+    "volatile",
+    "wchar_t",
+    "while",
+    "xor",
+    "xor_eq",
+    "acos",
+    "acosf",
+    "acosh",
+    "acoshf",
+    "asin",
+    "asinf",
+    "asinh",
+    "asinhf",
+    "atan",
+    "atanf",
+    "atanh",
+    "atanhf",
+    "ceil",
+    "ceilf",
+    "cos",
+    "cosf",
+    "cosh",
+    "coshf",
+    "exp",
+    "expf",
+    "fabs",
+    "fabsf",
+    "frexp",
+    "frexpf",
+    "ldexp",
+    "ldexpf",
+    "log",
+    "logf",
+    "round",
+    "roundf",
+    "sin",
+    "sinf",
+    "sinh",
+    "sinhf",
+    "sqrt",
+    "sqrtf",
+    "tanh",
+    "tanhf",
+    "main",
+    "linux",
+    "unix",
+    "chain",
+    "dimensions",
+    "inputs",
+    "assembly",
+    "near",
+    "pose",
+    "NAN",
+    "INFINITY",
+    "HUGE_VAL",
+    "HUGE_VALF",
+    "HUGE_VAL",
+    "HUGE_VALF",
+    "I",
+    "given",
+    "unknowns",
+    "residuals",
+    "jacobian",
+    "DBL_MAX",
+    "FLT_MAX",
+    "DBL_EPSILON",
+    "FLT_EPSILON",
 ];
 
 /// A solver as files of C.
@@ -96,10 +226,8 @@ impl<'a> Text<'a> {
         let arguments = tape.arguments.iter().map(|argument| {
             let own = match argument.role {
                 Role::Input { order, .. } => of_order(&argument.name, order),
-                Role::Near(_) => format!("near_{}", argument.name),
-                Role::Assembly(_) if argument.name != "assembly" => format!("assembly_{}", argument.name),
-                Role::Assembly(_) => "assembly_sign".to_string(),
-                Role::Parameter(_) => argument.name.clone(),
+                Role::Assembly(_) if argument.name == "assembly" => "sign".to_string(),
+                Role::Near(_) | Role::Assembly(_) | Role::Parameter(_) => argument.name.clone(),
             };
             names.name(&own)
         });
@@ -107,12 +235,15 @@ impl<'a> Text<'a> {
         let mut names = Names::new(KEYWORDS);
         let results = tape.results.iter().map(|result| {
             let by = |parameter: usize| tape.description.parameters[parameter].name;
-            let quantity = |name: &str, parameter: usize| format!("{}_by_{}", of_order(name, result.order), by(parameter));
+            let quantity =
+                |name: &str, parameter: usize| format!("{}_by_{}", of_order(name, result.order), by(parameter));
             let own = match result.quantity {
                 ResultOf::UnknownPartial { unknown, parameter } => {
                     quantity(tape.description.unknowns[unknown].name, parameter)
                 }
-                ResultOf::OutputPartial { output, parameter } => quantity(tape.description.outputs[output].name, parameter),
+                ResultOf::OutputPartial { output, parameter } => {
+                    quantity(tape.description.outputs[output].name, parameter)
+                }
                 _ => of_order(&result.name, result.order),
             };
             names.name(&own)
@@ -173,13 +304,17 @@ impl<'a> Text<'a> {
         format!("{structure}->{}", self.arguments[argument])
     }
 
-    /// The arguments of a function, each with its type.
-    fn signature(&self) -> String {
-        let arguments = self.structures().into_iter();
-        let arguments: Vec<String> = arguments
-            .map(|(structure, _)| format!("const {}_{structure} *{structure}", self.name))
+    /// The head of a function without its end: its name, and its arguments with their types, each on a line of its own. The last one
+    /// is what it writes to.
+    fn signature(&self, function: &str, target: &str) -> String {
+        let name = &self.name;
+        let mut arguments: Vec<String> = self
+            .structures()
+            .into_iter()
+            .map(|(structure, _)| format!("const {name}_{structure} *{structure}"))
             .collect();
-        arguments.join(", ")
+        arguments.push(format!("{name}_{target} *{target}"));
+        format!("{name}_outcome {name}_{function}(\n    {})", arguments.join(",\n    "))
     }
 
     /// The same arguments without types, for a call.
@@ -199,11 +334,15 @@ impl<'a> Text<'a> {
             words.push_str("The dimensions are arguments. ");
         } else {
             let parameters = self.tape.description.parameters.iter().zip(&self.tape.folded);
-            let own: Vec<String> = parameters.map(|(own, value)| format!("{} = {value:?}", own.name)).collect();
+            let own: Vec<String> = parameters
+                .map(|(own, value)| format!("{} = {value:?}", own.name))
+                .collect();
             words.push_str(&format!("The dimensions are {}. ", own.join(", ")));
         }
         let licence = env!("CARGO_PKG_LICENSE");
-        words.push_str(&format!("Licence, at your option: {licence}. Do not edit: write it again."));
+        words.push_str(&format!(
+            "Licence, at your option: {licence}. Do not edit: write it again."
+        ));
         comment("", &words)
     }
 }
@@ -224,7 +363,9 @@ fn comment(indent: &str, text: &str) -> String {
     let lines = lines(&text, 100 - indent.len());
     for (place, line) in lines.iter().enumerate() {
         let start = if place == 0 { "/* " } else { "   " };
-        let line = line.strip_suffix('\\').map_or_else(|| line.clone(), |line| format!("{line}\\."));
+        let line = line
+            .strip_suffix('\\')
+            .map_or_else(|| line.clone(), |line| format!("{line}\\."));
         own.push_str(&format!("{indent}{start}{line}"));
         own.push_str(if place + 1 == lines.len() { " */\n" } else { "\n" });
     }
@@ -257,7 +398,10 @@ mod tests {
 
     #[test]
     fn comments_do_not_end_early() {
-        assert_eq!(comment("", "a */ b /* c ??/ d\\\n e\\"), "/* a * / b / * c ? ?/ d\\ e\\. */\n".to_string());
+        assert_eq!(
+            comment("", "a */ b /* c ??/ d\\\n e\\"),
+            "/* a * / b / * c ? ?/ d\\ e\\. */\n".to_string()
+        );
         let long = "word ".repeat(40);
         assert!(comment("    ", &long).lines().all(|line| line.len() <= 110));
         assert_eq!(comment("", ""), "");

@@ -74,7 +74,12 @@ pub(super) fn c(parts: Parts, precision: Precision) -> String {
     let functions = match precision {
         Precision::Double => parts.text(
             &table,
-            [include_str!("sine_cosine.c"), include_str!("arc_tangent.c"), factors, newton],
+            [
+                include_str!("sine_cosine.c"),
+                include_str!("arc_tangent.c"),
+                factors,
+                newton,
+            ],
         ),
         Precision::Single => parts.text(
             &table,

@@ -40,7 +40,8 @@ impl Translation {
 
     fn python() -> Self {
         let folder = Folder::new("python3");
-        let text = include_str!("head.py").replace("\n\n\n\n", "\n\n\n") + &runtime::python(ALL) + include_str!("main.py");
+        let text =
+            include_str!("head.py").replace("\n\n\n\n", "\n\n\n") + &runtime::python(ALL) + include_str!("main.py");
         folder.write("main.py", text);
         Self {
             folder,
@@ -82,7 +83,11 @@ impl Translation {
         for (given, found) in matrices.chunks(20).zip(found) {
             let matrix = core::array::from_fn(|row| core::array::from_fn(|column| given[4 * row + column]));
             let right = core::array::from_fn(|row| given[16 + row]);
-            same(given, &found, factor::<f64, 4>(matrix).map(|factors| factors.solve(right)));
+            same(
+                given,
+                &found,
+                factor::<f64, 4>(matrix).map(|factors| factors.solve(right)),
+            );
         }
     }
 
@@ -98,7 +103,11 @@ impl Translation {
         let mut outcomes = [0; 4];
         for (given, found) in numbers.chunks(length).zip(found) {
             let guess = core::array::from_fn(|index| given[length - N + index]);
-            same(given, &found, newton(guess, sizes, |unknowns| equations(given, unknowns)));
+            same(
+                given,
+                &found,
+                newton(guess, sizes, |unknowns| equations(given, unknowns)),
+            );
             outcomes[found[0] as usize] += 1;
         }
         assert!(outcomes[0] > 1000 && outcomes[1] > 100, "{name}: {outcomes:?}");
@@ -107,7 +116,11 @@ impl Translation {
 
 /// Bits, with one for all that is not a number.
 fn bits(number: f64) -> u64 {
-    if number.is_nan() { f64::NAN.to_bits() } else { number.to_bits() }
+    if number.is_nan() {
+        f64::NAN.to_bits()
+    } else {
+        number.to_bits()
+    }
 }
 
 /// Compares sine, cosine and angle with those of this crate, or with those of its platform where it leaves them to it.

@@ -101,7 +101,18 @@ fn units(found: f32, exact: f64) -> f64 {
 fn arguments() -> Vec<f32> {
     let mut random = Random::new(5);
     let mut numbers = Vec::new();
-    let special = [0.0, f32::MIN_POSITIVE, 1e-40, 1.0, 2.0, 1e5, 1e20, f32::MAX, f32::INFINITY, f32::NAN];
+    let special = [
+        0.0,
+        f32::MIN_POSITIVE,
+        1e-40,
+        1.0,
+        2.0,
+        1e5,
+        1e20,
+        f32::MAX,
+        f32::INFINITY,
+        f32::NAN,
+    ];
     for y in special.into_iter().flat_map(|y| [y, -y]) {
         numbers.extend(special.into_iter().flat_map(|x| [y, x, y, -x]));
     }
@@ -132,8 +143,15 @@ fn c_in_single_precision_is_within_two_and_a_half_units() {
         for (index, exact) in [y.sin(), y.cos(), y.atan2(x)].into_iter().enumerate() {
             let error = units(found[index], exact);
             // The reduced angle and its square are rounded, the largest parts of the cosine and their sum.
-            assert!(error <= 2.5, "{index} {y:e} {x:e}: {:e} {exact:e} {error}", found[index]);
-            assert_eq!(found[index].is_sign_negative(), exact.is_sign_negative() || exact.is_nan() && found[index].is_sign_negative());
+            assert!(
+                error <= 2.5,
+                "{index} {y:e} {x:e}: {:e} {exact:e} {error}",
+                found[index]
+            );
+            assert_eq!(
+                found[index].is_sign_negative(),
+                exact.is_sign_negative() || exact.is_nan() && found[index].is_sign_negative()
+            );
             worst[index] = worst[index].max(error);
         }
     }
@@ -144,7 +162,10 @@ fn c_in_single_precision_is_within_two_and_a_half_units() {
 #[test]
 #[ignore = "gcc"]
 fn roots_in_single_precision_close_the_loop() {
-    let folder = compiled("single-newton", &["-fsanitize=undefined,address", "-fno-sanitize-recover=all"]);
+    let folder = compiled(
+        "single-newton",
+        &["-fsanitize=undefined,address", "-fno-sanitize-recover=all"],
+    );
     let numbers: Vec<f32> = super::cases::four_bars(5000).into_iter().map(single).collect();
     let found = run(&folder, "n", &numbers);
     let mut roots = 0;
@@ -160,7 +181,10 @@ fn roots_in_single_precision_close_the_loop() {
         // Each angle is rounded, and each product and sum of three terms.
         let size = r[..4].iter().sum::<f64>() * (1.0 + coupler.abs().max(rocker.abs()));
         let allowed = 4.0 * f64::from(f32::EPSILON) * size;
-        assert!(x.abs() <= allowed && y.abs() <= allowed, "{given:?} {found:?}: {x:e} {y:e} {allowed:e}");
+        assert!(
+            x.abs() <= allowed && y.abs() <= allowed,
+            "{given:?} {found:?}: {x:e} {y:e} {allowed:e}"
+        );
     }
     assert!(roots > 1000, "{roots}");
 }

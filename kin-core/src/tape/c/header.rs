@@ -1,0 +1,260 @@
+//! The header of a solver in C, and the program that shows it.
+
+use std::format;
+use std::string::{String, ToString as _};
+use std::vec::Vec;
+
+use crate::quantity::Dimension;
+use crate::tape::c::{Text, comment, told};
+use crate::tape::{ResultOf, Role};
+
+/// The unit of a quantity in the words of a comment.
+fn unit(dimension: Dimension, order: usize) -> String {
+    let own = match dimension {
+        Dimension::Length => "length",
+        Dimension::Angle => "rad",
+        Dimension::Scalar => "1",
+    };
+    match order {
+        0 => own.to_string(),
+        1 => format!("{own}/time"),
+        _ => format!("{own}/time^{order}"),
+    }
+}
+
+/// A member of a structure with its documentation.
+fn member(text: &Text<'_>, name: &str, description: &str, unit: &str) -> String {
+    let mut own = comment("    ", &format!("{description} [{unit}]"));
+    own.push_str(&format!("    {} {name};\n", text.number));
+    own
+}
+
+fn structure(text: &Text<'_>, suffix: &str, about: &str, members: &str) -> String {
+    format!(
+        "{}typedef struct {{\n{members}}} {}_{suffix};\n\n",
+        comment("", about),
+        text.name
+    )
+}
+
+pub(super) fn header(text: &Text<'_>) -> String {
+    let tape = text.tape;
+    let (name, upper) = (&text.name, &text.upper);
+    let mut own = text.head(&format!("{name}.h"));
+    let about = format!(
+        "Angles are in radians and counter-clockwise. Lengths share any one unit, and times share any one unit. The closure is: {}.",
+        tape.description.equations.join("; ")
+    );
+    own.push('\n');
+    own.push_str(&comment("", &about));
+    own.push_str(&format!("\n#ifndef KIN_{upper}_H\n#define KIN_{upper}_H\n\n"));
+    own.push_str("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+    for (suffix, members) in text.structures() {
+        let about = match suffix {
+            "dimensions" => "The dimensions.",
+            "inputs" => "The inputs and their time derivatives.",
+            "near" => {
+                "Values near the unknowns, from which Newton's method starts: those of the pose before, or of a drawing. They choose \
+                 the assembly and the turns of angles."
+            }
+            _ => "The assembly of each block that can be assembled in two ways: 1 for open, -1 for crossed.",
+        };
+        let mut fields = String::new();
+        for index in members {
+            let argument = &tape.arguments[index];
+            let (description, unit) = match argument.role {
+                Role::Input { order, .. } if order > 0 => (String::new(), unit(argument.dimension, order)),
+                Role::Assembly(_) => (String::new(), "1 or -1".to_string()),
+                _ => (argument.description.to_string(), unit(argument.dimension, 0)),
+            };
+            fields.push_str(&member(text, &text.arguments[index], &description, &unit));
+        }
+        own.push_str(&structure(text, suffix, about, &fields));
+    }
+    let mut fields = String::new();
+    for (result, field) in tape.results.iter().zip(&text.results) {
+        let unit = unit(result.dimension, result.order);
+        let (description, unit) = match result.quantity {
+            ResultOf::UnknownPartial { parameter, .. } | ResultOf::OutputPartial { parameter, .. } => {
+                let by = &tape.description.parameters[parameter];
+                let per = match by.dimension {
+                    Dimension::Length => " per length",
+                    Dimension::Angle => " per rad",
+                    Dimension::Scalar => "",
+                };
+                (
+                    format!("The derivative with respect to {}.", by.name),
+                    format!("{unit}{per}"),
+                )
+            }
+            _ if result.order > 0 => (String::new(), unit),
+            _ => (result.description.to_string(), unit),
+        };
+        fields.push_str(&member(text, field, &description, &unit));
+    }
+    own.push_str(&structure(text, "pose", "What is found.", &fields));
+    own.push_str(&outcome(text));
+    own.push_str(&functions(text));
+    own.push_str("#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+    own
+}
+
+/// The codes, and the structure that holds one.
+fn outcome(text: &Text<'_>) -> String {
+    let (name, upper) = (&text.name, &text.upper);
+    let mut own = comment(
+        "",
+        "The codes of an outcome: zero if the mechanism closes, otherwise the check that failed and the unknowns that it is about.",
+    );
+    own.push_str(&format!("enum {{\n    {upper}_CLOSED = 0"));
+    for (index, (check, code)) in text.tape.checks.iter().zip(&text.codes).enumerate() {
+        own.push_str(",\n");
+        let about = format!(
+            "{} ({}); the margin is {}.",
+            check.name,
+            check.block,
+            told(check.condition)
+        );
+        own.push_str(&comment("    ", &about));
+        own.push_str(&format!("    {code} = {}", index + 1));
+    }
+    own.push_str("\n};\n\n");
+    let mut fields = String::from("    int code;\n");
+    fields.push_str(&member(
+        text,
+        "margin",
+        "How far the check is from passing; zero if the mechanism closes. About zero is a singular position, a limit or a dead point. \
+         Not finite if an argument is not.",
+        "the unit of what is checked",
+    ));
+    own.push_str(&format!(
+        "{}typedef struct {{\n{fields}}} {name}_outcome;\n\n",
+        comment("", "Whether there is a pose.")
+    ));
+    own
+}
+
+/// The number of private numbers that go from a position to its rates.
+pub(super) fn carried_name(text: &Text<'_>) -> String {
+    format!("{}_CARRIED", text.upper)
+}
+
+fn functions(text: &Text<'_>) -> String {
+    let name = &text.name;
+    let coupled = text.tape.searches.len();
+    let limits = if coupled > 0 {
+        " Coupled equations are solved by Newton's method, which takes at most 64 steps and may fail to converge from values far away."
+    } else {
+        " The position is found in closed form: nothing is iterated."
+    };
+    let mut own = comment(
+        "",
+        &format!(
+            "Finds the pose with all its time derivatives. If the code of the outcome is not zero, the pose is not changed. Nothing is \
+             allocated and nothing is static, so it may be called anywhere.{limits}"
+        ),
+    );
+    own.push_str(&format!("{};\n\n", text.signature("solve", "pose")));
+    own.push_str(&comment("", "What a code means, in a few words."));
+    own.push_str(&format!("const char *{name}_message(int code);\n\n"));
+    if text.tape.order == 0 {
+        return own;
+    }
+    let carried = crate::tape::c::source::Carried::new(text.tape).values.len();
+    own.push_str(&comment(
+        "",
+        "A pose on its way from order to order. The private numbers are what later orders take from earlier ones.",
+    ));
+    own.push_str(&format!(
+        "#define {} {}\n\ntypedef struct {{\n    {name}_pose pose;\n    {} carried[{}];\n}} {name}_chain;\n\n",
+        carried_name(text),
+        carried.max(1),
+        text.number,
+        carried_name(text)
+    ));
+    own.push_str(&comment(
+        "",
+        "The same order by order: the position, then each derivative after the one before, with the same arguments. The members of \
+         inputs above an order are not read up to it, and may be set between two calls. After an outcome other than zero the chain \
+         holds nothing.",
+    ));
+    for order in 0..=text.tape.order {
+        own.push_str(&format!("{};\n", text.signature(&order_name(order), "chain")));
+    }
+    own.push('\n');
+    own
+}
+
+/// The function that finds an order.
+pub(super) fn order_name(order: usize) -> String {
+    match order {
+        0 => "position".to_string(),
+        _ => crate::tape::words::of_order("", order)
+            .trim_start_matches('_')
+            .to_string(),
+    }
+}
+
+/// A program that reads the arguments of one pose from each line of its input.
+pub(super) fn example(text: &Text<'_>) -> String {
+    let (name, number, tape) = (&text.name, text.number, text.tape);
+    let count = tape.arguments.len();
+    let order: Vec<&str> = text.arguments.iter().map(String::as_str).collect();
+    let mut own = text.head("main.c");
+    own.push_str(&comment(
+        "",
+        &format!(
+            "Reads the arguments of one pose after the other from the standard input, separated by blanks or lines, in this order: {}. \
+             Writes a line for each pose.",
+            order.join(" ")
+        ),
+    ));
+    own.push_str(&comment(
+        "",
+        &format!("Build it by: cc -O2 -std=c99 -ffp-contract=off main.c {name}.c -lm -o {name}"),
+    ));
+    own.push_str(&format!("#include <stdio.h>\n\n#include \"{name}.h\"\n\n"));
+    own.push_str(&format!(
+        "static int read_all(double *numbers, int count)\n{{\n    for (int index = 0; index < count; index++) {{\n        \
+         if (scanf(\"%lf\", &numbers[index]) != 1) {{\n            return 0;\n        }}\n    }}\n    return 1;\n}}\n\n"
+    ));
+    own.push_str(&format!(
+        "int main(void)\n{{\n    double numbers[{count}];\n    while (read_all(numbers, {count})) {{\n"
+    ));
+    let cast = |index: usize| {
+        if number == "double" {
+            format!("numbers[{index}]")
+        } else {
+            format!("({number})numbers[{index}]")
+        }
+    };
+    for (suffix, members) in text.structures() {
+        let values: Vec<String> = members.into_iter().map(cast).collect();
+        own.push_str(&format!(
+            "        const {name}_{suffix} {suffix} = {{{}}};\n",
+            values.join(", ")
+        ));
+    }
+    let passed: Vec<String> = text
+        .structures()
+        .iter()
+        .map(|(suffix, _)| format!("&{suffix}"))
+        .collect();
+    own.push_str(&format!(
+        "        {name}_pose pose;\n        const {name}_outcome outcome = {name}_solve({}, &pose);\n",
+        passed.join(", ")
+    ));
+    own.push_str(&format!(
+        "        if (outcome.code != {}_CLOSED) {{\n            printf(\"%d: %s, margin %.17g\\n\", outcome.code, \
+         {name}_message(outcome.code), (double)outcome.margin);\n            continue;\n        }}\n",
+        text.upper
+    ));
+    for (place, field) in text.results.iter().enumerate() {
+        let end = if place + 1 == text.results.len() { "\\n" } else { " " };
+        own.push_str(&format!(
+            "        printf(\"{field} %.17g{end}\", (double)pose.{field});\n"
+        ));
+    }
+    own.push_str("    }\n    return 0;\n}\n");
+    own
+}

@@ -1,0 +1,219 @@
+//! The source of a solver in C: a function for each order, and one for all.
+
+use std::collections::BTreeSet;
+use std::format;
+use std::string::String;
+use std::vec::Vec;
+
+use crate::tape::c::header::order_name;
+use crate::tape::c::writer::Writer;
+use crate::tape::c::{Text, comment, quoted};
+use crate::tape::runtime::{self, Parts};
+use crate::tape::stages::Stages;
+use crate::tape::{Condition, Function, Node, Operator, Step, Tape, Value};
+
+/// The values that later orders take from earlier ones.
+pub(super) struct Carried {
+    pub(super) values: Vec<Value>,
+}
+
+impl Carried {
+    pub(super) fn new(tape: &Tape) -> Self {
+        let stages = Stages::new(tape);
+        let mut values = BTreeSet::new();
+        for order in 1..=tape.order {
+            for value in taken(tape, &stages, order) {
+                if is_carried(tape, value) && stages.of(value) < order {
+                    values.insert(value);
+                }
+            }
+        }
+        Self {
+            values: values.into_iter().collect(),
+        }
+    }
+
+    /// The place of a value in the chain.
+    pub(super) fn place(&self, value: Value) -> Option<usize> {
+        self.values.binary_search(&value).ok()
+    }
+}
+
+/// Whether a value is computed; arguments and constants are there anyway.
+fn is_carried(tape: &Tape, value: Value) -> bool {
+    !matches!(
+        tape.nodes[value.index()],
+        Node::Argument(_) | Node::Constant(_) | Node::Certain(_) | Node::Unknown { .. }
+    )
+}
+
+/// The values that the steps of an order take, its own ones included.
+pub(super) fn taken(tape: &Tape, stages: &Stages, order: usize) -> Vec<Value> {
+    let mut own = Vec::new();
+    let mut take = |value: Value| own.push(value);
+    for step in tape.steps.iter().filter(|step| stages.of_step(tape, **step) == order) {
+        match *step {
+            Step::Compute(value) => tape.nodes[value.index()].operands(&mut take),
+            Step::Check(index) => {
+                let check = &tape.checks[index];
+                if let Condition::Holds(truth) = check.condition {
+                    take(truth);
+                }
+                for value in &check.cold {
+                    tape.nodes[value.index()].operands(&mut take);
+                }
+                check.margin.iter().copied().for_each(&mut take);
+            }
+            Step::Search(index) => given(tape, index).into_iter().for_each(&mut take),
+            Step::Factor(system) => tape.systems[system].rows.iter().flatten().copied().for_each(&mut take),
+            Step::Solve(solution) => {
+                let solution = &tape.solutions[solution];
+                solution.right.iter().copied().for_each(&mut take);
+                tape.systems[solution.system]
+                    .rows
+                    .iter()
+                    .flatten()
+                    .copied()
+                    .for_each(&mut take);
+            }
+        }
+    }
+    for result in tape.results.iter().filter(|result| result.order == order) {
+        take(result.value);
+    }
+    own
+}
+
+/// The values that a search takes from outside: guess, sizes, and what its body needs.
+fn given(tape: &Tape, search: usize) -> Vec<Value> {
+    let own = &tape.searches[search];
+    own.guess
+        .iter()
+        .chain(&own.sizes)
+        .copied()
+        .chain(outside(tape, search))
+        .collect()
+}
+
+/// The values that the body of a search needs from outside.
+pub(super) fn outside(tape: &Tape, search: usize) -> Vec<Value> {
+    let own = &tape.searches[search];
+    let mut values = BTreeSet::new();
+    let mut add = |value: Value| {
+        let is_inside = own.body.contains(&value)
+            || matches!(
+                tape.nodes[value.index()],
+                Node::Unknown { .. } | Node::Constant(_) | Node::Certain(_)
+            );
+        if !is_inside {
+            values.insert(value);
+        }
+    };
+    for value in &own.body {
+        tape.nodes[value.index()].operands(&mut add);
+    }
+    own.residuals
+        .iter()
+        .chain(own.jacobian.iter().flatten())
+        .copied()
+        .for_each(&mut add);
+    values.into_iter().collect()
+}
+
+pub(super) fn source(text: &Text<'_>) -> String {
+    let (name, tape) = (&text.name, text.tape);
+    let mut own = text.head(&format!("{name}.c"));
+    own.push_str(&format!("#include \"{name}.h\"\n\n"));
+    own.push_str(&runtime::c(parts(tape), tape.precision));
+    let stages = Stages::new(tape);
+    let carried = Carried::new(tape);
+    for search in 0..tape.searches.len() {
+        own.push('\n');
+        own.push_str(&equations(text, search));
+    }
+    if tape.order == 0 {
+        own.push('\n');
+        own.push_str(&format!(
+            "{}\n{{\n{}}}\n",
+            text.signature("solve", "pose"),
+            Writer::of_order(text, &stages, &carried, 0).order("pose->")
+        ));
+    } else {
+        for order in 0..=tape.order {
+            own.push('\n');
+            own.push_str(&format!(
+                "{}\n{{\n{}}}\n",
+                text.signature(&order_name(order), "chain"),
+                Writer::of_order(text, &stages, &carried, order).order("chain->pose.")
+            ));
+        }
+        own.push('\n');
+        own.push_str(&solve(text));
+    }
+    own.push('\n');
+    own.push_str(&message(text));
+    own
+}
+
+/// All orders one after the other.
+fn solve(text: &Text<'_>) -> String {
+    let (name, upper) = (&text.name, &text.upper);
+    let mut own = format!("{}\n{{\n    {name}_chain chain;\n", text.signature("solve", "pose"));
+    for order in 0..=text.tape.order {
+        let call = format!("{name}_{}({}, &chain)", order_name(order), text.passed());
+        if order == 0 {
+            own.push_str(&format!("    {name}_outcome outcome = {call};\n"));
+        } else {
+            own.push_str(&format!(
+                "    if (outcome.code == {upper}_CLOSED) {{\n        outcome = {call};\n    }}\n"
+            ));
+        }
+    }
+    own.push_str(&format!(
+        "    if (outcome.code == {upper}_CLOSED) {{\n        *pose = chain.pose;\n    }}\n    return outcome;\n}}\n"
+    ));
+    own
+}
+
+fn message(text: &Text<'_>) -> String {
+    let (name, upper) = (&text.name, &text.upper);
+    let mut own = format!("const char *{name}_message(int code)\n{{\n    switch (code) {{\n");
+    own.push_str(&format!(
+        "    case {upper}_CLOSED:\n        return \"the mechanism closes\";\n"
+    ));
+    for (check, code) in text.tape.checks.iter().zip(&text.codes) {
+        let words = quoted(&format!("{} ({})", check.name, check.block));
+        own.push_str(&format!("    case {code}:\n        return {words};\n"));
+    }
+    own.push_str("    default:\n        return \"no such code\";\n    }\n}\n");
+    own
+}
+
+/// The parts of the run time that a tape needs.
+fn parts(tape: &Tape) -> Parts {
+    let has = |wanted: &dyn Fn(&Node) -> bool| tape.nodes.iter().any(wanted);
+    let sizes = tape.searches.iter().map(|search| search.guess.len());
+    Parts {
+        sine_cosine: has(&|node| matches!(node, Node::Call(Function::Sine | Function::Cosine, _))),
+        arc_tangent: has(&|node| matches!(node, Node::Binary(Operator::ArcTangent, ..))),
+        factors: !tape.systems.is_empty(),
+        newton: !tape.searches.is_empty(),
+        unknowns: sizes
+            .chain(tape.systems.iter().map(|system| system.rows.len()))
+            .max()
+            .unwrap_or(0),
+    }
+}
+
+/// The residuals and the Jacobian of a search.
+fn equations(text: &Text<'_>, search: usize) -> String {
+    let number = text.number;
+    let about = comment("", "The equations of a block and their partial derivatives.");
+    let name = format!("{}_equations_{search}", text.name);
+    let indent = " ".repeat("static void (".len() + name.len());
+    format!(
+        "{about}static void {name}(const void *given, const {number} *unknowns, {number} *residuals,\n{indent}{number} \
+         jacobian[KIN_UNKNOWNS][KIN_UNKNOWNS])\n{{\n{}}}\n",
+        Writer::of_search(text, search).equations(search)
+    )
+}

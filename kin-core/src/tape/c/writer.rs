@@ -1,0 +1,444 @@
+//! The bodies of the functions of a solver in C, statement by statement.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::format;
+use std::string::{String, ToString as _};
+use std::vec;
+use std::vec::Vec;
+
+use crate::tape::c::expression::Expression;
+use crate::tape::c::source::{Carried, outside, taken};
+use crate::tape::c::{Text, comment};
+use crate::tape::stages::Stages;
+use crate::tape::{Condition, Constant, Function, Node, Step, Value};
+
+/// The longest expression that is written where it is used, in letters.
+const WIDTH: usize = 64;
+
+/// Writes the body of a function.
+pub(super) struct Writer<'a> {
+    text: &'a Text<'a>,
+    /// The order that the function finds, with the orders of all steps and what goes from order to order.
+    order: Option<(usize, &'a Stages, &'a Carried)>,
+    /// How often the function uses each value. A value that is used once may be written where it is used.
+    uses: Vec<usize>,
+    /// The values that are there, each as it is written.
+    there: BTreeMap<Value, Expression>,
+    /// The arguments that are used.
+    read: BTreeSet<usize>,
+    /// The values that an earlier order has left.
+    loaded: BTreeSet<Value>,
+    factored: BTreeSet<usize>,
+    indent: usize,
+    body: String,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn of_order(text: &'a Text<'a>, stages: &'a Stages, carried: &'a Carried, order: usize) -> Self {
+        let mut own = Self::new(text, Some((order, stages, carried)));
+        for value in taken(text.tape, stages, order) {
+            own.uses[value.index()] += 1;
+        }
+        // What is used in a branch, or later, has a name.
+        for check in text.tape.checks.iter().filter(|check| check.order == order) {
+            for value in &check.cold {
+                text.tape.nodes[value.index()].operands(|operand| own.uses[operand.index()] += 2);
+            }
+            if let Some(margin) = check.margin {
+                own.uses[margin.index()] += 2;
+            }
+        }
+        for value in &carried.values {
+            own.uses[value.index()] += 2;
+        }
+        own
+    }
+
+    pub(super) fn of_search(text: &'a Text<'a>, search: usize) -> Self {
+        let mut own = Self::new(text, None);
+        let sought = &text.tape.searches[search];
+        for value in &sought.body {
+            text.tape.nodes[value.index()].operands(|operand| own.uses[operand.index()] += 1);
+        }
+        for value in sought.residuals.iter().chain(sought.jacobian.iter().flatten()) {
+            own.uses[value.index()] += 1;
+        }
+        own
+    }
+
+    fn new(text: &'a Text<'a>, order: Option<(usize, &'a Stages, &'a Carried)>) -> Self {
+        Self {
+            text,
+            order,
+            uses: vec![0; text.tape.nodes.len()],
+            there: BTreeMap::new(),
+            read: BTreeSet::new(),
+            loaded: BTreeSet::new(),
+            factored: BTreeSet::new(),
+            indent: 4,
+            body: String::new(),
+        }
+    }
+
+    fn line(&mut self, line: &str) {
+        self.body.push_str(&" ".repeat(self.indent));
+        self.body.push_str(line);
+        self.body.push('\n');
+    }
+
+    /// A constant in the number type.
+    fn constant(&self, value: f64) -> Expression {
+        Expression::constant(Constant::new(value), self.text.tape.precision)
+    }
+
+    /// The function of an order. Results go to `target`.
+    pub(super) fn order(mut self, target: &str) -> String {
+        let Some((order, stages, carried)) = self.order else {
+            return String::new();
+        };
+        let (text, tape) = (self.text, self.text.tape);
+        for step in tape.steps.iter().filter(|step| stages.of_step(tape, **step) == order) {
+            self.step(*step);
+        }
+        for (result, field) in tape.results.iter().zip(&text.results) {
+            if result.order == order {
+                let value = self.expression(result.value).text;
+                self.line(&format!("{target}{field} = {value};"));
+            }
+        }
+        for (place, value) in carried.values.iter().enumerate() {
+            if stages.of(*value) == order {
+                let own = self.expression(*value);
+                let own = if tape.nodes[value.index()].is_truth() {
+                    own.select(&self.constant(1.0), &self.constant(0.0))
+                } else {
+                    own
+                };
+                self.line(&format!("chain->carried[{place}] = {};", own.text));
+            }
+        }
+        let closed = format!("{}_CLOSED", text.upper);
+        self.leave(&closed, &self.constant(0.0).text);
+        let mut start = String::new();
+        let number = text.number;
+        for argument in &self.read {
+            start.push_str(&format!(
+                "    const {number} {} = {};\n",
+                text.arguments[*argument],
+                text.place(*argument)
+            ));
+        }
+        for value in &self.loaded {
+            let place = carried.place(*value).unwrap_or_default();
+            if tape.nodes[value.index()].is_truth() {
+                let half = self.constant(0.5).text;
+                start.push_str(&format!("    const int {value} = chain->carried[{place}] > {half};\n"));
+            } else {
+                start.push_str(&format!("    const {number} {value} = chain->carried[{place}];\n"));
+            }
+        }
+        for (structure, members) in text.structures() {
+            if !members.iter().any(|member| self.read.contains(member)) {
+                start.push_str(&format!("    (void){structure};\n"));
+            }
+        }
+        start + &self.body
+    }
+
+    /// The function of the equations of a search.
+    pub(super) fn equations(mut self, search: usize) -> String {
+        let (number, tape) = (self.text.number, self.text.tape);
+        let sought = &tape.searches[search];
+        let given = outside(tape, search);
+        if given.is_empty() {
+            self.line("(void)given;");
+        } else {
+            self.line(&format!("const {number} *const values = (const {number} *)given;"));
+        }
+        for (place, value) in given.into_iter().enumerate() {
+            if tape.nodes[value.index()].is_truth() {
+                let half = self.constant(0.5).text;
+                self.line(&format!("const int {value} = values[{place}] > {half};"));
+            } else {
+                self.line(&format!("const {number} {value} = values[{place}];"));
+            }
+            self.there.insert(value, Expression::whole(value.to_string()));
+        }
+        for value in &sought.body {
+            self.compute(*value);
+        }
+        for (row, value) in sought.residuals.iter().enumerate() {
+            let own = self.expression(*value).text;
+            self.line(&format!("residuals[{row}] = {own};"));
+        }
+        for (row, entries) in sought.jacobian.iter().enumerate() {
+            for (column, value) in entries.iter().enumerate() {
+                let own = self.expression(*value).text;
+                self.line(&format!("jacobian[{row}][{column}] = {own};"));
+            }
+        }
+        self.body
+    }
+
+    fn step(&mut self, step: Step) {
+        match step {
+            Step::Compute(value) => self.compute(value),
+            Step::Check(check) => self.check(check),
+            Step::Search(search) => self.search(search),
+            Step::Factor(system) => self.factor(system),
+            Step::Solve(solution) => self.solve(solution),
+        }
+    }
+
+    /// Computes a value, or puts it off to where it is used.
+    fn compute(&mut self, value: Value) {
+        if self.there.contains_key(&value) {
+            return;
+        }
+        let node = self.text.tape.nodes[value.index()];
+        if let Node::Call(Function::Sine | Function::Cosine, angle) = node {
+            self.sine_cosine(value, angle);
+            return;
+        }
+        let own = self.written(node);
+        if self.uses[value.index()] == 1 && own.text.len() <= WIDTH {
+            self.there.insert(value, own);
+            return;
+        }
+        let kind = if node.is_truth() { "int" } else { self.text.number };
+        self.line(&format!("const {kind} {value} = {};", own.text));
+        self.there.insert(value, Expression::whole(value.to_string()));
+    }
+
+    /// Sine and cosine of an angle together.
+    fn sine_cosine(&mut self, value: Value, angle: Value) {
+        let tape = self.text.tape;
+        let is_sine = matches!(tape.nodes[value.index()], Node::Call(Function::Sine, _));
+        let other = if is_sine { Function::Cosine } else { Function::Sine };
+        let is_other = |node: &Node| *node == Node::Call(other, angle);
+        let other = tape
+            .nodes
+            .iter()
+            .position(is_other)
+            .and_then(|place| u32::try_from(place).ok())
+            .map(Value);
+        // A partner that another function finds has its name there.
+        let partner = other.filter(|other| !self.there.contains_key(other) && !self.is_left(*other));
+        let number = self.text.number;
+        let other = partner.map_or_else(|| format!("{value}_other"), |partner| partner.to_string());
+        self.line(&format!("{number} {value};"));
+        self.line(&format!("{number} {other};"));
+        let angle = self.expression(angle).text;
+        let own = value.to_string();
+        let (sine, cosine) = if is_sine { (&own, &other) } else { (&other, &own) };
+        self.line(&format!("kin_sine_cosine({angle}, &{sine}, &{cosine});"));
+        for value in [Some(value), partner].into_iter().flatten() {
+            self.there.insert(value, Expression::whole(value.to_string()));
+        }
+    }
+
+    /// Whether an earlier order leaves a value.
+    fn is_left(&self, value: Value) -> bool {
+        self.order.is_some_and(|(order, stages, _)| stages.of(value) < order)
+    }
+
+    /// A value as it is written where it is used.
+    fn expression(&mut self, value: Value) -> Expression {
+        if let Some(own) = self.there.get(&value) {
+            return own.clone();
+        }
+        match self.text.tape.nodes[value.index()] {
+            Node::Argument(argument) => {
+                self.read.insert(argument);
+                Expression::whole(self.text.arguments[argument].clone())
+            }
+            Node::Constant(constant) => Expression::constant(constant, self.text.tape.precision),
+            Node::Certain(truth) => Expression::whole(if truth { "1" } else { "0" }),
+            Node::Unknown { index, .. } => Expression::whole(format!("unknowns[{index}]")),
+            _ if self.is_left(value) => {
+                self.loaded.insert(value);
+                Expression::whole(value.to_string())
+            }
+            Node::Root { search, index } => Expression::whole(format!("roots_{search}[{index}]")),
+            Node::Solution { solution, index } => Expression::whole(format!("solution_{solution}[{index}]")),
+            node => self.written(node),
+        }
+    }
+
+    fn written(&mut self, node: Node) -> Expression {
+        let precision = self.text.tape.precision;
+        match node {
+            Node::Call(function, one) => self.expression(one).called(function, precision),
+            Node::Binary(operator, one, other) => {
+                let one = self.expression(one);
+                one.binary(operator, &self.expression(other))
+            }
+            Node::PlusProduct(sum, one, other) => {
+                let product = self.expression(one).product('*', &self.expression(other));
+                self.expression(sum).sum('+', &product)
+            }
+            Node::MinusProduct(sum, one, other) => {
+                let product = self.expression(one).product('*', &self.expression(other));
+                self.expression(sum).sum('-', &product)
+            }
+            Node::Select(truth, one, other) => {
+                let (truth, one) = (self.expression(truth), self.expression(one));
+                truth.select(&one, &self.expression(other))
+            }
+            Node::Compare(comparison, one, other) => {
+                let one = self.expression(one);
+                one.compared(comparison, &self.expression(other))
+            }
+            Node::IsFinite(one) => {
+                let largest = if self.text.number == "float" {
+                    "FLT_MAX"
+                } else {
+                    "DBL_MAX"
+                };
+                let size = self.expression(one).called(Function::Magnitude, precision);
+                Expression::whole(largest).compared(crate::tape::Comparison::AtLeast, &size)
+            }
+            Node::Both(one, other) => {
+                let one = self.expression(one);
+                one.both(&self.expression(other))
+            }
+            Node::Either(one, other) => {
+                let one = self.expression(one);
+                one.either(&self.expression(other))
+            }
+            Node::Not(one) => self.expression(one).not(),
+            // These have been written where they are used.
+            Node::Argument(_)
+            | Node::Constant(_)
+            | Node::Certain(_)
+            | Node::Unknown { .. }
+            | Node::Root { .. }
+            | Node::Solution { .. } => Expression::whole("0"),
+        }
+    }
+
+    fn check(&mut self, index: usize) {
+        let check = &self.text.tape.checks[index];
+        let about = comment("    ", &format!("{} ({})", check.name, check.block));
+        self.body.push_str(&about);
+        let fails = match check.condition {
+            Condition::Holds(truth) => self.expression(truth).not().text,
+            Condition::Found(search) => format!("found_{search} != KIN_FOUND"),
+            Condition::Regular(system) => format!("regular_{system} != KIN_FOUND"),
+        };
+        self.line(&format!("if ({fails}) {{"));
+        self.indent = 8;
+        // The names of the branch are its own, and what it uses once is written there.
+        let (before, uses) = (self.there.clone(), self.uses.clone());
+        for value in &check.cold {
+            self.uses[value.index()] = 0;
+        }
+        for value in &check.cold {
+            let node = self.text.tape.nodes[value.index()];
+            node.operands(|operand| self.uses[operand.index()] += 1);
+        }
+        if let Some(margin) = check.margin {
+            self.uses[margin.index()] += 1;
+        }
+        for value in &check.cold {
+            self.compute(*value);
+        }
+        let margin = match (check.margin, check.condition) {
+            (Some(margin), _) => self.expression(margin).text,
+            (None, Condition::Found(search)) => format!("detail_of_search_{search}"),
+            (None, Condition::Regular(system)) => format!("detail_of_system_{system}"),
+            (None, Condition::Holds(_)) => "NAN".to_string(),
+        };
+        self.leave(&self.text.codes[index], &margin);
+        (self.there, self.uses) = (before, uses);
+        self.indent = 4;
+        self.line("}");
+    }
+
+    /// Leaves the function with a code.
+    fn leave(&mut self, code: &str, margin: &str) {
+        self.line(&format!("return ({}_outcome){{{code}, {margin}}};", self.text.name));
+    }
+
+    /// Values as the entries of an array. Truths are 1 and 0.
+    fn array(&mut self, values: &[Value]) -> String {
+        let entries: Vec<String> = values
+            .iter()
+            .map(|value| {
+                let own = self.expression(*value);
+                if self.text.tape.nodes[value.index()].is_truth() {
+                    own.select(&self.constant(1.0), &self.constant(0.0)).text
+                } else {
+                    own.text
+                }
+            })
+            .collect();
+        entries.join(", ")
+    }
+
+    fn search(&mut self, index: usize) {
+        let (number, tape) = (self.text.number, self.text.tape);
+        let sought = &tape.searches[index];
+        let count = sought.guess.len();
+        let given = outside(tape, index);
+        let (guess, sizes) = (self.array(&sought.guess), self.array(&sought.sizes));
+        self.line(&format!("const {number} guess_{index}[{count}] = {{{guess}}};"));
+        self.line(&format!("const {number} sizes_{index}[{count}] = {{{sizes}}};"));
+        let mut place = "0".to_string();
+        if !given.is_empty() {
+            place = format!("given_{index}");
+            let values = self.array(&given);
+            self.line(&format!("const {number} {place}[{}] = {{{values}}};", given.len()));
+        }
+        let name = &self.text.name;
+        let block =
+            format!("const kin_block block_{index} = {{{count}, {name}_equations_{index}, {place}, sizes_{index}}};");
+        self.line(&block);
+        self.line(&format!("{number} roots_{index}[{count}];"));
+        self.line(&format!("{number} detail_of_search_{index};"));
+        let call = format!("kin_newton(&block_{index}, guess_{index}, roots_{index}, &detail_of_search_{index})");
+        self.line(&format!("const int found_{index} = {call};"));
+    }
+
+    fn factor(&mut self, index: usize) {
+        if !self.factored.insert(index) {
+            return;
+        }
+        let (number, tape) = (self.text.number, self.text.tape);
+        let rows = &tape.systems[index].rows;
+        self.line(&format!("kin_factors factors_{index};"));
+        self.line(&format!("{number} detail_of_system_{index};"));
+        for (row, entries) in rows.iter().enumerate() {
+            for (column, value) in entries.iter().enumerate() {
+                let own = self.expression(*value).text;
+                self.line(&format!("factors_{index}.entries[{row}][{column}] = {own};"));
+            }
+        }
+        let call = format!(
+            "kin_factor({}, &factors_{index}, &detail_of_system_{index})",
+            rows.len()
+        );
+        // A later order factors the same matrix again, and knows that it is regular.
+        if self
+            .order
+            .is_some_and(|(order, stages, _)| stages.of_system(index) == order)
+        {
+            self.line(&format!("const int regular_{index} = {call};"));
+        } else {
+            self.line(&format!("(void){call};"));
+        }
+    }
+
+    fn solve(&mut self, index: usize) {
+        let (number, tape) = (self.text.number, self.text.tape);
+        let solution = &tape.solutions[index];
+        self.factor(solution.system);
+        let (count, right) = (solution.right.len(), self.array(&solution.right));
+        self.line(&format!("const {number} right_{index}[{count}] = {{{right}}};"));
+        self.line(&format!("{number} solution_{index}[{count}];"));
+        let system = solution.system;
+        self.line(&format!(
+            "kin_substitute({count}, &factors_{system}, right_{index}, solution_{index});"
+        ));
+    }
+}

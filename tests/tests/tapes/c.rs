@@ -1,0 +1,146 @@
+//! Solvers in C, compiled and run.
+
+use std::fs;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use kin_core::tape::{self, C, Condition, Options, Tape};
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
+
+use crate::poses::poses;
+
+/// What every file must pass.
+const STRICT: [&str; 9] = [
+    "-std=c99",
+    "-O1",
+    "-ffp-contract=off",
+    "-Wall",
+    "-Wextra",
+    "-Wconversion",
+    "-Wpedantic",
+    "-Wdouble-promotion",
+    "-Werror",
+];
+
+/// Builds the example, and returns the program.
+fn built(c: &C, folder: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("c").join(folder);
+    fs::create_dir_all(&folder).expect("the folder of temporary files can be written");
+    let (header, source) = (format!("{}.h", c.name), format!("{}.c", c.name));
+    for (file, text) in [
+        (&header, &c.header),
+        (&source, &c.source),
+        (&"main.c".to_owned(), &c.example),
+    ] {
+        fs::write(folder.join(file), text).expect("the folder of temporary files can be written");
+    }
+    let program = folder.join(&c.name);
+    let output = Command::new("gcc")
+        .current_dir(&folder)
+        .args(STRICT)
+        .args(["main.c", &source, "-lm", "-o"])
+        .arg(&program)
+        .output()
+        .expect("gcc is installed");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}: {told}", c.name);
+    program
+}
+
+/// The lines that the program writes for these arguments.
+fn answers(program: &Path, arguments: &[Vec<f64>]) -> Vec<String> {
+    let mut child = Command::new(program)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program was built");
+    let lines: String = arguments
+        .iter()
+        .map(|row| row.iter().map(|own| format!("{own:?} ")).collect::<String>() + "\n")
+        .collect();
+    let mut input = child.stdin.take().expect("it is piped");
+    let writer = std::thread::spawn(move || input.write_all(lines.as_bytes()));
+    let output = child.wait_with_output().expect("the program ends");
+    writer.join().expect("the writer ends").expect("the program reads all");
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).expect("it writes numbers");
+    text.lines().map(str::to_owned).collect()
+}
+
+/// The numbers of a line, or the code and the margin.
+fn read(line: &str) -> Result<Vec<f64>, (usize, f64)> {
+    let number = |word: &str| word.parse::<f64>().expect("it is a number");
+    if let Some((code, rest)) = line.split_once(": ") {
+        let (_, margin) = rest.rsplit_once(' ').expect("the margin is the last word");
+        return Err((code.parse().expect("it is a code"), number(margin)));
+    }
+    Ok(line.split(' ').skip(1).step_by(2).map(number).collect())
+}
+
+/// Whether the C code finds what the tape finds, to the last bit.
+fn agrees(tape: &Tape, arguments: &[f64], line: &str) -> bool {
+    let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
+    match (tape.run(arguments), read(line)) {
+        (Ok(found), Ok(own)) => bits(&found) == bits(&own),
+        (Err(stop), Err((code, margin))) => {
+            let is_told = matches!(tape.checks[stop.check].condition, Condition::Holds(_));
+            let is_same = margin == stop.margin || (margin.is_nan() && stop.margin.is_nan());
+            code == stop.check + 1 && (is_same || !is_told)
+        }
+        _ => false,
+    }
+}
+
+/// The programs that differ, and how many poses were compared.
+#[derive(Default)]
+struct Compared {
+    poses: usize,
+    found: usize,
+    bytes: usize,
+    wrong: Vec<String>,
+}
+
+impl Visitor for Compared {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        let tape = tape::record::<M>(&Options::new().with_skeleton()).expect("it is recorded");
+        let c = tape.c();
+        self.bytes += c.source.len();
+        let program = built(&c, "double");
+        let arguments: Vec<Vec<f64>> = poses::<M>(case, 60).iter().map(|pose| pose.arguments()).collect();
+        let lines = answers(&program, &arguments);
+        assert_eq!(lines.len(), arguments.len(), "{}", c.name);
+        for (own, line) in arguments.iter().zip(&lines) {
+            self.poses += 1;
+            self.found += usize::from(read(line).is_ok());
+            if !agrees(&tape, own, line) {
+                self.wrong
+                    .push(format!("{}: {own:?} {:?} {line}", c.name, tape.run(own)));
+            }
+        }
+    }
+}
+
+/// The C code of every mechanism passes strict compilation and finds what `solve` finds to the last bit, in every assembly, with codes
+/// and margins where there is nothing to be found.
+#[test]
+#[ignore = "gcc"]
+fn c_by_gcc_is_the_solver() {
+    let mut compared = Compared::default();
+    cases::library(&mut compared);
+    cases::coupled_library(&mut compared);
+    let Compared {
+        poses,
+        found,
+        bytes,
+        wrong,
+    } = compared;
+    println!("{poses} poses, {found} found, {bytes} bytes");
+    assert!(
+        wrong.is_empty(),
+        "{} wrong: {:#?}",
+        wrong.len(),
+        &wrong[..wrong.len().min(9)]
+    );
+    assert!(found > 2000 && poses - found > 500);
+}
