@@ -2,11 +2,14 @@
 
 use core::ops::Deref;
 
+use super::curve::composed;
 use crate::load::{Balance, Load, LoadError, Loads};
-use crate::mechanism::{Mechanism, Pose, PoseOf};
+use crate::mechanism::{BlockForm, Mechanism, Pose, PoseOf};
+use crate::motion::Motion;
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
-use crate::sweep::Local;
+use crate::quantity::RATES;
+use crate::sweep::{Instant, Local, READ, by_time};
 
 /// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
 /// them carries its own.
@@ -32,7 +35,47 @@ pub struct At<M: Mechanism> {
     pub(super) inputs: <M::With<Local> as Mechanism>::Inputs<<M::With<Local> as Mechanism>::Motion<Local>>,
     /// The unknowns, with angles on the turns they have reached.
     pub(super) near: <M::With<Local> as Mechanism>::Unknowns<Local>,
+    /// What derivatives above the order of the mechanism are found from.
+    pub(super) source: Option<Source<M>>,
 }
+
+/// A place of a sweep, as far as derivatives above the order of the mechanism need it.
+#[derive(Clone, Copy)]
+pub(super) struct Source<M: Mechanism> {
+    /// The mechanism over long series.
+    pub(super) mechanism: M::With<Instant>,
+    /// The inputs, with their derivatives with respect to the variable.
+    pub(super) inputs: M::Inputs<Motion<f64, READ>>,
+    pub(super) unknowns: M::Unknowns<f64>,
+    /// The change of the variable for each unit of time.
+    pub(super) rate: f64,
+    /// The variable as a series in the parameter.
+    pub(super) variable: Local,
+}
+
+impl<M: Mechanism> Source<M> {
+    /// The position solved in long series.
+    fn pose(&self) -> Option<<M::With<Instant> as Mechanism>::Pose> {
+        let inputs = Row::from_fn(|input| {
+            let value = Instant::from_derivatives(self.inputs[input].derivatives());
+            // the rates of the pose are not read
+            Row::from_fn(|order| if order == 0 { value } else { Instant::constant(0.0) })
+        });
+        let near = Row::from_fn(|unknown| Instant::constant(self.unknowns[unknown]));
+        self.mechanism.solve_motion_near(inputs, near).ok()
+    }
+
+    /// A derivative with respect to time, in the parameter of the sweep.
+    fn by_time(&self, series: Instant, order: usize) -> Local {
+        composed(
+            by_time(&Motion::new(series.derivatives()), order, self.rate),
+            self.variable,
+        )
+    }
+}
+
+/// The highest order of a derivative.
+pub(super) const HIGHEST: usize = RATES.len();
 
 impl<M: Mechanism> Deref for At<M> {
     type Target = <M::With<Local> as Mechanism>::Pose;
@@ -43,16 +86,30 @@ impl<M: Mechanism> Deref for At<M> {
 }
 
 impl<M: Mechanism> At<M> {
-    /// The derivative of an input, by its index and its order.
+    /// The derivative of an input, by its index and its order, up to the twelfth.
     #[must_use]
     pub fn input(&self, index: usize, order: usize) -> Option<Local> {
         let motion = self.inputs.as_ref().get(index)?;
-        motion.as_ref().get(order).copied()
+        if let Some(value) = motion.as_ref().get(order) {
+            return Some(*value);
+        }
+        let source = self.source.as_ref()?;
+        let derivatives = source.inputs.as_ref().get(index)?;
+        (order <= HIGHEST).then(|| composed(by_time(derivatives, order, source.rate), source.variable))
     }
 
-    /// The derivative of an unknown, by its index and its order.
+    /// The derivative of an unknown, by its index and its order, up to the twelfth. Those above the order of the mechanism come from its
+    /// position, solved in longer series.
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> Option<Local> {
+        if order > M::DESCRIPTION.order && order <= HIGHEST {
+            let source = self.source.as_ref()?;
+            let pose = source.pose()?;
+            let near = Row::from_fn(|unknown| Instant::constant(source.unknowns[unknown]));
+            let motions = pose.unknown_motions_near(near);
+            let motion = motions.as_ref().get(index)?;
+            return Some(source.by_time(motion[0], order));
+        }
         let motions = self
             .pose
             .unknown_motions_near(Row::from_fn(|unknown| self.near[unknown]));
@@ -60,9 +117,15 @@ impl<M: Mechanism> At<M> {
         motion.as_ref().get(order).copied()
     }
 
-    /// The derivative of a scalar output, by its index and its order.
+    /// The derivative of a scalar output, by its index and its order, up to the twelfth.
     #[must_use]
     pub fn output(&self, index: usize, order: usize) -> Option<Local> {
+        if order > M::DESCRIPTION.order && order <= HIGHEST {
+            let source = self.source.as_ref()?;
+            let motions = source.pose()?.output_motions();
+            let motion = motions.as_ref().get(index)?;
+            return Some(source.by_time(motion[0], order));
+        }
         let motions = self.pose.output_motions();
         let motion = motions.as_ref().get(index)?;
         motion.as_ref().get(order).copied()
@@ -133,9 +196,64 @@ impl<M: Mechanism> At<M> {
         effort.ok_or(LoadError::NoEffort { input })
     }
 
+    /// The margin of a dyad, by its index in the order in which the dyads are solved: by how much its links could be longer or shorter
+    /// until it ceases to close. It is the number of [`Failure::OutOfReach`](crate::Failure::OutOfReach), positive where the dyad closes, and
+    /// zero at a turning point.
+    ///
+    /// For two links a and b whose ends are d apart it is min(a + b - d, d - |a - b|), for a link and a slider the link less the distance of
+    /// its end from the slider's line. `None` if a length changes with the position, as that of a cylinder does.
+    #[must_use]
+    pub fn margin(&self, dyad: usize) -> Option<Local> {
+        let transmission = self.transmission_angle(dyad)?;
+        let (_, cosine) = transmission.angle.sin_cos();
+        let forms = self.mechanism.block_forms();
+        // a slider along an axis is a block of its own behind that of its link
+        let mut own = M::DESCRIPTION.blocks.iter().zip(forms.as_ref()).filter(|(block, _)| {
+            let mut unknowns = transmission.block.split(", ");
+            transmission.block == block.unknowns || unknowns.any(|unknown| unknown == block.unknowns)
+        });
+        own.find_map(|(_, form)| margin_of(form, cosine))
+    }
+
+    /// The smallest margin of all dyads, or `None` if there is a dyad whose margin is not known, or none at all.
+    #[must_use]
+    pub fn smallest_margin(&self) -> Option<Local> {
+        let count = <<M::With<Local> as Mechanism>::Dyads<Local> as Row<Local>>::LENGTH;
+        let mut least = self.margin(0)?;
+        for dyad in 1..count {
+            let margin = self.margin(dyad)?;
+            if margin.real() < least.real() {
+                least = margin;
+            }
+        }
+        Some(least)
+    }
+
     /// The unknowns as series.
     fn near_series(&self) -> <M::With<Local> as Mechanism>::Unknowns<Local> {
         Row::from_fn(|unknown| self.unknown(unknown, 0).unwrap_or(Local::constant(f64::NAN)))
+    }
+}
+
+/// The margin of a dyad with the cosine of its transmission angle.
+fn margin_of(form: &BlockForm<Local>, cosine: Local) -> Option<Local> {
+    let size = |value: Local| if value.real() < 0.0 { -value } else { value };
+    match *form {
+        BlockForm::FourBar {
+            coupler: a, rocker: b, ..
+        }
+        | BlockForm::TwoLinks {
+            lengths: [Some(a), Some(b)],
+        } => {
+            // the law of cosines
+            let distance = (a * a + b * b - Local::constant(2.0) * a * b * cosine).sqrt();
+            let [far, near] = [a + b - distance, distance - size(a - b)];
+            Some(if near.real() < far.real() { near } else { far })
+        }
+        BlockForm::SliderCrank { coupler: link, .. } | BlockForm::LinkAndSlider { length: Some(link) } => {
+            Some(link - size(link * cosine))
+        }
+        _ => None,
     }
 }
 

@@ -4,18 +4,21 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::at::At;
+use super::at::{At, Source};
 use crate::failure::SolveError;
 use crate::law::Side;
 use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 use crate::quantity::Dimension;
-use crate::sweep::{Course, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, limit_between};
+use crate::sweep::{Course, Instant, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, limit_between};
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
 /// the poses to be exact.
 pub(super) const NEAREST: f64 = 1.0 / 256.0;
+
+/// The largest number of gaps between rows.
+const MOST_GAPS: usize = 64;
 
 /// The end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,26 +82,62 @@ pub(super) struct Node<M: Mechanism> {
     pub(super) walk: Walk<M>,
 }
 
+/// A quantity of a pose.
+pub(super) type Quantity<'q, M> = dyn Fn(&At<M>) -> Result<Local, LoadError> + 'q;
+
 /// A quantity over a sweep.
-pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D, F> {
+pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     pub(super) course: &'c Course<M, D>,
     pub(super) series: M::With<Local>,
-    quantity: F,
+    long_series: M::With<Instant>,
+    quantity: &'c Quantity<'c, M>,
+    /// Places where the mechanism does not close, although it does in the rows on both sides.
+    gaps: Vec<f64>,
 }
 
-impl<'c, M, D, F> Curve<'c, M, D, F>
-where
-    M: Mechanism<Scalar = f64>,
-    D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Result<Local, LoadError>,
-{
-    pub(super) fn new(course: &'c Course<M, D>, quantity: F) -> Self {
+impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
+    pub(super) fn new(course: &'c Course<M, D>, quantity: &'c Quantity<'c, M>) -> Self {
         let series = course.mechanism.convert(Local::constant);
         Self {
             course,
             series,
+            long_series: course.mechanism.convert(Instant::constant),
             quantity,
+            gaps: Vec::new(),
         }
+    }
+
+    /// The answer to a question. A gap that it meets between two rows divides the sweep, and the question is asked again.
+    ///
+    /// Towards the ends of a gap the curve is a root, which no piece agrees with. So pieces are halved there until a place in the gap
+    /// is met.
+    pub(super) fn across_gaps<T>(
+        mut self,
+        question: impl Fn(&Self) -> Result<T, ExtremesError>,
+    ) -> Result<T, ExtremesError> {
+        loop {
+            match question(&self) {
+                Err(ExtremesError::Gap { at })
+                    if M::ASSEMBLY_COUNT > 0 && self.gaps.len() < MOST_GAPS && !self.gaps.contains(&at) =>
+                {
+                    self.gaps.push(at);
+                }
+                answer => return answer,
+            }
+        }
+    }
+
+    /// The rows, and between them the gaps, in the order of the sweep.
+    fn places(&self) -> Vec<f64> {
+        let rows = (0..self.course.count).map(|row| self.course.at(row));
+        let mut places: Vec<f64> = rows.chain(self.gaps.iter().copied()).collect();
+        if !self.gaps.is_empty() {
+            places.sort_by(f64::total_cmp);
+            if self.course.to < self.course.from {
+                places.reverse();
+            }
+        }
+        places
     }
 
     /// The place with a parameter, found from a pose nearby.
@@ -112,7 +151,7 @@ where
         } else {
             Side::Right
         };
-        let (value, walk) = self.value(&self.series, variable, side, near)?;
+        let (value, walk) = self.value(None, variable, side, near)?;
         Ok(Node {
             parameter,
             at,
@@ -121,16 +160,27 @@ where
         })
     }
 
-    /// The quantity for a mechanism and a variable that change together, found from a pose nearby.
+    /// The quantity for a mechanism and a variable that change together, found from a pose nearby. Without a mechanism it is that of the
+    /// sweep; with one, derivatives above its order are not known.
     pub(super) fn value(
         &self,
-        mechanism: &M::With<Local>,
+        mechanism: Option<&M::With<Local>>,
         variable: Local,
         side: Side,
         near: Walk<M>,
     ) -> Result<(Local, Walk<M>), ExtremesError> {
         let at = variable.real();
-        let inputs = self.course.drive.series(at, side);
+        let drive = &self.course.drive;
+        let source = Source {
+            mechanism: self.long_series,
+            inputs: drive.derivatives(at, side),
+            unknowns: Row::from_fn(|_| 0.0),
+            rate: drive.rate(),
+            variable,
+        };
+        let own = mechanism.is_none().then_some(source);
+        let mechanism = mechanism.unwrap_or(&self.series);
+        let inputs = drive.series(at, side);
         let mut walk = near;
         let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order].real()));
         let gap = |_: SolveError| ExtremesError::Gap { at };
@@ -149,6 +199,10 @@ where
             pose,
             inputs,
             near: Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
+            source: own.map(|source| Source {
+                unknowns: reached.unknowns,
+                ..source
+            }),
         });
         let value = value.map_err(|error| ExtremesError::Load { at, error })?;
         if !Number::is_finite(value) {
@@ -179,8 +233,7 @@ where
         let mut first_error = None;
         // the row before: its place, its walk, and whether it closed
         let mut before: Option<(f64, Walk<M>, bool)> = None;
-        for row in 0..course.count {
-            let at = course.at(row);
+        for at in self.places() {
             let result = walk.step(&course.mechanism, course.assembly, course.drive.motions(at));
             let is_closed = result.is_ok();
             if let Err(error) = result {
@@ -286,7 +339,7 @@ fn add<M: Mechanism<Scalar = f64>>(
 }
 
 /// A series in the variable as a series in the parameter, by Horner's scheme.
-fn composed(outer: Local, inner: Local) -> Local {
+pub(super) fn composed(outer: Local, inner: Local) -> Local {
     let change = inner - Local::constant(inner.real());
     let coefficients = outer.coefficients();
     let sum = Local::constant(0.0);

@@ -1,9 +1,7 @@
 //! Means and root mean squares.
 
 use super::ExtremesError;
-use super::at::At;
 use super::curve::{Curve, NEAREST, Stretch};
-use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::sweep::{Local, SmoothDrive};
@@ -60,12 +58,7 @@ impl Integral {
     }
 }
 
-impl<M, D, F> Curve<'_, M, D, F>
-where
-    M: Mechanism<Scalar = f64>,
-    D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Result<Local, LoadError>,
-{
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;

@@ -17,7 +17,9 @@
 //! ```
 //!
 //! A question is asked to the sweep itself, and the answer does not depend on its rows: extremes are found between them. The quantity is
-//! called by the name of its column, or is any expression of the pose by a closure: see [`At`].
+//! called by the name of its column, or is any expression of the pose by a closure: see [`At`]. Names go on above the order of the
+//! mechanism, up to the twelfth derivative: `theta4_crackle`, `theta4_pop`, `theta4_derivative_7`. `margin` is the length that is left
+//! until the first dyad ceases to close.
 //!
 //! # Method
 //! The poses are solved in numbers that carry their Taylor series in the variable of the sweep. A piece of the curve between
@@ -55,7 +57,7 @@ pub use sensitivity::{PeakSensitivities, PeakSensitivity};
 use alloc::vec::Vec;
 use core::fmt;
 
-use curve::Curve;
+use curve::{Curve, Quantity};
 use quantity::Named;
 
 use crate::mechanism::Mechanism;
@@ -107,7 +109,7 @@ impl fmt::Display for Extreme {
     }
 }
 
-/// The value of a quantity that is largest in size.
+/// The value of a quantity that is largest in size, or the highest, or the lowest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
     /// The value of the variable of the sweep.
@@ -165,7 +167,56 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`peak`](Self::peak).
     pub fn peak_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
-        Curve::new(self, |at| quantity(at).answer()).peak()
+        self.best(&|at| quantity(at).answer(), f64::abs)
+    }
+
+    /// The highest value, and where.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Unbounded`] if there is none, and the errors of [`extremes_by`](Self::extremes_by).
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::SliderCrank;
+    /// use kin_core::prelude::*;
+    ///
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 100);
+    /// assert!((turn.highest("s")?.value - 0.4).abs() < 1e-15 && (turn.lowest("s")?.value - 0.2).abs() < 1e-15);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    pub fn highest(&self, name: &str) -> Result<Peak, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.highest_by(|at| named.of(at))
+    }
+
+    /// [`highest`](Self::highest) of an expression.
+    ///
+    /// # Errors
+    /// As for [`highest`](Self::highest).
+    pub fn highest_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
+        self.best(&|at| quantity(at).answer(), |value| value)
+    }
+
+    /// The lowest value, and where.
+    ///
+    /// # Errors
+    /// As for [`highest`](Self::highest).
+    pub fn lowest(&self, name: &str) -> Result<Peak, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        self.lowest_by(|at| named.of(at))
+    }
+
+    /// [`lowest`](Self::lowest) of an expression.
+    ///
+    /// # Errors
+    /// As for [`highest`](Self::highest).
+    pub fn lowest_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
+        self.best(&|at| quantity(at).answer(), |value| -value)
+    }
+
+    fn best(&self, quantity: &Quantity<'_, M>, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
+        Curve::new(self, quantity).across_gaps(|curve| curve.best(rank))
     }
 
     /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
@@ -192,7 +243,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink, and the errors of [`peak`](Self::peak).
     pub fn peak_sensitivities(&self, name: &str) -> Result<PeakSensitivities<M>, ExtremesError> {
-        let named = Named::find::<M>(name)?;
+        let named = Named::find_up_to::<M>(name, M::DESCRIPTION.order)?;
         self.peak_sensitivities_by(|at| named.of(at))
     }
 
@@ -204,8 +255,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         &self,
         quantity: impl Fn(&At<M>) -> A,
     ) -> Result<PeakSensitivities<M>, ExtremesError> {
-        let curve = Curve::new(self, |at| quantity(at).answer());
-        curve.sensitivities(curve.peak()?)
+        let answer = |at: &At<M>| quantity(at).answer();
+        Curve::new(self, &answer).across_gaps(|curve| curve.sensitivities(curve.best(f64::abs)?))
     }
 
     /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
@@ -227,7 +278,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// ```
     ///
     /// # Errors
-    /// [`ExtremesError`] if there is no such name, if nothing closes, or if a gap lies between two rows.
+    /// [`ExtremesError`] if there is no such name, or if nothing closes.
     pub fn extremes(&self, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
         self.extremes_by(|at| named.of(at))
@@ -238,7 +289,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`extremes`](Self::extremes).
     pub fn extremes_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Vec<Extreme>, ExtremesError> {
-        Ok(Curve::new(self, |at| quantity(at).answer()).extremes()?.extremes)
+        let answer = |at: &At<M>| quantity(at).answer();
+        Ok(Curve::new(self, &answer).across_gaps(Curve::extremes)?.extremes)
     }
 
     /// The places where a quantity crosses a level, in the order of the sweep: zero for its changes of sign.
@@ -259,7 +311,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         quantity: impl Fn(&At<M>) -> A,
         level: f64,
     ) -> Result<Vec<Crossing>, ExtremesError> {
-        Curve::new(self, |at| quantity(at).answer()).crossings(level)
+        let answer = |at: &At<M>| quantity(at).answer();
+        Curve::new(self, &answer).across_gaps(|curve| curve.crossings(level))
     }
 
     /// The parts of the sweep on which a quantity stays within a tolerance of a level.
@@ -281,7 +334,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         level: f64,
         tolerance: f64,
     ) -> Result<Vec<Dwell>, ExtremesError> {
-        Curve::new(self, |at| quantity(at).answer()).dwells(level, tolerance)
+        let answer = |at: &At<M>| quantity(at).answer();
+        Curve::new(self, &answer).across_gaps(|curve| curve.dwells(level, tolerance))
     }
 
     /// The mean, over the time or over the way of the input. Both are the same at constant speed.
@@ -300,7 +354,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`mean`](Self::mean).
     pub fn mean_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
-        Curve::new(self, |at| quantity(at).answer()).mean(over, 1)
+        let answer = |at: &At<M>| quantity(at).answer();
+        Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 1))
     }
 
     /// The root of the mean square.
@@ -317,7 +372,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`mean`](Self::mean).
     pub fn rms_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
-        let square = Curve::new(self, |at| quantity(at).answer()).mean(over, 2)?;
+        let answer = |at: &At<M>| quantity(at).answer();
+        let square = Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 2))?;
         let value = num_traits::Float::sqrt(square.value);
         Ok(Mean {
             value,

@@ -1,10 +1,8 @@
 //! A stretch of a curve in pieces that agree with the poses between them.
 
 use super::ExtremesError;
-use super::at::At;
 use super::curve::{Curve, Node, Stretch};
 use crate::hermite::Piece;
-use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::quantity::Dimension;
@@ -16,7 +14,7 @@ const FIRST: f64 = 24.0;
 const AGREEMENT: f64 = 1e-8;
 /// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger than itself,
 /// in units of ε.
-const ROUNDING: f64 = 1e4 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 1e4 * f64::EPSILON;
 /// The largest number of poses for one stretch. A quantity that is nothing but rounding errors needs them all.
 const MOST: usize = 20_000;
 
@@ -28,12 +26,7 @@ pub(super) enum Part {
     Kink,
 }
 
-impl<M, D, F> Curve<'_, M, D, F>
-where
-    M: Mechanism<Scalar = f64>,
-    D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Result<Local, LoadError>,
-{
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
     ///
     /// If the stretch is a full turn, its end is its beginning, so that an extreme on the seam is found once.

@@ -1,15 +1,19 @@
 //! Quantities called by the names of columns.
 
+use alloc::string::ToString;
 use alloc::vec::Vec;
 
 use super::ExtremesError;
-use super::at::At;
+use super::at::{At, HIGHEST};
 use crate::mechanism::Mechanism;
-use crate::number::Number;
+use crate::number::{Number, Row};
 use crate::quantity::Quantity;
 use crate::sweep::{Label, Local, NoSuchColumn};
 
-/// A derivative of an input, an unknown or an output.
+/// The name of the smallest margin of all dyads.
+const MARGIN: &str = "margin";
+
+/// A derivative of an input, an unknown or an output, or the margin.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Named {
     kind: Kind,
@@ -22,10 +26,16 @@ enum Kind {
     Input,
     Unknown,
     Output,
+    Margin,
 }
 
 impl Named {
     pub(super) fn find<M: Mechanism>(name: &str) -> Result<Self, ExtremesError> {
+        Self::find_up_to::<M>(name, HIGHEST)
+    }
+
+    /// The derivative of this name, up to an order.
+    pub(super) fn find_up_to<M: Mechanism>(name: &str, highest: usize) -> Result<Self, ExtremesError> {
         let description = M::DESCRIPTION;
         let all = [
             (Kind::Input, description.inputs),
@@ -42,14 +52,27 @@ impl Named {
             });
         let named: Vec<(Self, Label)> = quantities
             .flat_map(|(kind, index, quantity)| {
-                (0..=description.order).map(move |order| (Self { kind, index, order }, Label::new(quantity, order)))
+                (0..=highest).map(move |order| (Self { kind, index, order }, Label::new(quantity, order)))
             })
             .collect();
         let found = named.iter().find(|(_, label)| label.is(name));
-        found.map(|(named, _)| *named).ok_or_else(|| {
-            let labels = named.iter().map(|(_, label)| label);
-            ExtremesError::NoSuchColumn(NoSuchColumn::new(name, labels))
-        })
+        if let Some((named, _)) = found {
+            return Ok(*named);
+        }
+        let has_dyads = <M::Dyads<f64> as Row<f64>>::LENGTH > 0;
+        if has_dyads && name == MARGIN {
+            return Ok(Self {
+                kind: Kind::Margin,
+                index: 0,
+                order: 0,
+            });
+        }
+        let labels = named.iter().map(|(_, label)| label.to_string());
+        let margin = has_dyads.then(|| MARGIN.to_string());
+        Err(ExtremesError::NoSuchColumn(NoSuchColumn::new(
+            name,
+            labels.chain(margin),
+        )))
     }
 
     /// Its value at a place.
@@ -58,6 +81,7 @@ impl Named {
             Kind::Input => at.input(self.index, self.order),
             Kind::Unknown => at.unknown(self.index, self.order),
             Kind::Output => at.output(self.index, self.order),
+            Kind::Margin => at.smallest_margin(),
         };
         value.unwrap_or(Local::constant(f64::NAN))
     }

@@ -3,11 +3,9 @@
 use alloc::vec::Vec;
 
 use super::ExtremesError;
-use super::at::At;
 use super::curve::{Curve, End, NEAREST, Node, Stretch};
-use super::parts::Part;
+use super::parts::{Part, ROUNDING};
 use super::{Crossing, Dwell, Extreme, Kind, Peak};
-use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::sweep::{Local, SmoothDrive};
@@ -26,12 +24,7 @@ pub(super) struct Found {
     pub(super) first: f64,
 }
 
-impl<M, D, F> Curve<'_, M, D, F>
-where
-    M: Mechanism<Scalar = f64>,
-    D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Result<Local, LoadError>,
-{
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     pub(super) fn extremes(&self) -> Result<Found, ExtremesError> {
         let stretches = self.stretches()?;
         let mut extremes: Vec<Extreme> = Vec::new();
@@ -83,27 +76,30 @@ where
         })
     }
 
-    /// The value that is largest in size.
-    pub(super) fn peak(&self) -> Result<Peak, ExtremesError> {
+    /// The value of the highest rank. It has none if the quantity has no bound there.
+    pub(super) fn best(&self, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
         let found = self.extremes()?;
-        let mut peak = Peak {
+        let mut best = Peak {
             at: self.course.from,
             value: found.first,
             kind: Kind::End,
         };
         for extreme in found.extremes {
             let Some(value) = extreme.value else {
-                return Err(ExtremesError::Unbounded { at: extreme.at });
+                if rank(if extreme.is_maximum { 1.0 } else { -1.0 }) > 0.0 {
+                    return Err(ExtremesError::Unbounded { at: extreme.at });
+                }
+                continue;
             };
-            if value.abs() > peak.value.abs() {
-                peak = Peak {
+            if rank(value) > rank(best.value) {
+                best = Peak {
                     at: extreme.at,
                     value,
                     kind: extreme.kind,
                 };
             }
         }
-        Ok(peak)
+        Ok(best)
     }
 
     /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.
@@ -242,7 +238,9 @@ where
                     continue;
                 }
                 let middle = self.node(stretch, f64::midpoint(pair[0], pair[1]), stretch.walk)?;
-                if (middle.value.real() - level).abs() > tolerance {
+                // where the quantity only touches a border, rounding errors cross it
+                let rounding = ROUNDING * (level.abs() + tolerance);
+                if (middle.value.real() - level).abs() > tolerance + rounding {
                     continue;
                 }
                 // next to a turning point the quantity goes on to the limit

@@ -8,11 +8,9 @@
 //! the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
 
 use super::ExtremesError;
-use super::at::At;
 use super::curve::{Curve, Stretch};
 use super::{Kind, Peak};
 use crate::law::Side;
-use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 use crate::sweep::{Local, SmoothDrive};
@@ -35,12 +33,7 @@ pub struct PeakSensitivities<M: Mechanism> {
     pub by: M::Parameters<PeakSensitivity>,
 }
 
-impl<M, D, F> Curve<'_, M, D, F>
-where
-    M: Mechanism<Scalar = f64>,
-    D: SmoothDrive<M>,
-    F: Fn(&At<M>) -> Result<Local, LoadError>,
-{
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// How a peak depends on every dimension. It has been found on this curve.
     pub(super) fn sensitivities(&self, peak: Peak) -> Result<PeakSensitivities<M>, ExtremesError> {
         let is_inner = match peak.kind {
@@ -62,12 +55,12 @@ where
         } else {
             Side::Right
         };
-        let value = |mechanism: &M::With<Local>, step: f64| {
+        let value = |mechanism: Option<&M::With<Local>>, step: f64| {
             let variable = Local::from_coefficients([peak.at, step, 0.0, 0.0, 0.0]);
             let (value, _) = self.value(mechanism, variable, side, stretch.walk)?;
             Ok::<_, ExtremesError>(value.coefficients())
         };
-        let bend = 2.0 * value(&self.series, 1.0)?[2];
+        let bend = 2.0 * value(None, 1.0)?[2];
         let mut by: M::Parameters<PeakSensitivity> = Row::from_fn(|_| PeakSensitivity::default());
         for (place, sensitivity) in by.as_mut().iter_mut().enumerate() {
             let parameters = self.course.mechanism.parameters();
@@ -80,9 +73,9 @@ where
                     Local::from_coefficients([parameters[index], change, 0.0, 0.0, 0.0])
                 }))
             };
-            sensitivity.value = value(&changed(1.0), 0.0)?[1];
+            sensitivity.value = value(Some(&changed(1.0)), 0.0)?[1];
             if is_inner {
-                let [plus, minus] = [unit, -unit].map(|step| value(&changed(step), 1.0));
+                let [plus, minus] = [unit, -unit].map(|step| value(Some(&changed(step)), 1.0));
                 let mixed = 0.5 * (plus?[2] - minus?[2]) / unit;
                 sensitivity.at = -mixed / bend;
             }

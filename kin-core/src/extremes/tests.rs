@@ -6,26 +6,14 @@ use std::vec::Vec;
 
 use super::{At, ExtremesError, Kind, Over};
 use crate::assembly::{Assembly, Near};
-use crate::geometry::Plane;
 use crate::law::{Dwell, Law, Rise, Sequence, Shape};
-use crate::library::{ClassThreeTriad, FourBar, ScotchYoke, SliderCrank};
+use crate::library::{ClassThreeTriad, FourBar, JansenLeg, ScotchYoke, SliderCrank};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::number::Number;
-use crate::sweep::{Course, Line, Local, Sweep};
+use crate::number::{Number, series::Series};
+use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
+use crate::sweep::{Course, Instant, Line, Local, Sweep};
 
-const CRANK_ROCKER: FourBar = FourBar {
-    r1: 90.0,
-    r2: 30.0,
-    r3: 70.0,
-    r4: 60.0,
-};
-const LIMITED: FourBar = FourBar {
-    r1: 90.0,
-    r2: 30.0,
-    r3: 60.0,
-    r4: 45.0,
-};
 const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
 
 fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, Line<FourBar>> {
@@ -150,8 +138,13 @@ fn turning_points_bound_positions_and_not_rates() {
         for rate in [rates.first().unwrap(), rates.last().unwrap()] {
             assert_eq!((rate.kind, rate.value), (Kind::Unbounded, None));
         }
-        let peak = sweep.peak(&std::format!("theta4{suffix}")).unwrap_err();
-        assert!(matches!(peak, ExtremesError::Unbounded { .. }));
+        let name = std::format!("theta4{suffix}");
+        assert!(matches!(sweep.peak(&name), Err(ExtremesError::Unbounded { .. })));
+        // without a bound on one side, there may be one on the other
+        let sides = rates.iter().filter(|rate| rate.kind == Kind::Unbounded);
+        let signs: Vec<bool> = sides.map(|rate| rate.is_maximum).collect();
+        assert_eq!(sweep.highest(&name).is_err(), signs.contains(&true));
+        assert_eq!(sweep.lowest(&name).is_err(), signs.contains(&false));
     }
     let mean = sweep.mean("theta4_velocity", Over::Time).unwrap();
     let way = last.value.unwrap() - first.value.unwrap();
@@ -244,13 +237,7 @@ fn kinks_and_transmission_angles() {
 /// A coupled block is followed: equal legs turn the platform, l² = R² + ρ² - 2 R ρ cos phi.
 #[test]
 fn coupled_blocks_have_extremes() {
-    let root = 3.0_f64.sqrt();
-    let triad = ClassThreeTriad {
-        base_b: Plane::new(2.0 * root, 0.0),
-        base_c: Plane::new(root, 3.0),
-        platform_b: Plane::new(root, 0.0),
-        platform_c: Plane::new(root / 2.0, 1.5),
-    };
+    let triad = triad();
     let (low, high) = (1.2, 2.8);
     let start = [5.0_f64.sqrt(); 3];
     let guess = track_to(&triad, start, [low; 3]);
@@ -273,6 +260,193 @@ fn coupled_blocks_have_extremes() {
 
 fn track_to(triad: &ClassThreeTriad, from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
     crate::track(triad, from, [0.1, 2.2, -2.0, 1.6], to).unwrap()
+}
+
+/// Above the declared order, extremes are the zeros of the next derivative as well, of unknowns and of outputs.
+#[test]
+fn derivatives_above_the_order_have_names() {
+    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let long = CRANK_ROCKER.convert(|parameter: f64| Series::<13>::constant(parameter));
+    let derivatives = |at: f64| {
+        let mut input = [0.0; 13];
+        (input[0], input[1]) = (at, 10.0);
+        let [_, angle] = long
+            .solve_position([Series::from_derivatives(input)], Assembly::Open)
+            .unwrap();
+        angle.derivatives()
+    };
+    for (order, name) in [(5, "theta4_crackle"), (6, "theta4_pop"), (8, "theta4_derivative_8")] {
+        let found = sweep.extremes(name).unwrap();
+        let at = |index: u32| (f64::from(index) + 0.3) * TAU / 3600.0;
+        let slopes: Vec<f64> = (0..3601).map(|index| derivatives(at(index))[order + 1]).collect();
+        let seen = slopes
+            .windows(2)
+            .filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0))
+            .count();
+        assert_eq!(found.len(), seen, "{name}");
+        let size = sweep.peak(name).unwrap().value.abs();
+        for extreme in &found {
+            let exact = derivatives(extreme.at);
+            assert!(
+                (extreme.value.unwrap() - exact[order]).abs() < 1e-11 * size,
+                "{name} {extreme}"
+            );
+            assert!(exact[order + 1].abs() < 1e-9 * size * 10.0, "{name} {extreme}");
+        }
+    }
+    // at the declared orders both ways agree
+    let at = 1.3;
+    let snap = CRANK_ROCKER
+        .solve(Motion::at_constant_speed(at, 10.0), Assembly::Open)
+        .unwrap()
+        .theta4
+        .snap();
+    assert!((derivatives(at)[4] - snap).abs() < 1e-11 * snap.abs());
+    // an output, and an input under a law
+    let leg = JansenLeg::HOLY_NUMBERS;
+    let walk = leg.sweep(JansenLeg::WALKING).over(0.0..=TAU, 100).speed(2.0);
+    let [snap, crackle] = ["foot.x_snap", "foot.x_crackle"].map(|name| walk.extremes(name).unwrap());
+    // the crackle vanishes where the snap is extreme
+    let crossings = walk.crossings("foot.x_crackle", 0.0).unwrap();
+    assert_eq!(snap.len(), crossings.len());
+    for (extreme, crossing) in snap.iter().zip(&crossings) {
+        assert!((extreme.at - crossing.at).abs() < 1e-10, "{extreme} {crossing:?}");
+    }
+    assert!(!crackle.is_empty());
+    let rise = Rise::new(Shape::Polynomial345, 0.0, 1.0, 0.5).unwrap();
+    let servo = CRANK_ROCKER.sweep(Assembly::Open).under_laws([&rise], 0.0..=0.5, 10);
+    // the fifth derivative of 6 u⁵ - 15 u⁴ + 10 u³
+    let crackle = servo.peak("theta2_crackle").unwrap();
+    assert!((crackle.value - 720.0 * 32.0).abs() < 1e-9, "{crackle}");
+    let error = sweep.peak("theta4_derivative_13").unwrap_err();
+    assert!(error.to_string().contains("theta4_derivative_1"), "{error}");
+}
+
+/// The margin is the length that is left, and nothing is left at a limit.
+#[test]
+fn margins_are_quantities() {
+    let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
+    let margins = turn(CRANK_ROCKER, Assembly::Open).extremes("margin").unwrap();
+    let smallest = turn(CRANK_ROCKER, Assembly::Open).lowest("margin").unwrap().value;
+    // stretched: crank and ground in line
+    assert!((smallest - (r3 + r4 - r1 - r2)).abs() < 1e-12, "{smallest}");
+    let kinks: Vec<_> = margins.iter().filter(|extreme| extreme.kind == Kind::Kink).collect();
+    // where both kinds of margin are the same: d = max(r3, r4)
+    assert_eq!(kinks.len(), 2);
+    for kink in kinks {
+        let distance = (r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * kink.at.cos()).sqrt();
+        assert!(
+            (distance - r3).abs() < 1e-10 && (kink.value.unwrap() - r4).abs() < 1e-10,
+            "{kink}"
+        );
+    }
+    let limited = LIMITED
+        .sweep(Assembly::Open)
+        .over(-3.0..=3.0, 50)
+        .extremes("margin")
+        .unwrap();
+    for end in [limited.first().unwrap(), limited.last().unwrap()] {
+        assert_eq!(end.kind, Kind::Limit);
+        assert!(end.value.unwrap().abs() < 1e-9, "{end}");
+    }
+    let press = SliderCrank { r: 0.1, l: 0.3 };
+    let press = press.sweep(Assembly::Open).over(0.0..=TAU, 50);
+    let smallest = press.lowest("margin").unwrap().value;
+    assert!((press.highest("margin").unwrap().value - 0.3).abs() < 1e-14);
+    assert!((smallest - 0.2).abs() < 1e-14);
+    let yoke = ScotchYoke {
+        crank: 2.0,
+        gamma: PI / 2.0,
+    };
+    let error = yoke.sweep(()).over(0.0..=TAU, 50).extremes("margin").unwrap_err();
+    assert!(matches!(error, ExtremesError::NoSuchColumn(_)));
+}
+
+/// A gap between two rows divides the sweep, whatever is asked.
+#[test]
+fn gaps_divide_a_sweep() {
+    for rest in [1e-2, 1e-4] {
+        let linkage = FourBar {
+            r4: 50.0 - rest,
+            ..CRANK_ROCKER
+        };
+        let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 36).speed(10.0);
+        let table = sweep.table().unwrap();
+        let limits: Vec<f64> = table.limits().iter().map(|limit| limit.at).collect();
+        let extremes = sweep.extremes("theta4").unwrap();
+        let found: Vec<f64> = extremes
+            .iter()
+            .filter(|extreme| extreme.kind == Kind::Limit)
+            .map(|extreme| extreme.at)
+            .collect();
+        assert_eq!(found, limits);
+        let velocity = sweep.extremes("theta4_velocity").unwrap();
+        assert_eq!(
+            velocity
+                .iter()
+                .filter(|extreme| extreme.kind == Kind::Unbounded)
+                .count(),
+            2
+        );
+        let mean = sweep.mean("theta4_velocity", Over::Time).unwrap();
+        // what it rises on both sides of the gap, over the time
+        let values: Vec<f64> = extremes.iter().filter_map(|extreme| extreme.value).collect();
+        let at = |place: f64| linkage.position(place, Assembly::Open).unwrap().theta4.value();
+        let limit_values: Vec<f64> = extremes
+            .iter()
+            .filter(|extreme| extreme.kind == Kind::Limit)
+            .filter_map(|extreme| extreme.value)
+            .collect();
+        let way = limit_values[0] - at(0.0) + at(TAU) - limit_values[1];
+        let time = (TAU - (limits[1] - limits[0])) / 10.0;
+        assert!(
+            (mean.value - way / time).abs() < 1e-9,
+            "{mean:?} {} {values:?}",
+            way / time
+        );
+    }
+}
+
+/// A quantity that only touches the border of its tolerance does not leave it.
+#[test]
+fn a_dwell_may_touch_its_border() {
+    let leg = JansenLeg::HOLY_NUMBERS;
+    for start in [-3.0, -1.0, 0.0, 1.0, PI] {
+        let turn = leg.sweep(JansenLeg::WALKING).over(start..=start + TAU, 25);
+        let values = turn.extremes("foot.y").unwrap();
+        let low = values
+            .iter()
+            .filter_map(|extreme| extreme.value)
+            .fold(f64::INFINITY, f64::min);
+        let ground = turn.dwells("foot.y", low + 0.5, 0.5).unwrap();
+        assert_eq!(ground.len(), 1, "{ground:?} from {start}");
+        assert!((ground[0].duration.to_degrees() - 155.175).abs() < 1e-3, "{ground:?}");
+    }
+}
+
+/// Under a formula everything is known, as under a law: a yoke whose crank swings.
+#[test]
+fn formulas_have_extremes() {
+    let yoke = ScotchYoke {
+        crank: 2.0,
+        gamma: PI / 2.0,
+    };
+    let swing = yoke.sweep(()).by_formula(0.0..=TAU, 30, |time| {
+        let (sine, _) = time.sin_cos();
+        [Instant::constant(0.25) + Instant::constant(0.5) * sine]
+    });
+    // 2 cos(1/4 + sin(t)/2): the crank's ends, and its passage through zero
+    let extremes = swing.extremes("x").unwrap();
+    let mut expected = std::vec![PI / 2.0, PI + PI / 6.0, 1.5 * PI, TAU - PI / 6.0];
+    for extreme in extremes.iter().filter(|extreme| extreme.kind == Kind::Inner) {
+        let place = expected.iter().position(|place| (place - extreme.at).abs() < 1e-13);
+        expected.remove(place.unwrap_or_else(|| panic!("{extreme}")));
+        let value = 2.0 * (0.25 + 0.5 * extreme.at.sin()).cos();
+        assert!((extreme.value.unwrap() - value).abs() < 1e-14);
+    }
+    assert!(expected.is_empty(), "{expected:?}");
+    let rms = swing.rms("theta_velocity", Over::Time).unwrap();
+    assert!((rms.value - 0.5 / 2_f64.sqrt()).abs() < 1e-13, "{rms:?}");
 }
 
 /// Any expression of a pose carries its derivatives.
