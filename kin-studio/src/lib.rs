@@ -1,6 +1,6 @@
-//! The visible side of kin: drawings of mechanisms, and the figures of the book.
+//! What kin shows to people: drawings of mechanisms, files of tables, and the figures of the book.
 //!
-//! [`drawing`] draws the skeleton of any mechanism. [`figures`] are the pictures that stand in the book; one command draws them again:
+//! [`drawing`] draws the skeleton of any mechanism. [`tables`] writes the table of a sweep as CSV or JSON. [`figures`] are the pictures that stand in the book; one command draws them again:
 //!
 //! ```sh
 //! cargo run -p kin-studio --example figures
@@ -8,3 +8,4 @@
 
 pub mod drawing;
 pub mod figures;
+pub mod tables;
