@@ -25,6 +25,8 @@ chapters! {
     batches: "../../docs/batches.md";
     sweeps: "../../docs/sweeps.md";
     cycle: "../../docs/cycle.md";
+    jansen_leg: "../../docs/jansen-leg.md";
+    recipes: "../../docs/recipes.md";
     library: "../../docs/library.md";
     gallery: "../../docs/gallery.md";
     theory: "../../docs/theory.md";

@@ -6,6 +6,7 @@ mod gallery;
 mod laws;
 mod peaks;
 mod rates;
+mod walking;
 
 use std::error::Error;
 
@@ -35,6 +36,7 @@ pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
         laws::motion_laws()?,
         circuits::circuits()?,
         peaks::peaks()?,
+        walking::walking()?,
         diagrams::pipeline(),
     ];
     figures.extend(gallery()?.iter().map(Entry::figure));
