@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::drive::Drive;
 use super::error::SweepError;
+use super::fill::part;
 use super::table::Table;
 use super::walk::Walk;
 use super::{Course, limits};
@@ -38,6 +39,9 @@ struct Samples<'c, M: Mechanism<Scalar = f64>, D> {
     data: Vec<f64>,
     /// One divided by the range of each column that is looked at, zero for the others.
     scales: Vec<f64>,
+    /// The number of rows of the table so far, with those of the sweep, and the largest number allowed.
+    rows: usize,
+    most: usize,
 }
 
 impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
@@ -61,9 +65,31 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// ```
     ///
     /// # Errors
-    /// [`SweepError::TooManyRows`] if more rows than `most_rows` were needed, and the errors of [`table`](Self::table).
+    /// [`SweepError::TooManyRows`] if more rows than `most_rows` were needed, [`SweepError::MoreRows`] if the sweep itself has more, and the
+    /// errors of [`table`](Self::table).
     pub fn adaptive_table(&self, tolerance: f64, order: usize, most_rows: usize) -> Result<Table, SweepError> {
+        self.adaptive_table_with_progress(tolerance, order, most_rows, |_| {})
+    }
+
+    /// [`adaptive_table`](Self::adaptive_table), which calls `progress` after every step between two rows of the sweep, with the part of the
+    /// steps that are done.
+    ///
+    /// # Errors
+    /// As for [`adaptive_table`](Self::adaptive_table).
+    pub fn adaptive_table_with_progress(
+        &self,
+        tolerance: f64,
+        order: usize,
+        most_rows: usize,
+        mut progress: impl FnMut(f64),
+    ) -> Result<Table, SweepError> {
         self.check()?;
+        if self.count > most_rows {
+            return Err(SweepError::MoreRows {
+                most: most_rows,
+                rows: self.count,
+            });
+        }
         if !(tolerance.is_finite() && tolerance > 0.0) {
             let quantity = "tolerance";
             return Err(SweepError::NotFinite {
@@ -77,6 +103,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             width: empty.labels.len(),
             data: vec![],
             scales: vec![],
+            rows: self.count,
+            most: most_rows,
         };
         let mut walk = Walk::BEGINNING;
         let given: Vec<Sample<M>> = (0..self.count)
@@ -102,9 +130,10 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             })
             .collect();
         let mut kept = vec![given[0]];
-        for pair in given.windows(2) {
-            samples.refine(pair[0], pair[1], tolerance, most_rows, &mut kept, &empty)?;
+        for (step, pair) in given.windows(2).enumerate() {
+            samples.refine(pair[0], pair[1], tolerance, &mut kept, &empty)?;
             kept.push(pair[1]);
+            progress(part(step + 1, self.count - 1));
         }
         let mut table = self.empty(kept.len());
         for (row, sample) in kept.iter().enumerate() {
@@ -150,7 +179,6 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
         left: Sample<M>,
         right: Sample<M>,
         tolerance: f64,
-        most: usize,
         kept: &mut Vec<Sample<M>>,
         table: &Table,
     ) -> Result<(), SweepError> {
@@ -184,20 +212,21 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
             self.data.truncate(start);
             return Ok(());
         }
-        if kept.len() + 2 > most {
+        if self.rows >= self.most {
             let label = table.labels[worst.column];
             return Err(SweepError::TooManyRows {
-                most,
+                most: self.most,
                 at: middle.at,
                 column: label.quantity.name,
                 order: label.order,
                 deviation: worst.part,
             });
         }
+        self.rows += 1;
         self.data.truncate((middle.place + 1) * self.width);
-        self.refine(left, middle, tolerance, most, kept, table)?;
+        self.refine(left, middle, tolerance, kept, table)?;
         kept.push(middle);
-        self.refine(middle, right, tolerance, most, kept, table)
+        self.refine(middle, right, tolerance, kept, table)
     }
 
     fn deviation(&self, left: Sample<M>, part: f64, between: Sample<M>, right: Sample<M>) -> Deviation {

@@ -23,6 +23,13 @@ pub enum SweepError {
     NoRows,
     /// A column whose length differs from the number of rows.
     Columns(LengthMismatch),
+    /// The sweep itself has more rows than its adaptive table may have.
+    MoreRows {
+        /// The largest number of rows allowed.
+        most: usize,
+        /// The number of rows of the sweep.
+        rows: usize,
+    },
     /// The straight lines between the rows are not within the tolerance, and there may be no more rows.
     TooManyRows {
         /// The largest number of rows allowed.
@@ -54,6 +61,10 @@ impl fmt::Display for SweepError {
                 )
             }
             Self::NoRows => formatter.write_str("the sweep has no rows: give two or more"),
+            Self::MoreRows { most, rows } => write!(
+                formatter,
+                "the sweep has {rows} rows, and its adaptive table may have {most}: allow more rows, or give the sweep fewer"
+            ),
             Self::Columns(mismatch) => write!(formatter, "{mismatch}"),
             Self::TooManyRows {
                 most,

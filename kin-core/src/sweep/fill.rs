@@ -17,6 +17,16 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 use crate::quantity::Dimension;
 
+/// The rows that a batch solves between two calls of the progress, and those of coupled blocks.
+const BLOCK: usize = 1 << 16;
+const STEPS: usize = 256;
+
+/// The part of the whole that is done.
+#[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
+pub(super) fn part(done: usize, count: usize) -> f64 {
+    done as f64 / count as f64
+}
+
 impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// The poses as a table. See [`Table`] for its columns, and for rows that do not close.
     ///
@@ -25,12 +35,33 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// # Errors
     /// [`SweepError`] if an end of the range is not finite, if there are no rows, or if given columns have different lengths.
     pub fn table(&self) -> Result<Table, SweepError> {
+        self.table_with_progress(|_| {})
+    }
+
+    /// [`table`](Self::table) for sweeps of many rows. `progress` is called after every block of 65 536 rows, of coupled blocks after every
+    /// 256 rows, with the part of the rows that are solved. It is 1 in the last call.
+    ///
+    /// ```
+    /// use kin_core::library::SliderCrank;
+    /// use kin_core::prelude::*;
+    ///
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// let sweep = press.sweep(Assembly::Open).over(0.0..=100.0, 200_000);
+    /// let mut parts = vec![];
+    /// let table = sweep.table_with_progress(|part| parts.push(part))?;
+    /// assert_eq!((table.count(), parts.len(), parts[3]), (200_000, 4, 1.0));
+    /// # Ok::<(), kin_core::sweep::SweepError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`table`](Self::table).
+    pub fn table_with_progress(&self, mut progress: impl FnMut(f64)) -> Result<Table, SweepError> {
         self.check()?;
         let mut table = self.empty(self.count);
         if M::ASSEMBLY_COUNT > 0 {
-            self.fill_by_batch(&mut table)?;
+            self.fill_by_batch(&mut table, &mut progress)?;
         } else {
-            self.fill_by_steps(&mut table);
+            self.fill_by_steps(&mut table, &mut progress);
         }
         limits::find(self, &mut table);
         Ok(table)
@@ -61,7 +92,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     }
 
     /// Writes the inputs of all rows, and lets a batch write the rest.
-    fn fill_by_batch(&self, table: &mut Table) -> Result<(), SweepError> {
+    fn fill_by_batch(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> Result<(), SweepError> {
         let description = M::DESCRIPTION;
         let (count, orders) = (table.count, description.order + 1);
         let same = InputMotions::<M, Option<f64>>::from_fn(|input| Row::from_fn(|order| self.drive.same(input, order)));
@@ -104,12 +135,6 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             }
         }
         let inputs = &*inputs;
-        let columns = InputMotions::<M, Column<'_>>::from_fn(|input| {
-            Row::from_fn(|order| match same[input][order] {
-                Some(value) => Column::Same(value),
-                None => Column::Each(&inputs[column(input, order)]),
-            })
-        });
         let directions = self.directions();
         let mut sines = vec![vec![]; description.unknowns.len()];
         for (sine, is_direction) in sines.iter_mut().zip(directions.as_ref()) {
@@ -119,19 +144,28 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         }
         let parameters = self.mechanism.parameters();
         let parameters = M::Parameters::from_fn(|parameter| Column::Same(parameters[parameter]));
-        let mut places = Places {
-            orders,
-            unknowns: description.unknowns.len(),
-            results: results.chunks_exact_mut(count).map(Some).collect(),
-            sines: sines
-                .iter_mut()
-                .map(|sine| Some(&mut sine[..]).filter(|sine| !sine.is_empty()))
-                .collect(),
-        };
-        let outcomes = &mut table.outcomes;
         let vectors = Vectors::widest();
-        batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
-        drop(places);
+        for start in (0..count).step_by(BLOCK) {
+            let rows = start..count.min(start + BLOCK);
+            let columns = InputMotions::<M, Column<'_>>::from_fn(|input| {
+                Row::from_fn(|order| match same[input][order] {
+                    Some(value) => Column::Same(value),
+                    None => Column::Each(&inputs[column(input, order)][rows.clone()]),
+                })
+            });
+            let mut places = Places {
+                orders,
+                unknowns: description.unknowns.len(),
+                results: results
+                    .chunks_exact_mut(count)
+                    .map(|column| Some(&mut column[rows.clone()]))
+                    .collect(),
+                sines: sines.iter_mut().map(|sine| sine.get_mut(rows.clone())).collect(),
+            };
+            let outcomes = &mut table.outcomes[rows.clone()];
+            batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
+            progress(part(rows.end, count));
+        }
         for (unknown, sines) in sines.iter().enumerate() {
             let angles = &mut results[unknown * orders * count..(unknown * orders + 1) * count];
             for (angle, sine) in angles.iter_mut().zip(sines) {
@@ -177,7 +211,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     }
 
     /// Solves row after row.
-    fn fill_by_steps(&self, table: &mut Table) {
+    fn fill_by_steps(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) {
         let count = table.count;
         let mut walk = Walk::BEGINNING;
         for row in 0..count {
@@ -192,6 +226,9 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             self.write(at, &motions, reached.ok(), |column, value| {
                 data[column * count + row] = value;
             });
+            if (row + 1) % STEPS == 0 || row + 1 == count {
+                progress(part(row + 1, count));
+            }
         }
     }
 

@@ -112,6 +112,80 @@ fn limits_under_a_law_have_a_time() {
     assert_eq!(same.table().unwrap().limits()[0].at, limit.at);
 }
 
+/// A table does not depend on the blocks in which it is solved, and coupled blocks report theirs.
+#[test]
+fn progress_is_told() {
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 70_000).speed(10.0);
+    let mut parts = std::vec![];
+    let table = sweep.table_with_progress(|part| parts.push(part)).unwrap();
+    assert_eq!(parts, [65_536.0 / 70_000.0, 1.0]);
+    for row in [0, 65_535, 65_536, 69_999] {
+        let crank = Motion::at_constant_speed(sweep.at(row), 10.0);
+        let pose = CRANK_ROCKER.solve(crank, Assembly::Open).unwrap();
+        let snap = table.column("theta4_snap").unwrap()[row];
+        assert!((snap - pose.theta4.snap()).abs() < 1e-11 * 1e4, "{row}");
+    }
+    let sweep = triad()
+        .sweep(Near([0.1, 2.2, -2.0, 1.6]))
+        .between([5.0_f64.sqrt(); 3], [2.0; 3], 600);
+    parts.clear();
+    sweep.table_with_progress(|part| parts.push(part)).unwrap();
+    assert_eq!(parts, [256.0 / 600.0, 512.0 / 600.0, 1.0]);
+    parts.clear();
+    let sweep = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5);
+    sweep
+        .adaptive_table_with_progress(1e-2, 2, 1000, |part| parts.push(part))
+        .unwrap();
+    assert_eq!(parts, [0.25, 0.5, 0.75, 1.0]);
+}
+
+/// Beyond the end of its circuit a coupled block stays open, for every kind of sweep: its rows, its table and its adaptive table. Each row
+/// tells the distance of the input that is farthest from the end.
+#[test]
+fn coupled_blocks_do_not_enter_again() {
+    let leg = 5.0_f64.sqrt();
+    // the legs shrink beyond what the platform allows, and grow again; one of them moves less
+    let sweep = triad()
+        .sweep(Near([0.1, 2.2, -2.0, 1.6]))
+        .by_formula(0.0..=1.0, 31, |time| {
+            let change = Instant::constant(6.0) * time * (time - Instant::constant(1.0));
+            let legs = Instant::constant(leg) + change;
+            [legs, legs, legs]
+        });
+    let table = sweep.table().unwrap();
+    let adaptive = sweep.adaptive_table(1e-2, 1, 1000).unwrap();
+    let [limit] = table.limits() else { panic!("one limit") };
+    let end = limit.inputs[0];
+    assert!((end - 1.0).abs() < 1e-9);
+    let mut is_over = false;
+    for (row, pose) in sweep.rows().enumerate() {
+        let length = table.column("a").unwrap()[row];
+        let has_ended = sweep.at(row) > limit.at;
+        assert_eq!(pose.is_err(), has_ended, "row {row}");
+        is_over |= has_ended;
+        if let Err(error) = pose {
+            let margin = error.margin().unwrap();
+            assert!((margin + (length - end).abs()).abs() < 1e-12, "row {row}: {margin}");
+            assert_eq!(table.margin(row), Some(margin));
+        }
+    }
+    // the last rows have legs as long as the first ones
+    assert!(is_over && (table.column("a").unwrap()[30] - leg).abs() < 1e-12);
+    let places = adaptive.variable().values;
+    for (row, place) in places.iter().enumerate() {
+        assert_eq!(
+            adaptive.outcome(row).unwrap().is_solved(),
+            *place <= limit.at,
+            "{place}"
+        );
+    }
+    assert_eq!(adaptive.limits().len(), 1);
+    // extremes and means end there as well
+    let extremes = sweep.extremes("phi").unwrap();
+    let last = extremes.last().unwrap();
+    assert!((last.at - limit.at).abs() < 1e-9, "{last}");
+}
+
 /// A gap about the stretched position, narrower than a step, is found wherever the rows lie, and nothing where there is none.
 #[test]
 fn gaps_between_rows_are_found() {
@@ -321,6 +395,12 @@ fn adaptive_rows_are_within_the_tolerance() {
     }
     let few = turn.adaptive_table(1e-3, 4, 50).unwrap_err();
     assert!(matches!(few, SweepError::TooManyRows { most: 50, deviation, .. } if deviation > 1e-3));
+    let all = turn.adaptive_table(1e-3, 4, table.count()).unwrap();
+    assert_eq!(all.count(), table.count());
+    let one_less = turn.adaptive_table(1e-3, 4, table.count() - 1).unwrap_err();
+    assert!(matches!(one_less, SweepError::TooManyRows { .. }));
+    let more = turn.adaptive_table(1e3, 4, 8).unwrap_err();
+    assert_eq!(more, SweepError::MoreRows { most: 8, rows: 9 });
     // the sides of a limit come close to it
     let table = LIMITED
         .sweep(Assembly::Open)
