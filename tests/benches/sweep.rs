@@ -60,11 +60,17 @@ fn main() {
     race.enter_batch("sweep", move || {
         black_box(&turn().table().expect("a turn has a table"));
     });
+    let mut table = turn().table().expect("a turn has a table");
+    race.enter_batch("sweep_into_table", move || {
+        turn().fill_table(&mut table).expect("a turn has a table");
+        black_box(&table);
+    });
     race.enter_batch("peak_jerk", move || {
         black_box(&turn().peak("theta4_jerk").expect("a crank-rocker closes"));
     });
     let times = race.run();
-    times.ratio("sweep", "batch");
+    times.ratio("sweep_into_table", "batch");
     times.ratio("sweep", "batch_into_new_columns");
+    times.ratio("sweep", "batch");
     times.ratio("peak_jerk", "batch");
 }

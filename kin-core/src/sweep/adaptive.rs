@@ -3,6 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use super::columns::Label;
 use super::drive::Drive;
 use super::error::SweepError;
 use super::fill::part;
@@ -111,24 +112,33 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             .map(|row| samples.solve(&mut walk, self.at(row)))
             .collect();
         let first = usize::from(empty.labels[0].is_variable) + M::DESCRIPTION.inputs.len() * (M::DESCRIPTION.order + 1);
-        samples.scales = (0..samples.width)
+        let ranges: Vec<[f64; 2]> = (0..samples.width)
             .map(|column| {
-                if column < first || empty.labels[column].order > order {
-                    return 0.0;
-                }
                 let values = samples.data.iter().skip(column).step_by(samples.width);
-                let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-                    (low.min(*value), high.max(*value))
-                });
-                let range = high - low;
-                // the rounding errors of a column that stays the same are no curve
-                if range > 1e-9 * high.abs().max(low.abs()) {
-                    1.0 / range
-                } else {
-                    0.0
-                }
+                let ends = [f64::INFINITY, f64::NEG_INFINITY];
+                values.fold(ends, |[low, high], value| [low.min(*value), high.max(*value)])
             })
             .collect();
+        // The rounding errors of a column that stays the same are no curve. They count against the largest number of its kind, as a column
+        // that stays at zero has nothing else.
+        let size = |label: &Label| {
+            let alike = |other: &Label| {
+                (other.order, other.quantity.dimension) == (label.order, label.quantity.dimension) && !other.is_variable
+            };
+            let own = empty.labels.iter().zip(&ranges).filter(|(other, _)| alike(other));
+            own.fold(0.0, |size: f64, (_, [low, high])| size.max(low.abs()).max(high.abs()))
+        };
+        let columns = empty.labels.iter().zip(&ranges).enumerate();
+        let scale = |(column, (label, [low, high])): (usize, (&Label, &[f64; 2]))| {
+            let is_read = column >= first && label.order <= order;
+            let range = high - low;
+            if is_read && range > 1e-9 * size(label) {
+                1.0 / range
+            } else {
+                0.0
+            }
+        };
+        samples.scales = columns.map(scale).collect();
         let mut kept = vec![given[0]];
         for (step, pair) in given.windows(2).enumerate() {
             samples.refine(pair[0], pair[1], tolerance, &mut kept, &empty)?;
@@ -142,7 +152,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 table.data[column * kept.len() + row] = samples.data[sample.place * samples.width + column];
             }
         }
-        limits::find(self, &mut table);
+        let is_closed = table.outcomes.iter().all(Outcome::is_solved);
+        limits::find(self, &mut table, is_closed);
         Ok(table)
     }
 }

@@ -3,6 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
+use core::mem::take;
 
 use num_traits::Float;
 
@@ -58,13 +59,53 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     pub fn table_with_progress(&self, mut progress: impl FnMut(f64)) -> Result<Table, SweepError> {
         self.check()?;
         let mut table = self.empty(self.count);
-        if M::ASSEMBLY_COUNT > 0 {
-            self.fill_by_batch(&mut table, &mut progress)?;
-        } else {
-            self.fill_by_steps(&mut table, &mut progress);
-        }
-        limits::find(self, &mut table);
+        self.fill(&mut table, &mut progress)?;
         Ok(table)
+    }
+
+    /// [`table`](Self::table) in the place of another table, whose memory is used again: for programs that make many tables of the same
+    /// size. The units and the choice of radians or degrees are those of a new table.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let mut linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let mut table = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).table()?;
+    /// for coupler in 71..80 {
+    ///     linkage.r3 = f64::from(coupler);
+    ///     linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).fill_table(&mut table)?;
+    ///     println!("{coupler}: {}", table.column("theta4_acceleration")?[90]);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`table`](Self::table). The other table is then empty, or stays as it was.
+    pub fn fill_table(&self, table: &mut Table) -> Result<(), SweepError> {
+        self.check()?;
+        let mut recycled = self.empty(0);
+        (recycled.data, recycled.outcomes) = (take(&mut table.data), take(&mut table.outcomes));
+        // numbers that stand there already are overwritten
+        recycled.data.resize(recycled.labels.len() * self.count, 0.0);
+        recycled.outcomes.resize(self.count, Outcome::Unsolved);
+        recycled.count = self.count;
+        *table = self.empty(0);
+        self.fill(&mut recycled, &mut |_| {})?;
+        *table = recycled;
+        Ok(())
+    }
+
+    /// Writes all numbers of a table that has their places.
+    fn fill(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> Result<(), SweepError> {
+        let is_closed = if M::ASSEMBLY_COUNT > 0 {
+            self.fill_by_batch(table, progress)?
+        } else {
+            self.fill_by_steps(table, progress)
+        };
+        limits::find(self, table, is_closed);
+        Ok(())
     }
 
     pub(crate) fn check(&self) -> Result<(), SweepError> {
@@ -81,7 +122,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             .map_or(Ok(()), |mismatch| Err(SweepError::Columns(mismatch)))
     }
 
-    /// A table of zeros. The system hands out large columns of zeros without writing them.
+    /// A table of zeros.
     pub(super) fn empty(&self, count: usize) -> Table {
         let variable = self.drive.variable();
         let column = match variable {
@@ -91,8 +132,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         Table::new(labels::<M>(variable).collect(), count, column)
     }
 
-    /// Writes the inputs of all rows, and lets a batch write the rest.
-    fn fill_by_batch(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> Result<(), SweepError> {
+    /// Writes the inputs of all rows, and lets a batch write the rest. It returns whether every row closes.
+    fn fill_by_batch(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> Result<bool, SweepError> {
         let description = M::DESCRIPTION;
         let (count, orders) = (table.count, description.order + 1);
         let same = InputMotions::<M, Option<f64>>::from_fn(|input| Row::from_fn(|order| self.drive.same(input, order)));
@@ -109,13 +150,11 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         let inputs = &mut given[own * count..];
         let column =
             |input: usize, order: usize| (input * orders + order) * count..(input * orders + order + 1) * count;
-        // Each number is written once, and zeros not at all: they would cost as much as a third of the batch.
         let mut varies = false;
         for input in 0..description.inputs.len() {
             for order in 0..orders {
                 let values = &mut inputs[column(input, order)];
                 match same[input][order] {
-                    Some(0.0) => {}
                     Some(value) => values.fill(value),
                     None if order == 0 && self.drive.variable() == Variable::Input(input) => self.write_places(values),
                     None => varies = true,
@@ -145,6 +184,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         let parameters = self.mechanism.parameters();
         let parameters = M::Parameters::from_fn(|parameter| Column::Same(parameters[parameter]));
         let vectors = Vectors::widest();
+        let mut is_closed = true;
         for start in (0..count).step_by(BLOCK) {
             let rows = start..count.min(start + BLOCK);
             let columns = InputMotions::<M, Column<'_>>::from_fn(|input| {
@@ -163,7 +203,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 sines: sines.iter_mut().map(|sine| sine.get_mut(rows.clone())).collect(),
             };
             let outcomes = &mut table.outcomes[rows.clone()];
-            batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
+            let summary = batch::solve::<M, _, _>(parameters, columns, self.assembly, &mut places, outcomes, vectors)?;
+            is_closed &= summary.failed == 0;
             progress(part(rows.end, count));
         }
         for (unknown, sines) in sines.iter().enumerate() {
@@ -178,7 +219,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 continue_turns(&mut columns[..count]);
             }
         }
-        Ok(())
+        Ok(is_closed)
     }
 
     /// Writes the values of the variable.
@@ -186,9 +227,14 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     fn write_places(&self, column: &mut [f64]) {
         let way = self.to - self.from;
         let last = self.count.saturating_sub(1).max(1) as f64;
-        // without a branch, so that several are calculated at once
-        for (row, place) in column.iter_mut().enumerate() {
-            *place = self.from + way * (row as f64 / last);
+        // Without a branch, and with numbers of 32 bits that vectors can convert, so that several are calculated at once. The rest is there
+        // for columns of 34 gigabytes and more.
+        let (short, long) = column.split_at_mut(column.len().min(1 << 31));
+        for (row, place) in (0_i32..).zip(short.iter_mut()) {
+            *place = self.from + way * (f64::from(row) / last);
+        }
+        for (row, place) in long.iter_mut().enumerate() {
+            *place = self.from + way * ((row + short.len()) as f64 / last);
         }
         for row in [0, self.count - 1] {
             column[row] = self.at(row);
@@ -210,8 +256,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         }
     }
 
-    /// Solves row after row.
-    fn fill_by_steps(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) {
+    /// Solves row after row. It returns whether every row closes.
+    fn fill_by_steps(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> bool {
         let count = table.count;
         let mut walk = Walk::BEGINNING;
         for row in 0..count {
@@ -230,6 +276,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 progress(part(row + 1, count));
             }
         }
+        table.outcomes.iter().all(Outcome::is_solved)
     }
 
     /// Passes on the numbers of a row, each with its column. Without a pose, they are NaN.

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use super::Course;
 use super::drive::{Drive, Variable};
 use super::table::Table;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Block, Mechanism};
 use crate::number::{Number, Row, series::Series};
 
 /// A value with two derivatives.
@@ -28,7 +28,7 @@ const MOST: usize = 500;
 /// The pairs of rows that may have a gap between them, by the rows in front of it.
 pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &Table) -> Vec<usize> {
     let rows = 0..table.count.saturating_sub(1);
-    if M::ASSEMBLY_COUNT == 0 || course.drive.variable() == Variable::Row {
+    if rows.is_empty() || M::ASSEMBLY_COUNT == 0 || course.drive.variable() == Variable::Row {
         // coupled blocks are tracked from row to row, and columns say nothing of what lies between their rows
         return Vec::new();
     }
@@ -52,24 +52,43 @@ pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<
         let column = first + unknown * orders;
         (table.values(column + 1), table.values(column + 2))
     };
-    let disagrees = |row: usize, (velocity, acceleration): (&[f64], &[f64])| {
-        let [one, other] = [velocity[row], velocity[row + 1]];
-        let step = 0.5 * time * (places[row + 1] - places[row]);
-        let predicted = step * (acceleration[row] + acceleration[row + 1]);
+    let disagrees = |step: f64, [one, other]: [f64; 2], [first, last]: [f64; 2]| {
+        let predicted = 0.5 * time * step * (first + last);
         // a comparison with NaN fails, so that rows which do not close are left out
         (other - one - predicted).abs() > SUSPECT * (one.abs() + other.abs())
     };
     // most sweeps have none, which is found out for several rows at once
-    let unknowns = 0..description.unknowns.len();
+    // All unknowns of a block are roots at the ends of a gap, so that one of them is enough.
+    let of_block = |block: &Block| {
+        let name = block.unknowns.split(", ").next();
+        description
+            .unknowns
+            .iter()
+            .position(|unknown| name == Some(unknown.name))
+    };
+    let unknowns = description.blocks.iter().filter_map(of_block);
     let any = |unknown: usize| {
-        let columns = columns(unknown);
-        rows.clone().fold(false, |any, row| any | disagrees(row, columns))
+        let (velocity, acceleration) = columns(unknown);
+        let steps = places.iter().zip(&places[1..]).map(|(start, end)| end - start);
+        let velocities = velocity.iter().zip(&velocity[1..]);
+        let accelerations = acceleration.iter().zip(&acceleration[1..]);
+        let all = steps.zip(velocities.zip(accelerations));
+        all.fold(false, |any, (step, ((one, other), (first, last)))| {
+            any | disagrees(step, [*one, *other], [*first, *last])
+        })
     };
     if !unknowns.clone().any(any) {
         return Vec::new();
     }
-    rows.filter(|row| unknowns.clone().any(|unknown| disagrees(*row, columns(unknown))))
-        .collect()
+    let pair = |column: &[f64], row: usize| [column[row], column[row + 1]];
+    let has_gap = |row: &usize| {
+        let step = places[row + 1] - places[*row];
+        unknowns.clone().any(|unknown| {
+            let (velocity, acceleration) = columns(unknown);
+            disagrees(step, pair(velocity, *row), pair(acceleration, *row))
+        })
+    };
+    rows.filter(has_gap).collect()
 }
 
 fn closes(table: &Table, row: usize) -> bool {

@@ -5,7 +5,6 @@ use core::fmt;
 
 use super::drive::{Drive, Variable};
 use super::{Course, Table, gaps};
-use crate::batch::Outcome;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::quantity::Digits;
@@ -163,9 +162,9 @@ fn place_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(
 }
 
 /// Finds the limits between the rows of a table.
-pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table) {
+pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table, is_closed: bool) {
     let mut suspects = gaps::suspects(course, table).into_iter().peekable();
-    if suspects.peek().is_none() && table.outcomes.iter().all(Outcome::is_solved) {
+    if suspects.peek().is_none() && is_closed {
         return;
     }
     let first = table.first_unknown::<M>();

@@ -153,7 +153,7 @@ fn coupled_blocks_do_not_enter_again() {
             [legs, legs, legs]
         });
     let table = sweep.table().unwrap();
-    let adaptive = sweep.adaptive_table(1e-2, 1, 1000).unwrap();
+    let adaptive = sweep.adaptive_table(1e-2, 0, 1000).unwrap();
     let [limit] = table.limits() else { panic!("one limit") };
     let end = limit.inputs[0];
     assert!((end - 1.0).abs() < 1e-9);
@@ -184,6 +184,35 @@ fn coupled_blocks_do_not_enter_again() {
     let extremes = sweep.extremes("phi").unwrap();
     let last = extremes.last().unwrap();
     assert!((last.at - limit.at).abs() < 1e-9, "{last}");
+}
+
+/// The memory of another table is used again, and nothing else of it.
+#[test]
+fn tables_are_filled_again() {
+    let limited = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(5.0);
+    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 73);
+    let rise = Rise::new(Shape::Cycloidal, 0.0, 3.0, 1.0).unwrap();
+    let law = LIMITED.sweep(Assembly::Open).under_laws([&rise], 0.0..=1.0, 100);
+    let mut table = limited.table().unwrap().in_degrees().units("mm", "s");
+    turn.fill_table(&mut table).unwrap();
+    assert_eq!(table, turn.table().unwrap());
+    law.fill_table(&mut table).unwrap();
+    limited.fill_table(&mut table).unwrap();
+    // NaN differs from itself
+    assert_eq!(
+        std::format!("{table:?}"),
+        std::format!("{:?}", limited.table().unwrap())
+    );
+    law.fill_table(&mut table).unwrap();
+    assert_eq!(std::format!("{table:?}"), std::format!("{:?}", law.table().unwrap()));
+    assert!(
+        turn.count() == 73
+            && CRANK_ROCKER
+                .sweep(Assembly::Open)
+                .over(0.0..=1.0, 0)
+                .fill_table(&mut table)
+                .is_err()
+    );
 }
 
 /// A gap about the stretched position, narrower than a step, is found wherever the rows lie, and nothing where there is none.
