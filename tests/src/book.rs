@@ -22,11 +22,12 @@ chapters! {
     outputs: "../../docs/outputs.md";
     motion_laws: "../../docs/motion-laws.md";
     loads: "../../docs/loads.md";
+    recipes: "../../docs/recipes.md";
     batches: "../../docs/batches.md";
     sweeps: "../../docs/sweeps.md";
     cycle: "../../docs/cycle.md";
     jansen_leg: "../../docs/jansen-leg.md";
-    recipes: "../../docs/recipes.md";
+    whole_programs: "../../docs/whole-programs.md";
     library: "../../docs/library.md";
     gallery: "../../docs/gallery.md";
     theory: "../../docs/theory.md";
