@@ -157,14 +157,14 @@ mod tests {
     }
 
     /// Columns of all dimensions and all orders of all inputs, around a mechanism and values of its inputs.
-    fn check<M: Mechanism<Scalar = f64>>(
+    fn check<M>(
         mechanism: &M,
         loads: &Loads<M, impl Load<M> + Sync>,
         [middle, reach]: [M::Inputs<f64>; 2],
         assembly: M::Assembly,
         with_failures: bool,
     ) where
-        M: Mechanism<Assembly: Sync>,
+        M: Mechanism<Scalar = f64, Assembly: Sync>,
         for<'a> M::Parameters<Column<'a>>: Sync,
         for<'a> M::Inputs<M::Motion<Column<'a>>>: Sync,
     {

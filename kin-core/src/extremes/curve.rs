@@ -204,7 +204,10 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
                 ..source
             }),
         });
-        let value = value.map_err(|error| ExtremesError::Load { at, error })?;
+        let value = value.map_err(|error| ExtremesError::Load {
+            at,
+            error: alloc::boxed::Box::new(error),
+        })?;
         if !Number::is_finite(value) {
             return Err(ExtremesError::NotFinite { at });
         }

@@ -1,5 +1,6 @@
 //! The reasons why there is no extreme, no peak or no mean.
 
+use alloc::boxed::Box;
 use core::error::Error;
 use core::fmt;
 
@@ -34,7 +35,7 @@ pub enum ExtremesError {
         /// The place.
         at: f64,
         /// The reason.
-        error: LoadError,
+        error: Box<LoadError>,
     },
     /// The peak moves with the end of the circuit or stands at a kink, so that it has no sensitivity of its own.
     NoSensitivity {
@@ -111,4 +112,14 @@ impl fmt::Display for ExtremesError {
     }
 }
 
-impl Error for ExtremesError {}
+impl Error for ExtremesError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::NoSuchColumn(error) => Some(error),
+            Self::Sweep(error) => Some(error),
+            Self::NothingCloses(error) => Some(error),
+            Self::Load { error, .. } => Some(&**error),
+            _ => None,
+        }
+    }
+}
