@@ -162,3 +162,28 @@ fn debug_prints_the_sentence_of_an_error() {
     let error = LINKAGE.track(&start, 3.0).unwrap_err();
     assert_eq!(format!("{error:?}"), error.to_string());
 }
+
+mechanism! {
+    struct Lever { arm: Length, reach: Length }
+    input theta: Angle;
+    unknown phi: Angle in 0..180deg, lift: Length;
+    arm * cis(theta + 30deg) + reach * cis(phi) == vec2(0, lift);
+    output tip: Point = arm * cis(theta + 30deg);
+}
+
+/// What people write before they have read anything.
+#[test]
+fn first_guesses_are_right() -> Result<(), SolveError> {
+    let lever: Lever = Lever { arm: 3.0, reach: 5.0 };
+    let pose = lever.solve((-30_f64).to_radians())?;
+    let tip = pose.tip.position() * 0.5;
+    assert!((tip - Plane::new(1.5, 0.0)).norm() < 4.0 * f64::EPSILON);
+    assert!(format!("{:.3}", pose.lift).starts_with("4.000 ["));
+    let mut orders = 0;
+    for derivative in pose.phi {
+        assert_eq!(derivative == 0.0, orders > 0);
+        orders += 1;
+    }
+    assert_eq!(orders, 5);
+    Ok(())
+}

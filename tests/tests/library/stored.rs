@@ -324,6 +324,69 @@ fn numbers_that_are_not_finite_are_refused_by_name() -> Result<(), SolveError> {
     Ok(())
 }
 
+/// Every type with numbers, each with NaN and both infinities: no JSON, and an error that names the place.
+#[test]
+fn every_type_refuses_numbers_that_are_not_finite() -> Result<(), SolveError> {
+    fn refuses(place: &str, number: f64, value: &impl Serialize) {
+        let expected = format!("{place} is {number}, and only finite numbers can be stored");
+        let refusal = serde_json::to_string(value).expect_err("JSON has no such number");
+        assert_eq!(refusal.to_string(), expected);
+        assert_eq!(stored::check(value).expect_err("it is the same").to_string(), expected);
+        // a part of another value keeps its own place
+        let refusal = serde_json::to_string(&[Some(value)]).expect_err("JSON has no such number");
+        assert_eq!(refusal.to_string(), expected);
+    }
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let pose = linkage.solve(1.0, Assembly::Open)?;
+    for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        refuses("y", number, &Plane::new(1.0, number));
+        refuses("z", number, &Space::new(1.0, 2.0, number));
+        refuses("[3]", number, &Motion::new([0.0, 0.0, 0.0, number, 0.0]));
+        #[expect(clippy::cast_possible_truncation, reason = "no digit matters")]
+        let single = number as f32;
+        refuses("[0]", number, &Motion::new([single]));
+        refuses(
+            "rates[1]",
+            number,
+            &kin_core::Direction::new(Plane::new(1.0, 0.0), [0.0, number]),
+        );
+        refuses("[1]", number, &Near([0.0, number]));
+        let rows = Rotation::about(Space::new(number, 0.0, 0.0), 1.0);
+        assert!(serde_json::to_string(&rows).is_err());
+        refuses("r2", number, &FourBar { r2: number, ..linkage });
+        refuses(
+            "r4",
+            number,
+            &stored::ParameterRecord(FourBar { r4: number, ..linkage }),
+        );
+        let mut record = PoseRecord::from(pose);
+        record.unknowns[1] = Motion::new([1.0, 2.0, number, 3.0, 4.0]);
+        refuses("unknowns.theta4[2]", number, &record);
+        // a rate is not examined before the pose of the next order
+        let position = linkage.position(1.0, Assembly::Open)?;
+        refuses("inputs.theta2[1]", number, &position.velocity(number));
+        let velocity = position.velocity(1.0);
+        refuses("inputs.theta2[2]", number, &velocity.acceleration(number));
+        let acceleration = velocity.acceleration(1.0);
+        refuses("inputs.theta2[3]", number, &acceleration.jerk(number));
+        refuses("inputs.theta2[4]", number, &acceleration.jerk(1.0).snap(number));
+    }
+    let derived = Derived {
+        pivot: Plane::new(0.0, 0.0),
+        crank_arm: 1.0,
+    };
+    let position = derived.position(0.3).expect("it closes");
+    let mut record = PoseRecord::from(position);
+    record.outputs[1] = Motion::new([f64::NAN]);
+    refuses("outputs.tip.y[0]", f64::NAN, &record);
+    Ok(())
+}
+
 #[test]
 fn values_travel() {
     let rotation = Rotation::about(Space::new(1.0, 2.0, -0.5), 0.7);
