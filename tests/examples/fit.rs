@@ -11,9 +11,37 @@
 //! ```sh
 //! cargo run --release -p kin-tests --example fit
 //! ```
+//!
+//! ```text
+//! A four-bar linkage is fitted to 24 points of a D-shaped path (mm)
+//!
+//! RelativeCostTolerance after 58 steps
+//!
+//! dimension     lowest     start     found   highest
+//! pivot.x       -150.0      20.0  -137.092     150.0
+//! pivot.y        -20.0      90.0    -2.293     150.0
+//! tilt            -4.0       0.0    -0.295       4.0
+//! phase           -4.0       1.6     0.433       4.0
+//! r1              40.0      60.0    92.508     150.0
+//! r2              10.0      25.0    24.660      50.0
+//! r3              40.0      75.0    88.716     150.0
+//! r4              40.0      75.0    43.168     150.0
+//! trace.x       -150.0      75.0   140.284     150.0
+//! trace.y       -150.0     -90.0    -8.253     150.0
+//!
+//! start: 156.43 mm from the stride, 181.08 mm from the return
+//!
+//! found: 2.26 mm from the stride, 5.35 mm from the return
+//!
+//! acceleration in the middle of the stride: (6.01, -7.17)
+//!   by r3:      (-0.085, -0.140) for each mm
+//!   by trace.x: (0.011, 0.124) for each mm
+//! ```
 
 use std::convert::Infallible;
+use std::error::Error;
 use std::f64::consts::{PI, TAU};
+use std::io::Write;
 
 use basin::{
     BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, DenseMatrix, Executor,
@@ -159,7 +187,8 @@ fn distances(path: &[Plane; POINTS], linkage: &Linkage) -> Result<[f64; 2], Solv
     Ok(sums.map(|sum| (sum / (POINTS / 2) as f64).sqrt()))
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// Fits, and writes what it found.
+pub(crate) fn report(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let path = path();
     //             pivot        tilt  phase    r1    r2    r3    r4   trace
     let lower = [-150.0, -20.0, -4.0, -4.0, 40.0, 10.0, 40.0, 40.0, -150.0, -150.0];
@@ -175,13 +204,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let result = Executor::new(problem, minimiser, PointState::new(start.to_vec()))
         .max_iter(500)
         .run()?;
-    println!("A four-bar linkage is fitted to {POINTS} points of a D-shaped path (mm)\n");
-    println!("{:?} after {} steps\n", result.report.code(), result.iter());
+    writeln!(
+        out,
+        "A four-bar linkage is fitted to {POINTS} points of a D-shaped path (mm)\n"
+    )?;
+    writeln!(out, "{:?} after {} steps\n", result.report.code(), result.iter())?;
 
-    println!(
+    writeln!(
+        out,
         "{:10}{:>10}{:>10}{:>10}{:>10}",
         "dimension", "lowest", "start", "found", "highest"
-    );
+    )?;
     let found = linkage(result.best_param());
     for (index, (quantity, value)) in Linkage::DESCRIPTION
         .parameters
@@ -192,24 +225,33 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let (low, high) = (lower[index], upper[index]);
         let at_bound = (value - low).min(high - value) < 1e-3 * (high - low);
         let remark = if at_bound { "  at its bound" } else { "" };
-        println!(
+        writeln!(
+            out,
             "{:10}{low:>10.1}{:>10.1}{value:>10.3}{high:>10.1}{remark}",
             quantity.name, start[index]
-        );
+        )?;
     }
     for (name, linkage) in [("start", linkage(&start)), ("found", found)] {
         let [stride, back] = distances(&path, &linkage)?;
-        println!("\n{name}: {stride:.2} mm from the stride, {back:.2} mm from the return");
+        writeln!(
+            out,
+            "\n{name}: {stride:.2} mm from the stride, {back:.2} mm from the return"
+        )?;
     }
 
     // not the position only: how the acceleration of the point depends on the dimensions, in the middle of the stride
     let pose = pose(&found, POINTS / 4)?;
     let by = found.sensitivities(&pose);
-    println!(
-        "\nacceleration in the middle of the stride: {:?}",
+    writeln!(
+        out,
+        "\nacceleration in the middle of the stride: {:.2}",
         pose.point.acceleration()
-    );
-    println!("  by r3:      {:?} for each mm", by.r3.point.acceleration());
-    println!("  by trace.x: {:?} for each mm", by.trace.x.point.acceleration());
+    )?;
+    writeln!(out, "  by r3:      {:.3} for each mm", by.r3.point.acceleration())?;
+    writeln!(out, "  by trace.x: {:.3} for each mm", by.trace.x.point.acceleration())?;
     Ok(())
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    report(&mut std::io::stdout().lock())
 }

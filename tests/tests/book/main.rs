@@ -1,6 +1,7 @@
 //! The texts that people read: the chapters of the book, and the messages about mistakes.
 
 mod chapters;
+mod examples;
 mod free_fall;
 mod laws;
 mod mistakes;
