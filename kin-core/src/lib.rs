@@ -160,6 +160,8 @@ pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, trac
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap
 /// (also called jounce), or up to another order.
 ///
+/// `use kin_core::prelude::*;` imports the macro together with what its solvers take, `Motion` and `Assembly` among others.
+///
 /// A declaration is a structure with the dimensions of the mechanism, and statements in any order:
 ///
 /// ```text
