@@ -10,13 +10,13 @@ pub struct WriteTheParametersByName;
 /// A structure of parameters is made by naming them: `FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 }`.
 #[doc(hidden)]
 pub trait MadeOfNamedParameters {
-    /// No function, as the parameters have names but no order that a caller could know.
+    /// No function: the parameters have names, and no order that a caller could know.
     #[doc(hidden)]
     #[allow(non_upper_case_globals, reason = "people guess the name of a function")]
     const new: WriteTheParametersByName = WriteTheParametersByName;
 }
 
-/// A mechanism whose parameters are floating-point numbers. No mechanism implements it, as those that could have solvers.
+/// A mechanism with floating-point numbers as parameters. None implements it, because these have solvers of their own.
 #[diagnostic::on_unimplemented(
     message = "the parameters of `{Self}` are integers, with which no mechanism is solved",
     label = "write the parameters with a decimal point: `90.0` instead of `90`"
@@ -66,7 +66,8 @@ pub trait IntegersInASweep: Sized {
     solvers_of_integers!(@method sweep [A]);
 }
 
-/// A pose that knows the rates below the order that is asked for. No pose implements it, as one that does has the method.
+/// A pose that knows the rates below the order that is asked for. None implements it, because such a pose has a method of
+/// its own.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not know the rates below this order",
     label = "go on from order to order: `.velocity(rates)` of a position, then `.acceleration(rates)`, and so on",
@@ -74,7 +75,7 @@ pub trait IntegersInASweep: Sized {
 )]
 pub trait KnowsTheRatesBelow {}
 
-/// The orders to which a pose does not lead at once.
+/// The orders to which a position does not lead at once.
 #[doc(hidden)]
 pub trait LaterOrders {
     #[doc(hidden)]

@@ -1,0 +1,19 @@
+use kin_core::prelude::*;
+
+mechanism! {
+    pub struct FourBar {
+        pub r1: Length,
+        pub r2: Length,
+        pub r3: Length,
+        pub r4: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+fn main() {
+    let linkage = FourBar { r1: 90, r2: 30, r3: 60, r4: 45 };
+    let turn = linkage.sweep(Assembly::Open).over(0.0..=6.28, 361);
+    let _ = turn.table();
+}
