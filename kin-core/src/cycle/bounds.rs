@@ -77,12 +77,17 @@ fn most(one: f64, other: f64) -> f64 {
 /// The smallest interval that holds the products of two intervals.
 #[inline]
 fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    widened(rounded_product(a, b))
+}
+
+/// The interval of the rounded products of the ends of two intervals.
+#[inline]
+fn rounded_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     let [one, two, three, four] = [a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]];
-    let (low, high) = (
+    [
         least(least(one, two), least(three, four)),
         most(most(one, two), most(three, four)),
-    );
-    widened([low, high])
+    ]
 }
 
 /// An interval that holds the exact result of an operation, whose rounded ends are given.
@@ -150,6 +155,32 @@ impl Bounds {
             doubt,
         }
         .tight()
+    }
+
+    /// Whether this is one number, known exactly and everywhere.
+    #[inline]
+    fn is_constant(self) -> bool {
+        self.low == self.high && self.error == 0.0 && self.least == 0.0 && self.most == 0.0 && self.doubt == Doubt::NONE
+    }
+
+    /// This function times a number. Its bounds are as tight as before.
+    #[inline]
+    fn scaled(self, factor: f64) -> Self {
+        let times = |[low, high]: [f64; 2]| {
+            let [low, high] = [low * factor, high * factor];
+            widened(if factor < 0.0 { [high, low] } else { [low, high] })
+        };
+        let middle = self.middle * factor;
+        let ([low, high], [least, most]) = (times(self.values()), times(self.slopes()));
+        Self {
+            middle,
+            error: self.error * factor.abs() * (1.0 + 4.0 * f64::EPSILON) + f64::EPSILON * middle.abs(),
+            low,
+            high,
+            least,
+            most,
+            doubt: self.doubt,
+        }
     }
 
     /// The same function within the bounds that its derivative gives.
@@ -380,6 +411,12 @@ impl Mul for Bounds {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
+        if other.is_constant() {
+            return self.scaled(other.middle);
+        }
+        if self.is_constant() {
+            return other.scaled(self.middle);
+        }
         let [one, two] = [
             product(self.slopes(), other.values()),
             product(self.values(), other.slopes()),
@@ -388,7 +425,7 @@ impl Mul for Bounds {
             self.middle * other.middle,
             (self.middle.abs() * other.error + other.middle.abs() * self.error) * (1.0 + 4.0 * f64::EPSILON)
                 + self.error * other.error,
-            product(self.values(), other.values()),
+            rounded_product(self.values(), other.values()),
             widened([one[0] + two[0], one[1] + two[1]]),
             self.doubt.and(other.doubt),
         )

@@ -20,7 +20,7 @@ const FIRST: u32 = 8;
 /// The shortest interval, as a part of the range.
 pub(super) const RESOLUTION: f64 = 1.0 / 16_777_216.0;
 /// The largest number of intervals of an assembly.
-const MOST_INTERVALS: usize = 20_000;
+const MOST_INTERVALS: usize = 4096;
 /// The largest distance by which an angle may move from the middle of an interval.
 const SWING: f64 = 1.5;
 /// The largest distance of two assemblies next to the place where they meet.
@@ -66,6 +66,7 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
             nodes: Vec::new(),
             pieces: Vec::new(),
             is_complete: true,
+            undecided: Vec::new(),
             seeds: Vec::new(),
         },
     };
@@ -106,7 +107,15 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    fn intervals(&mut self, assembly: M::Assembly) -> Vec<Interval<M>> {
+    /// Notes an interval in which the bounds do not tell whether an assembly closes.
+    fn undecided(&mut self, index: usize, low: f64, high: f64) {
+        match self.found.undecided.last_mut() {
+            Some((known, range)) if *known == index && range[1] == low => range[1] = high,
+            _ => self.found.undecided.push((index, [low, high])),
+        }
+    }
+
+    fn intervals(&mut self, index: usize, assembly: M::Assembly) -> Vec<Interval<M>> {
         let (low, high) = (self.line.low, self.line.high);
         let shortest = RESOLUTION * (high - low);
         let place = |part: u32| low + (high - low) * (f64::from(part) / f64::from(FIRST));
@@ -125,7 +134,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     continue;
                 }
                 None => {
-                    self.found.is_complete &= high - low <= shortest;
+                    if high - low > shortest {
+                        self.found.is_complete = false;
+                        self.undecided(index, low, high);
+                    }
                     Known::Short
                 }
             };
@@ -144,7 +156,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
 
     /// Adds the pieces of one assembly.
     fn assembly(&mut self, index: usize, assembly: M::Assembly) {
-        let intervals = self.intervals(assembly);
+        let intervals = self.intervals(index, assembly);
         let mut open: Option<Piece<M>> = None;
         let closes_at = |search: &Self, place: usize| {
             // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
@@ -395,6 +407,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     ),
                     Err(_) => {
                         self.found.is_complete = false;
+                        self.undecided(index, own.low, own.high);
                         (middle, unknowns, "", index)
                     }
                 }

@@ -230,6 +230,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 nodes: Vec::new(),
                 pieces: Vec::new(),
                 is_complete: false,
+                undecided: Vec::new(),
                 seeds: Vec::new(),
             },
             waiting: Vec::new(),

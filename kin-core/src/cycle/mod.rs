@@ -28,10 +28,15 @@
 //! count as a change point, or as none. [`Cycle::is_complete`] is then true. One thing is tested and not proved: the choice by a declared range
 //! of an unknown is made at the ends and in the middle of each interval.
 //!
-//! If a block is coupled, all positions are sought at [stated inputs](Cycle::seeds) by [`continuation`](crate::continuation), and
-//! [`track`](crate::track()) follows each of them in both directions, through every limit. Between neighbouring limits that have no such input
-//! in between, all positions are sought as well, and followed if they are new. A circuit that lies between two neighbouring stated inputs as
-//! a whole is not found, so [`Cycle::is_complete`] is false.
+//! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input unknown, by
+//! [`continuation`](crate::continuation). The closure is fitted by polynomials in cosines, sines and lengths, which are compared with its values.
+//! A circuit that does not pass an end of the range has a smallest input, which is a limit. So [`track`](crate::track()) follows all positions
+//! at the [ends](Cycle::seeds), and both branches of every limit that was not reached. [`Cycle::is_complete`] is true if no path of the
+//! continuation was lost, and if tracks and continuation have found the same limits. It holds with the reservation of `continuation`, which
+//! computes in double precision.
+//!
+//! This needs polynomials of at most 1024 paths, which have no product of three quantities, lengths that cannot become infinite, and unknowns
+//! without declared ranges. For any other mechanism all positions are sought at stated inputs, and `is_complete` is false.
 
 mod bounds;
 mod class;
@@ -261,6 +266,7 @@ pub struct Cycle<M: Mechanism<Scalar = f64>> {
     branches: Vec<Branch<M>>,
     circuits: Vec<Circuit<M>>,
     is_complete: bool,
+    undecided: Vec<(M::Assembly, [f64; 2])>,
     seeds: Vec<f64>,
 }
 
@@ -294,6 +300,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             branches,
             circuits,
             is_complete: found.is_complete && is_whole,
+            undecided: found
+                .undecided
+                .iter()
+                .filter_map(|(index, range)| Some((M::assembly(*index)?, *range)))
+                .collect(),
             seeds: found.seeds,
         })
     }
@@ -316,7 +327,29 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         self.is_complete
     }
 
-    /// The inputs at which all positions were sought, in ascending order. It is empty if every block has a closed form.
+    /// The assemblies of closed forms about which the bounds told nothing, each with a range of the input. There, only the ends and the middles
+    /// of intervals were tried.
+    ///
+    /// A block with a motion of its own leads here, such as two equal links whose ends coincide at every input. In four of the eight
+    /// assemblies of Peaucellier's cell, the rhombus is folded, and two of its links turn freely:
+    ///
+    /// ```
+    /// use kin_core::cycle::FullCycle;
+    /// use kin_core::library::PeaucellierLinkage;
+    ///
+    /// let cycle = PeaucellierLinkage { ground: 2.0, crank: 1.9, arm: 6.0, side: 4.0 }.cycle()?;
+    /// assert!(!cycle.is_complete());
+    /// // the two dyads on the arms are both open or both crossed
+    /// assert!(cycle.undecided().iter().all(|(assembly, _)| assembly.alpha_gamma == assembly.beta_delta));
+    /// # Ok::<(), kin_core::SolveError>(())
+    /// ```
+    #[must_use]
+    pub fn undecided(&self) -> &[(M::Assembly, [f64; 2])] {
+        &self.undecided
+    }
+
+    /// The inputs at which all positions were sought, in ascending order: the ends of the range, and others if limits are not enough. It is
+    /// empty if every block has a closed form.
     #[must_use]
     pub fn seeds(&self) -> &[f64] {
         &self.seeds

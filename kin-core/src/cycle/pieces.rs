@@ -41,6 +41,8 @@ pub(super) struct Found<M: Mechanism<Scalar = f64>> {
     pub(super) nodes: Vec<Node<M>>,
     pub(super) pieces: Vec<Piece<M>>,
     pub(super) is_complete: bool,
-    /// The inputs at which all positions were sought, if the search is not complete without them.
+    /// Assemblies by their indices, and ranges in which it is not known whether they close.
+    pub(super) undecided: Vec<(usize, [f64; 2])>,
+    /// The inputs at which all positions were sought, if a block has no closed form.
     pub(super) seeds: Vec<f64>,
 }

@@ -49,7 +49,11 @@ where
         }
         let own: Vec<usize> = cycle.at(input).map(|(branch, _)| branch).collect();
         if own.len() != found.len() {
-            return Err(format!("{}: {found:?} at {input}, but branches {own:?}", context()));
+            return Err(format!(
+                "{}: {} positions at {input}, but branches {own:?}",
+                context(),
+                found.len()
+            ));
         }
         for branch in own {
             let on = cycle
@@ -255,7 +259,7 @@ fn labels_of_slider_cranks_agree_with_the_cycle() {
         let [crank, coupler] = [(); 2].map(|()| random.between(1.0, 13.0).floor());
         let offset = random.between(0.0, 13.0).floor();
         let mechanism = OffsetSliderCrank { crank, coupler, offset };
-        let [form] = mechanism.block_forms();
+        let [form, _] = mechanism.block_forms();
         let label = match BlockClass::of(&form) {
             Some(BlockClass::SliderCrank(label)) => Some(label),
             None => None,
