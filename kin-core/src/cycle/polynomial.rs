@@ -75,7 +75,7 @@ impl Quantities {
     fn powers(&self, quantity: usize, function: usize) -> (u16, u8) {
         let first = self.first[quantity];
         match (self.kinds[quantity], function) {
-            (Kind::Angle, 1) | (Kind::Plain, 1) => (first, 1),
+            (Kind::Angle | Kind::Plain, 1) => (first, 1),
             (Kind::Angle, _) => (first + 1, 1),
             (Kind::Plain, _) => (first, 2),
         }
@@ -294,7 +294,7 @@ pub(super) fn polynomials(
             for (equation, grid) in grid.into_iter().enumerate() {
                 let rows = grid.map(|row| coefficients(other, row));
                 for second in 1..3 {
-                    let along = coefficients(one, [0, 1, 2].map(|row| rows[row][second]));
+                    let along = coefficients(one, rows.map(|row| row[second]));
                     for (first, coefficient) in along.into_iter().enumerate().skip(1) {
                         if (coefficient * scale(one, first) * scale(other, second)).abs() > ROUNDING * largest[equation]
                         {

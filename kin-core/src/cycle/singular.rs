@@ -12,6 +12,11 @@ use crate::assemblies::continuation::{BorrowedSystem, BorrowedTerm, real_solutio
 /// The largest number of paths.
 const MOST_PATHS: usize = 1024;
 
+/// A term: its equation, its coefficient, and the powers of variables.
+type OwnedTerm = (u16, f64, Vec<(u16, u8)>);
+/// A real solution, and whether it is multiple.
+type Solution = (Vec<f64>, bool);
+
 /// A position at which a block is singular.
 #[derive(Clone, Debug)]
 pub(super) struct SingularPosition {
@@ -348,7 +353,7 @@ fn is_bounded(quantities: &Quantities, equations: &[Polynomial]) -> bool {
 
 /// The real solutions of a system, as values of all quantities, of which some are involved, and whether they are multiple. `None` if there
 /// are too many paths, or if one was lost.
-fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Option<Vec<(Vec<f64>, bool)>> {
+fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Option<Vec<Solution>> {
     let quantities = &closure.quantities;
     let mut first = Vec::new();
     let mut count = 0_u16;
@@ -366,7 +371,7 @@ fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Op
         let place = involved.iter().position(|own| *own == quantity)?;
         Some(first[place] + (variable - quantities.first(quantity)))
     };
-    let mut terms: Vec<(u16, f64, Vec<(u16, u8)>)> = Vec::new();
+    let mut terms: Vec<OwnedTerm> = Vec::new();
     let mut paths = 1_usize;
     let mut equation = 0_u16;
     for polynomial in system {
@@ -427,10 +432,10 @@ fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Op
 
 /// The real solutions of a system of `count` equations, with room for `N` variables. The others are zero.
 fn real<const N: usize, const PATHS: usize>(
-    terms: &mut Vec<(u16, f64, Vec<(u16, u8)>)>,
+    terms: &mut Vec<OwnedTerm>,
     pairs: &[[u16; 2]],
     count: u16,
-) -> Option<Vec<(Vec<f64>, bool)>> {
+) -> Option<Vec<Solution>> {
     for variable in count..u16::try_from(N).ok()? {
         terms.push((variable, 1.0, vec![(variable, 1)]));
     }

@@ -245,7 +245,7 @@ impl<'a, const M: usize> BorrowedSystem<'a, M> {
         support: &[usize],
         degree: u8,
     ) -> Option<[(usize, bool); M]> {
-        if degree < 4 || degree % 2 != 0 {
+        if degree < 4 || !degree.is_multiple_of(2) {
             return None;
         }
         let mut roles = [None; M];
