@@ -47,7 +47,7 @@ where
         if search.singular > 0 || !search.is_complete {
             continue;
         }
-        let own: Vec<usize> = cycle.at(input).map(|(branch, _)| branch).collect();
+        let mut own: Vec<usize> = cycle.at(input).map(|(branch, _)| branch).collect();
         if own.len() != found.len() {
             return Err(format!(
                 "{}: {} positions at {input}, but branches {own:?}",
@@ -55,9 +55,19 @@ where
                 found.len()
             ));
         }
-        for branch in own {
+        // Branches lie on turns of their own.
+        let turns = |branch: usize| {
+            let range = cycle.branches()[branch].range();
+            let places = (-3..=3).map(move |turn| input + core::f64::consts::TAU * f64::from(turn));
+            places.filter(move |place| range.contains(place))
+        };
+        own.dedup();
+        for (branch, place) in own
+            .into_iter()
+            .flat_map(|branch| turns(branch).map(move |place| (branch, place)))
+        {
             let on = cycle
-                .position_on(branch, input)
+                .position_on(branch, place)
                 .map_err(|error| format!("{}: {error}", context()))?;
             let distance = |position: &M::Unknowns<f64>| {
                 let angles = position.as_ref().iter().zip(on.as_ref());
