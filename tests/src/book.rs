@@ -28,6 +28,7 @@ chapters! {
     cycle: "../../docs/cycle.md";
     jansen_leg: "../../docs/jansen-leg.md";
     whole_programs: "../../docs/whole-programs.md";
+    languages: "../../docs/languages.md";
     library: "../../docs/library.md";
     gallery: "../../docs/gallery.md";
     theory: "../../docs/theory.md";
