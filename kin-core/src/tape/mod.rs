@@ -15,6 +15,7 @@
 //! ```
 
 mod arrange;
+#[allow(clippy::format_push_string, reason = "a few kilobytes of text, piece by piece")]
 mod c;
 mod node;
 mod print;

@@ -23,7 +23,7 @@ impl Display for Tape {
                 Node::Unknown { search, index } => writeln!(formatter, "{value} = unknown {index} of search {search}")?,
                 Node::Root { search, index } => writeln!(formatter, "{value} = root {index} of search {search}")?,
                 Node::Solution { solution, index } => {
-                    writeln!(formatter, "{value} = entry {index} of solution {solution}")?
+                    writeln!(formatter, "{value} = entry {index} of solution {solution}")?;
                 }
                 _ => {}
             }

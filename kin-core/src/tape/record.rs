@@ -9,7 +9,7 @@ use std::vec::Vec;
 use crate::assembly::Assembly;
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Partials, Pose, Sensitive};
-use crate::number::Row;
+use crate::number::{Number, Row};
 use crate::picture::{Outline, Place, Places};
 use crate::quantity::{Dimension, Quantity};
 use crate::solve::Scalar;
@@ -149,7 +149,7 @@ pub fn record<M: Mechanism<Scalar: Plain>>(options: &Options) -> Result<Tape, Re
 }
 
 /// [`record`] at a place: wherever the solver asks for the value of an argument, it is the one given here. The tape is the same at
-/// all places.
+/// all places. Its checks do not know their blocks.
 #[doc(hidden)]
 pub fn record_at<M: Mechanism<Scalar: Plain>>(options: &Options, at: &[f64]) -> Result<Tape, RecordError> {
     recorded::<M>(options, at, |_, _| Vec::new())
@@ -307,6 +307,9 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
         solutions: Vec::new(),
     };
     arrange(&recorder, &mut tape, |check| {
+        if !at.is_empty() {
+            return "";
+        }
         let probe = Probe {
             fails: Some(check.number),
             ..Probe::default()
@@ -345,12 +348,12 @@ fn run<M: Mechanism<Scalar: Plain>>(
         });
         Recorded::at(with(|recorder| recorder.put(Node::Argument(index))))
     };
-    let parameters = <<R<M> as Mechanism>::Parameters<Found<M>> as Row<_>>::from_fn(|index| match &options.folded {
-        Some(folded) => <Found<M> as crate::number::Number>::constant(folded[index]),
-        None => {
-            let own = &description.parameters[index];
-            argument(Role::Parameter(index), own.name, own.dimension, own.description)
+    let parameters = <<R<M> as Mechanism>::Parameters<Found<M>> as Row<_>>::from_fn(|index| {
+        if let Some(folded) = &options.folded {
+            return <Found<M> as Number>::constant(folded[index]);
         }
+        let own = &description.parameters[index];
+        argument(Role::Parameter(index), own.name, own.dimension, own.description)
     });
     let inputs = <<R<M> as Mechanism>::Inputs<<R<M> as Mechanism>::Motion<Found<M>>> as Row<_>>::from_fn(|input| {
         let own = &description.inputs[input];

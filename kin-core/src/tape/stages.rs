@@ -11,9 +11,27 @@ pub(super) struct Stages {
     searches: Vec<usize>,
     systems: Vec<usize>,
     solutions: Vec<usize>,
+    /// Whether all orders are one.
+    is_one: bool,
 }
 
 impl Stages {
+    /// All orders as one, for a function that finds all of them.
+    pub(super) fn one(tape: &Tape) -> Self {
+        Self {
+            nodes: vec![0; tape.nodes.len()],
+            searches: vec![0; tape.searches.len()],
+            systems: vec![0; tape.systems.len()],
+            solutions: vec![0; tape.solutions.len()],
+            is_one: true,
+        }
+    }
+
+    /// The stage of an order.
+    pub(super) fn of_order(&self, order: usize) -> usize {
+        if self.is_one { 0 } else { order }
+    }
+
     pub(super) fn new(tape: &Tape) -> Self {
         let never = usize::MAX;
         let mut own = Self {
@@ -21,6 +39,7 @@ impl Stages {
             searches: vec![never; tape.searches.len()],
             systems: vec![never; tape.systems.len()],
             solutions: vec![never; tape.solutions.len()],
+            is_one: false,
         };
         for result in &tape.results {
             own.need(result.value, result.order);
@@ -98,7 +117,7 @@ impl Stages {
     pub(super) fn of_step(&self, tape: &Tape, step: Step) -> usize {
         match step {
             Step::Compute(value) => self.of(value),
-            Step::Check(check) => tape.checks[check].order,
+            Step::Check(check) => self.of_order(tape.checks[check].order),
             Step::Search(search) => self.searches[search],
             Step::Factor(system) => self.systems[system],
             Step::Solve(solution) => self.solutions[solution],

@@ -129,13 +129,13 @@ fn sensitivities_are_recorded() {
     let tape = record_with_sensitivities::<Rocker>(&Options::new()).unwrap();
     let found = tape.run(&NUMBERS).unwrap();
     let linkage = Rocker {
-        r1: 90.0,
+        r1: 90.0_f64,
         r2: 30.0,
         r3: 60.0,
         r4: 45.0,
     };
     let pose = linkage
-        .solve(Motion::from((1.0, -10.0, 2.0, -0.5, 0.3)), Assembly::Open)
+        .solve(Motion::from((1.0_f64, -10.0, 2.0, -0.5, 0.3)), Assembly::Open)
         .unwrap();
     let by = linkage.sensitivities(&pose);
     let partials = [by.r1, by.r2, by.r3, by.r4];

@@ -22,7 +22,12 @@ impl Names {
     /// An identifier for a name as declared, different from all before.
     pub(super) fn name(&mut self, declared: &str) -> String {
         let plain = identifier(declared);
-        let is_value = |name: &str| name.strip_prefix('v').is_some_and(|rest| rest.parse::<u32>().is_ok());
+        // Printers name their own variables so.
+        let is_value = |name: &str| {
+            let is_number = |rest: &str| rest.parse::<u32>().is_ok();
+            let is_array = |(head, rest): (&str, &str)| ARRAYS.contains(&head) && is_number(rest);
+            name.strip_prefix('v').is_some_and(is_number) || name.rsplit_once('_').is_some_and(is_array)
+        };
         let mut own = plain.clone();
         if self.keywords.contains(&plain.as_str()) || is_value(&plain) {
             own.push('_');
@@ -35,6 +40,11 @@ impl Names {
         own
     }
 }
+
+/// The beginnings of the names of a printer's own variables.
+const ARRAYS: [&str; 10] = [
+    "guess", "sizes", "given", "block", "roots", "found", "factors", "regular", "right", "solution",
+];
 
 /// The letters of the Greek alphabet as words, as people call them.
 const GREEK: [(char, &str); 24] = [
@@ -81,7 +91,8 @@ fn identifier(declared: &str) -> String {
             own.push_str(&word[..1].to_uppercase());
             own.push_str(&word[1..]);
         } else {
-            own.push_str(&format!("u{:x}", u32::from(letter)));
+            let code = format!("u{:x}", u32::from(letter));
+            own.push_str(&code);
         }
     }
     // Names that begin with an underscore belong to the language.

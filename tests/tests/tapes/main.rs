@@ -106,7 +106,22 @@ impl Visitor for SameEverywhere {
         for pose in poses::<M>(case, 20) {
             let there =
                 tape::record_at::<M>(&Options::new().with_skeleton(), &pose.arguments()).expect("it is recorded");
-            assert!(there == everywhere, "{} at {:?}", M::DESCRIPTION.name, pose.arguments());
+            let is_same = (
+                &there.nodes,
+                &there.steps,
+                &there.results,
+                &there.searches,
+                &there.systems,
+                &there.solutions,
+            ) == (
+                &everywhere.nodes,
+                &everywhere.steps,
+                &everywhere.results,
+                &everywhere.searches,
+                &everywhere.systems,
+                &everywhere.solutions,
+            );
+            assert!(is_same, "{} at {:?}", M::DESCRIPTION.name, pose.arguments());
         }
     }
 }

@@ -214,10 +214,10 @@ pub(super) fn example(text: &Text<'_>) -> String {
         &format!("Build it by: cc -O2 -std=c99 -ffp-contract=off main.c {name}.c -lm -o {name}"),
     ));
     own.push_str(&format!("#include <stdio.h>\n\n#include \"{name}.h\"\n\n"));
-    own.push_str(&format!(
-        "static int read_all(double *numbers, int count)\n{{\n    for (int index = 0; index < count; index++) {{\n        \
-         if (scanf(\"%lf\", &numbers[index]) != 1) {{\n            return 0;\n        }}\n    }}\n    return 1;\n}}\n\n"
-    ));
+    own.push_str(
+        "static int read_all(double *numbers, int count)\n{\n    for (int index = 0; index < count; index++) {\n        \
+         if (scanf(\"%lf\", &numbers[index]) != 1) {\n            return 0;\n        }\n    }\n    return 1;\n}\n\n",
+    );
     own.push_str(&format!(
         "int main(void)\n{{\n    double numbers[{count}];\n    while (read_all(numbers, {count})) {{\n"
     ));

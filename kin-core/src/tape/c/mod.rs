@@ -142,6 +142,11 @@ const KEYWORDS: &[&str] = &[
     "NAN",
     "INFINITY",
     "HUGE_VAL",
+    "NULL",
+    "EOF",
+    "stdin",
+    "stdout",
+    "stderr",
     "HUGE_VALF",
     "HUGE_VAL",
     "HUGE_VALF",
@@ -276,13 +281,14 @@ impl<'a> Text<'a> {
     /// The structures of the arguments: the suffix of the type's name and the variable, and which arguments are in it. A structure
     /// without arguments is left out.
     fn structures(&self) -> Vec<(&'static str, Vec<usize>)> {
-        let all: [(&str, fn(&Role) -> bool); 4] = [
+        type IsIn = fn(&Role) -> bool;
+        let all: [(&str, IsIn); 4] = [
             ("dimensions", |role| matches!(role, Role::Parameter(_))),
             ("inputs", |role| matches!(role, Role::Input { .. })),
             ("near", |role| matches!(role, Role::Near(_))),
             ("assembly", |role| matches!(role, Role::Assembly(_))),
         ];
-        let members = |is_in: fn(&Role) -> bool| -> Vec<usize> {
+        let members = |is_in: IsIn| -> Vec<usize> {
             let arguments = self.tape.arguments.iter().enumerate();
             arguments
                 .filter(|(_, argument)| is_in(&argument.role))
@@ -315,12 +321,6 @@ impl<'a> Text<'a> {
             .collect();
         arguments.push(format!("{name}_{target} *{target}"));
         format!("{name}_outcome {name}_{function}(\n    {})", arguments.join(",\n    "))
-    }
-
-    /// The same arguments without types, for a call.
-    fn passed(&self) -> String {
-        let arguments = self.structures().into_iter().map(|(structure, _)| structure);
-        arguments.collect::<Vec<_>>().join(", ")
     }
 
     /// The first lines of each file.

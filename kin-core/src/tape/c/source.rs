@@ -78,7 +78,11 @@ pub(super) fn taken(tape: &Tape, stages: &Stages, order: usize) -> Vec<Value> {
             }
         }
     }
-    for result in tape.results.iter().filter(|result| result.order == order) {
+    for result in tape
+        .results
+        .iter()
+        .filter(|result| stages.of_order(result.order) == order)
+    {
         take(result.value);
     }
     own
@@ -131,14 +135,7 @@ pub(super) fn source(text: &Text<'_>) -> String {
         own.push('\n');
         own.push_str(&equations(text, search));
     }
-    if tape.order == 0 {
-        own.push('\n');
-        own.push_str(&format!(
-            "{}\n{{\n{}}}\n",
-            text.signature("solve", "pose"),
-            Writer::of_order(text, &stages, &carried, 0).order("pose->")
-        ));
-    } else {
+    if tape.order > 0 {
         for order in 0..=tape.order {
             own.push('\n');
             own.push_str(&format!(
@@ -147,31 +144,16 @@ pub(super) fn source(text: &Text<'_>) -> String {
                 Writer::of_order(text, &stages, &carried, order).order("chain->pose.")
             ));
         }
-        own.push('\n');
-        own.push_str(&solve(text));
     }
     own.push('\n');
-    own.push_str(&message(text));
-    own
-}
-
-/// All orders one after the other.
-fn solve(text: &Text<'_>) -> String {
-    let (name, upper) = (&text.name, &text.upper);
-    let mut own = format!("{}\n{{\n    {name}_chain chain;\n", text.signature("solve", "pose"));
-    for order in 0..=text.tape.order {
-        let call = format!("{name}_{}({}, &chain)", order_name(order), text.passed());
-        if order == 0 {
-            own.push_str(&format!("    {name}_outcome outcome = {call};\n"));
-        } else {
-            own.push_str(&format!(
-                "    if (outcome.code == {upper}_CLOSED) {{\n        outcome = {call};\n    }}\n"
-            ));
-        }
-    }
+    let (stages, carried) = (Stages::one(tape), Carried { values: Vec::new() });
     own.push_str(&format!(
-        "    if (outcome.code == {upper}_CLOSED) {{\n        *pose = chain.pose;\n    }}\n    return outcome;\n}}\n"
+        "{}\n{{\n{}}}\n",
+        text.signature("solve", "pose"),
+        Writer::of_order(text, &stages, &carried, 0).order("pose->")
     ));
+    own.push('\n');
+    own.push_str(&message(text));
     own
 }
 

@@ -40,7 +40,12 @@ impl<'a> Writer<'a> {
             own.uses[value.index()] += 1;
         }
         // What is used in a branch, or later, has a name.
-        for check in text.tape.checks.iter().filter(|check| check.order == order) {
+        for check in text
+            .tape
+            .checks
+            .iter()
+            .filter(|check| stages.of_order(check.order) == order)
+        {
             for value in &check.cold {
                 text.tape.nodes[value.index()].operands(|operand| own.uses[operand.index()] += 2);
             }
@@ -101,7 +106,7 @@ impl<'a> Writer<'a> {
             self.step(*step);
         }
         for (result, field) in tape.results.iter().zip(&text.results) {
-            if result.order == order {
+            if stages.of_order(result.order) == order {
                 let value = self.expression(result.value).text;
                 self.line(&format!("{target}{field} = {value};"));
             }
