@@ -123,7 +123,6 @@ impl Table {
 
     /// The numbers of a limit, in the order and the units of the columns: the inputs and the unknowns. Rates and outputs, which may have no
     /// value there, are NaN.
-    #[must_use]
     pub fn values_at<'t>(&'t self, limit: &'t Limit) -> impl Iterator<Item = f64> + 't {
         let mut values = limit.inputs.iter().chain(&limit.unknowns);
         self.labels.iter().enumerate().map(move |(index, label)| {
