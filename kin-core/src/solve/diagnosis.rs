@@ -15,7 +15,7 @@ pub(super) fn ordinary<R: Real>(number: R, smallest: f64) -> [R::Truth; 2] {
 /// [`ordinary`] for a number that must also be at least `least`, which is no smaller than `smallest`.
 #[inline(always)]
 pub(super) fn ordinary_from<R: Real>(number: R, least: R, smallest: f64) -> [R::Truth; 2] {
-    [number.is_at_least(least), R::of(1.0 / smallest).is_at_least(number)]
+    [number.is_at_least(least), number.is_at_most(R::of(1.0 / smallest))]
 }
 
 /// The length of a vector, computed without overflow.

@@ -43,15 +43,15 @@ impl<T: Scalar> Domain<T> {
         match self.ends {
             Ends::NotNegative => x.is_at_least(R::of(0.0)),
             Ends::Positive => x.exceeds(R::of(0.0)),
-            Ends::Unit => R::of(1.0).is_at_least(x.magnitude()),
-            Ends::WithinUnit => R::of(1.0).exceeds(x.magnitude()),
+            Ends::Unit => x.magnitude().is_at_most(R::of(1.0)),
+            Ends::WithinUnit => x.magnitude().is_below(R::of(1.0)),
             Ends::FromOne => x.is_at_least(R::of(1.0)),
-            Ends::RightAngles => R::of(FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON)).is_at_least(x.magnitude()),
+            Ends::RightAngles => x.magnitude().is_at_most(R::of(FRAC_PI_2 * (1.0 + 4.0 * T::EPSILON))),
             Ends::HalfTurn => {
                 let rounding = 4.0 * PI * T::EPSILON;
-                R::both(x.is_at_least(R::of(-rounding)), || R::of(PI + rounding).is_at_least(x))
+                R::both(x.is_at_least(R::of(-rounding)), || x.is_at_most(R::of(PI + rounding)))
             }
-            Ends::WithinRightAngles => R::of(FRAC_PI_2).exceeds(x.magnitude()),
+            Ends::WithinRightAngles => x.magnitude().is_below(R::of(FRAC_PI_2)),
         }
     }
 

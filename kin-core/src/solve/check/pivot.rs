@@ -25,7 +25,7 @@ impl<T: Scalar> Check<T, 1, 1> for Multiplier<T> {
 
     #[inline(always)]
     fn holds<R: Real>(&self, [multiplier]: [R; 1]) -> [R::Truth; 1] {
-        [R::of(LARGEST_MULTIPLIER).is_at_least(multiplier.magnitude())]
+        [multiplier.magnitude().is_at_most(R::of(LARGEST_MULTIPLIER))]
     }
 
     fn margin(&self) -> T {

@@ -38,6 +38,20 @@ pub trait Real:
     #[must_use]
     fn exceeds(self, other: Self) -> Self::Truth;
 
+    /// Whether the number is less than or equal to another. NaN never is.
+    #[must_use]
+    #[inline(always)]
+    fn is_at_most(self, other: Self) -> Self::Truth {
+        other.is_at_least(self)
+    }
+
+    /// Whether the number is less than another. NaN never is.
+    #[must_use]
+    #[inline(always)]
+    fn is_below(self, other: Self) -> Self::Truth {
+        other.exceeds(self)
+    }
+
     /// Whether the number equals another. NaN never does.
     #[must_use]
     fn equals(self, other: Self) -> Self::Truth;
@@ -98,6 +112,17 @@ impl Real for f64 {
     #[inline(always)]
     fn exceeds(self, other: Self) -> bool {
         self > other
+    }
+
+    // The order of the operands decides which of them the machine has to copy.
+    #[inline(always)]
+    fn is_at_most(self, other: Self) -> bool {
+        self <= other
+    }
+
+    #[inline(always)]
+    fn is_below(self, other: Self) -> bool {
+        self < other
     }
 
     #[inline(always)]

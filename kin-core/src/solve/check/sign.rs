@@ -36,7 +36,7 @@ macro_rules! sign {
 
 sign! {
     /// Whether a number is less than zero.
-    pub Negative, "negative number": |number| R::of(0.0).exceeds(number), -number;
+    pub Negative, "negative number": |number| number.is_below(R::of(0.0)), -number;
     /// Whether a number is zero or more.
     pub(in crate::solve) NotNegative, "number that is not negative": |number| number.is_at_least(R::of(0.0)), number;
     /// Whether a number is zero.

@@ -25,7 +25,7 @@ pub(in crate::solve) struct Span<R> {
 /// Whether a value lies in a range that contains its ends.
 #[inline(always)]
 pub(in crate::solve) fn within<R: Real>(value: R, low: f64, high: f64) -> R::Truth {
-    R::both(value.is_at_least(R::of(low)), || R::of(high).is_at_least(value))
+    R::both(value.is_at_least(R::of(low)), || value.is_at_most(R::of(high)))
 }
 
 #[inline(always)]
@@ -53,7 +53,7 @@ impl<R: Real> Span<R> {
 
     fn holds(self, value: R) -> R::Truth {
         let above = value.is_at_least(R::of(self.low) - self.tolerance);
-        R::both(above, || (R::of(self.high) + self.tolerance).is_at_least(value))
+        R::both(above, || value.is_at_most(R::of(self.high) + self.tolerance))
     }
 
     /// Whether a value is clearly on one side of each end. Several poses need a distance of more than their
@@ -84,7 +84,7 @@ impl<R: Real> Span<R> {
     pub(in crate::solve) fn turns(self, angle: R) -> R {
         let (low, high, zero) = (R::of(self.low), R::of(self.high), R::of(0.0));
         let turns = R::choose(
-            low.exceeds(angle),
+            angle.is_below(low),
             || ((low - self.tolerance - angle) / R::of(TAU)).raised(),
             || {
                 R::choose(

@@ -82,7 +82,7 @@ impl<T: Scalar> Check<T, 1, 1> for TellsDirection<T> {
     #[inline(always)]
     fn holds<R: Real>(&self, [size]: [R; 1]) -> [R::Truth; 1] {
         // NaN does not equal itself.
-        [R::either(R::of(self.limit).is_at_least(size), || {
+        [R::either(size.is_at_most(R::of(self.limit)), || {
             R::not(size.equals(size))
         })]
     }

@@ -56,7 +56,7 @@ impl<T: Scalar> Check<T, 1, 3> for AboveOne<T> {
         let one = R::of(1.0);
         [
             value.exceeds(one),
-            R::of(f64::INFINITY).exceeds(value),
+            value.is_below(R::of(f64::INFINITY)),
             is_told_from::<T, R>(1.0, value, one),
         ]
     }

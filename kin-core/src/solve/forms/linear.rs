@@ -86,7 +86,7 @@ impl<T: Scalar> Check<T, 4, 4> for Meet<T> {
         let size = determinant.magnitude();
         [
             size.exceeds(noise::<T, R>(product)),
-            R::of(f64::INFINITY).exceeds(size),
+            size.is_below(R::of(f64::INFINITY)),
             x.is_finite(),
             y.is_finite(),
         ]

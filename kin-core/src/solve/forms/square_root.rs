@@ -45,7 +45,7 @@ impl<T: Scalar> Check<T, 1, 2> for Positive<T> {
 
     #[inline(always)]
     fn holds<R: Real>(&self, [square]: [R; 1]) -> [R::Truth; 2] {
-        [square.exceeds(R::of(0.0)), R::of(f64::INFINITY).exceeds(square)]
+        [square.exceeds(R::of(0.0)), square.is_below(R::of(f64::INFINITY))]
     }
 
     fn margin(&self) -> T {
