@@ -17,16 +17,20 @@
 mod arrange;
 #[allow(clippy::format_push_string, reason = "a few kilobytes of text, piece by piece")]
 mod c;
+mod java_script;
 mod node;
 mod print;
+mod python;
 mod record;
 mod recorded;
 mod recorder;
 mod run;
 mod runtime;
+mod signature;
 mod stages;
 mod structure;
 mod words;
+mod writer;
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,7 @@
 //! Recorded solvers of the whole library against the solvers themselves.
 
 mod c;
+mod languages;
 mod poses;
 
 use kin_core::tape::{self, Options, Stop};

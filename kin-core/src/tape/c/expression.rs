@@ -7,7 +7,7 @@ use crate::tape::{Comparison, Constant, Function, Operator, Precision};
 
 /// How tightly an operator of C binds, from the loosest to the tightest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Binding {
+pub(in crate::tape) enum Binding {
     Conditional,
     Or,
     And,
@@ -21,14 +21,14 @@ pub(super) enum Binding {
 
 /// A piece of C with the binding of its outermost operator.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Expression {
-    pub(super) text: String,
+pub(in crate::tape) struct Expression {
+    pub(in crate::tape) text: String,
     binding: Binding,
 }
 
 impl Expression {
     /// A name, a call, or something in brackets.
-    pub(super) fn whole(text: impl Into<String>) -> Self {
+    pub(in crate::tape) fn whole(text: impl Into<String>) -> Self {
         Self {
             text: text.into(),
             binding: Binding::Whole,
@@ -36,7 +36,7 @@ impl Expression {
     }
 
     /// A number that is read as the same number.
-    pub(super) fn constant(constant: Constant, precision: Precision) -> Self {
+    pub(in crate::tape) fn constant(constant: Constant, precision: Precision) -> Self {
         let value = constant.value();
         let size = value.abs();
         let text = if value.is_nan() {
@@ -76,7 +76,7 @@ impl Expression {
         Self { text, binding }
     }
 
-    pub(super) fn sum(&self, sign: char, other: &Self) -> Self {
+    pub(in crate::tape) fn sum(&self, sign: char, other: &Self) -> Self {
         // Sums and products are carried out from left to right, and may not be carried out otherwise.
         let text = format!(
             "{} {sign} {}",
@@ -86,7 +86,7 @@ impl Expression {
         Self::of(Binding::Sum, text)
     }
 
-    pub(super) fn product(&self, sign: char, other: &Self) -> Self {
+    pub(in crate::tape) fn product(&self, sign: char, other: &Self) -> Self {
         let text = format!(
             "{} {sign} {}",
             self.within(Binding::Product),
@@ -95,17 +95,17 @@ impl Expression {
         Self::of(Binding::Product, text)
     }
 
-    pub(super) fn negated(&self) -> Self {
+    pub(in crate::tape) fn negated(&self) -> Self {
         // Two signs would be a decrement.
         Self::of(Binding::Sign, format!("-{}", self.within(Binding::Whole)))
     }
 
-    pub(super) fn call(function: &str, arguments: &[&Self]) -> Self {
+    pub(in crate::tape) fn call(function: &str, arguments: &[&Self]) -> Self {
         let arguments: std::vec::Vec<&str> = arguments.iter().map(|own| own.text.as_str()).collect();
         Self::whole(format!("{function}({})", arguments.join(", ")))
     }
 
-    pub(super) fn compared(&self, comparison: Comparison, other: &Self) -> Self {
+    pub(in crate::tape) fn compared(&self, comparison: Comparison, other: &Self) -> Self {
         let (sign, binding) = match comparison {
             Comparison::AtLeast => (">=", Binding::Relation),
             Comparison::Exceeds => (">", Binding::Relation),
@@ -116,7 +116,7 @@ impl Expression {
         Self::of(binding, text)
     }
 
-    pub(super) fn both(&self, other: &Self) -> Self {
+    pub(in crate::tape) fn both(&self, other: &Self) -> Self {
         let text = format!(
             "{} && {}",
             self.within(Binding::Equality),
@@ -125,7 +125,7 @@ impl Expression {
         Self::of(Binding::And, text)
     }
 
-    pub(super) fn either(&self, other: &Self) -> Self {
+    pub(in crate::tape) fn either(&self, other: &Self) -> Self {
         // Compilers warn of `&&` inside of `||` without parentheses.
         let text = format!(
             "{} || {}",
@@ -135,17 +135,17 @@ impl Expression {
         Self::of(Binding::Or, text)
     }
 
-    pub(super) fn not(&self) -> Self {
+    pub(in crate::tape) fn not(&self) -> Self {
         Self::of(Binding::Sign, format!("!{}", self.within(Binding::Whole)))
     }
 
-    pub(super) fn select(&self, one: &Self, other: &Self) -> Self {
+    pub(in crate::tape) fn select(&self, one: &Self, other: &Self) -> Self {
         let [truth, one, other] = [self, one, other].map(|own| own.within(Binding::Or));
         Self::of(Binding::Conditional, format!("{truth} ? {one} : {other}"))
     }
 
     /// An operation on two numbers.
-    pub(super) fn binary(&self, operator: Operator, other: &Self) -> Self {
+    pub(in crate::tape) fn binary(&self, operator: Operator, other: &Self) -> Self {
         match operator {
             Operator::Add => self.sum('+', other),
             Operator::Subtract => self.sum('-', other),
@@ -156,7 +156,7 @@ impl Expression {
     }
 
     /// A function of `<math.h>`. Sine and cosine are found together, and elsewhere.
-    pub(super) fn called(&self, function: Function, precision: Precision) -> Self {
+    pub(in crate::tape) fn called(&self, function: Function, precision: Precision) -> Self {
         let name = match function {
             Function::Negate => return self.negated(),
             Function::Magnitude => "fabs",

@@ -1,6 +1,6 @@
 //! The solver of a mechanism in C99.
 
-mod expression;
+pub(super) mod expression;
 mod header;
 mod source;
 mod writer;

@@ -10,7 +10,7 @@ use crate::tape::c::writer::Writer;
 use crate::tape::c::{Text, comment, quoted};
 use crate::tape::runtime::{self, Parts};
 use crate::tape::stages::Stages;
-use crate::tape::{Condition, Function, Node, Operator, Step, Tape, Value};
+use crate::tape::{Condition, Node, Step, Tape, Value};
 
 /// The values that later orders take from earlier ones.
 pub(super) struct Carried {
@@ -128,7 +128,7 @@ pub(super) fn source(text: &Text<'_>) -> String {
     let (name, tape) = (&text.name, text.tape);
     let mut own = text.head(&format!("{name}.c"));
     own.push_str(&format!("#include \"{name}.h\"\n\n"));
-    own.push_str(&runtime::c(parts(tape), tape.precision));
+    own.push_str(&runtime::c(Parts::of(tape), tape.precision));
     let stages = Stages::new(tape);
     let carried = Carried::new(tape);
     for search in 0..tape.searches.len() {
@@ -169,22 +169,6 @@ fn message(text: &Text<'_>) -> String {
     }
     own.push_str("    default:\n        return \"no such code\";\n    }\n}\n");
     own
-}
-
-/// The parts of the run time that a tape needs.
-fn parts(tape: &Tape) -> Parts {
-    let has = |wanted: &dyn Fn(&Node) -> bool| tape.nodes.iter().any(wanted);
-    let sizes = tape.searches.iter().map(|search| search.guess.len());
-    Parts {
-        sine_cosine: has(&|node| matches!(node, Node::Call(Function::Sine | Function::Cosine, _))),
-        arc_tangent: has(&|node| matches!(node, Node::Binary(Operator::ArcTangent, ..))),
-        factors: !tape.systems.is_empty(),
-        newton: !tape.searches.is_empty(),
-        unknowns: sizes
-            .chain(tape.systems.iter().map(|system| system.rows.len()))
-            .max()
-            .unwrap_or(0),
-    }
 }
 
 /// The residuals and the Jacobian of a search.

@@ -90,3 +90,8 @@ class _Factors:
                 total = total - self.entries[row, column] * solution[column]
             solution[row] = total / self.entries[row, row]
         return np.ldexp(solution, self.columns)
+
+    def keep(self, mask: Array) -> None:
+        """Leaves out the poses where a mask does not hold."""
+        for name, own in vars(self).items():
+            setattr(self, name, own[..., mask])

@@ -13,7 +13,7 @@ mod tests;
 
 use std::string::{String, ToString};
 
-use crate::tape::Precision;
+use crate::tape::{Function, Node, Operator, Precision, Tape};
 use constants::Table;
 
 /// The parts of the run time that a program needs.
@@ -32,6 +32,20 @@ pub(super) struct Parts {
 }
 
 impl Parts {
+    /// The parts that a tape needs.
+    pub(super) fn of(tape: &Tape) -> Self {
+        let has = |wanted: fn(&Node) -> bool| tape.nodes.iter().any(wanted);
+        let systems = tape.systems.iter().map(|system| system.rows.len());
+        let searches = tape.searches.iter().map(|search| search.guess.len());
+        Self {
+            sine_cosine: has(|node| matches!(node, Node::Call(Function::Sine | Function::Cosine, _))),
+            arc_tangent: has(|node| matches!(node, Node::Binary(Operator::ArcTangent, ..))),
+            factors: !tape.systems.is_empty(),
+            newton: !tape.searches.is_empty(),
+            unknowns: systems.chain(searches).max().unwrap_or(0),
+        }
+    }
+
     /// The parts one after the other, each a text with constants to be filled in.
     fn text(self, table: &Table, [sine_cosine, arc_tangent, factors, newton]: [&str; 4]) -> String {
         let parts = [

@@ -21,114 +21,133 @@ def _is_rounding(length: Array, unknowns: Array, jacobian: Array, sizes: Array, 
     return linear | (length <= 16.0 * _EPSILON * size * amplification)
 
 
+class _Search:
+    """Newton's method for a block, for the poses that have not ended."""
+
+    def __init__(self, guess: Array, sizes: Array, equations: Callable[..., tuple[Array, Array]], given: Array) -> None:
+        self.equations, self.sizes, self.given = equations, sizes, given
+        poses = guess.shape[1]
+        self.root = guess.copy()
+        self.outcome = np.full(poses, _NOT_CONVERGED)
+        self.detail = np.zeros(poses)
+        #: The places of the poses that have not ended.
+        self.left = np.arange(poses)
+
+    def at(self, unknowns: Array) -> tuple[Array, Array, Array]:
+        """Residuals, Jacobian, and whether they are finite."""
+        residuals, jacobian = self.equations(unknowns, *self.given)
+        jacobian = jacobian * self.sizes
+        finite = np.all(np.isfinite(residuals), axis=0) & np.all(np.isfinite(jacobian), axis=(0, 1))
+        return residuals, jacobian, finite
+
+    def end(self, mask: Array, outcome: Array | int, detail: Array | float) -> None:
+        places = self.left[mask]
+        self.outcome[places] = np.broadcast_to(outcome, mask.shape)[mask]
+        self.detail[places] = np.broadcast_to(detail, mask.shape)[mask]
+
+    def distinct(self, mask: Array, root: Array, previous: _Factors | None, factors: _Factors) -> None:
+        """Accepts roots, unless a change of the size of rounding errors alters the determinant by a quarter of itself."""
+        ratio = np.ones(mask.shape)
+        if previous is not None:
+            exponent = _clamped(factors.exponent() - previous.exponent())
+            ratio = np.ldexp(factors.pivots() / previous.pivots(), exponent)
+        right = (ratio >= 0.75) & (ratio <= 1.25)
+        determinant = np.where(right, 0.0, np.ldexp(factors.pivots(), factors.exponent()))
+        finite = np.where(right, np.all(np.isfinite(root), axis=0), np.isfinite(determinant))
+        self.root[:, self.left[mask]] = root[:, mask]
+        self.end(mask, np.where(finite, np.where(right, _FOUND, _SINGULAR), _NOT_FINITE), determinant)
+
+    def keep(self, mask: Array) -> None:
+        self.left, self.sizes, self.given = self.left[mask], self.sizes[:, mask], self.given[:, mask]
+
+
 def _newton(
-    guess: Array, sizes: Array, equations: Callable[[Array], tuple[Array, Array]], poses: int
+    guess: Array, sizes: Array, equations: Callable[..., tuple[Array, Array]], given: Array, wanted: Array
 ) -> tuple[Array, Array, Array]:
     """The roots of a block near a guess, by Newton's method with the damping of P. Deuflhard, Newton Methods for
     Nonlinear Problems, Springer 2004, section 3.3.3.
 
-    The last axis of all arrays are the poses. `sizes` are the natural sizes of the unknowns; `equations` gives the
-    residuals and their Jacobian, one row for each equation. Returned are the roots, the outcome of each pose, and the
-    residual of an iteration that does not converge or the determinant of a singular Jacobian.
+    The last axis of all arrays are the poses, of which the `wanted` ones are solved. `sizes` are the natural sizes of the
+    unknowns; `equations` gives the residuals and their Jacobian, one row for each equation, at unknowns and the `given`
+    numbers. Returned are the roots, the outcome of each pose, and the residual of an iteration that does not converge or
+    the determinant of a singular Jacobian.
     """
-    guess = np.broadcast_to(guess, (len(guess), poses)).astype(np.float64)
-    sizes = np.broadcast_to(sizes, (len(sizes), poses)).astype(np.float64)
-    root = guess.copy()
-    outcome = np.full(poses, _NOT_CONVERGED)
-    detail = np.zeros(poses)
-    pending = np.all((sizes > 0.0) & np.isfinite(sizes), axis=0)
-
-    def at(unknowns: Array) -> tuple[Array, Array, Array]:
-        residuals, jacobian = equations(unknowns)
-        jacobian = jacobian * sizes
-        finite = np.all(np.isfinite(residuals), axis=0) & np.all(np.isfinite(jacobian), axis=(0, 1))
-        return residuals, jacobian, finite
-
-    def end(mask: Array, code: Array | int, number: Array | float) -> None:
-        nonlocal pending, outcome, detail
-        outcome = np.where(mask, code, outcome)
-        detail = np.where(mask, number, detail)
-        pending = pending & ~mask
-
-    def distinct(mask: Array, place: Array, previous: _Factors | None, pivots: _Factors, started: bool | Array) -> None:
-        """Accepts roots, unless a change of the size of rounding errors alters the determinant by a quarter."""
-        nonlocal root
-        ratio = np.ones(poses)
-        if previous is not None:
-            exponent = _clamped(pivots.exponent() - previous.exponent())
-            ratio = np.where(started, np.ldexp(pivots.pivots() / previous.pivots(), exponent), 1.0)
-        right = (ratio >= 0.75) & (ratio <= 1.25)
-        determinant = np.where(right, 0.0, np.ldexp(pivots.pivots(), pivots.exponent()))
-        finite = np.where(right, np.all(np.isfinite(place), axis=0), np.isfinite(determinant))
-        root = np.where(mask, place, root)
-        end(mask, np.where(finite, np.where(right, _FOUND, _SINGULAR), _NOT_FINITE), determinant)
-
-    unknowns = guess.copy()
-    residuals, jacobian, finite = at(unknowns)
-    pending = pending & finite
-    outcome = np.where(pending, outcome, _NOT_FINITE)
-    factors = _Factors(jacobian)
-    end(pending & (factors.outcome != _FOUND), factors.outcome, factors.detail)
-    before: _Factors | None = None
-    limit = np.full(poses, @FIRST_STEP@)
-    part, previous, expected = np.ones(poses), np.zeros(poses), np.zeros_like(guess)
-    for _ in range(@ITERATIONS@):
-        if not np.any(pending):
+    search = _Search(guess, sizes, equations, given)
+    unknowns = guess
+    residuals, jacobian, finite = search.at(unknowns)
+    finite = finite & np.all((sizes > 0.0) & np.isfinite(sizes), axis=0)
+    search.end(~finite, _NOT_FINITE, 0.0)
+    pending = finite & wanted
+    previous, before, part, expected = np.zeros(len(pending)), None, np.ones(len(pending)), guess
+    limit = np.full(len(pending), @FIRST_STEP@)
+    for iteration in range(@ITERATIONS@ + 1):
+        # Poses that have ended are left out.
+        search.keep(pending)
+        unknowns, residuals, jacobian = unknowns[:, pending], residuals[:, pending], jacobian[:, :, pending]
+        previous, part, expected, limit = previous[pending], part[pending], expected[:, pending], limit[pending]
+        if before is not None:
+            before.keep(pending)
+        if len(search.left) == 0:
+            break
+        factors = _Factors(jacobian)
+        broken = factors.outcome != _FOUND
+        search.end(broken, factors.outcome, factors.detail)
+        if iteration == @ITERATIONS@:
+            search.end(~broken, _NOT_CONVERGED, _largest(residuals))
             break
         correction = -factors.solve(residuals)
         length = _largest(correction)
-        end(pending & ~np.isfinite(length), _NOT_CONVERGED, _largest(residuals))
-        size = np.maximum(1.0, np.abs(unknowns) / sizes)
+        lengthy = ~broken & ~np.isfinite(length)
+        search.end(lengthy, _NOT_CONVERGED, _largest(residuals))
+        pending = ~broken & ~lengthy
+        size = np.maximum(1.0, np.abs(unknowns) / search.sizes)
         lost = pending & np.all(np.abs(correction) <= _EPSILON * size, axis=0)
-        rounding = _is_rounding(length, unknowns, jacobian, sizes, factors)
-        stalled = np.zeros(poses, dtype=bool)
+        rounding = _is_rounding(length, unknowns, jacobian, search.sizes, factors)
+        stalled = np.zeros_like(lost)
         if before is not None:
             stalled = pending & ~lost & (part == 1.0) & (length >= 0.5 * previous) & rounding
-        place = np.where(lost, unknowns + 1.0 * correction * sizes, unknowns)
-        distinct(lost | stalled, place, before, factors, before is not None)
-        foreseen = np.ones(poses)
+        search.distinct(lost, unknowns + correction * search.sizes, before, factors)
+        search.distinct(stalled, unknowns, before, factors)
+        pending = pending & ~lost & ~stalled
+        foreseen = np.ones(len(pending))
         if before is not None:
             foreseen = part * previous * _largest(expected) / (_largest(expected - correction) * length)
             foreseen = np.where(foreseen < 1.0, np.maximum(foreseen, @SMALLEST_PART@), 1.0)
         part = np.minimum(foreseen, limit / length)
 
-        # The places that are accepted, one after the other.
-        trying, moved = pending.copy(), unknowns.copy()
-        moved_residuals, moved_jacobian = residuals.copy(), jacobian.copy()
+        trying, next_unknowns = pending, unknowns
+        next_residuals, next_jacobian = residuals, jacobian
         for _ in range(@TRIALS@):
             if not np.any(trying):
                 break
-            trial = unknowns + part * correction * sizes
+            trial = unknowns + part * correction * search.sizes
             advice = 0.5 * part
-            there_residuals, there_jacobian, finite = at(trial)
+            there_residuals, there_jacobian, finite = search.at(trial)
             forecast = -factors.solve(there_residuals)
             fall = _largest(forecast) / length
             accepted = trying & finite & (fall < 1.0 - 0.25 * part)
-            moved = np.where(accepted, trial, moved)
+            next_unknowns = np.where(accepted, trial, next_unknowns)
             expected = np.where(accepted, forecast, expected)
-            moved_residuals = np.where(accepted, there_residuals, moved_residuals)
-            moved_jacobian = np.where(accepted, there_jacobian, moved_jacobian)
+            next_residuals = np.where(accepted, there_residuals, next_residuals)
+            next_jacobian = np.where(accepted, there_jacobian, next_jacobian)
             trying = trying & ~accepted
             rounded = trying & finite & rounding
             if np.any(rounded):
                 there = _Factors(there_jacobian)
-                place = np.where(fall < 1.0, trial, unknowns)
                 broken = rounded & (there.outcome != _FOUND)
-                end(broken, there.outcome, there.detail)
-                distinct(rounded & ~broken, place, factors, there, True)
-                trying = trying & ~rounded
+                search.end(broken, there.outcome, there.detail)
+                search.distinct(rounded & ~broken, np.where(fall < 1.0, trial, unknowns), factors, there)
+                trying, pending = trying & ~rounded, pending & ~rounded
             estimate = 0.5 * length * part * part / _largest(forecast - (1.0 - part) * correction)
             # Shorten to a tenth at most: the estimate is rough if the step was much too long.
             shorter = finite & (estimate < advice)
             advice = np.where(shorter, np.maximum(estimate, 0.1 * part), advice)
             part = np.where(trying, advice, part)
-        end(trying, _NOT_CONVERGED, _largest(residuals))
+        search.end(trying, _NOT_CONVERGED, _largest(residuals))
+        pending = pending & ~trying
         # If the equations are nearly linear over a step, the next step may be longer.
         linear = _largest(expected - (1.0 - part) * correction) <= 0.25 * part * length
         limit = np.where(linear, limit * 2.0, limit)
         previous, before = length, factors
-        unknowns, residuals, jacobian = moved, moved_residuals, moved_jacobian
-        factors = _Factors(jacobian)
-        end(pending & (factors.outcome != _FOUND), factors.outcome, factors.detail)
-    end(pending, _NOT_CONVERGED, _largest(residuals))
-    return root, outcome, detail
+        unknowns, residuals, jacobian = next_unknowns, next_residuals, next_jacobian
+    return search.root, search.outcome, search.detail

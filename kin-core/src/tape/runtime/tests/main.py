@@ -1,31 +1,25 @@
 
 
-def four_bar(r):
-    def equations(u):
-        s2, c2 = _sine_cosine(r[4])
-        s3, c3 = _sine_cosine(u[0])
-        s4, c4 = _sine_cosine(u[1])
-        residuals = [r[1] * c2 + r[2] * c3 - r[0] - r[3] * c4, r[1] * s2 + r[2] * s3 - r[3] * s4]
-        return np.array(residuals), np.array([[-(r[2] * s3), r[3] * s4], [r[2] * c3, -(r[3] * c4)]])
-
-    return equations
+def four_bar(u, *r):
+    s2, c2 = _sine_cosine(r[4])
+    s3, c3 = _sine_cosine(u[0])
+    s4, c4 = _sine_cosine(u[1])
+    residuals = [r[1] * c2 + r[2] * c3 - r[0] - r[3] * c4, r[1] * s2 + r[2] * s3 - r[3] * s4]
+    return np.array(residuals), np.array([[-(r[2] * s3), r[3] * s4], [r[2] * c3, -(r[3] * c4)]])
 
 
-def surfaces(g):
-    def equations(u):
-        x, y, z = u
-        residuals = [x * x + y * y + z * z - g[0], x * y - g[1] * z, x + y * z - g[2]]
-        one = np.ones_like(x)
-        return np.array(residuals), np.array([[2 * x, 2 * y, 2 * z], [y, x, -g[1]], [one, z, y]])
-
-    return equations
+def surfaces(u, *g):
+    x, y, z = u
+    residuals = [x * x + y * y + z * z - g[0], x * y - g[1] * z, x + y * z - g[2]]
+    one = np.ones_like(x)
+    return np.array(residuals), np.array([[2 * x, 2 * y, 2 * z], [y, x, -g[1]], [one, z, y]])
 
 
 def newton(numbers, count, equations, sizes):
-    root, outcome, detail = _newton(
-        numbers[-count:], np.array(sizes)[:, None], equations(numbers), numbers.shape[1]
-    )
-    return np.vstack([outcome.astype(np.float64), detail, root])
+    poses = numbers.shape[1]
+    sizes = np.broadcast_to(np.array(sizes)[:, None], (count, poses))
+    root, outcome, detail = _newton(numbers[-count:], sizes, equations, numbers[:-count], np.ones(poses, dtype=bool))
+    return np.vstack([outcome, detail, root])
 
 
 def matrices(numbers):

@@ -1,0 +1,174 @@
+//! What a solver in JavaScript or Python is given and finds, quantity by quantity, with names of the language.
+
+use std::collections::BTreeMap;
+use std::format;
+use std::string::{String, ToString as _};
+use std::vec;
+use std::vec::Vec;
+
+use crate::quantity::Dimension;
+use crate::tape::words::Names;
+use crate::tape::{ResultOf, Role, Tape};
+
+/// A quantity with its rates.
+pub(super) struct Entry {
+    /// Its name in the language.
+    pub(super) name: String,
+    /// Its name as declared.
+    declared: String,
+    dimension: Dimension,
+    description: &'static str,
+    /// The index of each order among the arguments or the results of the tape.
+    pub(super) places: Vec<usize>,
+}
+
+impl Entry {
+    /// A line about the quantity: its description, its dimension and its rates.
+    pub(super) fn text(&self) -> String {
+        let mut text = self.description.trim().trim_end_matches('.').to_string();
+        if text.is_empty() {
+            text = format!("`{}`", self.declared);
+        }
+        text.push_str(match self.dimension {
+            Dimension::Length => "; a length",
+            Dimension::Angle => "; an angle in radians",
+            Dimension::Scalar => "; a number",
+        });
+        let rates = ["", "", ", acceleration", ", jerk", ", snap"];
+        if self.places.len() > 1 {
+            let last = self.places.len().min(rates.len());
+            text = format!("{text}: position, velocity{}", rates[..last].concat());
+            if self.places.len() > rates.len() {
+                text.push_str(" and higher rates");
+            }
+        }
+        text
+    }
+}
+
+/// The quantities of a tape.
+pub(super) struct Signature {
+    pub(super) parameters: Vec<Entry>,
+    pub(super) inputs: Vec<Entry>,
+    /// The values near unknowns, of a mechanism with coupled blocks.
+    pub(super) near: Vec<Entry>,
+    pub(super) assemblies: Vec<Entry>,
+    /// The unknowns, the outputs and the partial derivatives.
+    pub(super) results: Vec<Entry>,
+    /// The places among the results of the coordinates of each joint.
+    pub(super) joints: Vec<Vec<usize>>,
+    /// The same of the direction of each slide.
+    pub(super) slides: Vec<Vec<usize>>,
+}
+
+impl Signature {
+    /// The quantities with names that are none of `taken`. A quantity has one name wherever it occurs.
+    pub(super) fn new(tape: &Tape, taken: &'static [&'static str]) -> Self {
+        let mut names = Names::new(taken);
+        let mut known = BTreeMap::new();
+        let mut name = |declared: &str| -> String {
+            let own = known
+                .entry(declared.to_string())
+                .or_insert_with(|| names.name(declared));
+            own.clone()
+        };
+        let mut own = Self {
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            near: Vec::new(),
+            assemblies: Vec::new(),
+            results: Vec::new(),
+            joints: Vec::new(),
+            slides: Vec::new(),
+        };
+        for (place, argument) in tape.arguments.iter().enumerate() {
+            let (list, order) = match argument.role {
+                Role::Parameter(_) => (&mut own.parameters, 0),
+                Role::Input { order, .. } => (&mut own.inputs, order),
+                Role::Near(_) => (&mut own.near, 0),
+                Role::Assembly(_) => (&mut own.assemblies, 0),
+            };
+            match list.last_mut() {
+                Some(last) if order > 0 => last.places.push(place),
+                _ => list.push(Entry {
+                    name: name(&argument.name),
+                    declared: argument.name.clone(),
+                    dimension: argument.dimension,
+                    description: argument.description,
+                    places: vec![place],
+                }),
+            }
+        }
+        for (place, result) in tape.results.iter().enumerate() {
+            let parameter = |parameter: usize| tape.description.parameters[parameter].name;
+            let declared = match result.quantity {
+                ResultOf::Joint { joint, .. } => {
+                    own.joints.resize(own.joints.len().max(joint + 1), Vec::new());
+                    own.joints[joint].push(place);
+                    continue;
+                }
+                ResultOf::Slide { slide, .. } => {
+                    own.slides.resize(own.slides.len().max(slide + 1), Vec::new());
+                    own.slides[slide].push(place);
+                    continue;
+                }
+                ResultOf::Unknown(_) | ResultOf::Output(_) => result.name.clone(),
+                ResultOf::UnknownPartial {
+                    unknown,
+                    parameter: own,
+                } => {
+                    format!("{}_by_{}", tape.description.unknowns[unknown].name, parameter(own))
+                }
+                ResultOf::OutputPartial { output, parameter: own } => {
+                    format!("{}_by_{}", tape.description.outputs[output].name, parameter(own))
+                }
+            };
+            match own.results.last_mut() {
+                Some(last) if result.order > 0 => last.places.push(place),
+                _ => own.results.push(Entry {
+                    name: name(&declared),
+                    declared,
+                    dimension: result.dimension,
+                    description: result.description,
+                    places: vec![place],
+                }),
+            }
+        }
+        own
+    }
+}
+
+/// The lines at the head of a file: the mechanism, its equations, its dimensions if they are constants, the version and
+/// the licence.
+pub(super) fn head(tape: &Tape) -> Vec<String> {
+    let description = &tape.description;
+    let version = env!("CARGO_PKG_VERSION");
+    let mut lines = Vec::new();
+    lines.push(format!(
+        "The solver of `{}` through order {}, written by kin {version}.",
+        description.name, tape.order
+    ));
+    lines.push(String::new());
+    lines.push("Equations:".to_string());
+    lines.extend(description.equations.iter().map(|equation| format!("  {equation}")));
+    if tape.folded.is_empty() {
+        lines.push("The dimensions are arguments.".to_string());
+    } else {
+        lines.push("Dimensions:".to_string());
+        let pairs = description.parameters.iter().zip(&tape.folded);
+        lines.extend(pairs.map(|(parameter, value)| format!("  {} = {value:?}", parameter.name)));
+    }
+    lines.push("Blocks in the order of solution:".to_string());
+    lines.extend(
+        description
+            .blocks
+            .iter()
+            .map(|block| format!("  {}: {}", block.unknowns, block.solution)),
+    );
+    lines.push(String::new());
+    let licence = env!("CARGO_PKG_LICENSE");
+    lines.push(format!(
+        "The functions of kin in this file are licensed under {licence}, as you choose."
+    ));
+    lines
+}

@@ -1,0 +1,211 @@
+//! The nodes of a tape as expressions of a language, shared by JavaScript and Python.
+
+use std::string::{String, ToString as _};
+use std::vec;
+use std::vec::Vec;
+
+use crate::tape::c::expression::Expression;
+use crate::tape::{Function, Node, Operator, Step, Tape, Value};
+
+/// The ways in which a language writes operations.
+pub(super) trait Dialect {
+    /// A number that is read as itself.
+    fn number(&self, value: f64) -> Expression;
+
+    /// A truth.
+    fn truth(&self, holds: bool) -> Expression;
+
+    /// A function of one number. The change of sign is none of them, and neither are sine and cosine, which are found
+    /// together.
+    fn call(&self, function: Function, argument: &Expression) -> Expression;
+
+    /// The angle from the x axis to the point (x, y).
+    fn angle(&self, y: &Expression, x: &Expression) -> Expression;
+
+    /// Whether a number is finite.
+    fn is_finite(&self, number: &Expression) -> Expression;
+
+    /// One of two numbers.
+    fn select(&self, truth: &Expression, one: &Expression, other: &Expression) -> Expression {
+        truth.select(one, other)
+    }
+
+    /// Whether both truths hold.
+    fn both(&self, one: &Expression, other: &Expression) -> Expression {
+        one.both(other)
+    }
+
+    /// Whether at least one truth holds.
+    fn either(&self, one: &Expression, other: &Expression) -> Expression {
+        one.either(other)
+    }
+
+    /// Whether a truth does not hold.
+    fn not(&self, truth: &Expression) -> Expression {
+        truth.not()
+    }
+}
+
+impl Step {
+    /// The node that the step computes.
+    pub(super) fn computed(&self) -> Option<Value> {
+        match *self {
+            Self::Compute(value) => Some(value),
+            _ => None,
+        }
+    }
+}
+
+/// The nodes of a tape as expressions: names where a node has one, otherwise the operation.
+pub(super) struct Writer<'a, D> {
+    tape: &'a Tape,
+    pub(super) dialect: D,
+    names: Vec<Option<String>>,
+    uses: Vec<usize>,
+}
+
+/// The longest expression that takes the place of a name, in letters.
+const LONGEST: usize = 60;
+
+impl<'a, D: Dialect> Writer<'a, D> {
+    pub(super) fn new(tape: &'a Tape, dialect: D) -> Self {
+        let mut uses = vec![0_usize; tape.nodes.len()];
+        for node in &tape.nodes {
+            node.operands(|operand| uses[operand.index()] += 1);
+        }
+        // Whatever else needs a node needs it by its name.
+        let mut named = |value: &Value| uses[value.index()] += 2;
+        tape.results.iter().for_each(|result| named(&result.value));
+        tape.checks
+            .iter()
+            .filter_map(|check| check.margin.as_ref())
+            .for_each(&mut named);
+        for search in &tape.searches {
+            search
+                .guess
+                .iter()
+                .chain(&search.sizes)
+                .chain(&search.residuals)
+                .for_each(&mut named);
+            search.jacobian.iter().flatten().for_each(&mut named);
+        }
+        tape.systems
+            .iter()
+            .flat_map(|system| system.rows.iter().flatten())
+            .for_each(&mut named);
+        tape.solutions
+            .iter()
+            .flat_map(|solution| &solution.right)
+            .for_each(&mut named);
+        Self {
+            tape,
+            dialect,
+            names: vec![None; tape.nodes.len()],
+            uses,
+        }
+    }
+
+    /// Gives a node a name, or an expression that stands for it.
+    pub(super) fn name(&mut self, value: Value, name: impl Into<String>) {
+        self.names[value.index()] = Some(name.into());
+    }
+
+    /// The names of nodes, to be given back by [`rename`](Self::rename).
+    pub(super) fn names_of(&self, values: &[Value]) -> Vec<Option<String>> {
+        values.iter().map(|value| self.names[value.index()].clone()).collect()
+    }
+
+    /// Gives a node a name that it had, or takes its name.
+    pub(super) fn rename(&mut self, value: Value, name: Option<String>) {
+        self.names[value.index()] = name;
+    }
+
+    /// The names of a group of nodes that are computed one after the other, each with the expression that it stands for.
+    /// A node that is needed once, by a node of the group, becomes a part of that node, unless it is long. Sines and
+    /// cosines are left to the caller.
+    pub(super) fn named(&self, group: &[Value], limit: Option<usize>) -> Vec<Value> {
+        let limit = limit.unwrap_or(LONGEST);
+        let mut within = vec![0_usize; self.uses.len()];
+        for value in group {
+            self.tape.nodes[value.index()].operands(|operand| within[operand.index()] += 1);
+        }
+        let mut length = vec![0_usize; self.uses.len()];
+        let mut named = Vec::new();
+        for value in group {
+            let node = self.tape.nodes[value.index()];
+            let mut own = 4;
+            node.operands(|operand| own += length[operand.index()].max(5));
+            let place = value.index();
+            let is_pair = matches!(node, Node::Call(Function::Sine | Function::Cosine, _));
+            if self.uses[place] == 1 && within[place] == 1 && own <= limit && !is_pair {
+                length[place] = own;
+            } else {
+                named.push(*value);
+            }
+        }
+        named
+    }
+
+    /// A node by its name, or its operation if it has none.
+    pub(super) fn value(&self, value: Value) -> Expression {
+        match &self.names[value.index()] {
+            Some(name) => Expression::whole(name.clone()),
+            None => self.operation(value),
+        }
+    }
+
+    /// The operation of a node.
+    pub(super) fn operation(&self, value: Value) -> Expression {
+        let of = |operand: Value| self.value(operand);
+        let dialect = &self.dialect;
+        match self.tape.nodes[value.index()] {
+            Node::Constant(constant) => dialect.number(constant.value()),
+            Node::Certain(holds) => dialect.truth(holds),
+            Node::Call(Function::Negate, one) => of(one).negated(),
+            Node::Call(function, one) => dialect.call(function, &of(one)),
+            Node::Binary(Operator::Add, one, other) => of(one).sum('+', &of(other)),
+            Node::Binary(Operator::Subtract, one, other) => of(one).sum('-', &of(other)),
+            Node::Binary(Operator::Multiply, one, other) => of(one).product('*', &of(other)),
+            Node::Binary(Operator::Divide, one, other) => of(one).product('/', &of(other)),
+            Node::Binary(Operator::ArcTangent, y, x) => dialect.angle(&of(y), &of(x)),
+            Node::PlusProduct(sum, one, other) => of(sum).sum('+', &of(one).product('*', &of(other))),
+            Node::MinusProduct(sum, one, other) => of(sum).sum('-', &of(one).product('*', &of(other))),
+            Node::Select(truth, one, other) => dialect.select(&of(truth), &of(one), &of(other)),
+            Node::Compare(comparison, one, other) => of(one).compared(comparison, &of(other)),
+            Node::IsFinite(one) => dialect.is_finite(&of(one)),
+            Node::Both(one, other) => dialect.both(&of(one), &of(other)),
+            Node::Either(one, other) => dialect.either(&of(one), &of(other)),
+            Node::Not(one) => dialect.not(&of(one)),
+            // These have names in every language.
+            Node::Argument(_) | Node::Unknown { .. } | Node::Root { .. } | Node::Solution { .. } => {
+                Expression::whole(value.to_string())
+            }
+        }
+    }
+
+    /// The nodes outside of a search, and no constants, that its equations need, in ascending order.
+    pub(super) fn given(&self, search: usize) -> Vec<Value> {
+        let own = &self.tape.searches[search];
+        let mut given = Vec::new();
+        let mut need = |value: Value| {
+            let is_plain = matches!(
+                self.tape.nodes[value.index()],
+                Node::Constant(_) | Node::Certain(_) | Node::Unknown { .. }
+            );
+            if !is_plain && !own.body.contains(&value) {
+                given.push(value);
+            }
+        };
+        for value in &own.body {
+            self.tape.nodes[value.index()].operands(&mut need);
+        }
+        own.residuals
+            .iter()
+            .chain(own.jacobian.iter().flatten())
+            .copied()
+            .for_each(&mut need);
+        given.sort_unstable();
+        given.dedup();
+        given
+    }
+}

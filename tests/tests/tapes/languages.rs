@@ -1,0 +1,277 @@
+//! The solvers of the library in JavaScript and in Python against the tapes from which they are printed.
+//!
+//! Each mechanism is a module in a folder, with a driver that reads arguments and writes results as doubles.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{self, Command};
+
+use kin_core::tape::{self, Function, Node, Options, Role, Tape};
+use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
+
+use crate::poses::poses;
+
+/// The inputs of each mechanism, each tried in every assembly; about half of the poses are out of reach.
+const INPUTS: u32 = if cfg!(feature = "every-case") { 1000 } else { 20 };
+
+/// Whether this build rounds a product and a sum once, which no other language does.
+const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+
+/// A language with its tool.
+#[derive(Clone, Copy)]
+enum Language {
+    JavaScript,
+    Python,
+}
+
+/// The comparison of every mechanism in one language.
+struct Compared {
+    language: Language,
+    folder: PathBuf,
+    mechanisms: usize,
+    found: usize,
+    refused: usize,
+    /// The largest difference where functions of the platform take part, in parts of the largest number of the pose.
+    platform: f64,
+    wrong: Vec<String>,
+}
+
+impl Compared {
+    fn new(language: Language) -> Self {
+        let folder = std::env::temp_dir().join(format!("kin-languages-{}-{}", language as u8, process::id()));
+        fs::create_dir_all(&folder).expect("there is room for a folder");
+        Self {
+            language,
+            folder,
+            mechanisms: 0,
+            found: 0,
+            refused: 0,
+            platform: 0.0,
+            wrong: Vec::new(),
+        }
+    }
+
+    /// The rows that the module finds: the index of the check that failed, or -1, its margin, and the results.
+    fn rows(&self, tape: &Tape, rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let bytes: Vec<u8> = rows.iter().flatten().flat_map(|number| number.to_le_bytes()).collect();
+        fs::write(self.folder.join("in"), bytes).unwrap();
+        let (tool, module, driver) = match self.language {
+            Language::JavaScript => (
+                "node",
+                ("mechanism.mjs", tape.java_script()),
+                ("main.mjs", java_script(tape)),
+            ),
+            Language::Python => ("python3", ("mechanism.py", tape.python()), ("main.py", python(tape))),
+        };
+        fs::write(self.folder.join(module.0), module.1).unwrap();
+        fs::write(self.folder.join(driver.0), driver.1).unwrap();
+        let output = Command::new(tool)
+            .args([driver.0])
+            .env("PYTHONDONTWRITEBYTECODE", "1")
+            .current_dir(&self.folder)
+            .output()
+            .unwrap_or_else(|error| panic!("{tool} cannot be run: {error}"));
+        let errors = String::from_utf8_lossy(&output.stderr);
+        let name = tape.description.name;
+        assert!(output.status.success() && errors.is_empty(), "{name}: {errors}");
+        let bytes = fs::read(self.folder.join("out")).unwrap();
+        let numbers: Vec<f64> = bytes
+            .as_chunks::<8>()
+            .0
+            .iter()
+            .map(|bytes| f64::from_le_bytes(*bytes))
+            .collect();
+        numbers.chunks(2 + tape.results.len()).map(Vec::from).collect()
+    }
+
+    fn compare(&mut self, tape: &Tape, given: &[Vec<f64>]) {
+        let name = tape.description.name;
+        let found = self.rows(tape, given);
+        assert_eq!(found.len(), given.len(), "{name}");
+        let is_exact = !tape.nodes.iter().any(is_of_the_platform);
+        self.mechanisms += 1;
+        for (given, found) in given.iter().zip(&found) {
+            match tape.run(given) {
+                Ok(expected) => {
+                    self.found += 1;
+                    let same = expected
+                        .iter()
+                        .zip(&found[2..])
+                        .all(|(one, other)| one.to_bits() == other.to_bits());
+                    let largest = expected
+                        .iter()
+                        .fold(1.0, |largest: f64, number| largest.max(number.abs()));
+                    let differences = expected
+                        .iter()
+                        .zip(&found[2..])
+                        .map(|(one, other)| (one - other).abs() / largest);
+                    let difference = differences.fold(0.0, f64::max);
+                    if found[0] != -1.0 || is_exact && !same || !(difference <= 1e-9) {
+                        self.wrong.push(format!("{name} {given:?}: {expected:?} {found:?}"));
+                    }
+                    if !is_exact {
+                        self.platform = self.platform.max(difference);
+                    }
+                }
+                Err(stop) => {
+                    self.refused += 1;
+                    let check = tape
+                        .checks
+                        .iter()
+                        .position(|check| (check.name, check.block) == (stop.name, stop.block));
+                    if check.map(|check| check as f64) != Some(found[0]) {
+                        self.wrong.push(format!("{name} {given:?}: {stop} {found:?}"));
+                    }
+                    let is_margin = tape.checks[stop.check].margin.is_some();
+                    if is_exact && is_margin && stop.margin.to_bits() != found[1].to_bits() && !stop.margin.is_nan() {
+                        self.wrong.push(format!("{name} {given:?}: {stop} {found:?}"));
+                    }
+                }
+            }
+        }
+    }
+
+    fn finish(self) {
+        let _ = fs::remove_dir_all(&self.folder);
+        println!(
+            "{} mechanisms, {} poses, {} refused, platform {:e}",
+            self.mechanisms, self.found, self.refused, self.platform
+        );
+        let wrong = &self.wrong;
+        assert!(
+            wrong.is_empty(),
+            "{} wrong: {:#?}",
+            wrong.len(),
+            &wrong[..wrong.len().min(6)]
+        );
+        assert!(self.mechanisms >= 37 && self.found > 1000 && self.refused > 500);
+    }
+}
+
+/// Whether a function of the platform finds the node.
+fn is_of_the_platform(node: &Node) -> bool {
+    use Function::{Cosine, Magnitude, Negate, Raise, Round, Sine, SquareRoot};
+    match node {
+        Node::Call(function, _) => !matches!(
+            function,
+            Cosine | Magnitude | Negate | Raise | Round | Sine | SquareRoot
+        ),
+        _ => false,
+    }
+}
+
+/// The arguments of `solve`, where `of` writes the argument with an index.
+fn call(tape: &Tape, of: impl Fn(usize) -> String) -> String {
+    let (mut parameters, mut inputs, mut assembly) = (Vec::new(), Vec::<(String, Vec<String>)>::new(), Vec::new());
+    for (place, argument) in tape.arguments.iter().enumerate() {
+        let name = argument.name.replace('.', "_");
+        match argument.role {
+            Role::Parameter(_) => parameters.push(format!("\"{name}\": {}", of(place))),
+            Role::Input { order: 0, .. } => inputs.push((name, vec![of(place)])),
+            Role::Input { .. } => inputs.last_mut().unwrap().1.push(of(place)),
+            Role::Near(_) | Role::Assembly(_) => assembly.push((name, of(place))),
+            _ => panic!("an argument of another role"),
+        }
+    }
+    let inputs: Vec<String> = inputs
+        .into_iter()
+        .map(|(name, rates)| format!("\"{name}\": [{}]", rates.join(", ")))
+        .collect();
+    let assembly = match assembly.as_slice() {
+        [(name, only)] if name == "assembly" => only.clone(),
+        several => {
+            let pairs: Vec<String> = several.iter().map(|(name, own)| format!("\"{name}\": {own}")).collect();
+            format!("{{{}}}", pairs.join(", "))
+        }
+    };
+    format!(
+        "solve({{{}}}, {{{}}}, {assembly})",
+        parameters.join(", "),
+        inputs.join(", ")
+    )
+}
+
+fn java_script(tape: &Tape) -> String {
+    let (width, results) = (tape.arguments.len(), tape.results.len());
+    let call = call(tape, |place| format!("a[{place}]"));
+    format!(
+        "import {{ readFileSync, writeFileSync }} from \"node:fs\";
+import {{ CHECKS, solve }} from \"./mechanism.mjs\";
+
+const bytes = readFileSync(\"in\");
+const found = [];
+for (let start = 0; start < bytes.length; start += 8 * {width}) {{
+  const a = Array.from({{ length: {width} }}, (_, index) => bytes.readDoubleLE(start + 8 * index));
+  const {{ ok, pose, check, block, margin }} = {call};
+  if (ok) {{
+    found.push(-1, NaN, ...Object.values(pose).flat());
+  }} else {{
+    const index = CHECKS.findIndex((own) => own.check === check && own.block === block);
+    found.push(index, margin, ...new Array({results}).fill(NaN));
+  }}
+}}
+const out = Buffer.alloc(8 * found.length);
+found.forEach((number, index) => out.writeDoubleLE(number, 8 * index));
+writeFileSync(\"out\", out);
+"
+    )
+}
+
+fn python(tape: &Tape) -> String {
+    let width = tape.arguments.len();
+    let call = call(tape, |place| format!("a[{place}]"));
+    format!(
+        "import dataclasses
+
+import numpy as np
+from mechanism import CHECKS, solve
+
+a = np.fromfile(\"in\", dtype=\"<f8\").reshape(-1, {width}).T
+# A plane of poses, to see that shapes are kept.
+a = a.reshape({width}, 2, -1)
+pose = {call}
+first = np.array([CHECKS.index(CHECKS[check]) if check >= 0 else -1 for check in pose.check.ravel()])
+rows = [first.reshape(pose.check.shape), pose.margin]
+for field in dataclasses.fields(pose)[3:]:
+    rows.extend(getattr(pose, field.name))
+assert np.array_equal(pose.reached, pose.check < 0)
+np.array(rows).reshape(len(rows), -1).T.astype(\"<f8\").tofile(\"out\")
+"
+    )
+}
+
+impl Visitor for Compared {
+    fn visit<M: ThroughSnap>(&mut self, case: Case) {
+        let tape = tape::record::<M>(&Options::new()).expect("every mechanism of the library is recorded");
+        let given: Vec<Vec<f64>> = poses::<M>(case, INPUTS)
+            .iter()
+            .map(|wanted| wanted.arguments())
+            .collect();
+        self.compare(&tape, &given);
+    }
+}
+
+fn compare(language: Language) {
+    if FUSED {
+        println!("this build rounds products and sums once, and no other language does");
+        return;
+    }
+    let mut compared = Compared::new(language);
+    cases::library(&mut compared);
+    cases::coupled_library(&mut compared);
+    compared.finish();
+}
+
+/// JavaScript finds the numbers of the tape to the last bit, in and out of reach.
+#[test]
+#[ignore = "node"]
+fn java_script_is_the_tape() {
+    compare(Language::JavaScript);
+}
+
+/// So does NumPy, on whole arrays.
+#[test]
+#[ignore = "numpy"]
+fn numpy_is_the_tape() {
+    compare(Language::Python);
+}
