@@ -205,7 +205,7 @@ impl Tape {
 }
 
 /// A module while it is written.
-struct Module<'a> {
+pub(super) struct Module<'a> {
     tape: &'a Tape,
     signature: Signature,
     writer: Writer<'a, JavaScript>,
@@ -217,7 +217,7 @@ struct Module<'a> {
 }
 
 impl<'a> Module<'a> {
-    fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
+    pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
         let signature = Signature::new(tape, TAKEN);
         let mut writer = Writer::new(tape, JavaScript);
         let mut arguments = Vec::from_iter(tape.arguments.iter().map(|_| String::new()));
@@ -415,7 +415,7 @@ impl<'a> Module<'a> {
         self.line(1, "return { ok: true, pose };");
     }
 
-    fn text(mut self) -> String {
+    pub(super) fn text(mut self) -> String {
         self.opening();
         self.steps();
         self.closing();

@@ -33,6 +33,8 @@ mod words;
 mod writer;
 
 #[cfg(test)]
+mod printing_tests;
+#[cfg(test)]
 mod tests;
 
 pub use c::C;

@@ -202,7 +202,7 @@ impl Tape {
 }
 
 /// A module while it is written.
-struct Module<'a> {
+pub(super) struct Module<'a> {
     tape: &'a Tape,
     signature: Signature,
     writer: Writer<'a, Python>,
@@ -219,7 +219,7 @@ fn argument(place: usize) -> String {
 }
 
 impl<'a> Module<'a> {
-    fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
+    pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
         let mut writer = Writer::new(tape, Python);
         for place in 0..tape.nodes.len() {
             let value = Value(u32::try_from(place).unwrap_or(u32::MAX));
@@ -451,7 +451,7 @@ impl<'a> Module<'a> {
         parts.into_iter().filter(|(_, list)| !list.is_empty())
     }
 
-    fn text(mut self) -> String {
+    pub(super) fn text(mut self) -> String {
         self.opening();
         self.steps();
         self.closing();
