@@ -119,7 +119,7 @@ impl Compared {
                         .checks
                         .iter()
                         .position(|check| (check.name, check.block) == (stop.name, stop.block));
-                    if check.map(|check| check as f64) != Some(found[0]) {
+                    if check.and_then(|check| u32::try_from(check).ok()).map(f64::from) != Some(found[0]) {
                         self.wrong.push(format!("{name} {given:?}: {stop} {found:?}"));
                     }
                     let is_margin = tape.checks[stop.check].margin.is_some();
