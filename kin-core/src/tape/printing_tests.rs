@@ -177,7 +177,7 @@ fn compare(tool: &str, extension: &str, module: impl Fn(&Tape) -> String, driver
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(told.lines().count(), lines.len());
     for (told, own) in told.lines().zip(&lines) {
-        assert_eq!(told, own);
+        assert_eq!(told.trim_end(), own.trim_end());
     }
     let _ = std::fs::remove_dir_all(&folder);
 }

@@ -127,6 +127,11 @@ impl Dialect for Python {
         Expression::call("_atan2", &[y, x])
     }
 
+    /// Python's own numbers, which constants are, refuse to be divided by zero.
+    fn quotient(&self, one: &Expression, other: &Expression) -> Expression {
+        Expression::call("np.divide", &[one, other])
+    }
+
     fn is_finite(&self, number: &Expression) -> Expression {
         Expression::call("np.isfinite", &[number])
     }

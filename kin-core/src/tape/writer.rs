@@ -22,6 +22,11 @@ pub(super) trait Dialect {
     /// The angle from the x axis to the point (x, y).
     fn angle(&self, y: &Expression, x: &Expression) -> Expression;
 
+    /// One number over another.
+    fn quotient(&self, one: &Expression, other: &Expression) -> Expression {
+        one.product('/', other)
+    }
+
     /// Whether a number is finite.
     fn is_finite(&self, number: &Expression) -> Expression;
 
@@ -166,7 +171,7 @@ impl<'a, D: Dialect> Writer<'a, D> {
             Node::Binary(Operator::Add, one, other) => of(one).sum('+', &of(other)),
             Node::Binary(Operator::Subtract, one, other) => of(one).sum('-', &of(other)),
             Node::Binary(Operator::Multiply, one, other) => of(one).product('*', &of(other)),
-            Node::Binary(Operator::Divide, one, other) => of(one).product('/', &of(other)),
+            Node::Binary(Operator::Divide, one, other) => dialect.quotient(&of(one), &of(other)),
             Node::Binary(Operator::ArcTangent, y, x) => dialect.angle(&of(y), &of(x)),
             Node::PlusProduct(sum, one, other) => of(sum).sum('+', &of(one).product('*', &of(other))),
             Node::MinusProduct(sum, one, other) => of(sum).sum('-', &of(one).product('*', &of(other))),
