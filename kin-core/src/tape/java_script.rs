@@ -220,7 +220,7 @@ impl<'a> Module<'a> {
     pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
         let signature = Signature::new(tape, TAKEN);
         let mut writer = Writer::new(tape, JavaScript);
-        let mut arguments = Vec::from_iter(tape.arguments.iter().map(|_| String::new()));
+        let mut arguments = std::vec![String::new(); tape.arguments.len()];
         // A name with a dollar sign is never that of a quantity.
         for entry in signature.parameters.iter().chain(&signature.inputs) {
             for (order, place) in entry.places.iter().enumerate() {
@@ -361,7 +361,13 @@ impl<'a> Module<'a> {
     }
 
     fn opening(&mut self) {
-        let read = |entries: &[Entry]| Vec::from_iter(entries.iter().map(|entry| entry.name.clone())).join(", ");
+        let read = |entries: &[Entry]| {
+            entries
+                .iter()
+                .map(|entry| entry.name.clone())
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
         let parameters = read(&self.signature.parameters);
         if !parameters.is_empty() {
             self.line(1, &format!("const {{ {parameters} }} = parameters;"));
@@ -376,7 +382,7 @@ impl<'a> Module<'a> {
             let rates: Vec<String> = (1..orders).map(|order| format!(", {name}${order} = 0")).collect();
             self.line(1, &format!("const [{name}{}] = inputs.{name};", rates.concat()));
         }
-        let names = |entries: &[Entry]| Vec::from_iter(entries.iter().map(|entry| entry.name.clone()));
+        let names = |entries: &[Entry]| entries.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
         for name in names(&self.signature.near) {
             self.line(1, &format!("const {name}$near = assembly.{name};"));
         }
@@ -428,11 +434,11 @@ impl<'a> Module<'a> {
         );
         text.push_str("\n/** The checks on the way to a pose: the subject of each, and the unknowns of its block. */\nexport const CHECKS = [\n");
         for check in &tape.checks {
-            text.push_str(&format!(
+            text.extend([format!(
                 "  {{ check: {}, block: {} }},\n",
                 quoted(check.name),
                 quoted(check.block)
-            ));
+            )]);
         }
         text.push_str("];\n");
         if !self.signature.joints.is_empty() {
@@ -535,7 +541,7 @@ fn comment(texts: &[String], star: &str) -> String {
         let indent = &line[..line.len() - line.trim_start().len()];
         let parts = lines(&line.replace("*/", "* /"), 112);
         for part in &parts {
-            text.push_str(&format!(" * {indent}{part}\n"));
+            text.extend([format!(" * {indent}{part}\n")]);
         }
         if parts.is_empty() {
             text.push_str(" *\n");
@@ -577,7 +583,7 @@ fn outline(tape: &Tape) -> String {
     );
     text.push_str(&entry(
         "ground",
-        outline.ground.iter().map(|joint| joint.to_string()).collect(),
+        outline.ground.iter().map(std::string::ToString::to_string).collect(),
     ));
     text.push_str(&entry("bodies", bodies.collect()));
     text.push_str(&entry("slides", slides.collect()));

@@ -171,7 +171,7 @@ fn compare(tool: &str, extension: &str, module: impl Fn(&Tape) -> String, driver
                     format!("{:016x}", own.to_bits())
                 }
             });
-            lines.push(format!("{seed} {}", Vec::from_iter(found).join(" ")));
+            lines.push(format!("{seed} {}", found.collect::<Vec<_>>().join(" ")));
         }
     }
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -197,14 +197,14 @@ const write = (number) => (view.setFloat64(0, number), view.getBigUint64(0).toSt
 ",
             );
             for seed in seeds {
-                text.push_str(&format!(
+                text.extend([format!(
                     "{{
   const {{ solve }} = await import(\"./tape{seed}.mjs\");
   const numbers = [{}].map(read);
   for (let start = 0; start < numbers.length; start += 4) {{
     const [lambda, theta, theta_2, this_] = numbers.slice(start, start + 4);
     const {{ pose }} = solve({{ lambda, theta, theta_2, this_ }}, {{}}, 1);
-    console.log([{seed}, ...Object.values(pose).flat().map((own) => (Number.isNaN(own) ? \"nan\" : write(own)))].join(\" \"));
+    console.log([{seed}, ...Object.values(pose).flat().map((own) => (Number.isNaN(own) ? \"nan\" : write(own)))].join(\" \")]);
   }}
 }}
 ",
@@ -235,7 +235,7 @@ CASES = {
 ",
             );
             for seed in seeds {
-                text.push_str(&format!("    {seed}: [{}],\n", bits(&arguments(*seed))));
+                text.extend([format!("    {seed}: [{}],\n", bits(&arguments(*seed)))]);
             }
             text.push_str(
                 "}

@@ -327,7 +327,11 @@ impl<'a> Module<'a> {
             self.writer.name(*value, name.clone());
         }
         self.line(0, "");
-        let parameters = inner.iter().map(|name| format!(", {name}: Array")).collect::<String>();
+        let parameters = inner
+            .iter()
+            .map(|name| format!(", {name}: Array"))
+            .collect::<Vec<_>>()
+            .concat();
         self.line(
             1,
             &format!("def _equations{index}(_u: Array{parameters}) -> tuple[Array, Array]:"),
@@ -472,7 +476,7 @@ impl<'a> Module<'a> {
             "#: The checks on the way to a pose: the subject of each, and the unknowns of its block.\nCHECKS = (\n",
         );
         for check in &tape.checks {
-            text.push_str(&format!("    ({}, {}),\n", quoted(check.name), quoted(check.block)));
+            text.extend([format!("    ({}, {}),\n", quoted(check.name), quoted(check.block))]);
         }
         text.push_str(")\n");
         text.push_str(&self.documentation());
@@ -501,11 +505,11 @@ impl<'a> Module<'a> {
         let signature = &self.signature;
         let mut text = String::new();
         let mut define = |name: &str, of: &str, entries: &[Entry], kind: &str| {
-            text.push_str(&format!("\n\nclass {name}(TypedDict):\n"));
+            text.extend([format!("\n\nclass {name}(TypedDict):\n")]);
             text.push_str(&docstring(&[of.to_string()], "    "));
             for entry in entries {
                 text.push_str(&documented("    ", &entry.text()));
-                text.push_str(&format!("    {}: {kind}\n", entry.name));
+                text.extend([format!("    {}: {kind}\n", entry.name)]);
             }
         };
         define("Parameters", "The dimensions.", &signature.parameters, "npt.ArrayLike");
@@ -538,10 +542,10 @@ impl<'a> Module<'a> {
         text.push_str("    #: The distance from passing: negative if something is out of reach by that much.\n    margin: Array\n");
         for entry in &signature.results {
             text.push_str(&documented("    ", &entry.text()));
-            text.push_str(&format!("    {}: Array\n", entry.name));
+            text.extend([format!("    {}: Array\n", entry.name)]);
         }
         for (name, _) in self.picture() {
-            text.push_str(&format!("    #: The {name} of the skeleton: the first axes are the number and the coordinate.\n    {name}: Array\n"));
+            text.extend([format!("    #: The {name} of the skeleton: the first axes are the number and the coordinate.\n    {name}: Array\n")]);
         }
         text.push_str("\n\ndef solve(parameters: Parameters, inputs: Inputs, assembly: Assembly) -> Pose:\n");
         let of = [

@@ -18,6 +18,7 @@ use constants::Table;
 
 /// The parts of the run time that a program needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "a program needs each part or does not")]
 pub(super) struct Parts {
     /// Sines and cosines.
     pub(super) sine_cosine: bool,

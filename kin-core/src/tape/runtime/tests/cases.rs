@@ -69,7 +69,7 @@ pub(super) fn four_bars(count: usize) -> Vec<f64> {
         let start = numbers.len() - 7;
         match index % 500 {
             // Stretched, where the two assemblies meet.
-            0 => numbers[start..].copy_from_slice(&[4.0, 1.0, 2.0, 1.0, 0.0, 1e-3, 3.14]),
+            0 => numbers[start..].copy_from_slice(&[4.0, 1.0, 2.0, 1.0, 0.0, 1e-3, 3.1]),
             1 => numbers[start + 5] = f64::NAN,
             2 => numbers[start] = f64::INFINITY,
             3 => numbers[start + 1] = 1e200,
