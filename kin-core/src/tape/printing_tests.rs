@@ -204,12 +204,12 @@ const write = (number) => (view.setFloat64(0, number), view.getBigUint64(0).toSt
   for (let start = 0; start < numbers.length; start += 4) {{
     const [lambda, theta, theta_2, this_] = numbers.slice(start, start + 4);
     const {{ pose }} = solve({{ lambda, theta, theta_2, this_ }}, {{}}, 1);
-    console.log([{seed}, ...Object.values(pose).flat().map((own) => (Number.isNaN(own) ? \"nan\" : write(own)))].join(\" \")]);
+    console.log([{seed}, ...Object.values(pose).flat().map((own) => (Number.isNaN(own) ? \"nan\" : write(own)))].join(\" \"));
   }}
 }}
 ",
                     bits(&arguments(*seed))
-                ));
+                )]);
             }
             text
         },
