@@ -15,6 +15,9 @@ use std::path::Path;
 use kin_core::library::*;
 use kin_core::tape::{self, C, Options, RecordError};
 
+/// What prints the code of one mechanism.
+type Printer = fn(&Options) -> Result<C, RecordError>;
+
 /// The C code of a mechanism by its name, if the library has it.
 fn code(name: &str, options: &Options) -> Option<Result<C, RecordError>> {
     macro_rules! by_name {
@@ -22,7 +25,7 @@ fn code(name: &str, options: &Options) -> Option<Result<C, RecordError>> {
             [$((stringify!($mechanism), code_of::<$mechanism>)),+]
         };
     }
-    let all: [(&str, fn(&Options) -> Result<C, RecordError>); 37] = by_name! {
+    let all: [(&str, Printer); 37] = by_name! {
         AndrewsSqueezer Bennett ChebyshevLinkage ClassThreeTriad FiveBar FourBar FreudensteinFourBar GearedFiveBar
         GeometricFourBar HoekenLinkage InvertedSliderCrank JansenLeg KlannLeg OffsetSliderCrank Pantograph
         PeaucellierLinkage RobertsLinkage Rssp Rssr ScotchYoke SliderCrank SliderCrankFirstApproximation
