@@ -1,6 +1,7 @@
 //! Recorded solvers of the whole library against the solvers themselves.
 
 mod c;
+mod chapter;
 mod languages;
 mod poses;
 
