@@ -1,6 +1,6 @@
 //! Full cycles of random linkages: dense scans find nothing else, and labels say what the cycles find.
 
-use kin_core::cycle::{BlockClass, Cycle, EndKind, FullCycle, InvertedSliderCrankType, SliderCrankType};
+use kin_core::cycle::{BlockClass, Branch, Cycle, EndKind, FullCycle, InvertedSliderCrankType, SliderCrankType};
 use kin_core::library::{
     StephensonI, StephensonIByDyad, StephensonII, StephensonIIByElbow, StephensonIII, StephensonIIIByDyad, WattI,
     WattIByDyad, WattII, WattIIByCouplers,
@@ -250,13 +250,16 @@ fn six_bars_have_no_other_position() {
     assert!(counts[0] > samples::of(200) && counts[1] > counts[0]);
 }
 
+/// The whole turns of a circuit's input and of an angle, if it returns.
+type Turns = (Option<i32>, Option<i32>);
+
 /// Turns of the input and of the first unknown, an angle, along each circuit, and whether there is a change point.
-fn told<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> (Vec<(Option<i32>, Option<i32>)>, bool) {
+fn told<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> (Vec<Turns>, bool) {
     let turns = cycle.circuits().iter().map(|circuit| {
         let unknown = circuit.turns().map(|turns| turns[0].abs());
         (circuit.input_turns(), unknown)
     });
-    let mut ends = cycle.branches().iter().flat_map(|branch| branch.ends());
+    let mut ends = cycle.branches().iter().flat_map(Branch::ends);
     (turns.collect(), ends.any(|end| end.kind == EndKind::ChangePoint))
 }
 

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use kin_core::tape::{self, C, Condition, Options, Tape};
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 
-use crate::poses::poses;
+use crate::poses::{Wanted, poses};
 
 /// What every file must pass.
 const STRICT: [&str; 9] = [
@@ -58,7 +58,7 @@ fn answers(program: &Path, arguments: &[Vec<f64>]) -> Vec<String> {
         .expect("the program was built");
     let lines: String = arguments
         .iter()
-        .map(|row| row.iter().map(|own| format!("{own:?} ")).collect::<String>() + "\n")
+        .map(|row| row.iter().map(|own| format!("{own:?}")).collect::<Vec<_>>().join(" ") + "\n")
         .collect();
     let mut input = child.stdin.take().expect("it is piped");
     let writer = std::thread::spawn(move || input.write_all(lines.as_bytes()));
@@ -108,7 +108,7 @@ impl Visitor for Compared {
         let c = tape.c();
         self.bytes += c.source.len();
         let program = built(&c, "double", &[]);
-        let arguments: Vec<Vec<f64>> = poses::<M>(case, 60).iter().map(|pose| pose.arguments()).collect();
+        let arguments: Vec<Vec<f64>> = poses::<M>(case, 60).iter().map(Wanted::arguments).collect();
         let lines = answers(&program, &arguments);
         assert_eq!(lines.len(), arguments.len(), "{}", c.name);
         for (own, line) in arguments.iter().zip(&lines) {

@@ -9,7 +9,7 @@ use std::process::{self, Command};
 use kin_core::tape::{self, Function, Node, Options, Role, Tape};
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 
-use crate::poses::poses;
+use crate::poses::{Wanted, poses};
 
 /// The inputs of each mechanism, each tried in every assembly; about half of the poses are out of reach.
 const INPUTS: u32 = if cfg!(feature = "every-case") { 1000 } else { 20 };
@@ -101,16 +101,17 @@ impl Compared {
                     let largest = expected
                         .iter()
                         .fold(1.0, |largest: f64, number| largest.max(number.abs()));
-                    let differences = expected
+                    let differences: Vec<f64> = expected
                         .iter()
                         .zip(&found[2..])
-                        .map(|(one, other)| (one - other).abs() / largest);
-                    let difference = differences.fold(0.0, f64::max);
-                    if found[0] != -1.0 || is_exact && !same || !(difference <= 1e-9) {
+                        .map(|(one, other)| (one - other).abs() / largest)
+                        .collect();
+                    let is_close = differences.iter().all(|difference| *difference <= 1e-9);
+                    if found[0] != -1.0 || is_exact && !same || !is_close {
                         self.wrong.push(format!("{name} {given:?}: {expected:?} {found:?}"));
                     }
                     if !is_exact {
-                        self.platform = self.platform.max(difference);
+                        self.platform = differences.into_iter().fold(self.platform, f64::max);
                     }
                 }
                 Err(stop) => {
@@ -243,10 +244,7 @@ np.array(rows).reshape(len(rows), -1).T.astype(\"<f8\").tofile(\"out\")
 impl Visitor for Compared {
     fn visit<M: ThroughSnap>(&mut self, case: Case) {
         let tape = tape::record::<M>(&Options::new()).expect("every mechanism of the library is recorded");
-        let given: Vec<Vec<f64>> = poses::<M>(case, INPUTS)
-            .iter()
-            .map(|wanted| wanted.arguments())
-            .collect();
+        let given: Vec<Vec<f64>> = poses::<M>(case, INPUTS).iter().map(Wanted::arguments).collect();
         self.compare(&tape, &given);
     }
 }
