@@ -14,7 +14,7 @@ static const float kin_half_right_angle[2] = {@HALF_RIGHT_ANGLE@};
 /* (t - atan t) / t^3 in powers of t^2, for |t| <= 1/2. */
 static const float kin_arc_tangent[6] = {@ARC_TANGENT@};
 
-/* The angle from the x axis to the point (x, y): at most 2.5 units in the last place from the exact value. The origin,
+/* The angle from the x axis to the point (x, y): at most 4 units in the last place from the exact value. The origin,
    and coordinates that are not finite or whose sum overflows, are left to <math.h>. */
 static float kin_atan2(float y, float x)
 {

@@ -22,7 +22,7 @@ static const float kin_quarter_turn[5] = {@QUARTER_TURN@};
 static const float kin_sine[4] = {@SINE@};
 static const float kin_cosine[3] = {@COSINE@};
 
-/* The sine and the cosine of an angle in radians: at most 2.5 units in the last place from the exact values. Angles
+/* The sine and the cosine of an angle in radians: at most 4 units in the last place from the exact values. Angles
    beyond KIN_NEAR are left to <math.h>. */
 static void kin_sine_cosine(float angle, float *sine, float *cosine)
 {

@@ -132,7 +132,7 @@ fn arguments() -> Vec<f32> {
 
 #[test]
 #[ignore = "gcc"]
-fn c_in_single_precision_is_within_two_and_a_half_units() {
+fn c_in_single_precision_is_within_four_units() {
     let folder = compiled("single", &[]);
     let numbers = arguments();
     let found = run(&folder, "e", &numbers);
@@ -142,9 +142,9 @@ fn c_in_single_precision_is_within_two_and_a_half_units() {
         let [y, x] = [point[0], point[1]].map(f64::from);
         for (index, exact) in [y.sin(), y.cos(), y.atan2(x)].into_iter().enumerate() {
             let error = units(found[index], exact);
-            // The reduced angle and its square are rounded, the largest parts of the cosine and their sum.
+            // The promise is 4 ε, and a unit is at most ε. A large angle adds the rounding of its reduction.
             assert!(
-                error <= 2.5,
+                error <= 4.0,
                 "{index} {y:e} {x:e}: {:e} {exact:e} {error}",
                 found[index]
             );
