@@ -26,14 +26,7 @@ fn tape_of(name: &str, options: &Options) -> Option<Result<Tape, RecordError>> {
             [$((stringify!($mechanism), tape::record::<$mechanism>)),+]
         };
     }
-    let all: [(&str, Record); 37] = by_name! {
-        AndrewsSqueezer Bennett ChebyshevLinkage ClassThreeTriad FiveBar FourBar FreudensteinFourBar GearedFiveBar
-        GeometricFourBar HoekenLinkage InvertedSliderCrank JansenLeg KlannLeg OffsetSliderCrank Pantograph
-        PeaucellierLinkage RobertsLinkage Rssp Rssr ScotchYoke SliderCrank SliderCrankFirstApproximation
-        SliderCrankHigherApproximation SphericalFourBar StephensonI StephensonIByDyad StephensonII StephensonIIByElbow
-        StephensonIII StephensonIIIByDyad StewartGoughLeg UniversalJoint WattI WattIByDyad WattII WattIIByCouplers
-        WhitworthQuickReturn
-    };
+    let all: [(&str, Record); 37] = kin_core::each_library_mechanism!(by_name);
     let plain = |name: &str| name.replace('_', "").to_lowercase();
     let (_, record) = all.into_iter().find(|(own, _)| plain(own) == plain(name))?;
     Some(record(options))

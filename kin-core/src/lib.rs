@@ -53,6 +53,7 @@
 //! | many poses over an input or over time, tables with named columns | [`sweep`] |
 //! | peaks, extremes, zeros, dwells and means of a sweep | `extremes` (feature `alloc`) |
 //! | curves between the rows of a table | [`hermite`] |
+//! | tables that take the place of a solver, read in any language | [`exact`] |
 //! | all circuits and branches with their limits, Grashof's type | `cycle` (feature `alloc`) |
 //! | the reason why there is no position | [`SolveError`], [`Failure`] |
 //! | code for any mechanism | [`Mechanism`], [`Pose`] |
@@ -112,6 +113,7 @@ pub mod cycle;
 #[cfg(rust_analyzer)]
 #[doc(hidden)]
 pub mod editor;
+pub mod exact;
 #[cfg(feature = "alloc")]
 pub mod extremes;
 mod failure;

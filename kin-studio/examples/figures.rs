@@ -1,7 +1,7 @@
 //! Draws all figures of the book.
 //!
 //! ```sh
-//! cargo run -p kin-studio --example figures
+//! cargo run -p kin-studio --features gallery --example figures
 //! ```
 
 use std::error::Error;

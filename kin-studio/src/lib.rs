@@ -1,11 +1,24 @@
-//! What kin shows to people: drawings of mechanisms, files of tables, and the figures of the book.
+//! What kin shows to people: pages on which mechanisms move, drawings, files of tables, and the figures of the book.
 //!
-//! [`drawing`] draws the skeleton of any mechanism. [`tables`] writes the table of a sweep as CSV or JSON. [`figures`] are the pictures that stand in the book; one command draws them again:
+//! [`report()`] makes a page of any mechanism. [`drawing`] draws its skeleton. [`library`] leads through all mechanisms of the library,
+//! each with dimensions. [`tables`] writes the table of a sweep as CSV or JSON. [`figures`] are the pictures that stand in the book;
+//! one command draws them again:
 //!
 //! ```sh
-//! cargo run -p kin-studio --example figures
+//! cargo run -p kin-studio --features gallery --example figures
 //! ```
 
 pub mod drawing;
+#[cfg(feature = "gallery")]
 pub mod figures;
+#[cfg(feature = "gallery")]
+pub mod library;
+mod names;
+#[cfg(feature = "program")]
+pub mod program;
+pub mod report;
 pub mod tables;
+
+#[cfg(feature = "program")]
+pub use program::main;
+pub use report::report;

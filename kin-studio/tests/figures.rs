@@ -19,7 +19,7 @@ fn the_figures_of_the_book_are_what_is_drawn() {
         let written = fs::read_to_string(folder.join(&figure.file)).unwrap_or_default();
         assert!(
             written == figure.svg,
-            "docs/figures/{} is not what is drawn: run `cargo run -p kin-studio --example figures` and look at it",
+            "docs/figures/{} is not what is drawn: run `cargo run -p kin-studio --features gallery --example figures` and look at it",
             figure.file
         );
     }

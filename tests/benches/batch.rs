@@ -10,7 +10,7 @@ mod measure;
 
 use core::hint::black_box;
 
-use kin_core::batch::{self, Column, Outcome, Vectors};
+use kin_core::batch::{self, Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors};
 use kin_core::library::{ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, SliderCrank, SliderCrankBatch};
 use kin_core::prelude::*;
 use kin_tests::notes::{self, four_bar_geometric, sample};
@@ -158,6 +158,53 @@ fn four_bar() {
     times.ratio("four_bar.batch.varying", "four_bar.notes");
 }
 
+/// Shares of poses that are out of reach, in percent.
+const SHARES: [u16; 5] = [0, 5, 38, 90, 100];
+
+/// Poses of a turn in which some fail: more than a processor's memory of branches holds.
+const MIXED: usize = 4096;
+
+/// A linkage that closes over a part of the turn, at angles of which a share is out of reach, in no order.
+fn out_of_reach() {
+    let linkage = FourBar { r3: 40.0, ..linkage() };
+    let closes = |angle: f64| linkage.position(angle, Assembly::Open).is_ok();
+    let mut random = Random::new(2);
+    let mut race = Race::new(MIXED);
+    for share in SHARES {
+        let mut poses = Vec::new();
+        for _ in 0..MIXED {
+            let fails = random.between(0.0, 100.0) < f64::from(share);
+            let mut angle = random.between(-3.1, 3.1);
+            while closes(angle) == fails {
+                angle = random.between(-3.1, 3.1);
+            }
+            poses.push(random.motion(angle));
+        }
+        let failed = poses.iter().filter(|motion| !closes(motion[0])).count();
+        let columns = columns(&poses);
+        for (vectors, name) in kinds() {
+            let (mut poses, mut outcomes) = (places(MIXED), vec![Outcome::Unsolved; MIXED]);
+            let columns = columns.clone();
+            race.enter_batch(format!("four_bar.batch_out_of_reach.{name}.{share}"), move || {
+                let parameters = black_box(linkage).parameters().map(Column::Same);
+                let (inputs, assembly) = ([each(&columns)], Assembly::Open);
+                let summary =
+                    batch::solve::<FourBar, _, _>(parameters, inputs, assembly, &mut poses, &mut outcomes, vectors)
+                        .expect("the columns are of one length");
+                assert_eq!((summary.failed, summary.alone), (failed, 0));
+                black_box((&mut poses, &mut outcomes));
+            });
+        }
+    }
+    let times = race.run();
+    for (_, name) in kinds() {
+        for share in &SHARES[1..] {
+            let of = |share: u16| format!("four_bar.batch_out_of_reach.{name}.{share}");
+            times.ratio(&of(*share), &of(SHARES[0]));
+        }
+    }
+}
+
 fn slider_crank() {
     let crank = SliderCrank { r: 1.0, l: 3.0 };
     let motions = motions(-3.1, 3.1, POSES);
@@ -214,6 +261,69 @@ fn coupled() {
     times.ratio("triad.batch", "triad.generated");
 }
 
+/// Turns of a crank-rocker that are folded, against the same turns stored in slices: one number, three numbers, and one with
+/// the transmission angle. Of many poses, and of one for each degree.
+fn folds() {
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 80.0,
+        r4: 60.0,
+    };
+    let parameters = || black_box(linkage).parameters().map(Column::Same);
+    let [position, snap, speed] = [0, 4, 1].map(|order| Place::Unknown(1, order));
+    for count in [360, MANY] {
+        let turn = Turn::whole(0, count);
+        let angles: Vec<f64> = (0..count).map(|index| turn.value(index)).collect();
+        let mut theta2 = Motion::at_constant_speed(0.0, 10.0).map(Column::Same);
+        theta2[0] = Column::Each(&angles);
+        for (vectors, name) in kinds() {
+            let mut race = Race::new(count);
+            for orders in [&[0][..], &[0, 4, 1]] {
+                let mut poses = FourBarBatch::filled(|| None);
+                for order in orders {
+                    poses.theta4[*order] = Some(vec![0.0; count]);
+                }
+                let mut outcomes = vec![Outcome::Unsolved; count];
+                race.enter_batch(format!("turn.{count}.stored.{}.{name}", orders.len()), move || {
+                    let (inputs, assembly) = ([theta2], Assembly::Open);
+                    let summary = batch::solve::<FourBar, _, _>(
+                        parameters(),
+                        inputs,
+                        assembly,
+                        &mut poses,
+                        &mut outcomes,
+                        vectors,
+                    );
+                    assert_eq!(summary.expect("the columns are of one length").solved, count);
+                    black_box((&mut poses, &mut outcomes));
+                });
+            }
+            let transmission = FoldedNumber::SmallestTransmissionAngle;
+            for (kind, numbers) in [
+                ("1", vec![FoldedNumber::At(position)]),
+                ("3", vec![position.into(), snap.into(), speed.into()]),
+                ("1_and_transmission", vec![position.into(), transmission]),
+            ] {
+                let mut folds: Vec<Fold> = numbers.into_iter().map(Fold::of).collect();
+                race.enter_batch(format!("turn.{count}.folded.{kind}.{name}"), move || {
+                    let summary =
+                        batch::fold::<FourBar>(turn, parameters(), [theta2], Assembly::Open, &mut folds, vectors);
+                    assert_eq!(summary.expect("the columns are of one length").solved, count);
+                    black_box(&mut folds);
+                });
+            }
+            let times = race.run();
+            for (kind, stored) in [("1", "1"), ("3", "3"), ("1_and_transmission", "1")] {
+                times.ratio(
+                    &format!("turn.{count}.folded.{kind}.{name}"),
+                    &format!("turn.{count}.stored.{stored}.{name}"),
+                );
+            }
+        }
+    }
+}
+
 /// All cores against one, far more poses than a cache holds.
 fn all_cores() {
     let linkage = linkage();
@@ -245,7 +355,9 @@ fn all_cores() {
 
 fn main() {
     four_bar();
+    out_of_reach();
     slider_crank();
     coupled();
+    folds();
     all_cores();
 }

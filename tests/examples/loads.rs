@@ -1,18 +1,20 @@
 //! The torque that a servo must give to a four-bar linkage, and the free fall of the same linkage without a drive.
 //!
 //! The torque and its rates are exact, since the accelerations come with their own derivatives. The free fall follows from q'' = (Q - J'
-//! q'²/2)/J, which `Loads::accelerations` solves. The classical method of Runge and Kutta integrates it in ten lines, so that the energy
-//! shows the error of this method alone; its error falls with the fourth power of the step, which the program prints. The picture is
-//! written into the book.
+//! q'²/2)/J, which `Loads::accelerations` solves, and the crate `differential-equations` integrates it. The energy drifts by the error of the
+//! integration alone, which falls with its tolerance, as the program prints. The picture is written into the book.
 //!
 //! ```sh
 //! cargo run -p kin-tests --example loads
 //! ```
 
+use std::cell::RefCell;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use differential_equations::ivp::IVP;
+use differential_equations::methods::ExplicitRungeKutta;
 use kin_core::extremes::Over;
 use kin_core::load::{Load, LoadError, Loads};
 use kin_core::prelude::*;
@@ -62,11 +64,14 @@ const SPEED: f64 = 120.0;
 /// The angle from which the crank falls, in degrees.
 const RELEASED: f64 = 40.0;
 
-/// The numbers of steps in which the fall is integrated.
-pub(crate) const STEPS: [u32; 4] = [750, 1500, 3000, 6000];
+/// The tolerances with which the fall is integrated.
+pub(crate) const TOLERANCES: [f64; 4] = [1e-4, 1e-6, 1e-8, 1e-10];
+
+/// The longest step of the picture, in seconds.
+const STEP: f64 = 0.002;
 
 /// The time of the fall, in seconds.
-const FALL: f64 = 3.0;
+pub(crate) const FALL: f64 = 3.0;
 
 /// Uniform bars of 4 kg per metre.
 pub(crate) fn bars<T: Scalar>() -> Loads<Linkage<T>, impl Load<Linkage<T>>> {
@@ -86,23 +91,6 @@ pub(crate) fn bars<T: Scalar>() -> Loads<Linkage<T>, impl Load<Linkage<T>>> {
 /// The angle of the crank and its velocity.
 type State = [f64; 2];
 
-/// The rates of the state without a drive.
-fn falling(loads: &Loads<Linkage, impl Load<Linkage>>, [angle, velocity]: State) -> Result<State, LoadError> {
-    let [acceleration] = loads.accelerations(&LINKAGE, [angle], [velocity], [0.0], Assembly::Open)?;
-    Ok([velocity, acceleration])
-}
-
-/// One step of the classical method of Runge and Kutta.
-fn step(loads: &Loads<Linkage, impl Load<Linkage>>, state: State, time: f64) -> Result<State, LoadError> {
-    let along = |rates: State, part: f64| [0, 1].map(|entry| state[entry] + part * time * rates[entry]);
-    let first = falling(loads, state)?;
-    let second = falling(loads, along(first, 0.5))?;
-    let third = falling(loads, along(second, 0.5))?;
-    let fourth = falling(loads, along(third, 1.0))?;
-    let mean = [0, 1].map(|entry| (first[entry] + 2.0 * (second[entry] + third[entry]) + fourth[entry]) / 6.0);
-    Ok(along(mean, 1.0))
-}
-
 /// The energies at one instant of the fall.
 pub(crate) struct Instant {
     time: f64,
@@ -110,22 +98,45 @@ pub(crate) struct Instant {
     potential: f64,
 }
 
-/// The fall in equal steps.
-pub(crate) fn fall(loads: &Loads<Linkage, impl Load<Linkage>>, steps: u32) -> Result<Vec<Instant>, LoadError> {
-    let length = FALL / f64::from(steps);
-    let mut state = [RELEASED.to_radians(), 0.0];
-    let mut instants = Vec::new();
-    for number in 0..=steps {
+/// The fall from rest after every step of the method of order 8 of Dormand and Prince. Its steps are not longer than `longest`.
+pub(crate) fn fall(
+    loads: &Loads<Linkage, impl Load<Linkage>>,
+    tolerance: f64,
+    longest: f64,
+) -> Result<Vec<Instant>, Box<dyn Error>> {
+    let failed = RefCell::new(None);
+    let rates = |_: f64, [angle, velocity]: &State, rates: &mut State| {
+        let accelerations = loads.accelerations(&LINKAGE, [*angle], [*velocity], [0.0], Assembly::Open);
+        *rates = match accelerations {
+            Ok([acceleration]) => [*velocity, acceleration],
+            Err(error) => {
+                failed.borrow_mut().get_or_insert(error);
+                [0.0; 2]
+            }
+        };
+    };
+    let solution = IVP::ode_from_fn(rates, 0.0, FALL, [RELEASED.to_radians(), 0.0])
+        .method(
+            ExplicitRungeKutta::dop853()
+                .rtol(tolerance)
+                .atol(tolerance)
+                .h_max(longest),
+        )
+        .solve();
+    if let Some(error) = failed.take() {
+        return Err(error.into());
+    }
+    let solution = solution.map_err(|error| format!("{error:?}"))?;
+    let instant = |(time, state): (&f64, &State)| {
         let crank = Motion::at_constant_speed(state[0], state[1]);
         let balance = loads.at(&LINKAGE, [crank], Assembly::Open)?;
-        instants.push(Instant {
-            time: f64::from(number) * length,
+        Ok(Instant {
+            time: *time,
             kinetic: balance.kinetic_energy().value(),
             potential: balance.potential_energy().value(),
-        });
-        state = step(loads, state, length)?;
-    }
-    Ok(instants)
+        })
+    };
+    solution.t.iter().zip(&solution.y).map(instant).collect()
 }
 
 /// The largest change of the energy, as a part of the largest kinetic energy.
@@ -171,17 +182,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("  torque, root mean square over a turn: {:.2} N m", mean.value);
 
     println!("the fall from {RELEASED} degrees, for {FALL} s: drift of the energy");
-    let mut before: Option<f64> = None;
-    for steps in STEPS {
-        let drift = drift(&fall(&loads, steps)?);
-        let ratio = before.map_or(String::new(), |before| format!(", {:.1} times smaller", before / drift));
-        println!("  {steps} steps: {drift:.1e} of the largest kinetic energy{ratio}");
-        before = Some(drift);
+    for tolerance in TOLERANCES {
+        let instants = fall(&loads, tolerance, FALL)?;
+        println!(
+            "  tolerance {tolerance:.0e}: {:.1e} of the largest kinetic energy, in {} steps",
+            drift(&instants),
+            instants.len() - 1
+        );
     }
 
     let torque: Vec<(f64, f64)> = torques.iter().map(|(angle, torque)| (*angle, torque.value())).collect();
     let rate: Vec<(f64, f64)> = torques.iter().map(|(angle, torque)| (*angle, torque.rate())).collect();
-    let instants = fall(&loads, 1500)?;
+    let instants = fall(&loads, TOLERANCES[3], STEP)?;
     let energy = |value: fn(&Instant) -> f64| -> Vec<(f64, f64)> {
         instants.iter().map(|instant| (instant.time, value(instant))).collect()
     };

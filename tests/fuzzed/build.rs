@@ -25,13 +25,13 @@ fn main() {
             "mod mechanism_{seed} {{
                 use kin_core::prelude::*;
                 mechanism! {{ {declaration} }}
-                pub(super) fn report() -> kin_core::verify::Report {{ super::SAMPLING.mechanism::<{name}>() }}
+                pub(super) fn found() -> super::Found {{ of!({name}) }}
             }}"
         )
         .expect("a string can be written");
-        writeln!(entries, "(mechanism_{seed}::report, {declaration:?}),").expect("a string can be written");
+        writeln!(entries, "(mechanism_{seed}::found, {declaration:?}),").expect("a string can be written");
     }
-    let source = format!("{modules}\nconst SAMPLE: &[(Verify, &str)] = &[\n{entries}];\n");
+    let source = format!("{modules}\nconst SAMPLE: &[(Find, &str)] = &[\n{entries}];\n");
     let folder = env::var("OUT_DIR").expect("cargo names a folder");
     fs::write(format!("{folder}/sample.rs"), source).expect("the folder can be written");
 }

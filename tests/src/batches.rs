@@ -1,30 +1,47 @@
 //! Batches of any mechanism, with dimensions and inputs of its own for each pose.
 
-use kin_core::batch::{self, Column, Columns, Outcome, Place, Summary, Vectors, Visitor};
+use kin_core::batch::{self, Column, Columns, Element, Outcome, Place, Summary, Vectors, Visitor};
 use kin_core::prelude::*;
 
-use crate::mechanisms::cases::{Inputs, ThroughSnap};
+use crate::mechanisms::cases::ThroughSnap;
+
+/// By how much margins may differ, in units of what rounding of the given numbers changes.
+const MARGIN_UNITS: f64 = 4.0;
 
 /// Columns for the motions of any mechanism.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table {
+pub struct Table<E = f64> {
     /// Motions of the inputs, order by order.
-    pub inputs: Vec<Vec<Vec<f64>>>,
+    pub inputs: Vec<Vec<Vec<E>>>,
     /// With the cosine in the place of the angle where one is a direction.
-    pub unknowns: Vec<Vec<Vec<f64>>>,
+    pub unknowns: Vec<Vec<Vec<E>>>,
     /// Of every unknown, for whatever is a direction.
-    pub sines: Vec<Vec<f64>>,
+    pub sines: Vec<Vec<E>>,
     /// Motions of the scalar outputs, order by order.
-    pub outputs: Vec<Vec<Vec<f64>>>,
+    pub outputs: Vec<Vec<Vec<E>>>,
 }
 
-impl Table {
-    fn new<M: ThroughSnap>(poses: usize) -> Self {
-        let columns = |count: usize| vec![vec![vec![-1.0; poses]; 5]; count];
+/// What places hold before a batch.
+const UNTOUCHED: f64 = -1.0;
+
+impl<E: Element> Table<E> {
+    /// Whether a pose has no numbers except its inputs, as one that failed. Places for the sines of what is no direction may
+    /// be left untouched.
+    #[must_use]
+    pub fn is_cleared(&self, index: usize) -> bool {
+        let mut columns = self.unknowns.iter().chain(&self.outputs).flatten();
+        let mut sines = self.sines.iter().map(|column| column[index]);
+        columns.all(|column| column[index].real().is_nan())
+            && sines.all(|sine| sine.real().is_nan() || sine.real() == UNTOUCHED)
+    }
+
+    fn new<M: Mechanism>(poses: usize) -> Self {
+        let untouched = || vec![E::constant(UNTOUCHED); poses];
+        let columns = |count: usize| vec![vec![untouched(); M::DESCRIPTION.order + 1]; count];
         Self {
             inputs: columns(M::DESCRIPTION.inputs.len()),
             unknowns: columns(M::DESCRIPTION.unknowns.len()),
-            sines: vec![vec![-1.0; poses]; M::DESCRIPTION.unknowns.len()],
+            sines: vec![untouched(); M::DESCRIPTION.unknowns.len()],
             outputs: columns(M::DESCRIPTION.outputs.len()),
         }
     }
@@ -37,15 +54,17 @@ impl Table {
             .flatten()
             .flatten()
             .chain(&self.sines)
-            .map(|column| column[index].to_bits())
+            .map(|column| column[index].real())
+            // The sign of NaN says nothing.
+            .map(|number| if number.is_nan() { f64::NAN } else { number }.to_bits())
             .collect()
     }
 }
 
-fn visit<'a>(
-    motions: &'a mut [Vec<Vec<f64>>],
+fn visit<'a, E>(
+    motions: &'a mut [Vec<Vec<E>>],
     place: impl Fn(usize, usize) -> Place,
-    visitor: &mut impl Visitor<'a, Vec<f64>>,
+    visitor: &mut impl Visitor<'a, Vec<E>>,
 ) {
     for (index, motion) in motions.iter_mut().enumerate() {
         for (order, column) in motion.iter_mut().enumerate() {
@@ -54,8 +73,11 @@ fn visit<'a>(
     }
 }
 
-impl Columns<Vec<f64>> for Table {
-    fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Vec<f64>>) {
+impl<E> Columns<Vec<E>> for Table<E> {
+    fn each<'a>(&'a mut self, visitor: &mut impl Visitor<'a, Vec<E>>)
+    where
+        E: 'a,
+    {
         visit(&mut self.inputs, Place::Input, visitor);
         visit(&mut self.unknowns, Place::Unknown, visitor);
         for (index, column) in self.sines.iter_mut().enumerate() {
@@ -66,45 +88,45 @@ impl Columns<Vec<f64>> for Table {
 }
 
 /// Poses of a mechanism, each with dimensions and inputs of its own.
-pub struct Poses<M: ThroughSnap> {
+pub struct Poses<M: Mechanism> {
     /// The dimensions of each.
     pub mechanisms: Vec<M>,
     /// The inputs of each.
-    pub inputs: Vec<Inputs<M>>,
+    pub inputs: Vec<M::Inputs<M::Motion<M::Scalar>>>,
     /// Values of the unknowns near by, where there are no assemblies.
-    pub near: Vec<M::Unknowns<f64>>,
+    pub near: Vec<M::Unknowns<M::Scalar>>,
 }
 
 /// The numbers of poses, column by column.
-struct Numbers {
-    parameters: Vec<Vec<f64>>,
-    inputs: Vec<Vec<Vec<f64>>>,
-    near: Vec<Vec<f64>>,
+struct Numbers<E> {
+    parameters: Vec<Vec<E>>,
+    inputs: Vec<Vec<Vec<E>>>,
+    near: Vec<Vec<E>>,
 }
 
-impl Numbers {
-    fn parameters<M: Mechanism>(&self) -> M::Parameters<Column<'_>> {
+impl<E: Element> Numbers<E> {
+    fn parameters<M: Mechanism>(&self) -> M::Parameters<Column<'_, E>> {
         Row::from_fn(|place| Column::Each(&self.parameters[place]))
     }
 
-    fn inputs<'a, M: Mechanism>(&'a self) -> M::Inputs<M::Motion<Column<'a>>> {
+    fn inputs<'a, M: Mechanism>(&'a self) -> M::Inputs<M::Motion<Column<'a, E>>> {
         M::Inputs::from_fn(|input| {
-            <M::Motion<Column<'a>> as Row<Column<'a>>>::from_fn(|order| Column::Each(&self.inputs[input][order]))
+            <M::Motion<Column<'a, E>> as Row<Column<'a, E>>>::from_fn(|order| Column::Each(&self.inputs[input][order]))
         })
     }
 
-    fn near<M: Mechanism>(&self) -> M::Unknowns<Column<'_>> {
+    fn near<M: Mechanism>(&self) -> M::Unknowns<Column<'_, E>> {
         Row::from_fn(|place| Column::Each(&self.near[place]))
     }
 }
 
-impl<M: ThroughSnap> Poses<M> {
+impl<M: Mechanism<Scalar: Element>> Poses<M> {
     /// Solves them as one batch: in an assembly, or near the values where assemblies have no names.
     ///
     /// # Panics
     /// If there are assemblies, and none is given.
     #[must_use]
-    pub fn solve(&self, assembly: Option<M::Assembly>, vectors: Vectors) -> (Table, Vec<Outcome>, Summary) {
+    pub fn solve(&self, assembly: Option<M::Assembly>, vectors: Vectors) -> (Table<M::Scalar>, Vec<Outcome>, Summary) {
         let numbers = self.numbers();
         let (parameters, inputs) = (numbers.parameters::<M>(), numbers.inputs::<M>());
         let (mut table, mut outcomes) = self.places();
@@ -124,12 +146,16 @@ impl<M: ThroughSnap> Poses<M> {
     /// # Panics
     /// As [`solve`](Self::solve).
     #[must_use]
-    pub fn solve_in_parallel(&self, assembly: Option<M::Assembly>, vectors: Vectors) -> (Table, Vec<Outcome>, Summary)
+    pub fn solve_in_parallel(
+        &self,
+        assembly: Option<M::Assembly>,
+        vectors: Vectors,
+    ) -> (Table<M::Scalar>, Vec<Outcome>, Summary)
     where
         M::Assembly: Sync,
-        for<'a> M::Parameters<Column<'a>>: Sync,
-        for<'a> M::Inputs<M::Motion<Column<'a>>>: Sync,
-        for<'a> M::Unknowns<Column<'a>>: Sync,
+        for<'a> M::Parameters<Column<'a, M::Scalar>>: Sync,
+        for<'a> M::Inputs<M::Motion<Column<'a, M::Scalar>>>: Sync,
+        for<'a> M::Unknowns<Column<'a, M::Scalar>>: Sync,
     {
         let numbers = self.numbers();
         let (parameters, inputs) = (numbers.parameters::<M>(), numbers.inputs::<M>());
@@ -155,27 +181,33 @@ impl<M: ThroughSnap> Poses<M> {
         }
     }
 
-    fn places(&self) -> (Table, Vec<Outcome>) {
+    fn places(&self) -> (Table<M::Scalar>, Vec<Outcome>) {
         let count = self.mechanisms.len();
         (Table::new::<M>(count), vec![Outcome::Unsolved; count])
     }
 
-    fn numbers(&self) -> Numbers {
+    fn numbers(&self) -> Numbers<M::Scalar> {
         let count = self.mechanisms.len();
-        let column = |number: &dyn Fn(usize) -> f64| -> Vec<f64> { (0..count).map(number).collect() };
+        let column = |number: &dyn Fn(usize) -> M::Scalar| -> Vec<M::Scalar> { (0..count).map(number).collect() };
         Numbers {
             parameters: (0..M::DESCRIPTION.parameters.len())
                 .map(|place| column(&|pose| self.mechanisms[pose].parameters().as_ref()[place]))
                 .collect(),
             inputs: (0..M::DESCRIPTION.inputs.len())
                 .map(|input| {
-                    (0..5)
+                    (0..=M::DESCRIPTION.order)
                         .map(|order| column(&|pose| self.inputs[pose].as_ref()[input].as_ref()[order]))
                         .collect()
                 })
                 .collect(),
             near: (0..M::DESCRIPTION.unknowns.len())
-                .map(|place| column(&|pose| self.near.get(pose).map_or(0.0, |near| near.as_ref()[place])))
+                .map(|place| {
+                    column(&|pose| {
+                        self.near
+                            .get(pose)
+                            .map_or(M::Scalar::constant(0.0), |near| near.as_ref()[place])
+                    })
+                })
                 .collect(),
         }
     }
@@ -186,4 +218,75 @@ pub fn vectors() -> impl Iterator<Item = Vectors> {
     [Vectors::Compiled, Vectors::Avx2, Vectors::Avx512]
         .into_iter()
         .filter(|vectors| vectors.are_there())
+}
+
+impl<M: ThroughSnap> Poses<M> {
+    /// Asserts that the outcome of a pose is that of the error of `solve`: the same kind, and the same margin up to rounding.
+    /// Returns the difference of the margins, in units of rounding.
+    ///
+    /// # Panics
+    /// If it is not.
+    pub fn check_failure(
+        &self,
+        index: usize,
+        assembly: Option<M::Assembly>,
+        found: Outcome,
+        error: &SolveError,
+    ) -> f64 {
+        let (name, expected) = (M::DESCRIPTION.name, Outcome::from(error));
+        match (found.margin(), expected.margin()) {
+            (Some(found), Some(margin)) if found == margin => 0.0,
+            (Some(found), Some(margin)) => {
+                let units = (found - margin).abs() / self.margin_unit(index, assembly, margin);
+                assert!(
+                    units <= MARGIN_UNITS,
+                    "{name}, pose {index}: {found:e} for {margin:e}, {units} units: {error}"
+                );
+                units
+            }
+            _ => {
+                assert_eq!(found, expected, "{name}, pose {index}: {error}");
+                0.0
+            }
+        }
+    }
+
+    /// The size of rounding in a margin: the sum of its changes as each dimension and each input changes by ε of its size.
+    #[must_use]
+    pub fn margin_unit(&self, index: usize, assembly: Option<M::Assembly>, margin: f64) -> f64 {
+        let parameters = self.mechanisms[index].parameters();
+        let count = parameters.as_ref().len();
+        let total = (0..count + self.inputs[index].as_ref().len()).map(|changed| {
+            let slope = [1e-6, -1e-6, 1e-9, -1e-9].into_iter().find_map(|part| {
+                let change = |place: usize, number: f64| {
+                    if place == changed {
+                        number * (1.0 + part)
+                    } else {
+                        number
+                    }
+                };
+                let one = Self {
+                    mechanisms: vec![M::from_parameters(Row::from_fn(|place| {
+                        change(place, parameters[place])
+                    }))],
+                    inputs: vec![M::Inputs::from_fn(|input| {
+                        let motion = self.inputs[index][input];
+                        let own = |order: usize| {
+                            if order == 0 {
+                                change(count + input, motion[0])
+                            } else {
+                                motion[order]
+                            }
+                        };
+                        Motion::new(core::array::from_fn(own))
+                    })],
+                    near: self.near.get(index).copied().into_iter().collect(),
+                };
+                let changed = Outcome::from(&one.solve_one(0, assembly).err()?).margin()?;
+                Some((changed - margin) / part)
+            });
+            slope.map_or(0.0, f64::abs)
+        });
+        f64::EPSILON * (total.sum::<f64>() + margin.abs())
+    }
 }

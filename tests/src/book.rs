@@ -24,13 +24,18 @@ chapters! {
     loads: "../../docs/loads.md";
     recipes: "../../docs/recipes.md";
     batches: "../../docs/batches.md";
+    search: "../../docs/search.md";
     sweeps: "../../docs/sweeps.md";
     cycle: "../../docs/cycle.md";
+    report: "../../docs/report.md";
     jansen_leg: "../../docs/jansen-leg.md";
     whole_programs: "../../docs/whole-programs.md";
     languages: "../../docs/languages.md";
+    exact_tables: "../../docs/exact-tables.md";
+    program: "../../docs/program.md";
     library: "../../docs/library.md";
     gallery: "../../docs/gallery.md";
+    problems: "../../docs/problems.md";
     theory: "../../docs/theory.md";
     closed_forms: "../../docs/closed-forms.md";
     coupled: "../../docs/coupled.md";

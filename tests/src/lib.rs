@@ -2,6 +2,7 @@
 
 pub mod batches;
 mod book;
+pub mod calls;
 pub mod carrier;
 pub mod compare;
 pub mod counting;

@@ -15,7 +15,7 @@ pub trait IntoAssembly<A> {
 }
 
 impl<A> IntoAssembly<A> for A {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn into_assembly(self) -> A {
         self
     }

@@ -81,7 +81,7 @@ impl Assembly {
 /// assert_eq!(both, (3.0, -3.0));
 /// # Ok::<(), Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn both<R, E>(mut candidate: impl FnMut(Assembly) -> Result<R, E>) -> Result<(R, R), E> {
     let (mut assembly, mut open) = (Assembly::Open, None);
     loop {

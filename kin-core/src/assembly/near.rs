@@ -53,7 +53,7 @@ pub trait Guess<T, const N: usize, M> {
 }
 
 impl<T, const N: usize, M> Guess<T, N, M> for [T; N] {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn values(self) -> Self {
         self
     }
@@ -67,7 +67,7 @@ impl<T: Number, const N: usize, M> Guess<T, N, M> for Near<N> {
 }
 
 impl<T, const N: usize, M, G: Guess<T, N, M> + Copy> Guess<T, N, M> for &G {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn values(self) -> [T; N] {
         (*self).values()
     }

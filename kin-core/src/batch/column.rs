@@ -1,5 +1,7 @@
 //! The columns of parameters and inputs of a batch.
 
+use crate::batch::lanes::Element;
+
 /// One number for each pose of a batch.
 ///
 /// ```
@@ -10,41 +12,48 @@
 /// assert_eq!(Column::from(90.0).at(1), 90.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Column<'a> {
+pub enum Column<'a, T = f64> {
     /// The same number for all poses.
-    Same(f64),
+    Same(T),
     /// One number for each pose, as many as there are poses.
-    Each(&'a [f64]),
+    Each(&'a [T]),
 }
 
 /// The value of a parameter in a batch: a number, the same for all poses, or a column.
 pub trait Parameter: Copy {
+    /// The precision.
+    type Element: Element;
+
     /// The value as a column.
-    fn column(&self) -> Column<'_>;
+    fn column(&self) -> Column<'_, Self::Element>;
 }
 
-impl Parameter for f64 {
+impl<T: Element> Parameter for T {
+    type Element = T;
+
     #[inline]
-    fn column(&self) -> Column<'_> {
+    fn column(&self) -> Column<'_, T> {
         Column::Same(*self)
     }
 }
 
-impl Parameter for Column<'_> {
+impl<T: Element> Parameter for Column<'_, T> {
+    type Element = T;
+
     #[inline]
-    fn column(&self) -> Column<'_> {
+    fn column(&self) -> Column<'_, T> {
         *self
     }
 }
 
-impl Column<'_> {
+impl<T: Element> Column<'_, T> {
     /// The number of the pose with this index, NaN if there is none.
     #[inline]
     #[must_use]
-    pub fn at(&self, index: usize) -> f64 {
+    pub fn at(&self, index: usize) -> T {
         match self {
             Self::Same(value) => *value,
-            Self::Each(values) => values.get(index).copied().unwrap_or(f64::NAN),
+            Self::Each(values) => values.get(index).copied().unwrap_or(T::nan()),
         }
     }
 
@@ -57,7 +66,6 @@ impl Column<'_> {
     }
 
     /// The part of a column for a range of poses.
-    #[cfg(feature = "rayon")]
     pub(super) fn part(self, range: core::ops::Range<usize>) -> Self {
         match self {
             Self::Same(value) => Self::Same(value),
@@ -66,27 +74,27 @@ impl Column<'_> {
     }
 }
 
-impl From<f64> for Column<'_> {
-    fn from(value: f64) -> Self {
+impl<T: Element> From<T> for Column<'_, T> {
+    fn from(value: T) -> Self {
         Self::Same(value)
     }
 }
 
-impl<'a> From<&'a [f64]> for Column<'a> {
-    fn from(values: &'a [f64]) -> Self {
+impl<'a, T> From<&'a [T]> for Column<'a, T> {
+    fn from(values: &'a [T]) -> Self {
         Self::Each(values)
     }
 }
 
-impl<'a, const N: usize> From<&'a [f64; N]> for Column<'a> {
-    fn from(values: &'a [f64; N]) -> Self {
+impl<'a, T, const N: usize> From<&'a [T; N]> for Column<'a, T> {
+    fn from(values: &'a [T; N]) -> Self {
         Self::Each(values)
     }
 }
 
 #[cfg(feature = "std")]
-impl<'a> From<&'a std::vec::Vec<f64>> for Column<'a> {
-    fn from(values: &'a std::vec::Vec<f64>) -> Self {
+impl<'a, T> From<&'a std::vec::Vec<T>> for Column<'a, T> {
+    fn from(values: &'a std::vec::Vec<T>) -> Self {
         Self::Each(values)
     }
 }

@@ -83,7 +83,7 @@ fn compare(angles: &[f64], poses: &Poses, outcomes: &[Outcome], summary: Summary
             Err(error) => {
                 failed += 1;
                 first_failure = first_failure.or(Some((index, error)));
-                assert_eq!(outcomes[index], Outcome::from(&error), "{index}");
+                check_failure(outcomes[index], Outcome::from(&error), index);
                 for order in 0..5 {
                     assert!(poses.theta3[order][index].is_nan() && poses.theta4[order][index].is_nan());
                 }
@@ -92,6 +92,20 @@ fn compare(angles: &[f64], poses: &Poses, outcomes: &[Outcome], summary: Summary
     }
     assert_eq!((summary.solved, summary.failed), (angles.len() - failed, failed));
     assert_eq!(summary.first_failure, first_failure);
+}
+
+/// Margins are differences of lengths, which lanes round differently. Each of the four lengths has an error of a few ε.
+fn check_failure(found: Outcome, expected: Outcome, index: usize) {
+    let lengths = LINKAGE.r1 + LINKAGE.r2 + LINKAGE.r3 + LINKAGE.r4;
+    match (found.margin(), expected.margin()) {
+        (Some(found), Some(expected)) => {
+            assert!(
+                (found - expected).abs() <= 4.0 * f64::EPSILON * lengths,
+                "{index}: {found} {expected}"
+            );
+        }
+        _ => assert_eq!(found, expected, "{index}"),
+    }
 }
 
 #[test]
@@ -276,7 +290,7 @@ fn what_is_not_wanted_is_left_out() {
 
 #[test]
 fn columns_are_read_by_index() {
-    let numbers = vec![1.0, 2.0];
+    let numbers = vec![1.0_f64, 2.0];
     for column in [
         Column::Each(&numbers),
         Column::from(&numbers),

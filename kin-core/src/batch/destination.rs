@@ -1,39 +1,54 @@
 //! The places where a batch stores its numbers, looked up once.
 
 use core::cell::Cell;
+use core::ops::Sub;
 
 use super::outcome::LengthMismatch;
 use super::target::{Columns, Place, Target, Visitor};
-use crate::batch::lanes::Lanes;
+use crate::batch::lanes::{Element, Lanes};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
+use num_traits::Float;
 
 /// The place for one number of each pose, empty if the number is not wanted. It consists of cells because rows are
 /// copied.
-type Entries<'t> = &'t [Cell<f64>];
+pub(super) type Entries<'t, E> = &'t [Cell<E>];
 
 type Inputs<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
 type Unknowns<M, V> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<V>>;
 type Outputs<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<V>>;
 
+/// The place for one number of each pose of a mechanism.
+type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
+
 /// The places of all numbers.
 pub(super) struct Destination<'t, M: Mechanism> {
-    inputs: Inputs<M, Entries<'t>>,
-    unknowns: Unknowns<M, Entries<'t>>,
+    inputs: Inputs<M, EntriesOf<'t, M>>,
+    unknowns: Unknowns<M, EntriesOf<'t, M>>,
     /// The places of the sines of unknowns that are directions.
-    sines: M::Unknowns<Entries<'t>>,
-    outputs: Outputs<M, Entries<'t>>,
+    sines: M::Unknowns<EntriesOf<'t, M>>,
+    outputs: Outputs<M, EntriesOf<'t, M>>,
 }
 
-impl<'t, M: Mechanism> Destination<'t, M> {
+impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
     /// The destination of a pose of which nothing is wanted.
     pub(super) fn nowhere() -> Self {
-        let nowhere = |_| -> M::Motion<Entries<'t>> { Row::from_fn(|_| -> Entries<'t> { &[] }) };
+        let nowhere = |_| -> M::Motion<EntriesOf<'t, M>> { Row::from_fn(|_| -> EntriesOf<'t, M> { &[] }) };
         Self {
             inputs: Row::from_fn(nowhere),
             unknowns: Row::from_fn(nowhere),
-            sines: Row::from_fn(|_| -> Entries<'t> { &[] }),
+            sines: Row::from_fn(|_| -> EntriesOf<'t, M> { &[] }),
             outputs: Row::from_fn(nowhere),
+        }
+    }
+
+    /// The entries of a place, which are empty if its number is not wanted.
+    pub(super) fn entries(&mut self, place: Place) -> &mut EntriesOf<'t, M> {
+        match place {
+            Place::Input(index, order) => &mut self.inputs[index][order],
+            Place::Unknown(index, order) => &mut self.unknowns[index][order],
+            Place::Sine(index) => &mut self.sines[index],
+            Place::Output(index, order) => &mut self.outputs[index][order],
         }
     }
 
@@ -41,7 +56,7 @@ impl<'t, M: Mechanism> Destination<'t, M> {
     ///
     /// # Errors
     /// Fails if the length of a place differs from the number of poses.
-    pub(super) fn find<P: Columns<C>, C: Target + 't>(
+    pub(super) fn find<P: Columns<C>, C: Target<M::Scalar> + 't>(
         &mut self,
         poses: &'t mut P,
         count: usize,
@@ -67,53 +82,107 @@ impl<'t, M: Mechanism> Destination<'t, M> {
         })
     }
 
-    /// Stores motions, starting at a given pose.
-    #[inline(always)]
-    pub(super) fn store<V: Stored, R: Row<V>>(
+    /// Stores motions, starting at a given pose. If poses have failed, `gone` is NaN for these and zero for the others, and
+    /// is taken away from all numbers except those of the inputs.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn store<V: Stored<Element = M::Scalar>, R: Row<V>>(
         &self,
         start: usize,
         inputs: &[R],
         unknowns: &[R],
         sines: &[Option<V>],
         outputs: &[R],
+        gone: Option<V>,
     ) {
-        store_all(start, inputs, self.inputs.as_ref());
-        store_all(start, unknowns, self.unknowns.as_ref());
+        store_all(start, inputs, self.inputs.as_ref(), None);
+        store_all(start, unknowns, self.unknowns.as_ref(), gone);
         for (sine, entries) in sines.iter().zip(self.sines.as_ref()) {
             if let Some(sine) = sine {
-                sine.store(entries, start);
+                less(*sine, gone).store(entries, start);
             }
         }
-        store_all(start, outputs, self.outputs.as_ref());
+        store_all(start, outputs, self.outputs.as_ref(), gone);
+    }
+
+    /// Whether a sine is wanted.
+    pub(super) fn has_sines(&self) -> bool {
+        self.sines.as_ref().iter().any(|places| !places.is_empty())
+    }
+
+    /// Stores NaN in place of the sines of a pose that has failed. A pose that is solved has sines of directions only, and leaves
+    /// the other places as they are.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn leave_out_sines(&self, index: usize) {
+        fill_all(index, M::Scalar::nan(), self.sines.as_ref());
+    }
+
+    /// Stores the motions of the inputs, and another number in all other places but those of sines, starting at a given pose.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn fill<V: Stored<Element = M::Scalar>, R: Row<V>>(&self, start: usize, inputs: &[R], number: V) {
+        store_all(start, inputs, self.inputs.as_ref(), None);
+        for places in self.unknowns.as_ref() {
+            fill_all(start, number, places.as_ref());
+        }
+        for places in self.outputs.as_ref() {
+            fill_all(start, number, places.as_ref());
+        }
     }
 }
 
-#[inline(always)]
-fn store_all<'t, V: Stored, R: Row<V>>(start: usize, motions: &[R], places: &[impl Row<Entries<'t>>]) {
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn store_all<'t, V: Stored, R: Row<V>>(
+    start: usize,
+    motions: &[R],
+    places: &[impl Row<Entries<'t, V::Element>>],
+    gone: Option<V>,
+) {
     for (motion, places) in motions.iter().zip(places) {
         for (number, entries) in motion.as_ref().iter().zip(places.as_ref()) {
-            number.store(entries, start);
+            less(*number, gone).store(entries, start);
         }
+    }
+}
+
+/// The difference. Taking away zero changes nothing, not even the sign of a zero.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn less<V: Stored>(number: V, gone: Option<V>) -> V {
+    match gone {
+        Some(gone) => number - gone,
+        None => number,
+    }
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn fill_all<V: Stored>(start: usize, number: V, places: &[Entries<'_, V::Element>]) {
+    for entries in places {
+        number.store(entries, start);
     }
 }
 
 /// The stored form of a number: one pose or several.
-pub(super) trait Stored: Copy {
+pub(super) trait Stored: Copy + Sub<Output = Self> {
+    /// The stored numbers.
+    type Element: Element;
+
     /// Stores the number, starting at a given pose, unless it is not wanted.
-    fn store(self, entries: Entries<'_>, start: usize);
+    fn store(self, entries: Entries<'_, Self::Element>, start: usize);
 }
 
-impl Stored for f64 {
-    fn store(self, entries: Entries<'_>, start: usize) {
+impl<E: Element> Stored for E {
+    type Element = E;
+
+    fn store(self, entries: Entries<'_, E>, start: usize) {
         if let Some(entry) = entries.get(start) {
             entry.set(self);
         }
     }
 }
 
-impl<const W: usize, const FUSED: bool> Stored for Lanes<W, FUSED> {
-    #[inline(always)]
-    fn store(self, entries: Entries<'_>, start: usize) {
+impl<const W: usize, const FUSED: bool, E: Element> Stored for Lanes<W, FUSED, E> {
+    type Element = E;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn store(self, entries: Entries<'_, E>, start: usize) {
         // A wanted place is always long enough, but the compiler does not know it.
         if let Some(entries) = entries.get(start..start + W) {
             for (entry, number) in entries.iter().zip(self.0) {
@@ -130,8 +199,8 @@ struct ColumnSearch<'s, 't, M: Mechanism> {
     mismatch: Option<(Place, usize)>,
 }
 
-impl<'t, M: Mechanism, C: Target> Visitor<'t, C> for ColumnSearch<'_, 't, M> {
-    #[inline(always)]
+impl<'t, M: Mechanism<Scalar: Element>, C: Target<M::Scalar>> Visitor<'t, C> for ColumnSearch<'_, 't, M> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn visit(&mut self, place: Place, there: &'t mut C) {
         let Some(slice) = there.slice() else {
             return;
@@ -140,12 +209,6 @@ impl<'t, M: Mechanism, C: Target> Visitor<'t, C> for ColumnSearch<'_, 't, M> {
             self.mismatch = self.mismatch.or(Some((place, slice.len())));
             return;
         }
-        let entries = match place {
-            Place::Input(index, order) => &mut self.found.inputs[index][order],
-            Place::Unknown(index, order) => &mut self.found.unknowns[index][order],
-            Place::Sine(index) => &mut self.found.sines[index],
-            Place::Output(index, order) => &mut self.found.outputs[index][order],
-        };
-        *entries = Cell::from_mut(slice).as_slice_of_cells();
+        *self.found.entries(place) = Cell::from_mut(slice).as_slice_of_cells();
     }
 }

@@ -7,18 +7,22 @@
     )
 )]
 
-/// The number of lanes of the widest vectors.
-#[cfg(any(feature = "rayon", all(feature = "std", target_arch = "x86_64")))]
+use super::lanes::Element;
+
+/// The number of lanes of the widest vectors, in double precision.
 pub(super) const MOST_LANES: usize = 16;
+
+/// The number of lanes of the widest vectors, in single precision.
+pub(super) const MOST_SINGLES: usize = 16;
 
 /// The vector instructions for a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Vectors {
     /// The instructions for which the program was compiled.
     Compiled,
-    /// AVX2 with fused multiply-add: four numbers per instruction.
+    /// AVX2 with fused multiply-add: four numbers per instruction, eight in single precision.
     Avx2,
-    /// AVX-512: eight numbers per instruction.
+    /// AVX-512: eight numbers per instruction, sixteen in single precision.
     Avx512,
 }
 
@@ -55,7 +59,7 @@ impl Vectors {
     }
 
     /// Runs a kernel with these instructions, or with the compiled ones if this machine does not have them.
-    pub(super) fn run<K: Kernel>(self, kernel: K) -> K::Result {
+    pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Result {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         if self.are_there() {
             match self {
@@ -76,9 +80,12 @@ impl Vectors {
 }
 
 /// Code that is compiled once for each kind of vectors. Everything it calls must be inlined, or it is compiled for the
-/// narrowest vectors.
-pub(super) trait Kernel {
+/// narrowest vectors. Debug builds inline nothing: the results are the same, and the code is compiled in half the time.
+pub trait Kernel {
     type Result;
+
+    /// The numbers in its lanes.
+    type Element: Element;
 
     /// Runs the kernel in `W` lanes.
     fn run<const W: usize, const FUSED: bool>(self) -> Self::Result;
@@ -88,17 +95,17 @@ pub(super) trait Kernel {
 /// of the others.
 #[inline(never)]
 fn compiled<K: Kernel>(kernel: K) -> K::Result {
-    kernel.run::<4, false>()
+    K::Element::run::<K, 4, 8, false>(kernel)
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2,fma")]
 fn avx2<K: Kernel>(kernel: K) -> K::Result {
-    kernel.run::<8, true>()
+    K::Element::run::<K, 8, 16, true>(kernel)
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 fn avx512<K: Kernel>(kernel: K) -> K::Result {
-    kernel.run::<MOST_LANES, true>()
+    K::Element::run::<K, MOST_LANES, MOST_SINGLES, true>(kernel)
 }

@@ -6,7 +6,6 @@
 //! `std`, on x86), so no compiler flag is needed. It finds the poses that `solve` finds, up to rounding. Where it
 //! fails, it reports the same [outcome](Outcome): a pose out of reach does not affect the others. With the feature
 //! `rayon`, `solve_batch_in_parallel` does the same on all cores.
-//! the same on all cores.
 //!
 //! ```
 //! use kin_core::library::{FourBar, FourBarBatch};
@@ -32,11 +31,13 @@
 //! # Ok::<(), kin_core::batch::LengthMismatch>(())
 //! ```
 
+mod besides;
 mod column;
 #[cfg(test)]
 mod comparison_tests;
 mod destination;
 mod dispatch;
+mod fold;
 pub(crate) mod lanes;
 mod loads;
 mod outcome;
@@ -49,7 +50,11 @@ mod tests;
 mod view;
 
 pub use column::{Column, Parameter};
+#[cfg(feature = "alloc")]
+pub(crate) use dispatch::Kernel;
 pub use dispatch::Vectors;
+pub use fold::{Fold, FoldError, Folded, FoldedNumber, Poses, Turn, fold, fold_near};
+pub use lanes::Element;
 pub use outcome::{LengthMismatch, Outcome, Summary};
 #[cfg(feature = "rayon")]
 pub use parallel::{solve_in_parallel, solve_near_in_parallel};

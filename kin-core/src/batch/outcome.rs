@@ -69,8 +69,16 @@ pub struct Summary {
 }
 
 impl Summary {
+    /// The part of the poses that are found, 0 ..= 1, or `None` if there are no poses.
+    #[must_use]
+    pub fn share_solved(&self) -> Option<f64> {
+        let count = self.solved + self.failed;
+        #[expect(clippy::cast_precision_loss, reason = "nobody solves 2⁵³ poses")]
+        let share = self.solved as f64 / count as f64;
+        (count > 0).then_some(share)
+    }
+
     /// The summary of two parts of a batch.
-    #[cfg(feature = "rayon")]
     pub(super) fn and(self, other: Self) -> Self {
         let first_failure = match (self.first_failure, other.first_failure) {
             (Some(one), Some(other)) if other.0 < one.0 => Some(other),
@@ -82,6 +90,13 @@ impl Summary {
             failed: self.failed + other.failed,
             first_failure,
         }
+    }
+
+    /// Counts poses as failed that were counted as solved before.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn fail(&mut self, count: usize) {
+        self.solved -= count;
+        self.failed += count;
     }
 
     /// Records the outcome of a pose that was solved alone, and that was counted as solved before.

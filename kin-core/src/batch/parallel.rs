@@ -1,18 +1,17 @@
 //! A batch on all cores.
 
-use core::ops::Range;
 use std::vec::Vec;
 
 use rayon::prelude::*;
 
 use super::Column;
 use super::destination::Destination;
-use super::dispatch::{MOST_LANES, Vectors};
+use super::dispatch::{MOST_SINGLES, Vectors};
+use super::lanes::Element;
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::sweep::{Guide, InAssembly, Nearest, Problem};
 use super::target::{Columns, Place, Target, Visitor};
 use crate::mechanism::Mechanism;
-use crate::number::Row;
 
 /// The number of poses solved in one go: enough to be worth handing over, and few enough for the first-level cache.
 const PIECE: usize = 512;
@@ -22,19 +21,19 @@ const PIECE: usize = 512;
 /// # Errors
 /// As for [`solve`](super::solve).
 pub fn solve_in_parallel<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
+    parameters: M::Parameters<Column<'a, M::Scalar>>,
+    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
     assembly: M::Assembly,
     poses: &mut P,
     outcomes: &mut [Outcome],
     vectors: Vectors,
 ) -> Result<Summary, LengthMismatch>
 where
-    M: Mechanism<Scalar = f64, Assembly: Sync>,
-    M::Parameters<Column<'a>>: Sync,
-    M::Inputs<M::Motion<Column<'a>>>: Sync,
+    M: Mechanism<Scalar: Element, Assembly: Sync>,
+    M::Parameters<Column<'a, M::Scalar>>: Sync,
+    M::Inputs<M::Motion<Column<'a, M::Scalar>>>: Sync,
     P: Columns<C>,
-    C: Target,
+    C: Target<M::Scalar>,
 {
     let problem = Problem::<M, _> {
         parameters,
@@ -49,20 +48,20 @@ where
 /// # Errors
 /// As for [`solve`](super::solve).
 pub fn solve_near_in_parallel<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
-    near: M::Unknowns<Column<'a>>,
+    parameters: M::Parameters<Column<'a, M::Scalar>>,
+    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
+    near: M::Unknowns<Column<'a, M::Scalar>>,
     poses: &mut P,
     outcomes: &mut [Outcome],
     vectors: Vectors,
 ) -> Result<Summary, LengthMismatch>
 where
-    M: Mechanism<Scalar = f64>,
-    M::Parameters<Column<'a>>: Sync,
-    M::Inputs<M::Motion<Column<'a>>>: Sync,
-    M::Unknowns<Column<'a>>: Sync,
+    M: Mechanism<Scalar: Element>,
+    M::Parameters<Column<'a, M::Scalar>>: Sync,
+    M::Inputs<M::Motion<Column<'a, M::Scalar>>>: Sync,
+    M::Unknowns<Column<'a, M::Scalar>>: Sync,
     P: Columns<C>,
-    C: Target,
+    C: Target<M::Scalar>,
 {
     let problem = Problem::<M, _> {
         parameters,
@@ -79,11 +78,11 @@ fn solve_pieces<'a, M, G, P, C>(
     vectors: Vectors,
 ) -> Result<Summary, LengthMismatch>
 where
-    M: Mechanism<Scalar = f64>,
+    M: Mechanism<Scalar: Element>,
     G: Guide<'a, M>,
     Problem<'a, M, G>: Sync,
     P: Columns<C>,
-    C: Target,
+    C: Target<M::Scalar>,
 {
     problem.check_lengths(outcomes.len())?;
     Destination::<M>::nowhere().find(poses, outcomes.len())?;
@@ -93,7 +92,7 @@ where
     let mut start = 0;
     while !rest.is_empty() {
         // No piece has fewer poses than lanes: they would be solved one by one and rounded differently.
-        let count = if rest.len() < PIECE + MOST_LANES {
+        let count = if rest.len() < PIECE + MOST_SINGLES {
             rest.len()
         } else {
             PIECE
@@ -116,9 +115,9 @@ where
 }
 
 /// The wanted targets, one after the other.
-struct Targets<'a>(Vec<(Place, &'a mut [f64])>);
+struct Targets<'a, E>(Vec<(Place, &'a mut [E])>);
 
-impl<'a, C: Target> Visitor<'a, C> for Targets<'a> {
+impl<'a, E, C: Target<E>> Visitor<'a, C> for Targets<'a, E> {
     fn visit(&mut self, place: Place, there: &'a mut C) {
         if let Some(slice) = there.slice() {
             self.0.push((place, slice));
@@ -126,10 +125,10 @@ impl<'a, C: Target> Visitor<'a, C> for Targets<'a> {
     }
 }
 
-impl<'a> Targets<'a> {
+impl<'a, E> Targets<'a, E> {
     /// Splits off the places for the next poses.
     fn split_off(&mut self, count: usize) -> Self {
-        let split = |(place, slice): &mut (Place, &'a mut [f64])| {
+        let split = |(place, slice): &mut (Place, &'a mut [E])| {
             let (next, rest) = core::mem::take(slice).split_at_mut(count);
             *slice = rest;
             (*place, next)
@@ -138,29 +137,14 @@ impl<'a> Targets<'a> {
     }
 }
 
-impl<'a> Columns<&'a mut [f64]> for Targets<'a> {
+impl<'a, E> Columns<&'a mut [E]> for Targets<'a, E> {
     #[inline]
-    fn each<'b>(&'b mut self, visitor: &mut impl Visitor<'b, &'a mut [f64]>)
+    fn each<'b>(&'b mut self, visitor: &mut impl Visitor<'b, &'a mut [E]>)
     where
-        &'a mut [f64]: 'b,
+        &'a mut [E]: 'b,
     {
         for (place, slice) in &mut self.0 {
             visitor.visit(*place, slice);
-        }
-    }
-}
-
-impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
-    /// The columns of a range of poses.
-    fn part(&self, range: Range<usize>) -> Problem<'a, M, G> {
-        let (parameters, inputs) = (self.parameters.as_ref(), self.inputs.as_ref());
-        Problem {
-            parameters: Row::from_fn(|parameter| parameters[parameter].part(range.clone())),
-            inputs: M::Inputs::from_fn(|input| {
-                let motion = inputs[input].as_ref();
-                <M::Motion<Column<'a>> as Row<Column<'a>>>::from_fn(|order| motion[order].part(range.clone()))
-            }),
-            guide: self.guide.part(range.clone()),
         }
     }
 }

@@ -1,15 +1,26 @@
 //! The solution of a batch, chunk by chunk.
 
+use core::ops::Range;
+
+use num_traits::{Float, Zero};
+
 use super::Column;
+use super::besides::Besides;
 use super::destination::Destination;
 use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
 use super::view::{View, gather, look, repeat};
-use crate::batch::lanes::Lanes;
+use crate::batch::lanes::{Element, Lanes, verdicts};
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
+
+/// The inputs of as many poses as there are lanes, with their derivatives.
+type MotionsInLanes<M, const W: usize, const FUSED: bool> =
+    <<M as Mechanism>::With<Lanes<W, FUSED, <M as Mechanism>::Scalar>> as Mechanism>::Inputs<
+        <M as Mechanism>::Motion<Lanes<W, FUSED, <M as Mechanism>::Scalar>>,
+    >;
 
 /// Solves a batch, as the method `solve_batch` of a mechanism does. Columns are given by the indices of parameters,
 /// inputs, unknowns and outputs.
@@ -18,17 +29,17 @@ use crate::number::{Number, Row};
 /// [`LengthMismatch`] if the length of a column or a target differs from the number of outcomes. Nothing is solved
 /// then.
 pub fn solve<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
+    parameters: M::Parameters<Column<'a, M::Scalar>>,
+    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
     assembly: M::Assembly,
     poses: &mut P,
     outcomes: &mut [Outcome],
     vectors: Vectors,
 ) -> Result<Summary, LengthMismatch>
 where
-    M: Mechanism<Scalar = f64>,
+    M: Mechanism<Scalar: Element>,
     P: Columns<C>,
-    C: Target,
+    C: Target<M::Scalar>,
 {
     let problem = Problem::<M, _> {
         parameters,
@@ -43,17 +54,17 @@ where
 /// # Errors
 /// As for [`solve`].
 pub fn solve_near<'a, M, P, C>(
-    parameters: M::Parameters<Column<'a>>,
-    inputs: M::Inputs<M::Motion<Column<'a>>>,
-    near: M::Unknowns<Column<'a>>,
+    parameters: M::Parameters<Column<'a, M::Scalar>>,
+    inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
+    near: M::Unknowns<Column<'a, M::Scalar>>,
     poses: &mut P,
     outcomes: &mut [Outcome],
     vectors: Vectors,
 ) -> Result<Summary, LengthMismatch>
 where
-    M: Mechanism<Scalar = f64>,
+    M: Mechanism<Scalar: Element>,
     P: Columns<C>,
-    C: Target,
+    C: Target<M::Scalar>,
 {
     let problem = Problem::<M, _> {
         parameters,
@@ -65,22 +76,23 @@ where
 
 /// The columns of a batch, in rows.
 pub(super) struct Problem<'a, M: Mechanism, G> {
-    pub(super) parameters: M::Parameters<Column<'a>>,
-    pub(super) inputs: M::Inputs<M::Motion<Column<'a>>>,
+    pub(super) parameters: M::Parameters<Column<'a, M::Scalar>>,
+    pub(super) inputs: M::Inputs<M::Motion<Column<'a, M::Scalar>>>,
     pub(super) guide: G,
 }
 
 /// The choice among several positions, for each pose.
-pub(super) trait Guide<'a, M: Mechanism>: Copy {
+pub(super) trait Guide<'a, M: Mechanism<Scalar: Element>>: Copy {
     /// Whether values near each pose make the choice.
     const IS_NEAR: bool;
 
     /// The values near each pose, if they make the choice.
-    fn near(self) -> M::Unknowns<Column<'a>>;
+    fn near(self) -> M::Unknowns<Column<'a, M::Scalar>>;
 
     /// The guide restricted to a range of poses.
-    #[cfg(feature = "rayon")]
-    fn part(self, range: core::ops::Range<usize>) -> Self;
+    fn part<'b>(self, range: Range<usize>) -> impl Guide<'b, M>
+    where
+        'a: 'b;
 
     /// Solves one pose, or several.
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
@@ -99,19 +111,21 @@ pub(super) struct InAssembly<A>(pub(super) A);
 #[derive(Clone, Copy)]
 pub(super) struct Nearest<C>(pub(super) C);
 
-impl<'a, M: Mechanism> Guide<'a, M> for InAssembly<M::Assembly> {
+impl<'a, M: Mechanism<Scalar: Element>> Guide<'a, M> for InAssembly<M::Assembly> {
     const IS_NEAR: bool = false;
 
-    fn near(self) -> M::Unknowns<Column<'a>> {
-        Row::from_fn(|_| Column::Same(f64::NAN))
+    fn near(self) -> M::Unknowns<Column<'a, M::Scalar>> {
+        Row::from_fn(|_| Column::Same(M::Scalar::nan()))
     }
 
-    #[cfg(feature = "rayon")]
-    fn part(self, _: core::ops::Range<usize>) -> Self {
+    fn part<'b>(self, _: Range<usize>) -> impl Guide<'b, M>
+    where
+        'a: 'b,
+    {
         self
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
@@ -122,19 +136,22 @@ impl<'a, M: Mechanism> Guide<'a, M> for InAssembly<M::Assembly> {
     }
 }
 
-impl<'a, M: Mechanism, C: Row<Column<'a>>> Guide<'a, M> for Nearest<C> {
+impl<'a, M: Mechanism<Scalar: Element>, C: Row<Column<'a, M::Scalar>>> Guide<'a, M> for Nearest<C> {
     const IS_NEAR: bool = true;
 
-    fn near(self) -> M::Unknowns<Column<'a>> {
+    fn near(self) -> M::Unknowns<Column<'a, M::Scalar>> {
         Row::from_fn(|unknown| self.0[unknown])
     }
 
-    #[cfg(feature = "rayon")]
-    fn part(self, range: core::ops::Range<usize>) -> Self {
-        Self(Row::from_fn(|unknown| self.0[unknown].part(range.clone())))
+    fn part<'b>(self, range: Range<usize>) -> impl Guide<'b, M>
+    where
+        'a: 'b,
+    {
+        let near: M::Unknowns<Column<'b, M::Scalar>> = Row::from_fn(|unknown| self.0[unknown].part(range.clone()));
+        Nearest(near)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn solve<T: Mechanism<Assembly = M::Assembly>>(
         self,
         mechanism: &T,
@@ -145,8 +162,8 @@ impl<'a, M: Mechanism, C: Row<Column<'a>>> Guide<'a, M> for Nearest<C> {
     }
 }
 
-impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
-    pub(super) fn solve<P: Columns<C>, C: Target>(
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
+    pub(super) fn solve<P: Columns<C>, C: Target<M::Scalar>>(
         &self,
         poses: &mut P,
         outcomes: &mut [Outcome],
@@ -157,7 +174,7 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
     }
 
     /// [`solve`](Self::solve) with input columns whose lengths have been checked.
-    pub(super) fn sweep<P: Columns<C>, C: Target>(
+    pub(super) fn sweep<P: Columns<C>, C: Target<M::Scalar>>(
         &self,
         poses: &mut P,
         outcomes: &mut [Outcome],
@@ -165,12 +182,42 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
     ) -> Result<Summary, LengthMismatch> {
         let mut destination = Destination::nowhere();
         destination.find(poses, outcomes.len())?;
-        Ok(vectors.run(Sweep {
+        Ok(self.store(&destination, (), outcomes, vectors))
+    }
+
+    /// Solves poses and stores their numbers, and what is wanted besides them.
+    pub(super) fn store<B: Besides<M::Scalar>>(
+        &self,
+        destination: &Destination<'_, M>,
+        besides: B,
+        outcomes: &mut [Outcome],
+        vectors: Vectors,
+    ) -> Summary {
+        vectors.run(Sweep {
             problem: self,
             near: &self.guide.near(),
-            destination: &destination,
+            destination,
+            besides,
             outcomes,
-        }))
+        })
+    }
+
+    /// The columns of a range of poses.
+    pub(super) fn part<'b>(&self, range: Range<usize>) -> Problem<'b, M, impl Guide<'b, M>>
+    where
+        'a: 'b,
+    {
+        let (parameters, inputs) = (self.parameters.as_ref(), self.inputs.as_ref());
+        Problem {
+            parameters: Row::from_fn(|parameter| parameters[parameter].part(range.clone())),
+            inputs: M::Inputs::from_fn(|input| {
+                let motion = inputs[input].as_ref();
+                <M::Motion<Column<'b, M::Scalar>> as Row<Column<'b, M::Scalar>>>::from_fn(|order| {
+                    motion[order].part(range.clone())
+                })
+            }),
+            guide: self.guide.part(range),
+        }
     }
 
     pub(super) fn check_lengths(&self, count: usize) -> Result<(), LengthMismatch> {
@@ -199,14 +246,15 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
 }
 
 /// A problem with the places for its results.
-struct Sweep<'p, 'a, M: Mechanism<Scalar = f64>, G> {
+struct Sweep<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G, B> {
     problem: &'p Problem<'a, M, G>,
-    near: &'p M::Unknowns<Column<'a>>,
-    destination: &'p Destination<'p, M>,
+    near: &'p M::Unknowns<Column<'a, M::Scalar>>,
+    destination: &'p Destination<'d, M>,
+    besides: B,
     outcomes: &'p mut [Outcome],
 }
 
-impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Sweep<'_, 'a, M, G> {
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> Sweep<'_, '_, 'a, M, G, B> {
     /// Solves a pose alone and stores it.
     #[cold]
     #[inline(never)]
@@ -215,20 +263,26 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Sweep<'_, 'a, M, G> {
         let mechanism = M::from_parameters(Row::from_fn(|parameter| parameters[parameter].at(index)));
         let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| inputs[input][order].at(index)));
         let near = M::Unknowns::from_fn(|unknown| self.near[unknown].at(index));
-        let nothing = |_| M::Motion::from_fn(|_| f64::NAN);
+        let nothing = |_| M::Motion::from_fn(|_| M::Scalar::nan());
         let (unknowns, sines, outputs, result) = match self.problem.guide.solve(&mechanism, inputs, near) {
-            Ok(pose) => (
-                pose.unknown_columns(),
-                pose.unknown_sines(),
-                pose.output_motions(),
-                Ok(()),
-            ),
-            Err(error) => (
-                Row::from_fn(nothing),
-                Row::from_fn(|_| Some(f64::NAN)),
-                Row::from_fn(nothing),
-                Err(error),
-            ),
+            Ok(pose) => {
+                let _ = self.besides.store(index, &mechanism, &inputs, &pose);
+                (
+                    pose.unknown_columns(),
+                    pose.unknown_sines(),
+                    pose.output_motions(),
+                    Ok(()),
+                )
+            }
+            Err(error) => {
+                self.besides.leave_out(index);
+                (
+                    Row::from_fn(nothing),
+                    Row::from_fn(|_| Some(M::Scalar::nan())),
+                    Row::from_fn(nothing),
+                    Err(error),
+                )
+            }
         };
         self.destination.store(
             index,
@@ -236,16 +290,86 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Sweep<'_, 'a, M, G> {
             unknowns.as_ref(),
             sines.as_ref(),
             outputs.as_ref(),
+            None,
         );
         result
     }
+
+    /// Writes the outcomes of a chunk in which poses have failed, by their margins. A failed pose without a margin is solved
+    /// alone, and so is the first failed pose of the batch, whose whole error is kept. The poses before `next` have their
+    /// outcomes.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn conclude<const W: usize, const FUSED: bool>(
+        &mut self,
+        start: usize,
+        next: usize,
+        sum: Lanes<W, FUSED, M::Scalar>,
+        margins: Lanes<W, FUSED, M::Scalar>,
+        failed: &mut Lanes<W, FUSED, M::Scalar>,
+        summary: &mut Summary,
+    ) {
+        let mut is_told = start == next && summary.first_failure.is_some();
+        for lane in 0..W {
+            is_told &= Float::is_finite(sum.0[lane]) | (margins.0[lane] < M::Scalar::zero());
+        }
+        if !is_told {
+            self.settle_all(start, next, &sum.0, &margins.0, summary);
+            return;
+        }
+        *failed = *failed + sum.gone();
+        if let Some(outcomes) = self.outcomes.get_mut(start..start + W) {
+            for (lane, outcome) in outcomes.iter_mut().enumerate() {
+                let margin = margins.0[lane].real();
+                *outcome = if Float::is_finite(sum.0[lane]) {
+                    Outcome::Solved
+                } else {
+                    Outcome::OutOfReach { margin }
+                };
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn settle_all(
+        &mut self,
+        start: usize,
+        next: usize,
+        sums: &[M::Scalar],
+        margins: &[M::Scalar],
+        summary: &mut Summary,
+    ) {
+        for (index, (sum, margin)) in (start..).zip(sums.iter().zip(margins)) {
+            if Float::is_finite(*sum) {
+                continue;
+            }
+            let margin = margin.real();
+            let is_told = margin < 0.0 && summary.first_failure.is_some();
+            if index < next {
+                // Its outcome is known, but its numbers have been overwritten.
+                if self.outcomes[index].is_solved() {
+                    let _ = self.settle(index);
+                }
+            } else if is_told {
+                summary.fail(1);
+                self.outcomes[index] = Outcome::OutOfReach { margin };
+            } else {
+                self.outcomes[index] = match summary.note(index, self.settle(index)) {
+                    // The margin of a pose does not depend on whether the pose is the first to fail.
+                    Outcome::OutOfReach { .. } if margin < 0.0 => Outcome::OutOfReach { margin },
+                    outcome => outcome,
+                };
+            }
+        }
+    }
 }
 
-impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M, G> {
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> Kernel for Sweep<'_, '_, 'a, M, G, B> {
     type Result = Summary;
+    type Element = M::Scalar;
 
-    #[inline(always)]
-    fn run<const W: usize, const FUSED: bool>(self) -> Summary {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<const W: usize, const FUSED: bool>(mut self) -> Summary {
         let problem = self.problem;
         let count = self.outcomes.len();
         let mut summary = Summary {
@@ -259,7 +383,7 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M
             chunk.copy_from_slice(const { &[Outcome::Solved; W] });
         }
         rest.fill(Outcome::Solved);
-        let zero = Lanes::<W, FUSED>::constant(0.0);
+        let zero = Lanes::<W, FUSED, M::Scalar>::constant(0.0);
         let (columns, mut same) = (problem.parameters.as_ref(), M::Parameters::from_fn(|_| zero));
         repeat(same.as_mut(), columns);
         let mut parameters = M::Parameters::from_fn(|_| View::default());
@@ -283,9 +407,9 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M
         }
         let mut dimensions = Row::from_fn(|_| zero);
         let mut guess = Row::from_fn(|_| zero);
-        let mut motions: <M::With<Lanes<W, FUSED>> as Mechanism>::Inputs<M::Motion<Lanes<W, FUSED>>> =
-            Row::from_fn(|_| Row::from_fn(|_| zero));
-        let mut next = 0;
+        let mut motions: MotionsInLanes<M, W, FUSED> = Row::from_fn(|_| Row::from_fn(|_| zero));
+        let has_sines = self.destination.has_sines();
+        let (mut next, mut failed) = (0, zero);
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
             // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
@@ -298,8 +422,10 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M
                 gather(motion, views.as_ref(), start);
             }
             let mechanism = M::With::from_parameters(dimensions);
-            let mut sum = Lanes([f64::NAN; W]);
+            let mut sum = Lanes([M::Scalar::nan(); W]);
+            verdicts::forget::<M::Scalar>();
             if let Ok(pose) = problem.guide.solve(&mechanism, motions, guess) {
+                let besides = self.besides.store(start, &mechanism, &motions, &pose);
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
                 // The sum is finite if and only if all numbers are, unless the sum itself overflows. Start with a
@@ -318,26 +444,39 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Kernel for Sweep<'_, 'a, M
                         sum = sum + *entry;
                     }
                 }
-                self.destination.store(
-                    start,
-                    motions.as_ref(),
-                    unknowns.as_ref(),
-                    sines.as_ref(),
-                    outputs.as_ref(),
-                );
+                sum = sum + besides;
+                let (motions, unknowns, sines) = (motions.as_ref(), unknowns.as_ref(), sines.as_ref());
+                let (destination, outputs) = (self.destination, outputs.as_ref());
+                if sum.is_finite_throughout() {
+                    destination.store(start, motions, unknowns, sines, outputs, None);
+                    next = start + W;
+                    continue;
+                }
+                destination.store(start, motions, unknowns, sines, outputs, Some(sum.gaps()));
+            } else {
+                self.destination.fill(start, motions.as_ref(), sum);
             }
-            if !sum.sum().is_finite() {
-                for (lane, index) in (start..start + W).enumerate() {
-                    if !sum.0[lane].is_finite() {
-                        let result = self.settle(index);
-                        if index >= next {
-                            self.outcomes[index] = summary.note(index, result);
-                        }
+            self.besides.clear(start, sum.gaps());
+            // A margin counts only if no other number of its pose can be the cause.
+            let mut squares = Lanes::constant(0.0);
+            for entry in dimensions.as_ref() {
+                squares = squares.plus_product(*entry, *entry);
+            }
+            for motion in motions.as_ref() {
+                squares = squares.plus_product(motion[0], motion[0]);
+            }
+            let margins = verdicts::read().within(squares);
+            self.conclude(start, next, sum, margins, &mut failed, &mut summary);
+            if has_sines {
+                for index in start..start + W {
+                    if !self.outcomes[index].is_solved() {
+                        self.destination.leave_out_sines(index);
                     }
                 }
             }
             next = start + W;
         }
+        summary.fail(failed.count());
         for index in next..count {
             self.outcomes[index] = summary.note(index, self.settle(index));
         }

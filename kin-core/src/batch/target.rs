@@ -4,36 +4,36 @@ use crate::geometry::{Plane, Space};
 use crate::motion::{Direction, Motion};
 
 /// The place for one number of each pose: a vector or a slice, or nothing if the number is not wanted.
-pub trait Target {
+pub trait Target<T = f64> {
     /// The place, with one entry for each pose, or `None` if the number is not wanted.
-    fn slice(&mut self) -> Option<&mut [f64]>;
+    fn slice(&mut self) -> Option<&mut [T]>;
 }
 
-impl Target for &mut [f64] {
-    #[inline(always)]
-    fn slice(&mut self) -> Option<&mut [f64]> {
+impl<T> Target<T> for &mut [T] {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn slice(&mut self) -> Option<&mut [T]> {
         Some(self)
     }
 }
 
-impl<const N: usize> Target for [f64; N] {
-    #[inline(always)]
-    fn slice(&mut self) -> Option<&mut [f64]> {
+impl<T, const N: usize> Target<T> for [T; N] {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn slice(&mut self) -> Option<&mut [T]> {
         Some(self)
     }
 }
 
 #[cfg(feature = "std")]
-impl Target for std::vec::Vec<f64> {
-    #[inline(always)]
-    fn slice(&mut self) -> Option<&mut [f64]> {
+impl<T> Target<T> for std::vec::Vec<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn slice(&mut self) -> Option<&mut [T]> {
         Some(self)
     }
 }
 
-impl<C: Target> Target for Option<C> {
-    #[inline(always)]
-    fn slice(&mut self) -> Option<&mut [f64]> {
+impl<T, C: Target<T>> Target<T> for Option<C> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn slice(&mut self) -> Option<&mut [T]> {
         self.as_mut().and_then(Target::slice)
     }
 }
@@ -84,7 +84,7 @@ impl<C, const N: usize> MotionColumns<C> for Motion<C, N> {
         Self::new(core::array::from_fn(|_| fill()))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,
@@ -101,7 +101,7 @@ impl<C, const N: usize> MotionColumns<C> for Direction<C, N> {
         Self::new(Plane::new(fill(), fill()), core::array::from_fn(|_| fill()))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,
@@ -120,7 +120,7 @@ impl<C, const N: usize> MotionColumns<C> for Motion<Plane<C>, N> {
         Self::new(core::array::from_fn(|_| Plane::new(fill(), fill())))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,
@@ -137,7 +137,7 @@ impl<C, const N: usize> MotionColumns<C> for Motion<Space<C>, N> {
         Self::new(core::array::from_fn(|_| Space::new(fill(), fill(), fill())))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn each<'a>(&'a mut self, first: usize, place: impl Fn(usize, usize) -> Place, visitor: &mut impl Visitor<'a, C>)
     where
         C: 'a,

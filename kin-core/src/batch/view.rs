@@ -1,25 +1,34 @@
 //! Columns in the form in which lanes read them.
 
 use super::Column;
-use crate::batch::lanes::Lanes;
+use crate::batch::lanes::{Element, Lanes};
 use crate::number::Row;
 
 /// A column whose chunks are all read in the same way, with one comparison: either the next numbers, or the same
 /// numbers every time.
-#[derive(Clone, Copy, Default)]
-pub(super) struct View<'v> {
-    numbers: &'v [f64],
+#[derive(Clone, Copy)]
+pub(super) struct View<'v, E> {
+    numbers: &'v [E],
     /// The mask of the bits of an index that count: all bits, or none.
     mask: usize,
 }
 
+impl<E> Default for View<'_, E> {
+    fn default() -> Self {
+        Self { numbers: &[], mask: 0 }
+    }
+}
+
 /// Fills in the lanes of columns that are the same for all poses.
-#[inline(always)]
-pub(super) fn repeat<const W: usize, const FUSED: bool>(same: &mut [Lanes<W, FUSED>], columns: &[Column<'_>]) {
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn repeat<const W: usize, const FUSED: bool, E: Element>(
+    same: &mut [Lanes<W, FUSED, E>],
+    columns: &[Column<'_, E>],
+) {
     for (lanes, column) in same.iter_mut().zip(columns) {
         let value = match column {
             Column::Same(value) => *value,
-            Column::Each(_) => f64::NAN,
+            Column::Each(_) => E::nan(),
         };
         *lanes = Lanes([value; W]);
     }
@@ -29,10 +38,10 @@ pub(super) fn repeat<const W: usize, const FUSED: bool>(same: &mut [Lanes<W, FUS
 ///
 /// This is a separate function: if the compiler sees that a mask is one of two, it tests it in every chunk.
 #[inline(never)]
-pub(super) fn look<'v, const W: usize, const FUSED: bool>(
-    views: &mut [View<'v>],
-    columns: &[Column<'v>],
-    same: &'v [Lanes<W, FUSED>],
+pub(super) fn look<'v, const W: usize, const FUSED: bool, E: Element>(
+    views: &mut [View<'v, E>],
+    columns: &[Column<'v, E>],
+    same: &'v [Lanes<W, FUSED, E>],
 ) {
     for ((view, column), same) in views.iter_mut().zip(columns).zip(same) {
         *view = match column {
@@ -49,18 +58,15 @@ pub(super) fn look<'v, const W: usize, const FUSED: bool>(
 }
 
 /// Fills in the numbers of some columns, starting at a given pose.
-#[inline(always)]
-pub(super) fn gather<R: Row<Lanes<W, FUSED>>, const W: usize, const FUSED: bool>(
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn gather<R: Row<Lanes<W, FUSED, E>>, const W: usize, const FUSED: bool, E: Element>(
     numbers: &mut R,
-    views: &[View<'_>],
+    views: &[View<'_, E>],
     start: usize,
 ) {
     for (lanes, view) in numbers.as_mut().iter_mut().zip(views) {
         let start = start & view.mask;
         // All columns are long enough, but the compiler does not know it.
-        let chunk = &view.numbers[start..start + W];
-        for (entry, number) in lanes.0.iter_mut().zip(chunk) {
-            *entry = *number;
-        }
+        lanes.0.copy_from_slice(&view.numbers[start..start + W]);
     }
 }

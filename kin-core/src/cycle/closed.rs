@@ -7,7 +7,9 @@ use num_traits::Float;
 
 use super::EndKind;
 use super::bounds::{Bounds, Doubt, UNDECIDED};
-use super::line::{Line, count, distance, inputs_at, nearest, reach};
+use super::free::{self, Jump};
+use super::interpolation::{CROSSING, around, interpolated};
+use super::line::{Line, MEETING, distance, inputs_at, nearest, reach};
 use super::pieces::{Found, Node, Piece, Tip};
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
@@ -19,15 +21,12 @@ use crate::track::{TrackError, track};
 const FIRST: u32 = 8;
 /// The shortest interval, as a part of the range.
 pub(super) const RESOLUTION: f64 = 1.0 / 16_777_216.0;
-/// The largest number of intervals of an assembly.
+/// The largest number of intervals of an assembly, besides those with which its search begins.
 const MOST_INTERVALS: usize = 4096;
+/// The largest number of intervals with which the search of an assembly begins.
+const MOST_SHARED: usize = 256;
 /// The largest distance by which an angle may move from the middle of an interval.
 const SWING: f64 = 1.5;
-/// The largest distance of two assemblies next to the place where they meet.
-const MEETING: f64 = 1e-3;
-
-/// The number of places that locate a change point.
-const CROSSING: usize = 10;
 
 /// What is known about an interval.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -47,21 +46,33 @@ struct Interval<M: Mechanism<Scalar = f64>> {
     middle: Option<M::Unknowns<f64>>,
 }
 
+/// The end of a piece at a node. A part that turns freely there may have another direction than in the node.
+#[derive(Clone, Copy)]
+struct PieceEnd<M: Mechanism<Scalar = f64>> {
+    node: usize,
+    unknowns: M::Unknowns<f64>,
+}
+
 struct Search<'a, M: Mechanism<Scalar = f64>> {
     mechanism: &'a M,
     bounded: M::With<Bounds>,
     line: &'a Line<M>,
     size: f64,
+    /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which has most of its blocks
+    /// in common with it.
+    division: Vec<f64>,
     found: Found<M>,
 }
 
 /// All pieces of branches of a mechanism whose blocks all have closed forms.
 pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Found<M> {
+    let place = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST));
     let mut search = Search {
         mechanism,
         bounded: mechanism.convert(Bounds::constant),
         line,
         size: reach(mechanism),
+        division: (0..=FIRST).map(place).collect(),
         found: Found {
             nodes: Vec::new(),
             pieces: Vec::new(),
@@ -73,6 +84,7 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
     for (index, assembly) in M::assemblies().enumerate() {
         search.assembly(index, assembly);
     }
+    search.unite();
     search.found
 }
 
@@ -116,18 +128,19 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     }
 
     fn intervals(&mut self, index: usize, assembly: M::Assembly) -> Vec<Interval<M>> {
-        let (low, high) = (self.line.low, self.line.high);
-        let shortest = RESOLUTION * (high - low);
-        let place = |part: u32| low + (high - low) * (f64::from(part) / f64::from(FIRST));
-        let mut waiting: Vec<(f64, f64)> = (0..FIRST).rev().map(|part| (place(part), place(part + 1))).collect();
+        let shortest = RESOLUTION * (self.line.high - self.line.low);
+        let given = self.division.windows(2).rev();
+        let mut waiting: Vec<(f64, f64)> = given.map(|ends| (ends[0], ends[1])).collect();
         let mut done: Vec<Interval<M>> = Vec::with_capacity(32);
+        let mut division = Vec::with_capacity(self.division.len());
+        division.push(self.line.low);
         let mut count = 0;
         while let Some((low, high)) = waiting.pop() {
-            count += 1;
             let (known, middle) = self.known(low, high, assembly);
             let known = match known {
                 Some(known) => known,
                 None if high - low > shortest && count < MOST_INTERVALS => {
+                    count += 2;
                     let middle = 0.5 * (low + high);
                     waiting.push((middle, high));
                     waiting.push((low, middle));
@@ -141,6 +154,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     Known::Short
                 }
             };
+            division.push(high);
             match done.last_mut() {
                 Some(last) if last.known == known && matches!(known, Known::Short | Known::Fails) => last.high = high,
                 _ => done.push(Interval {
@@ -150,6 +164,9 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     middle,
                 }),
             }
+        }
+        if division.len() <= MOST_SHARED {
+            self.division = division;
         }
         done
     }
@@ -192,7 +209,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             if interval.known == Known::Closes {
                 if !closes {
                     let node = self.limit(index, assembly, 0.5 * (interval.low + interval.high), interval.low);
-                    open = Some(self.begun(assembly, node));
+                    open = Some(self.begun(assembly, self.at_node(node)));
                 }
                 if let (Some(piece), Some(middle)) = (open.as_mut(), interval.middle) {
                     add(piece, 0.5 * (interval.low + interval.high), middle);
@@ -208,17 +225,18 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     (interval.high, interval.low)
                 };
                 let node = self.limit(index, assembly, good, bad);
+                let end = self.at_node(node);
                 if closes {
-                    self.finish(open.take(), Tip::Node(node));
+                    self.finish(open.take(), end);
                 } else {
-                    open = Some(self.begun(assembly, node));
+                    open = Some(self.begun(assembly, end));
                 }
             } else if closes
                 && interval.known == Known::Short
-                && let Some(node) = self.change_point(index, assembly, &intervals, place)
+                && let Some([before, behind]) = self.change_point(index, assembly, &intervals, place)
             {
-                self.finish(open.take(), Tip::Node(node));
-                open = Some(self.begun(assembly, node));
+                self.finish(open.take(), before);
+                open = Some(self.begun(assembly, behind));
             }
             closes = after;
         }
@@ -231,23 +249,29 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    fn begun(&self, assembly: M::Assembly, node: usize) -> Piece<M> {
-        let Node { s, unknowns, .. } = self.found.nodes[node];
-        Piece {
-            assembly: Some(assembly),
-            low: Tip::Node(node),
-            high: Tip::Seam,
-            samples: vec![(s, unknowns)],
+    /// The end of a piece that has the unknowns of its node.
+    fn at_node(&self, node: usize) -> PieceEnd<M> {
+        PieceEnd {
+            node,
+            unknowns: self.found.nodes[node].unknowns,
         }
     }
 
-    fn finish(&mut self, piece: Option<Piece<M>>, tip: Tip) {
-        let (Some(mut piece), Tip::Node(node)) = (piece, tip) else {
+    fn begun(&self, assembly: M::Assembly, end: PieceEnd<M>) -> Piece<M> {
+        Piece {
+            assembly: Some(assembly),
+            low: Tip::Node(end.node),
+            high: Tip::Seam,
+            samples: vec![(self.found.nodes[end.node].s, end.unknowns)],
+        }
+    }
+
+    fn finish(&mut self, piece: Option<Piece<M>>, end: PieceEnd<M>) {
+        let Some(mut piece) = piece else {
             return;
         };
-        let Node { s, unknowns, .. } = self.found.nodes[node];
-        add(&mut piece, s, unknowns);
-        piece.high = tip;
+        add(&mut piece, self.found.nodes[end.node].s, end.unknowns);
+        piece.high = Tip::Node(end.node);
         self.found.pieces.push(piece);
     }
 
@@ -352,14 +376,15 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    /// The change point in a short interval at both ends of which an assembly closes, if there is one.
+    /// The change point in a short interval at both ends of which an assembly closes, if there is one: where the assembly ends before it,
+    /// and where it begins behind it. Both are the same unless a part turns freely there.
     fn change_point(
         &mut self,
         index: usize,
         assembly: M::Assembly,
         intervals: &[Interval<M>],
         place: usize,
-    ) -> Option<usize> {
+    ) -> Option<[PieceEnd<M>; 2]> {
         let own = &intervals[place];
         // As far as it certainly closes on both sides, but not farther than the curvature allows.
         let far = 2e-2 * (self.line.high - self.line.low);
@@ -382,19 +407,36 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             let is_inside = node.s >= own.low && node.s <= own.high;
             node.kind == EndKind::ChangePoint && is_inside && node.assemblies[1] == index
         });
-        if known.is_some() {
-            return known;
+        if let Some(known) = known {
+            return Some([self.at_node(known); 2]);
         }
         let reach = (middle - start).min(end - middle).min(0.5 * far);
-        let crossing = self.crossing(index, assembly, middle, reach);
+        let places = around(middle, reach);
+        let is_inside = |s: f64| s >= own.low && s <= own.high;
+        let crossing = self.crossing(index, assembly, middle, &places);
         let block_at = |s: f64| {
             let error = self.mechanism.solve_position(self.line.inputs(s), assembly).err()?;
             Some(error.block)
         };
         let crossing = crossing.and_then(|(s, unknowns, other)| Some((s, unknowns, block_at(s)?, other)));
         let (s, unknowns, block, other) = match crossing {
-            Some(crossing) if crossing.0 >= own.low && crossing.0 <= own.high => crossing,
+            Some(crossing) if is_inside(crossing.0) => crossing,
             _ => {
+                let solved = |s: f64, assembly: M::Assembly| self.solved(s, assembly);
+                let jump = free::jump::<M>(solved, self.size, assembly, &places);
+                if let Some(Jump { s, unknowns, block }) = jump.filter(|jump| is_inside(jump.s)) {
+                    let mut end = |unknowns: M::Unknowns<f64>| {
+                        let node = self.noted(Node {
+                            kind: EndKind::ChangePoint,
+                            s,
+                            unknowns,
+                            block,
+                            assemblies: [index, index],
+                        });
+                        PieceEnd { node, unknowns }
+                    };
+                    return Some([end(unknowns[0]), end(unknowns[1])]);
+                }
                 let unknowns = self.solved(start, assembly)?;
                 let (from, to) = (self.line.inputs(start), self.line.inputs(end));
                 match track(self.mechanism, from, unknowns, to) {
@@ -413,23 +455,61 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 }
             }
         };
-        let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
-        let known = self.found.nodes.iter().position(|node| {
-            node.kind == EndKind::ChangePoint
-                && (node.s - s).abs() <= tolerance
-                && distance::<M>(self.size, &node.unknowns, &unknowns) < MEETING
-        });
-        if known.is_some() {
-            return known;
-        }
-        self.found.nodes.push(Node {
+        let node = self.noted(Node {
             kind: EndKind::ChangePoint,
             s,
             unknowns,
             block,
             assemblies: [index, other],
         });
-        Some(self.found.nodes.len() - 1)
+        let solved = |s: f64| self.solved(s, assembly);
+        let sides = (other == index)
+            .then(|| free::sides(solved, self.mechanism, self.line, self.size, s, reach))
+            .flatten();
+        Some(sides.map_or([self.at_node(node); 2], |sides| {
+            sides.map(|unknowns| PieceEnd { node, unknowns })
+        }))
+    }
+
+    /// Whether two nodes are change points at the same place.
+    fn is_same_place(&self, one: &Node<M>, other: &Node<M>) -> bool {
+        let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
+        [one, other].iter().all(|node| node.kind == EndKind::ChangePoint) && (one.s - other.s).abs() <= tolerance
+    }
+
+    /// The index of a change point, which is added unless it is known.
+    fn noted(&mut self, node: Node<M>) -> usize {
+        let known = self.found.nodes.iter().position(|known| {
+            self.is_same_place(known, &node) && distance::<M>(self.size, &known.unknowns, &node.unknowns) < MEETING
+        });
+        known.unwrap_or_else(|| {
+            self.found.nodes.push(node);
+            self.found.nodes.len() - 1
+        })
+    }
+
+    /// Makes one node of change points between which a part turns freely.
+    fn unite(&mut self) {
+        let mut united: Vec<usize> = (0..self.found.nodes.len()).collect();
+        for other in 1..self.found.nodes.len() {
+            let own = &self.found.nodes[other];
+            let mut before = self.found.nodes[..other].iter();
+            let same = before.position(|node| {
+                let positions = [&node.unknowns, &own.unknowns];
+                self.is_same_place(node, own)
+                    && free::is_connected(self.mechanism, self.line, self.size, own.s, positions)
+            });
+            if let Some(same) = same {
+                united[other] = united[same];
+            }
+        }
+        for piece in &mut self.found.pieces {
+            for tip in [&mut piece.low, &mut piece.high] {
+                if let Tip::Node(node) = tip {
+                    *node = united[*node];
+                }
+            }
+        }
     }
 
     /// The place near another one at which two assemblies cross, the unknowns there, and the index of the other assembly.
@@ -441,12 +521,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         index: usize,
         assembly: M::Assembly,
         s: f64,
-        reach: f64,
+        places: &[f64; CROSSING],
     ) -> Option<(f64, M::Unknowns<f64>, usize)> {
-        let places: [f64; CROSSING] = core::array::from_fn(|place| {
-            let part = (count(place) + 0.5) / count(CROSSING);
-            s - reach * Float::cos(core::f64::consts::PI * part)
-        });
         let own = places.map(|place| self.solved(place, assembly));
         let first = own[CROSSING / 2]?;
         let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
@@ -469,26 +545,14 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             size(*one).total_cmp(&size(*other))
         })?;
         let differences = core::array::from_fn(|place| halves[place][lead]);
-        let found = interpolated(&differences, &places, 0.0);
+        let found = interpolated(&differences, places, 0.0);
         let unknowns = M::Unknowns::from_fn(|unknown| {
-            interpolated(&places, &core::array::from_fn(|place| means[place][unknown]), found)
+            interpolated(places, &core::array::from_fn(|place| means[place][unknown]), found)
         });
-        let is_near = (found - s).abs() <= 1e-3 * reach && unknowns.as_ref().iter().all(|value| value.is_finite());
+        let is_near = (found - s).abs() <= 1e-3 * (places[CROSSING - 1] - s)
+            && unknowns.as_ref().iter().all(|value| value.is_finite());
         is_near.then_some((found, unknowns, which))
     }
-}
-
-/// The value at a place of the polynomial through some points, by Neville's scheme.
-fn interpolated(places: &[f64; CROSSING], values: &[f64; CROSSING], at: f64) -> f64 {
-    let mut values = *values;
-    for distance in 1..CROSSING {
-        for low in 0..CROSSING - distance {
-            let high = low + distance;
-            values[low] = ((at - places[high]) * values[low] - (at - places[low]) * values[low + 1])
-                / (places[low] - places[high]);
-        }
-    }
-    values[0]
 }
 
 /// Adds a sample at the end of a piece, with angles on the nearest turns.

@@ -29,8 +29,7 @@ pub(super) struct Limit {
 /// paths, or if one of them was lost.
 pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Option<Vec<Limit>> {
     let description = M::DESCRIPTION;
-    // Printed formulas hold a comparison only if an unknown has a range.
-    if M::FORMULAS.closure.text.contains(['<', '>', '≤', '≥']) {
+    if description.unknowns.iter().any(|unknown| unknown.has_range) {
         return None;
     }
     let moving = || {

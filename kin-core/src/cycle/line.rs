@@ -15,6 +15,9 @@ const MOST_TURNS: u32 = 12;
 /// The part of a turn by which the places of the search are shifted, so that symmetric linkages have no limit exactly there.
 const SHIFT: f64 = 0.061_803;
 
+/// The largest [`distance`] of two positions next to the place where they meet.
+pub(super) const MEETING: f64 = 1e-3;
+
 /// The inputs `from + s direction`, for s in a range.
 #[derive(Clone, Copy)]
 pub(super) struct Line<M: Mechanism<Scalar = f64>> {

@@ -42,6 +42,8 @@ mod bounds;
 mod class;
 mod closed;
 mod coupled;
+mod free;
+mod interpolation;
 mod limits;
 mod line;
 mod measure;
@@ -143,7 +145,7 @@ impl<M: Mechanism<Scalar = f64>> FullCycle for M {}
 pub enum EndKind {
     /// A limit: the input turns back, and the branch meets another one of its circuit.
     Limit,
-    /// A change point: branches cross, and geometry does not determine which one the mechanism follows.
+    /// A change point: branches cross, or meet where a part turns freely, and geometry does not determine which one the mechanism follows.
     ChangePoint,
     /// The end of the domain of a function, of the declared range of an unknown, or a pole.
     Domain,

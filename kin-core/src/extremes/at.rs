@@ -1,14 +1,15 @@
 //! A pose of a sweep with derivatives in the variable of the sweep.
 
+use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::Deref;
 
 use super::curve::composed;
 use crate::load::{Balance, Load, LoadError, Loads};
-use crate::mechanism::{BlockForm, Mechanism, Pose, PoseOf};
+use crate::mechanism::{Block, BlockForm, Mechanism, Pose, PoseOf};
 use crate::motion::Motion;
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
-use crate::quantity::RATES;
+use crate::quantity::{Dimension, RATES};
 use crate::sweep::{Instant, Local, READ, by_time};
 
 /// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
@@ -201,7 +202,26 @@ impl<M: Mechanism> At<M> {
     /// zero at a turning point.
     ///
     /// For two links a and b whose ends are d apart it is min(a + b - d, d - |a - b|), for a link and a slider the link less the distance of
-    /// its end from the slider's line. `None` if a length changes with the position, as that of a cylinder does.
+    /// its end from the slider's line. The length of a link may change with the position, as that of a cylinder does.
+    ///
+    /// ```
+    /// use kin_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     /// A cylinder between two pivots lifts a boom.
+    ///     struct Boom { base: Length, boom: Length }
+    ///     input cylinder: Length;
+    ///     unknown alpha: Angle, beta: Angle;
+    ///     cylinder * cis(alpha) == base + boom * cis(beta);
+    /// }
+    ///
+    /// let lift = Boom { base: 2.0, boom: 1.5 }.sweep(Assembly::Open).over(1.0..=2.5, 21);
+    /// // as the cylinder begins to move out, half a metre is left until boom and cylinder lie on the base
+    /// let begin = lift.lowest("margin")?;
+    /// assert_eq!(begin.at, 1.0);
+    /// assert!((begin.value - 0.5).abs() < 1e-14);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
     #[must_use]
     pub fn margin(&self, dyad: usize) -> Option<Local> {
         let transmission = self.transmission_angle(dyad)?;
@@ -212,7 +232,66 @@ impl<M: Mechanism> At<M> {
             let mut unknowns = transmission.block.split(", ");
             transmission.block == block.unknowns || unknowns.any(|unknown| unknown == block.unknowns)
         });
-        own.find_map(|(_, form)| margin_of(form, cosine))
+        own.find_map(|(block, form)| match form {
+            BlockForm::TwoLinks { lengths } if lengths.iter().any(Option::is_none) => self.slack(block),
+            BlockForm::LinkAndSlider { length: None } => margin_of(
+                &BlockForm::LinkAndSlider {
+                    length: self.link(block),
+                },
+                cosine,
+            ),
+            _ => margin_of(form, cosine),
+        })
+    }
+
+    /// What the equations of a block have left if some of its angles are turned.
+    fn turned(&self, block: &Block, angles: &[(usize, f64)]) -> [Local; 2] {
+        let inputs = Row::from_fn(|input| self.inputs[input][0]);
+        let mut unknowns = self.near_series();
+        for (unknown, angle) in angles {
+            unknowns[*unknown] = unknowns[*unknown] + Local::constant(*angle);
+        }
+        let residuals = self.mechanism.residuals(inputs, unknowns);
+        let mut equations = block.equations.iter();
+        [(); 2].map(|()| {
+            equations
+                .next()
+                .map_or(Local::constant(0.0), |equation| residuals[*equation])
+        })
+    }
+
+    /// The margin of two links by the sides of their triangle: what two sides are longer than the third one, at least.
+    ///
+    /// A link that is turned by half a turn changes the closure by twice its vector. One angle, the other one and both turn the links one by one
+    /// or together, which side ever belongs to which: an angle may be that of a link against the other link.
+    fn slack(&self, block: &Block) -> Option<Local> {
+        let &[one, other] = block.members else { return None };
+        let [one, other] = [one, other].map(|unknown| (unknown, PI));
+        let here = self.turned(block, &[]);
+        let side = |angles: &[(usize, f64)]| {
+            let [x, y] = self.turned(block, angles);
+            length(half(x - here[0]), half(y - here[1]))
+        };
+        let [a, b, c] = [side(&[one])?, side(&[other])?, side(&[one, other])?];
+        let slacks = [a + b - c, b + c - a, c + a - b];
+        slacks
+            .into_iter()
+            .min_by(|one, other| one.real().total_cmp(&other.real()))
+    }
+
+    /// The length of the link of a slider.
+    ///
+    /// One equation of the slider on an axis tells the component of the link along the other axis. The other component is that of the link
+    /// turned by a right angle.
+    fn link(&self, block: &Block) -> Option<Local> {
+        let is_angle = |unknown: &usize| M::DESCRIPTION.unknowns[*unknown].dimension == Dimension::Angle;
+        let angle = block.members.iter().copied().find(is_angle)?;
+        let [here, opposite, left, right] =
+            [0.0, PI, FRAC_PI_2, -FRAC_PI_2].map(|turn| self.turned(block, &[(angle, turn)]));
+        if let [_] = block.equations {
+            return length(half(here[0] - opposite[0]), half(left[0] - right[0]));
+        }
+        length(half(here[0] - opposite[0]), half(here[1] - opposite[1]))
     }
 
     /// The smallest margin of all dyads, or `None` if there is a dyad whose margin is not known, or none at all.
@@ -233,6 +312,16 @@ impl<M: Mechanism> At<M> {
     fn near_series(&self) -> <M::With<Local> as Mechanism>::Unknowns<Local> {
         Row::from_fn(|unknown| self.unknown(unknown, 0).unwrap_or(Local::constant(f64::NAN)))
     }
+}
+
+fn half(value: Local) -> Local {
+    Local::constant(0.5) * value
+}
+
+/// The length of a vector, if it has a direction.
+fn length(x: Local, y: Local) -> Option<Local> {
+    let square = x * x + y * y;
+    (square.real() > 0.0).then(|| square.sqrt())
 }
 
 /// The margin of a dyad with the cosine of its transmission angle.

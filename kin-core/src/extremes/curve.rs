@@ -93,6 +93,8 @@ pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     quantity: &'c Quantity<'c, M>,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
+    /// Told the part of the sweep that has been searched.
+    progress: Option<&'c dyn Fn(f64)>,
 }
 
 impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
@@ -104,6 +106,22 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             long_series: course.mechanism.convert(Instant::constant),
             quantity,
             gaps: Vec::new(),
+            progress: None,
+        }
+    }
+
+    /// The same curve, which tells how far it has been searched.
+    pub(super) fn telling(self, progress: &'c dyn Fn(f64)) -> Self {
+        Self {
+            progress: Some(progress),
+            ..self
+        }
+    }
+
+    /// Tells that the sweep has been searched up to a place.
+    pub(super) fn tell(&self, at: f64) {
+        if let Some(progress) = self.progress {
+            progress((at - self.course.from) / (self.course.to - self.course.from));
         }
     }
 

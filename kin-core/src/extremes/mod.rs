@@ -40,6 +40,7 @@ mod curve;
 mod error;
 mod mean;
 mod parts;
+mod progress;
 mod quantity;
 mod search;
 mod sensitivity;
@@ -58,6 +59,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use curve::{Curve, Quantity};
+use progress::Progress;
 use quantity::Named;
 
 use crate::mechanism::Mechanism;
@@ -168,6 +170,20 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`peak`](Self::peak).
     pub fn peak_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
         self.best(&|at| quantity(at).answer(), f64::abs)
+    }
+
+    /// [`peak`](Self::peak), which tells how far it has come, as [`extremes_with_progress`](Self::extremes_with_progress) does.
+    ///
+    /// # Errors
+    /// As for [`peak`](Self::peak).
+    pub fn peak_with_progress(&self, name: &str, progress: impl FnMut(f64)) -> Result<Peak, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        let progress = Progress::new(progress);
+        let (answer, tell) = (|at: &At<M>| Ok(named.of(at)), |part: f64| progress.reach(part));
+        let curve = Curve::new(self, &answer).telling(&tell);
+        let peak = curve.across_gaps(|curve| curve.best(f64::abs))?;
+        progress.end();
+        Ok(peak)
     }
 
     /// The highest value, and where.
@@ -282,6 +298,38 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     pub fn extremes(&self, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
         self.extremes_by(|at| named.of(at))
+    }
+
+    /// [`extremes`](Self::extremes) of quantities that take long: `progress` is called with the part of the sweep that has been searched,
+    /// which grows. It is 1 in the last call, unless the answer is an error.
+    ///
+    /// The calls come after each of the pieces with which a search begins: 24 for a turn of an input, or for all of another sweep, and at
+    /// least 4 between two joints of a law.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361);
+    /// let mut parts = vec![];
+    /// let extremes = turn.extremes_with_progress("theta4_derivative_9", |part| parts.push(part))?;
+    /// println!("{} extremes", extremes.len());
+    /// assert_eq!((parts.len(), parts[23]), (24, 1.0));
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`extremes`](Self::extremes).
+    pub fn extremes_with_progress(&self, name: &str, progress: impl FnMut(f64)) -> Result<Vec<Extreme>, ExtremesError> {
+        let named = Named::find::<M>(name)?;
+        let progress = Progress::new(progress);
+        let (answer, tell) = (|at: &At<M>| Ok(named.of(at)), |part: f64| progress.reach(part));
+        let curve = Curve::new(self, &answer).telling(&tell);
+        let found = curve.across_gaps(Curve::extremes)?;
+        progress.end();
+        Ok(found.extremes)
     }
 
     /// [`extremes`](Self::extremes) of an expression.

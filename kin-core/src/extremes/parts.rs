@@ -15,13 +15,21 @@ const AGREEMENT: f64 = 1e-8;
 /// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger than itself,
 /// in units of ε.
 pub(super) const ROUNDING: f64 = 1e4 * f64::EPSILON;
-/// The largest number of poses for one stretch. A quantity that is nothing but rounding errors needs them all.
+/// The largest number of divisions of one stretch.
 const MOST: usize = 20_000;
+/// The number of halvings after which the rounding errors of the poses are measured.
+const DEEP: usize = 4;
+/// The distance between places that differ by rounding errors alone, as a part of the piece.
+const BESIDE: f64 = 1.0 / 1024.0;
+/// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding errors.
+const MEASURED: [f64; 2] = [8.0, 64.0];
 
 /// A part of a curve.
 pub(super) enum Part {
     /// A piece that agrees with the poses.
     Piece(Piece),
+    /// Two neighbouring places between which the values differ by rounding errors alone.
+    Flat,
     /// Two neighbouring places between which the curve has a kink or a jump.
     Kink,
 }
@@ -65,8 +73,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             if stretch.turning.is_none() || left.parameter.min(right.parameter) > 0.1 {
                 size = size.max(right.value.real().abs());
             }
-            self.divide(stretch, [&left, &right], size, &mut budget, visit)?;
+            self.divide(stretch, [&left, &right], 0, size, &mut budget, visit)?;
             left = right;
+            self.tell(left.at);
         }
         Ok([first, left])
     }
@@ -75,6 +84,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         &self,
         stretch: &Stretch<M>,
         [left, right]: [&Node<M>; 2],
+        depth: usize,
         size: f64,
         budget: &mut usize,
         visit: &mut impl FnMut(&Part, [&Node<M>; 2]) -> Result<(), ExtremesError>,
@@ -101,18 +111,49 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             None => 1.0,
         };
         let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
-        let agrees = |node: &Node<M>| (piece.at(node.parameter).real() - node.value.real()).abs() <= tolerance;
-        let is_smooth = *budget == 0
-            || (agrees(&middle) && {
-                let [one, other] = [1.0 / 3.0, 2.0 / 3.0].map(|part| self.node(stretch, at(part), left.walk));
-                agrees(&one?) && agrees(&other?)
-            });
-        if is_smooth {
-            return visit(&Part::Piece(piece), [left, right]);
+        let apart = |node: &Node<M>| (piece.at(node.parameter).real() - node.value.real()).abs();
+        let mut apart_most = apart(&middle);
+        if apart_most <= tolerance || depth >= DEEP {
+            for part in [1.0 / 3.0, 2.0 / 3.0] {
+                apart_most = apart_most.max(apart(&self.node(stretch, at(part), left.walk)?));
+            }
+        }
+        if apart_most <= tolerance || *budget == 0 {
+            let is_flat = high - low <= ROUNDING * own.max(size);
+            let part = if is_flat { Part::Flat } else { Part::Piece(piece) };
+            return visit(&part, [left, right]);
+        }
+        if depth >= DEEP {
+            let rounding = self.rounding(stretch, &middle, BESIDE * (ends[1] - ends[0]))?;
+            let [agreement, flat] = MEASURED.map(|times| times * rounding);
+            if high - low <= flat && apart_most <= flat {
+                return visit(&Part::Flat, [left, right]);
+            }
+            if apart_most <= agreement {
+                return visit(&Part::Piece(piece), [left, right]);
+            }
         }
         *budget = budget.saturating_sub(1);
-        self.divide(stretch, [left, &middle], size, budget, visit)?;
-        self.divide(stretch, [&middle, right], size, budget, visit)
+        self.divide(stretch, [left, &middle], depth + 1, size, budget, visit)?;
+        self.divide(stretch, [&middle, right], depth + 1, size, budget, visit)
+    }
+
+    /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series
+    /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts.
+    fn rounding(&self, stretch: &Stretch<M>, node: &Node<M>, step: f64) -> Result<f64, ExtremesError> {
+        let mut sides = [0.0_f64; 2];
+        for (side, sign) in sides.iter_mut().zip([-1.0, 1.0]) {
+            for times in [1.0, 2.0] {
+                let beside = self.node(stretch, node.parameter + sign * times * step, node.walk)?;
+                let way = beside.parameter - node.parameter;
+                let coefficients = node.value.coefficients();
+                let expected = coefficients
+                    .iter()
+                    .rfold(0.0, |sum, coefficient| sum * way + coefficient);
+                *side = side.max((beside.value.real() - expected).abs());
+            }
+        }
+        Ok(sides[0].min(sides[1]))
     }
 
     /// The place where a function of the series vanishes, by Newton's method from a place nearby. The function returns its value and its

@@ -41,6 +41,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                     }
                     Ok(())
                 }
+                Part::Flat => Ok(()),
                 Part::Kink => {
                     let rises = nodes.map(|node| rises(stretch, node));
                     inner.extend(joint(nodes, rises, Kind::Kink).into_iter().flatten());
@@ -207,7 +208,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                         found(&self.refined(stretch, nodes, place, value)?);
                     }
                 }
-                Part::Kink => {
+                Part::Flat | Part::Kink => {
                     let [left, right] = nodes.map(|node| node.value.real() < level);
                     if left != right {
                         found(nodes[1]);

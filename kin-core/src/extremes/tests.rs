@@ -7,7 +7,7 @@ use std::vec::Vec;
 use super::{At, ExtremesError, Kind, Over};
 use crate::assembly::{Assembly, Near};
 use crate::law::{Dwell, Law, Rise, Sequence, Shape};
-use crate::library::{ClassThreeTriad, FourBar, JansenLeg, ScotchYoke, SliderCrank};
+use crate::library::{ClassThreeTriad, FourBar, JansenLeg, PeaucellierLinkage, ScotchYoke, SliderCrank};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, series::Series};
@@ -362,6 +362,143 @@ fn margins_are_quantities() {
     assert!(matches!(error, ExtremesError::NoSuchColumn(_)));
 }
 
+crate::mechanism! {
+    /// A cylinder lifts a boom. The angle of the boom is told against the cylinder.
+    struct RelativeBoom { pub base: Length, pub boom: Length }
+    input cylinder: Length;
+    unknown alpha: Angle, beta: Angle;
+    cylinder * cis(alpha) == base + boom * cis(alpha + beta);
+}
+
+crate::mechanism! {
+    /// A slider on an axis, with a link whose length is an input.
+    struct StretchedLink { pub offset: Length }
+    input link: Length;
+    unknown phi: Angle, slide: Length;
+    link * cis(phi) == vec2(slide, offset);
+}
+
+crate::mechanism! {
+    /// A slider on an inclined line, with a link whose length is an input.
+    struct StretchedLinkOnSlope { pub offset: Length, pub slope: Angle }
+    input link: Length;
+    unknown phi: Angle, slide: Length;
+    link * cis(phi) == vec2(slide, offset) * cis(slope);
+}
+
+crate::mechanism! {
+    /// A cylinder that a crank carries, with a boom of constant length.
+    struct CarriedCylinder { pub base: Length, pub crank: Length, pub rest: Length, pub boom: Length }
+    input theta: Angle;
+    unknown travel: Length, alpha: Angle, beta: Angle;
+    travel == rest + crank * sin(theta);
+    crank * cis(theta) + travel * cis(alpha) == base + boom * cis(beta);
+}
+
+/// The margin as a series at a place of a sweep, by differences of the extremes' own numbers.
+fn margins<M>(sweep: Course<M, Line<M>>, expected: impl Fn(f64) -> f64)
+where
+    M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+{
+    let slope = |at: f64| (expected(at + 1e-4) - expected(at - 1e-4)) / 2e-4;
+    let tested = core::cell::Cell::new(0);
+    let asked = sweep.extremes_by(|at: &At<M>| {
+        let margin = at.smallest_margin().unwrap();
+        let [place, rate] = [0, 1].map(|order| at.input(0, 0).unwrap().derivatives()[order]);
+        assert!(
+            (margin.real() - expected(place)).abs() < 1e-14 * 8.0,
+            "{place}: {margin:?}"
+        );
+        // the difference has an error of its step squared times the third derivative, if there is no kink within the step
+        let predicted = slope(place) * rate;
+        if (slope(place - 2e-4) - slope(place + 2e-4)).abs() < 1e-2 {
+            assert!(
+                (margin.derivatives()[1] - predicted).abs() < 1e-6,
+                "{place}: {margin:?} {predicted}"
+            );
+            tested.set(tested.get() + 1);
+        }
+        margin
+    });
+    assert!(asked.is_ok() && tested.get() > 20, "{asked:?} {}", tested.get());
+}
+
+/// A margin is known where the length of a link changes as well.
+#[test]
+fn margins_of_links_that_change() {
+    let triangle = |base: f64, boom: f64, link: f64| (base + boom - link).min(link - (base - boom).abs());
+    let boom: RelativeBoom = RelativeBoom { base: 2.0, boom: 1.5 };
+    let lift = boom.sweep(Assembly::Open).over(0.6..=3.4, 21);
+    margins(lift, |cylinder| triangle(2.0, 1.5, cylinder));
+    // up to its limit, where nothing is left
+    let ends = boom
+        .sweep(Assembly::Open)
+        .over(1.0..=4.0, 21)
+        .extremes("margin")
+        .unwrap();
+    let last = ends.last().unwrap();
+    assert_eq!(last.kind, Kind::Limit);
+    assert!(
+        (last.at - 3.5).abs() < 1e-14 && last.value.unwrap().abs() < 1e-9,
+        "{last}"
+    );
+    let stretched: StretchedLink = StretchedLink { offset: 0.5 };
+    margins(stretched.sweep(Assembly::Open).over(0.6..=3.4, 21), |link| link - 0.5);
+    let sloping: StretchedLinkOnSlope = StretchedLinkOnSlope {
+        offset: 0.5,
+        slope: 0.3,
+    };
+    margins(sloping.sweep(Assembly::Open).over(0.6..=3.4, 21), |link| link - 0.5);
+    let carried: CarriedCylinder = CarriedCylinder {
+        base: 2.0,
+        crank: 0.3,
+        rest: 1.6,
+        boom: 1.5,
+    };
+    margins(carried.sweep(Assembly::Open).over(0.0..=TAU, 21), |theta| {
+        let distance = (2.0_f64 * 2.0 + 0.09 - 2.0 * 2.0 * 0.3 * theta.cos()).sqrt();
+        let link = 1.6 + 0.3 * theta.sin();
+        (distance + 1.5 - link)
+            .min(distance + link - 1.5)
+            .min(link + 1.5 - distance)
+    });
+}
+
+/// The progress of a question grows to 1, and the answer is the same.
+#[test]
+fn progress_is_told() {
+    let sweeps = [
+        turn(CRANK_ROCKER, Assembly::Open),
+        LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 50),
+    ];
+    for sweep in sweeps {
+        let mut parts = Vec::new();
+        let extremes = sweep.extremes_with_progress("theta4", |part| parts.push(part)).unwrap();
+        assert_eq!(extremes, sweep.extremes("theta4").unwrap());
+        assert!(
+            parts.len() > 10 && parts.windows(2).all(|pair| pair[0] < pair[1]),
+            "{parts:?}"
+        );
+        assert!(parts[0] > 0.0 && parts.last() == Some(&1.0), "{parts:?}");
+        let mut calls = 0;
+        let peak = sweep.peak_with_progress("theta4", |_| calls += 1).unwrap();
+        assert_eq!((peak, calls), (sweep.peak("theta4").unwrap(), parts.len()));
+    }
+    // a gap between two rows, at which the question is asked again
+    let gap = FourBar {
+        r4: 50.0 - 1e-4,
+        ..CRANK_ROCKER
+    };
+    let mut parts = Vec::new();
+    let found = turn(gap, Assembly::Open).extremes_with_progress("theta4", |part| parts.push(part));
+    assert!(
+        found.is_ok() && parts.windows(2).all(|pair| pair[0] < pair[1]),
+        "{parts:?}"
+    );
+    let error = turn(CRANK_ROCKER, Assembly::Open).peak_with_progress("theta9", |_| panic!("nothing is solved"));
+    assert!(matches!(error, Err(ExtremesError::NoSuchColumn(_))));
+}
+
 /// A gap between two rows divides the sweep, whatever is asked.
 #[test]
 fn gaps_divide_a_sweep() {
@@ -515,4 +652,27 @@ fn the_end_of_a_range_bounds_everything() {
     // the integral of the inverse sine
     let expected = (end + 1_f64.cos() - 1.0) / end;
     assert!((mean.value - expected).abs() < 1e-12, "{mean:?} {expected}");
+}
+
+/// Rounding errors have no extremes: the tracer of Peaucellier's linkage stays on a straight line.
+#[test]
+fn rounding_errors_have_no_extremes() {
+    let linkage = PeaucellierLinkage {
+        ground: 1.0,
+        crank: 1.0,
+        arm: 3.5,
+        side: 1.8,
+    };
+    let sweep = linkage.sweep(PeaucellierLinkage::STRAIGHT).over(-1.0..=1.0, 61);
+    for suffix in ORDERS {
+        let across = sweep.extremes(&std::format!("tracer.x{suffix}")).unwrap();
+        assert!(
+            across.iter().all(|extreme| extreme.kind == Kind::End),
+            "{suffix}: {}",
+            across.len()
+        );
+        // along the line the way is a tangent of half the angle, whose derivatives have an extreme in the middle or none
+        let along = sweep.extremes(&std::format!("tracer.y{suffix}")).unwrap();
+        assert!(along.len() <= 3, "{suffix}: {}", along.len());
+    }
 }

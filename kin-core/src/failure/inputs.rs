@@ -28,6 +28,7 @@ impl InputValues {
 
     /// The inputs and their values, in the same order. Inputs without a value, values without an input, and inputs
     /// beyond the [capacity](Self::CAPACITY) are left out.
+    #[inline]
     #[must_use]
     pub fn new(quantities: &'static [Quantity], values: &[f64]) -> Self {
         let count = quantities.len().min(values.len()).min(Self::CAPACITY);

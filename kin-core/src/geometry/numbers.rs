@@ -12,7 +12,7 @@ macro_rules! vector {
         impl<T: Number> Mul<T> for $vector<T> {
             type Output = Self;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn mul(self, factor: T) -> Self {
                 self.scale(factor)
             }
@@ -21,7 +21,7 @@ macro_rules! vector {
         impl<T: Number> Div<T> for $vector<T> {
             type Output = Self;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn div(self, divisor: T) -> Self {
                 Self::new(self.$first / divisor, $(self.$axis / divisor),+)
             }
@@ -61,7 +61,7 @@ macro_rules! vector {
             impl Mul<$vector<$number>> for $number {
                 type Output = $vector<$number>;
 
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 fn mul(self, vector: $vector<$number>) -> $vector<$number> {
                     vector * self
                 }

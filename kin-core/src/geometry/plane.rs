@@ -31,7 +31,7 @@ pub struct Plane<T = f64> {
 
 impl<T> Plane<T> {
     /// The vector with the coordinates `x` and `y`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub const fn new(x: T, y: T) -> Self {
         Self { x, y }
@@ -40,7 +40,7 @@ impl<T> Plane<T> {
 
 impl<T: Number> Plane<T> {
     /// The vector of length 0.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn zero() -> Self {
         Self::new(T::constant(0.0), T::constant(0.0))
@@ -53,7 +53,7 @@ impl<T: Number> Plane<T> {
     ///
     /// assert_eq!(Plane::cis(0.0_f64), Plane::new(1.0, 0.0));
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn cis(angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
@@ -68,14 +68,14 @@ impl<T: Number> Plane<T> {
     /// let link = Plane::polar(2.0_f64, core::f64::consts::FRAC_PI_2);
     /// assert!((link - Plane::new(0.0, 2.0)).norm() < 1e-15);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn polar(length: T, angle: T) -> Self {
         Self::cis(angle).scale(length)
     }
 
     /// The scalar product `x₁ x₂ + y₁ y₂`. Its unit is the product of the units.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn dot(self, other: Self) -> T {
         self.x * other.x + self.y * other.y
@@ -83,35 +83,35 @@ impl<T: Number> Plane<T> {
 
     /// The vector product `x₁ y₂ - y₁ x₂`: the component normal to the plane. It is positive if `other` lies
     /// counter-clockwise from this vector.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn cross(self, other: Self) -> T {
         self.x * other.y - self.y * other.x
     }
 
     /// This vector, multiplied by `factor`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn scale(self, factor: T) -> Self {
         Self::new(self.x * factor, self.y * factor)
     }
 
     /// The square of the length.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn norm_squared(self) -> T {
         self.dot(self)
     }
 
     /// The length. Its square must lie in the range of the number type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn norm(self) -> T {
         self.norm_squared().sqrt()
     }
 
     /// The product of complex numbers: lengths multiply, angles add.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn times(self, other: Self) -> Self {
         Self::new(self.x * other.x - self.y * other.y, self.x * other.y + self.y * other.x)
@@ -121,7 +121,7 @@ impl<T: Number> Plane<T> {
 impl<T: Number> Add for Plane<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y)
     }
@@ -130,7 +130,7 @@ impl<T: Number> Add for Plane<T> {
 impl<T: Number> Sub for Plane<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y)
     }
@@ -139,21 +139,21 @@ impl<T: Number> Sub for Plane<T> {
 impl<T: Number> Neg for Plane<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y)
     }
 }
 
 impl<T> From<[T; 2]> for Plane<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from([x, y]: [T; 2]) -> Self {
         Self::new(x, y)
     }
 }
 
 impl<T> From<Plane<T>> for [T; 2] {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn from(vector: Plane<T>) -> Self {
         [vector.x, vector.y]
     }

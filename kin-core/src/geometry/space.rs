@@ -40,7 +40,7 @@ impl<T> Space<T> {
 
 impl<T: Number> Space<T> {
     /// The vector of length 0.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn zero() -> Self {
         Self::new(T::constant(0.0), T::constant(0.0), T::constant(0.0))

@@ -15,6 +15,7 @@ mod hoeken_linkage;
 mod inverted_slider_crank;
 mod jansen_leg;
 mod klann_leg;
+mod names;
 mod pantograph;
 mod peaucellier_linkage;
 mod roberts_linkage;

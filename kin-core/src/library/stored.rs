@@ -3,42 +3,10 @@
 #[allow(clippy::wildcard_imports, reason = "all mechanisms are meant")]
 use super::*;
 
-crate::storable! {
-    AndrewsSqueezer,
-    Bennett,
-    ChebyshevLinkage,
-    ClassThreeTriad,
-    FiveBar,
-    FourBar,
-    FreudensteinFourBar,
-    GearedFiveBar,
-    GeometricFourBar,
-    HoekenLinkage,
-    InvertedSliderCrank,
-    JansenLeg,
-    KlannLeg,
-    OffsetSliderCrank,
-    Pantograph,
-    PeaucellierLinkage,
-    RobertsLinkage,
-    Rssp,
-    Rssr,
-    ScotchYoke,
-    SliderCrank,
-    SliderCrankFirstApproximation,
-    SliderCrankHigherApproximation,
-    SphericalFourBar,
-    StephensonI,
-    StephensonIByDyad,
-    StephensonII,
-    StephensonIIByElbow,
-    StephensonIII,
-    StephensonIIIByDyad,
-    StewartGoughLeg,
-    UniversalJoint,
-    WattI,
-    WattIByDyad,
-    WattII,
-    WattIIByCouplers,
-    WhitworthQuickReturn
+macro_rules! storable {
+    ($($mechanism:ident)+) => {
+        crate::storable! { $($mechanism),+ }
+    };
 }
+
+crate::each_library_mechanism!(storable);

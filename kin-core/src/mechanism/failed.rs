@@ -3,10 +3,27 @@
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Mechanism;
 use crate::number::Number;
+use crate::solve::Scalar;
 
 /// The error of a solver at the given inputs. If a parameter or an input is not finite, the failure names it.
-#[cold]
+///
+/// Of several poses, nobody reads the error.
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn failed<M: Mechanism>(
+    mechanism: &M,
+    failure: Failure,
+    block: &'static str,
+    inputs: M::Inputs<M::Scalar>,
+) -> SolveError {
+    if M::Scalar::DOUBT > 0.0 {
+        return failure.at(block, InputValues::new(&[], &[]));
+    }
+    failed_alone(mechanism, failure, block, inputs)
+}
+
+#[cold]
+#[inline(never)]
+fn failed_alone<M: Mechanism>(
     mechanism: &M,
     failure: Failure,
     block: &'static str,

@@ -281,13 +281,13 @@ pub trait Pose: Copy + Debug {
     }
 
     /// The unknowns as the pose stores them: a direction has its cosine instead of its angle.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn unknown_columns(&self) -> Self::Unknowns<Self::Motion> {
         self.unknown_motions()
     }
 
     /// The sines of the unknowns that are directions.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn unknown_sines(&self) -> Self::Unknowns<Option<Self::Scalar>> {
         Row::from_fn(|_| None)
     }

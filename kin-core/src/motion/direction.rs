@@ -205,7 +205,7 @@ macro_rules! lengths {
         $(
             impl<T: Copy> Direction<T, $length> {
                 /// The motion of the angle with a known value, on any turn.
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 #[must_use]
                 pub fn motion_from(&self, angle: T) -> Motion<T, $longer> {
                     let [$($entry),*] = self.rates;

@@ -39,14 +39,14 @@ pub trait IntoMotion<T, const N: usize> {
 }
 
 impl<T, const N: usize> IntoMotion<T, N> for Motion<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn into_motion(self) -> Self {
         self
     }
 }
 
 impl<T, const N: usize> IntoMotion<T, N> for [T; N] {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn into_motion(self) -> Motion<T, N> {
         Motion::new(self)
     }
@@ -54,7 +54,7 @@ impl<T, const N: usize> IntoMotion<T, N> for [T; N] {
 
 /// A value at rest.
 impl<T: Number, const N: usize> IntoMotion<T, N> for T {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn into_motion(self) -> Motion<T, N> {
         Motion::constant(self)
     }
@@ -78,7 +78,7 @@ macro_rules! tuple {
         }
 
         impl<T> IntoMotion<T, $length> for ($(tuple!(@type $entry T),)+) {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn into_motion(self) -> Motion<T, $length> {
                 self.into()
             }

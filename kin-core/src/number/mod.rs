@@ -83,7 +83,7 @@ pub trait Number:
 
     /// Whether every part of all these numbers is finite.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
         numbers.into_iter().all(Self::is_finite)
     }
@@ -114,7 +114,7 @@ pub trait Number:
 
     /// [`atan2`](Self::atan2) of two points.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2_of_two(y: [Self; 2], x: [Self; 2]) -> [Self; 2] {
         [y[0].atan2(x[0]), y[1].atan2(x[1])]
     }
@@ -161,7 +161,7 @@ pub trait Number:
     /// assert_eq!(Number::powi(0.0_f64, 0), 1.0);
     /// ```
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn powi(self, exponent: i32) -> Self {
         let mut product = None;
         let (mut square, mut rest) = (self, exponent.unsigned_abs());
@@ -181,14 +181,14 @@ pub trait Number:
 
     /// The sum `self + a b`, rounded once instead of twice where the machine can.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         self + a * b
     }
 
     /// The difference `self - a b`, rounded once instead of twice where the machine can.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn minus_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }

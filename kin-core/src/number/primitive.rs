@@ -34,7 +34,7 @@ macro_rules! primitive {
 
             /// Tests the sum, which is not finite if one of the numbers is not. The numbers themselves are tested only
             /// if the sum is not finite, because the sum alone may overflow.
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
                 let sum = numbers.into_iter().reduce(|sum, number| sum + number);
                 sum.is_none_or(<$float>::is_finite) || numbers.into_iter().all(<$float>::is_finite)
@@ -50,7 +50,7 @@ macro_rules! primitive {
                 $sine_cosine(self)
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn plus_product(self, a: Self, b: Self) -> Self {
                 if FUSED {
                     Float::mul_add(a, b, self)
@@ -59,7 +59,7 @@ macro_rules! primitive {
                 }
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn minus_product(self, a: Self, b: Self) -> Self {
                 if FUSED {
                     Float::mul_add(-a, b, self)

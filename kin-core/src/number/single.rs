@@ -4,7 +4,7 @@
     clippy::cast_possible_truncation,
     reason = "rounding to the nearest single-precision number is the purpose"
 )]
-#[inline]
+#[inline(always)]
 pub(crate) fn single(value: f64) -> f32 {
     value as f32
 }

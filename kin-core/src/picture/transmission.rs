@@ -50,6 +50,7 @@ impl<T: Number> TransmissionAngle<T> {
     /// From a positive multiple of the angle's sine, whose sign is not looked at, and the same multiple of its cosine.
     #[doc(hidden)]
     #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(block: &'static str, across: T, along: T) -> Self {
         let across = if across.real() < 0.0 { -across } else { across };
         Self {

@@ -33,6 +33,9 @@ pub struct Quantity {
     pub dimension: Dimension,
     /// The first paragraph of its documentation, or an empty string.
     pub description: &'static str,
+    /// Whether the declaration gives a range for it, in which the unknown is found.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "core::ops::Not::not"))]
+    pub has_range: bool,
 }
 
 impl Quantity {
@@ -43,6 +46,7 @@ impl Quantity {
             name,
             dimension: Dimension::Length,
             description,
+            has_range: false,
         }
     }
 
@@ -53,6 +57,7 @@ impl Quantity {
             name,
             dimension: Dimension::Angle,
             description,
+            has_range: false,
         }
     }
 
@@ -63,6 +68,17 @@ impl Quantity {
             name,
             dimension: Dimension::Scalar,
             description,
+            has_range: false,
+        }
+    }
+
+    /// The same quantity with a range.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn with_range(self) -> Self {
+        Self {
+            has_range: true,
+            ..self
         }
     }
 }

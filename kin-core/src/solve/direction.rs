@@ -16,13 +16,13 @@ use crate::solve::Scalar;
 /// assert_eq!(solve::direction(3.0, 0.0, 3.0), FRAC_PI_2);
 /// assert_eq!(solve::direction(3.0, 0.0, -3.0), -FRAC_PI_2);
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn direction<T: Scalar>(y: T, x: T, length: T) -> T {
     y.times_sign_of(length).atan2(x.times_sign_of(length))
 }
 
 /// [`direction`] of two vectors, for less than twice the cost.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn directions<T: Scalar>(y: [T; 2], x: [T; 2], length: [T; 2]) -> [T; 2] {
     let upright = |part: [T; 2]| [part[0].times_sign_of(length[0]), part[1].times_sign_of(length[1])];
     T::atan2_of_two(upright(y), upright(x))

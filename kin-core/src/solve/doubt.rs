@@ -13,7 +13,7 @@ use crate::solve::check::{Negative, Real, SumOfSizes, Told};
 ///
 /// assert_eq!(solve::decisive(1e-17, || [1.0, -1.0]), 1e-17);
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn decisive<T: Scalar, const N: usize>(number: T, terms: impl FnOnce() -> [T; N]) -> T {
     if T::DOUBT == 0.0 {
         return number;
@@ -23,7 +23,7 @@ pub fn decisive<T: Scalar, const N: usize>(number: T, terms: impl FnOnce() -> [T
 }
 
 /// [`decisive`] for a vector that decides by being different from zero.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl FnOnce() -> [T; N]) -> Plane<T> {
     if T::DOUBT == 0.0 {
         return vector;
@@ -35,7 +35,7 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
 
 /// The smallest positive number that decides, if it is a sum of terms of the given size. For one pose this is [the
 /// smallest](Number::SMALLEST) divisor.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
     let smallest = T::constant(T::SMALLEST);
     if T::DOUBT == 0.0 {
@@ -45,7 +45,7 @@ pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
 }
 
 /// Whether a number differs clearly from one end of its range, where `size` is the size of the rounded numbers.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> R::Truth {
     if T::DOUBT == 0.0 || end.is_infinite() {
         return R::certainly(true);
@@ -53,17 +53,26 @@ pub(super) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> 
     (number - R::of(end)).magnitude().is_at_least(R::of(T::DOUBT) * size)
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
     number.provided(Told { number: judge, size }).unwrap_or(number)
 }
 
+/// A number that is at least the [smallest](Number::SMALLEST) divisor, otherwise NaN.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn divisor<T: Scalar>(number: T) -> T {
+    let short = Negative(number - T::constant(T::SMALLEST));
+    T::either(short, || T::constant(f64::NAN), || number)
+}
+
 /// The magnitude of a number.
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn size<T: Scalar>(number: T) -> T {
     number.times_sign_of(number)
 }
 
 /// The smaller of two numbers.
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn smaller<T: Scalar>(one: T, other: T) -> T {
     T::either(Negative(other - one), || other, || one)
 }

@@ -55,7 +55,7 @@ pub struct Factors<T, const N: usize> {
 /// assert!(solve::factor([[0.1, 0.2], [0.3, 0.6]]).is_err());
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn factor<T: Scalar, const N: usize>(matrix: [[T; N]; N]) -> Result<Factors<T, N>, Failure> {
     T::factored(matrix)
 }
@@ -68,7 +68,7 @@ pub(super) fn factor_to<T: Scalar, const N: usize>(
     factor_here(entries, epsilon)
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn factor_here<T: Scalar, const N: usize>(
     mut entries: [[T; N]; N],
     epsilon: f64,
@@ -102,7 +102,7 @@ pub(super) fn factor_here<T: Scalar, const N: usize>(
 /// Multiplies rows and then columns by powers of two until the largest entry of each lies between 1 and 2.
 ///
 /// This function and those below take `rows.len()` leading columns of each row: the matrix is square.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn level<T: Scalar, R: Row<T>>(rows: &mut [R], row_exponents: &mut [i32], column_exponents: &mut [i32]) {
     let count = rows.len();
     for (row, exponent) in rows.iter_mut().zip(row_exponents) {
@@ -131,7 +131,7 @@ pub(crate) struct Elimination {
 
 /// Transforms a levelled matrix into its triangular factors, and records the row from which each row came. The
 /// elimination stops at a pivot that is exactly zero.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usize], epsilon: f64) -> Elimination {
     let count = rows.len();
     for (row, origin) in origins.iter_mut().enumerate() {
@@ -181,7 +181,7 @@ pub(crate) fn eliminate<T: Scalar, R: Row<T>>(rows: &mut [R], origins: &mut [usi
 }
 
 /// The solution for a right-hand side given in the order of the original rows.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn substitute<T: Scalar, R: Row<T>>(
     rows: &[R],
     origins: &[usize],
@@ -217,14 +217,14 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     /// additions and N divisions.
     ///
     /// The solution is not finite if `right` is not, or if it exceeds the range of the number type.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn solve(&self, right: [T; N]) -> [T; N] {
         T::substituted(self, right)
     }
 
     /// [`solve`](Self::solve) for a number that holds values.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn solve_here(&self, right: [T; N]) -> [T; N] {
         let mut solution = right;
         substitute(
@@ -295,7 +295,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     }
 
     /// The product of the pivots with the sign of the row exchanges, which is the determinant of the scaled matrix.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pivots(&self) -> T {
         let sign = T::constant(if self.odd { -1.0 } else { 1.0 });
         (0..N).fold(sign, |product, step| product * self.entries[step][step])
@@ -309,7 +309,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
     /// The determinant divided by that of another matrix, without overflow in between.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn determinant_relative_to(&self, other: &Self) -> T {
         let exponent = (self.exponent() - other.exponent()).clamp(-range::<T>(), range::<T>());
         self.pivots() / other.pivots() * power_of_two(exponent)

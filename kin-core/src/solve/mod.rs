@@ -20,7 +20,7 @@
 //! unknowns.
 //!
 //! The tests measure these counts by running the functions on numbers that count operations. The functions
-//! [`choose_value`], [`choose_angle`], [`check_value`] and [`check_angle`] handle declared ranges. [`square_root_of`],
+//! [`choose()`], [`check_value`] and [`check_angle`] handle declared ranges. [`square_root_of`],
 //! [`arc_sine`] and similar functions check the domains of functions that are not defined everywhere. [`direction`]
 //! computes the angle of a vector, [`directions`] those of two, and [`on_turn`] moves an angle to the requested turn.
 //! [`regular`] and [`finite`] say whether a solver can continue. Each decision is a [`Check`] with a name, operands and
@@ -46,7 +46,7 @@ mod scalar;
 mod size;
 
 pub use crate::assembly::both;
-pub use check::{Check, Choose, Measure, Negative, Real};
+pub use check::{Check, Choose, Measure, Negative, Real, SolutionInRange, Validity};
 pub use direction::{direction, directions};
 pub use doubt::{decisive, decisive_vector};
 pub(crate) use factor::{Elimination, eliminate, level, substitute};

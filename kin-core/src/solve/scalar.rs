@@ -4,7 +4,7 @@ use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::series::Series;
 use crate::number::{Changing, Number, Row};
-use crate::solve::check::{Check, Choose, Measure, Negative};
+use crate::solve::check::{Check, Choose, Measure, Negative, SameSides};
 use crate::solve::factor::{Factors, factor_here};
 use crate::solve::newton::damped_root;
 
@@ -43,14 +43,29 @@ pub trait Scalar: Number {
     ///
     /// A solver decides by this method and those below. A number that holds several poses, as in a
     /// [batch](crate::batch), decides for each of them: it keeps the poses that pass, and makes the others NaN.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
         let conditions = check.holds(check.operands().map(Self::real));
         conditions.iter().all(|holds| *holds).then_some(self)
     }
 
+    /// The number and its square root if a check holds, otherwise `None`.
+    #[doc(hidden)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rooted<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<(Self, Self)> {
+        self.provided(check).map(|square| (square, square.sqrt()))
+    }
+
+    /// The failure of a solver, from the function that makes the diagnosis. A number that holds several poses makes none:
+    /// each of its poses may fail for another reason.
+    #[doc(hidden)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn refused(diagnosis: impl FnOnce() -> Failure) -> Failure {
+        diagnosis()
+    }
+
     /// One value if a check holds, otherwise the other value.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn either<const N: usize>(
         check: impl Check<Self, N, 1>,
         one: impl FnOnce() -> Self,
@@ -63,20 +78,20 @@ pub trait Scalar: Number {
     /// This number, or its negative if the real part of `other` is negative. If that part is zero, either may be
     /// returned.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times_sign_of(self, other: Self) -> Self {
         Self::either(Negative(other), || -self, || self)
     }
 
     /// This number in the open assembly, its negative in the crossed assembly.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn signed(self, assembly: Assembly) -> Self {
         Self::assembled(assembly, || self, || -self)
     }
 
     /// One value in the open assembly, the other in the crossed assembly.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn assembled(assembly: Assembly, open: impl FnOnce() -> Self, crossed: impl FnOnce() -> Self) -> Self {
         match assembly {
             Assembly::Open => open(),
@@ -84,9 +99,27 @@ pub trait Scalar: Number {
         }
     }
 
-    /// A constant that depends on the real parts of numbers.
+    /// Some values in the open assembly, others in the crossed assembly.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn all_assembled<const N: usize>(assembly: Assembly, open: [Self; N], crossed: [Self; N]) -> [Self; N] {
+        match assembly {
+            Assembly::Open => open,
+            Assembly::Crossed => crossed,
+        }
+    }
+
+    /// See [`solve::agreeing`](crate::solve::agreeing()). A number that holds one pose always agrees with itself.
     #[must_use]
     #[inline(always)]
+    fn agreeing<const N: usize, const K: usize>(near: [Self; N], orientations: [Self; K]) -> [Self; N] {
+        let leading = orientations.map(|orientation| orientation.leading() >= 0.0);
+        near.map(|value| value.provided(SameSides { orientations, leading }).unwrap_or(value))
+    }
+
+    /// A constant that depends on the real parts of numbers.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
         Self::constant(measure.measure(measure.operands().map(Self::real)))
     }
@@ -95,15 +128,33 @@ pub trait Scalar: Number {
     ///
     /// # Errors
     /// Returns the error of the choice.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         choice.choose(choice.operands().map(Self::real))
+    }
+
+    /// The [choice](Self::chosen) by the first criterion to which not both solutions are valid.
+    ///
+    /// # Errors
+    /// Returns the error of that criterion, or of the last one if both solutions are valid to all of them.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn first_chosen<const N: usize, const K: usize>(choices: [impl Choose<Self, N>; K]) -> Result<Assembly, Failure> {
+        const { assert!(K > 0, "a choice has a criterion") };
+        let mut number = 0;
+        // The function is called in one place only, so that the compiler can inline it.
+        loop {
+            let chosen = Self::chosen(choices[number]);
+            number += 1;
+            if number == K || !matches!(chosen, Err(Failure::Ambiguous { .. })) {
+                return chosen;
+            }
+        }
     }
 
     /// The real part of the leading pose. It decides where all poses must go one way: the order of pivots, and the
     /// powers of two by which rows are scaled. A check then says which of the other poses can follow.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn leading(self) -> f64 {
         self.real()
     }
@@ -111,7 +162,7 @@ pub trait Scalar: Number {
     /// The pivot row of one step of the elimination: the row of the largest entry from the diagonal down, or the first
     /// of several.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
         let (mut best, mut largest) = (step, rows[step][step].leading().abs());
         for (row, entries) in rows.iter().enumerate().skip(step + 1) {
@@ -126,7 +177,7 @@ pub trait Scalar: Number {
     /// The assembly of the side of the singular positions on which a number lies that is zero there: open if its real part is
     /// positive or zero.
     #[doc(hidden)]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn side(self) -> Assembly {
         Assembly::from_sign(self.real())
     }
@@ -136,14 +187,14 @@ pub trait Scalar: Number {
     /// # Errors
     /// Returns the errors of that function.
     #[doc(hidden)]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn factored<const N: usize>(matrix: [[Self; N]; N]) -> Result<Factors<Self, N>, Failure> {
         factor_here(matrix, Self::EPSILON)
     }
 
     /// The solution that [`Factors::solve`] finds.
     #[doc(hidden)]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn substituted<const N: usize>(factors: &Factors<Self, N>, right: [Self; N]) -> [Self; N] {
         factors.solve_here(right)
     }

@@ -11,7 +11,7 @@ use crate::solve::check::LargestLength;
 /// assert_eq!(solve::largest([3.0, -5.0]), 5.0);
 /// assert_eq!(solve::largest::<f64, 0>([]), 1.0);
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 #[must_use]
 pub fn largest<T: Scalar, const N: usize>(lengths: [T; N]) -> T {
     T::measured(LargestLength(lengths))

@@ -295,6 +295,7 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
         Variable::Row
     }
 
+    /// Between two rows, the inputs stand on the straight line from the one to the other.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -302,7 +303,18 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
     )]
     fn motions(&self, at: f64) -> InputMotions<M, f64> {
         let row = at as usize;
-        Row::from_fn(|input| Row::from_fn(|order| self.0[input][order].at(row)))
+        let part = at - num_traits::Float::floor(at);
+        Row::from_fn(|input| {
+            Row::from_fn(|order| {
+                let column = self.0[input][order];
+                let value = column.at(row);
+                if part > 0.0 {
+                    value + part * (column.at(row + 1) - value)
+                } else {
+                    value
+                }
+            })
+        })
     }
 
     fn same(&self, input: usize, order: usize) -> Option<f64> {

@@ -13,7 +13,7 @@ use super::error::SweepError;
 use super::table::Table;
 use super::walk::{Reached, Walk};
 use super::{Course, limits};
-use crate::batch::{self, Column, Columns, Outcome, Place, Vectors, Visitor};
+use crate::batch::{self, Column, Columns, Kernel, Outcome, Place, Vectors, Visitor};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
 use crate::quantity::Dimension;
@@ -319,9 +319,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
 
 /// Puts each angle on the turn closest to the last angle before it.
 pub(super) fn continue_turns(angles: &mut [f64]) {
-    // most angles never jump, which is found out for several at once; a gap counts as a jump
-    let stays = |pair: &[f64]| (pair[1] - pair[0]).abs() <= core::f64::consts::PI;
-    if angles.windows(2).fold(true, |all, pair| all & stays(pair)) {
+    // most angles never jump, which is found out for several at once
+    if Vectors::widest().run(NeverJumps(angles)) {
         return;
     }
     let mut turns = 0.0;
@@ -338,6 +337,22 @@ pub(super) fn continue_turns(angles: &mut [f64]) {
         if turns != 0.0 {
             *angle += turns * TAU;
         }
+    }
+}
+
+/// The question whether an angle never jumps by half a turn. A gap counts as a jump.
+struct NeverJumps<'a>(&'a [f64]);
+
+impl Kernel for NeverJumps<'_> {
+    type Result = bool;
+    type Element = f64;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<const W: usize, const FUSED: bool>(self) -> bool {
+        let pairs = self.0.iter().zip(self.0.get(1..).unwrap_or_default());
+        pairs.fold(true, |all, (one, other)| {
+            all & ((other - one).abs() <= core::f64::consts::PI)
+        })
     }
 }
 

@@ -6,12 +6,16 @@
 //! they agree, or until a place that does not close is met.
 
 use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::f64::consts::PI;
 
 use super::Course;
 use super::drive::{Drive, Variable};
 use super::table::Table;
+use crate::batch::{Kernel, Vectors};
 use crate::mechanism::{Block, Mechanism};
 use crate::number::{Number, Row, series::Series};
+use crate::quantity::Dimension;
 
 /// A value with two derivatives.
 type Bend = Series<3>;
@@ -28,9 +32,14 @@ const MOST: usize = 500;
 /// The pairs of rows that may have a gap between them, by the rows in front of it.
 pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &Table) -> Vec<usize> {
     let rows = 0..table.count.saturating_sub(1);
-    if rows.is_empty() || M::ASSEMBLY_COUNT == 0 || course.drive.variable() == Variable::Row {
-        // coupled blocks are tracked from row to row, and columns say nothing of what lies between their rows
+    if rows.is_empty() || M::ASSEMBLY_COUNT == 0 {
+        // coupled blocks are tracked from row to row
         return Vec::new();
+    }
+    if course.drive.variable() == Variable::Row {
+        return rows
+            .filter(|row| closes(table, *row) && may_part::<M>(table, *row))
+            .collect();
     }
     let description = M::DESCRIPTION;
     let orders = description.order + 1;
@@ -52,12 +61,6 @@ pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<
         let column = first + unknown * orders;
         (table.values(column + 1), table.values(column + 2))
     };
-    let disagrees = |step: f64, [one, other]: [f64; 2], [first, last]: [f64; 2]| {
-        let predicted = 0.5 * time * step * (first + last);
-        // a comparison with NaN fails, so that rows which do not close are left out
-        (other - one - predicted).abs() > SUSPECT * (one.abs() + other.abs())
-    };
-    // most sweeps have none, which is found out for several rows at once
     // All unknowns of a block are roots at the ends of a gap, so that one of them is enough.
     let of_block = |block: &Block| {
         let name = block.unknowns.split(", ").next();
@@ -67,14 +70,14 @@ pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<
             .position(|unknown| name == Some(unknown.name))
     };
     let unknowns = description.blocks.iter().filter_map(of_block);
+    // most sweeps have none, which is found out for several rows at once
     let any = |unknown: usize| {
         let (velocity, acceleration) = columns(unknown);
-        let steps = places.iter().zip(&places[1..]).map(|(start, end)| end - start);
-        let velocities = velocity.iter().zip(&velocity[1..]);
-        let accelerations = acceleration.iter().zip(&acceleration[1..]);
-        let all = steps.zip(velocities.zip(accelerations));
-        all.fold(false, |any, (step, ((one, other), (first, last)))| {
-            any | disagrees(step, [*one, *other], [*first, *last])
+        Vectors::widest().run(AnyDisagrees {
+            places,
+            velocity,
+            acceleration,
+            time,
         })
     };
     if !unknowns.clone().any(any) {
@@ -85,10 +88,84 @@ pub(super) fn suspects<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<
         let step = places[row + 1] - places[*row];
         unknowns.clone().any(|unknown| {
             let (velocity, acceleration) = columns(unknown);
-            disagrees(step, pair(velocity, *row), pair(acceleration, *row))
+            disagrees(time * step, pair(velocity, *row), pair(acceleration, *row))
         })
     };
     rows.filter(has_gap).collect()
+}
+
+/// Whether there may be a gap on the straight line between the inputs of two rows of columns.
+///
+/// The rates of the only input turn those of the unknowns into derivatives with respect to the input, unless the input stands still. All other
+/// pairs are solved again. An angle that moves by more than half a turn does not say in which direction.
+fn may_part<M: Mechanism<Scalar = f64>>(table: &Table, row: usize) -> bool {
+    let description = M::DESCRIPTION;
+    let orders = description.order + 1;
+    let pair = |quantity: usize, order: usize| {
+        let column = table.values(1 + quantity * orders + order);
+        [column[row], column[row + 1]]
+    };
+    let ways = description.inputs.iter().enumerate().map(|(input, quantity)| {
+        let [start, end] = pair(input, 0);
+        (quantity.dimension, end - start)
+    });
+    if ways.clone().all(|(_, way)| way == 0.0)
+        || ways
+            .clone()
+            .any(|(dimension, way)| dimension == Dimension::Angle && way.abs() > PI)
+    {
+        return false;
+    }
+    let ([_], true) = (description.inputs, orders >= 3) else {
+        return true;
+    };
+    let [[start, end], velocities, accelerations] = [0, 1, 2].map(|order| pair(0, order));
+    (0..description.unknowns.len()).any(|unknown| {
+        let [rates, second_rates] = [1, 2].map(|order| pair(1 + unknown, order));
+        let [left, right] = [0, 1].map(|side| {
+            let slope = rates[side] / velocities[side];
+            let bend = (second_rates[side] - slope * accelerations[side]) / (velocities[side] * velocities[side]);
+            [slope, bend]
+        });
+        let predicted = 0.5 * (end - start) * (left[1] + right[1]);
+        let disagreement = (right[0] - left[0] - predicted).abs();
+        let allowed = SUSPECT * (left[0].abs() + right[0].abs());
+        // at rest the rates are no numbers, so that the pair is solved again
+        disagreement.partial_cmp(&allowed).is_none_or(Ordering::is_gt)
+    })
+}
+
+/// Whether the change of a velocity over an interval of time disagrees with the accelerations at its ends.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn disagrees(time: f64, [one, other]: [f64; 2], [first, last]: [f64; 2]) -> bool {
+    let predicted = 0.5 * time * (first + last);
+    // a comparison with NaN fails, so that rows which do not close are left out
+    (other - one - predicted).abs() > SUSPECT * (one.abs() + other.abs())
+}
+
+/// The question whether any step of a column disagrees.
+struct AnyDisagrees<'a> {
+    places: &'a [f64],
+    velocity: &'a [f64],
+    acceleration: &'a [f64],
+    /// The time for each unit of the places.
+    time: f64,
+}
+
+impl Kernel for AnyDisagrees<'_> {
+    type Result = bool;
+    type Element = f64;
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<const W: usize, const FUSED: bool>(self) -> bool {
+        let ends = self.places.iter().zip(&self.places[1..]);
+        let velocities = self.velocity.iter().zip(&self.velocity[1..]);
+        let accelerations = self.acceleration.iter().zip(&self.acceleration[1..]);
+        let all = ends.zip(velocities.zip(accelerations));
+        all.fold(false, |any, ((start, end), ((one, other), (first, last)))| {
+            any | disagrees(self.time * (end - start), [*one, *other], [*first, *last])
+        })
+    }
 }
 
 fn closes(table: &Table, row: usize) -> bool {

@@ -239,6 +239,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
 
     /// Along columns: one for each order of each input, as `solve_batch` takes them. The number of rows is the length of the first column
     /// that has one.
+    ///
+    /// Limits between two rows are those on the straight line between their inputs, and their places are parts of the way from one row to the next.
     #[expect(clippy::cast_precision_loss, reason = "a table has far fewer rows than 2⁵³")]
     pub fn along(self, columns: InputMotions<M, Column<'_>>) -> Course<M, Along<'_, M>> {
         let orders = columns.as_ref().iter().flat_map(AsRef::as_ref);

@@ -1,16 +1,16 @@
 //! A tape in JavaScript.
 
-use std::collections::BTreeSet;
 use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::tape::c::expression::Expression;
+use crate::tape::body::{Body, Language};
+use crate::tape::expression::Expression;
 use crate::tape::runtime::{self, Parts};
 use crate::tape::signature::{Entry, Signature, head};
-use crate::tape::words::lines;
-use crate::tape::writer::{Dialect, Writer};
-use crate::tape::{Condition, Function, Node, Step, Tape, Value};
+use crate::tape::words::{lines, quoted};
+use crate::tape::writer::Dialect;
+use crate::tape::{Function, Node, Tape, Value};
 
 /// The words of the language, and the names that the module uses itself.
 const TAKEN: &[&str] = &[
@@ -105,7 +105,7 @@ const TAKEN: &[&str] = &[
     "constructor",
 ];
 
-struct JavaScript;
+pub(super) struct JavaScript;
 
 impl Dialect for JavaScript {
     fn number(&self, value: f64) -> Expression {
@@ -158,6 +158,75 @@ impl Dialect for JavaScript {
     }
 }
 
+impl Language for JavaScript {
+    const INDENT: &'static str = "  ";
+    const NAN: &'static str = "NaN";
+
+    fn unknown(index: usize) -> String {
+        format!("u$[{index}]")
+    }
+
+    fn root(search: usize, index: usize) -> String {
+        format!("root{search}$.unknowns[{index}]")
+    }
+
+    fn solution(solution: usize, index: usize) -> String {
+        format!("solution{solution}$[{index}]")
+    }
+
+    fn pair(angle: Value) -> [String; 2] {
+        ["sine", "cosine"].map(|name| format!("{name}{}$", angle.0))
+    }
+
+    fn assignment(names: &[&str], value: &str) -> String {
+        match names {
+            [name] => format!("const {name} = {value};"),
+            several => format!("const [{}] = {value};", several.join(", ")),
+        }
+    }
+
+    fn sine_cosine(angle: &str) -> String {
+        format!("kinSineCosine({angle})")
+    }
+
+    fn is_lost(search: usize) -> [String; 2] {
+        ["code", "detail"].map(|part| format!("root{search}$.{part}"))
+    }
+
+    fn is_singular(system: usize) -> [String; 2] {
+        ["code", "detail"].map(|part| format!("system{system}$.{part}"))
+    }
+
+    fn check(body: &mut Body<'_, Self>, index: usize, fails: &str, margin: impl FnOnce(&mut Body<'_, Self>) -> String) {
+        body.line(1, &format!("if ({fails}) {{"));
+        let margin = margin(body);
+        body.line(2, &format!("return failed({index}, {margin});"));
+        body.line(1, "}");
+    }
+
+    fn search(body: &mut Body<'_, Self>, index: usize) {
+        let search = &body.tape.searches[index];
+        let (guess, sizes) = (body.list(&search.guess), body.list(&search.sizes));
+        body.line(
+            1,
+            &format!("const root{index}$ = kinNewton({guess}, {sizes}, (u$) => {{"),
+        );
+        body.within(&search.body);
+        let (residuals, jacobian) = (body.list(&search.residuals), body.rows(&search.jacobian));
+        body.line(2, &format!("return [{residuals}, {jacobian}];"));
+        body.line(1, "});");
+    }
+
+    fn factor(body: &mut Body<'_, Self>, index: usize, rows: &str) {
+        body.line(1, &format!("const system{index}$ = kinFactor({rows});"));
+    }
+
+    fn solve(body: &mut Body<'_, Self>, index: usize, system: usize, right: &str) {
+        let text = format!("const solution{index}$ = kinSubstitute(system{system}$, {right});");
+        body.line(1, &text);
+    }
+}
+
 /// The function that rounds halves away from zero, which `Math.round` does not.
 const ROUND: &str = "
 /**
@@ -204,22 +273,59 @@ impl Tape {
     }
 }
 
+/// The names in the module of [`Tape::java_script`], for programs that call it.
+///
+/// A quantity keeps its name if it is one of JavaScript, in ASCII letters; the parts of a point `p` are `p_x` and `p_y`.
+///
+/// ```
+/// use kin_core::library::FiveBar;
+/// use kin_core::tape::{self, Options};
+///
+/// let names = tape::record::<FiveBar>(&Options::new())?.java_script_names();
+/// assert_eq!(names.inputs, ["alpha", "beta"]);
+/// assert_eq!(names.results, ["phi", "psi", "hand_x", "hand_y"]);
+/// # Ok::<(), tape::RecordError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct JavaScriptNames {
+    /// The members of `parameters`, in the order of the description; none if the dimensions are folded in.
+    pub parameters: Vec<String>,
+    /// The members of `inputs`.
+    pub inputs: Vec<String>,
+    /// The members of `assembly` that are values near the unknowns, in a mechanism with coupled blocks.
+    pub near: Vec<String>,
+    /// The members of `assembly` that choose between open and crossed. If there is only one, `assembly` is the choice itself.
+    pub assemblies: Vec<String>,
+    /// The members of `pose`: the unknowns, the outputs, and the partial derivatives if they are recorded.
+    pub results: Vec<String>,
+}
+
+impl Tape {
+    /// The names of all quantities in the module of [`java_script`](Self::java_script).
+    #[must_use]
+    pub fn java_script_names(&self) -> JavaScriptNames {
+        let signature = Signature::new(self, TAKEN);
+        let names = |entries: &[Entry]| entries.iter().map(|entry| entry.name.clone()).collect();
+        JavaScriptNames {
+            parameters: names(&signature.parameters),
+            inputs: names(&signature.inputs),
+            near: names(&signature.near),
+            assemblies: names(&signature.assemblies),
+            results: names(&signature.results),
+        }
+    }
+}
+
 /// A module while it is written.
 pub(super) struct Module<'a> {
-    tape: &'a Tape,
     signature: Signature,
-    writer: Writer<'a, JavaScript>,
-    /// The longest operand without a name of its own.
-    limit: Option<usize>,
-    /// The sines and cosines that are there, by their angles.
-    pairs: BTreeSet<Value>,
-    body: String,
+    body: Body<'a, JavaScript>,
 }
 
 impl<'a> Module<'a> {
     pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
         let signature = Signature::new(tape, TAKEN);
-        let mut writer = Writer::new(tape, JavaScript);
         let mut arguments = std::vec![String::new(); tape.arguments.len()];
         // A name with a dollar sign is never that of a quantity.
         for entry in signature.parameters.iter().chain(&signature.inputs) {
@@ -233,131 +339,12 @@ impl<'a> Module<'a> {
         for entry in signature.near.iter().chain(&signature.assemblies) {
             arguments[entry.places[0]] = format!("{}$near", entry.name);
         }
-        for place in 0..tape.nodes.len() {
-            let value = Value(u32::try_from(place).unwrap_or(u32::MAX));
-            match tape.nodes[place] {
-                Node::Argument(argument) => writer.name(value, arguments[argument].clone()),
-                Node::Unknown { index, .. } => writer.name(value, format!("u$[{index}]")),
-                Node::Root { search, index } => writer.name(value, format!("root{search}$.unknowns[{index}]")),
-                Node::Solution { solution, index } => writer.name(value, format!("solution{solution}$[{index}]")),
-                _ => {}
-            }
-        }
-        Self {
-            tape,
-            signature,
-            writer,
-            limit,
-            pairs: BTreeSet::new(),
-            body: String::new(),
-        }
+        let body = Body::new(tape, JavaScript, limit, |index| arguments[index].clone());
+        Self { signature, body }
     }
 
     fn line(&mut self, indent: usize, text: &str) {
-        for _ in 0..indent {
-            self.body.push_str("  ");
-        }
-        self.body.push_str(text);
-        self.body.push('\n');
-    }
-
-    /// The nodes of a group, each as a constant.
-    fn compute(&mut self, group: &[Value], indent: usize) {
-        let tape = self.tape;
-        for value in self.writer.named(group, self.limit) {
-            if let Node::Call(Function::Sine | Function::Cosine, angle) = tape.nodes[value.index()] {
-                if self.pairs.insert(angle) {
-                    let argument = self.writer.value(angle).text;
-                    self.line(
-                        indent,
-                        &format!("const [sine{0}$, cosine{0}$] = kinSineCosine({argument});", angle.0),
-                    );
-                }
-                let is_sine = matches!(tape.nodes[value.index()], Node::Call(Function::Sine, _));
-                let name = if is_sine { "sine" } else { "cosine" };
-                self.writer.name(value, format!("{name}{}$", angle.0));
-            } else {
-                let text = self.writer.operation(value).text;
-                self.line(indent, &format!("const {value} = {text};"));
-                self.writer.name(value, value.to_string());
-            }
-        }
-    }
-
-    fn list(&self, values: &[Value]) -> String {
-        let texts: Vec<String> = values.iter().map(|value| self.writer.value(*value).text).collect();
-        format!("[{}]", texts.join(", "))
-    }
-
-    fn rows(&self, rows: &[Vec<Value>]) -> String {
-        let rows: Vec<String> = rows.iter().map(|row| self.list(row)).collect();
-        format!("[{}]", rows.join(", "))
-    }
-
-    fn check(&mut self, index: usize) {
-        let check = &self.tape.checks[index];
-        let (condition, detail) = match check.condition {
-            Condition::Holds(truth) => (self.writer.value(truth).not().text, None),
-            Condition::Found(search) => (format!("root{search}$.code"), Some(format!("root{search}$.detail"))),
-            Condition::Regular(system) => (format!("system{system}$.code"), Some(format!("system{system}$.detail"))),
-        };
-        self.line(1, &format!("if ({condition}) {{"));
-        let before = self.pairs.clone();
-        self.compute(&check.cold, 2);
-        self.pairs = before;
-        let margin = match (check.margin, detail) {
-            (Some(margin), _) => self.writer.value(margin).text,
-            (None, Some(detail)) => detail,
-            (None, None) => "NaN".to_string(),
-        };
-        self.line(2, &format!("return failed({index}, {margin});"));
-        self.line(1, "}");
-    }
-
-    fn search(&mut self, index: usize) {
-        let search = &self.tape.searches[index];
-        let (guess, sizes) = (self.list(&search.guess), self.list(&search.sizes));
-        self.line(
-            1,
-            &format!("const root{index}$ = kinNewton({guess}, {sizes}, (u$) => {{"),
-        );
-        let before = self.pairs.clone();
-        self.compute(&search.body, 2);
-        self.pairs = before;
-        let (residuals, jacobian) = (self.list(&search.residuals), self.rows(&search.jacobian));
-        self.line(2, &format!("return [{residuals}, {jacobian}];"));
-        self.line(1, "});");
-    }
-
-    fn steps(&mut self) {
-        let tape = self.tape;
-        // Between checks all nodes are one group.
-        let all: Vec<Value> = tape.steps.iter().filter_map(Step::computed).collect();
-        let named = BTreeSet::from_iter(self.writer.named(&all, self.limit));
-        for step in &tape.steps {
-            match *step {
-                Step::Compute(value) => {
-                    if named.contains(&value) {
-                        self.compute(&[value], 1);
-                    }
-                }
-                Step::Check(index) => self.check(index),
-                Step::Search(index) => self.search(index),
-                Step::Factor(index) => {
-                    let rows = self.rows(&tape.systems[index].rows);
-                    self.line(1, &format!("const system{index}$ = kinFactor({rows});"));
-                }
-                Step::Solve(index) => {
-                    let solution = &tape.solutions[index];
-                    let right = self.list(&solution.right);
-                    let text = format!(
-                        "const solution{index}$ = kinSubstitute(system{}$, {right});",
-                        solution.system
-                    );
-                    self.line(1, &text);
-                }
-            }
-        }
+        self.body.line(indent, text);
     }
 
     fn opening(&mut self) {
@@ -399,23 +386,8 @@ impl<'a> Module<'a> {
 
     fn closing(&mut self) {
         self.line(1, "const pose = {");
-        let value = |place: usize| self.tape.results[place].value;
-        let mut entries: Vec<String> = Vec::new();
-        for entry in &self.signature.results {
-            let values: Vec<Value> = entry.places.iter().map(|place| value(*place)).collect();
-            entries.push(format!("{}: {},", entry.name, self.list(&values)));
-        }
-        for (name, list) in [("joints", &self.signature.joints), ("slides", &self.signature.slides)] {
-            if !list.is_empty() {
-                let rows: Vec<Vec<Value>> = list
-                    .iter()
-                    .map(|places| places.iter().map(|place| value(*place)).collect())
-                    .collect();
-                entries.push(format!("{name}: {},", self.rows(&rows)));
-            }
-        }
-        for entry in entries {
-            self.line(2, &entry);
+        for (name, list) in self.body.results(&self.signature) {
+            self.line(2, &format!("{name}: {list},"));
         }
         self.line(1, "};");
         self.line(1, "return { ok: true, pose };");
@@ -423,9 +395,9 @@ impl<'a> Module<'a> {
 
     pub(super) fn text(mut self) -> String {
         self.opening();
-        self.steps();
+        self.body.steps();
         self.closing();
-        let tape = self.tape;
+        let tape = self.body.tape;
         let mut text = comment(&head(tape), "");
         let parts = Parts::of(tape);
         let functions = runtime::java_script(parts);
@@ -447,7 +419,7 @@ impl<'a> Module<'a> {
         text.push('\n');
         text.push_str(&self.documentation());
         text.push_str("export function solve(parameters, inputs, assembly) {\n");
-        text.push_str(&self.body);
+        text.push_str(&self.body.text);
         text.push_str("}\n\n/**\n * @param {number} index\n * @param {number} margin\n * @returns {Failed}\n */\nfunction failed(index, margin) {\n  return { ok: false, ...CHECKS[index], margin };\n}\n");
         if tape
             .nodes
@@ -521,7 +493,7 @@ impl<'a> Module<'a> {
         let solve = [
             format!(
                 "The pose of the mechanism `{}`, or the check that failed.",
-                self.tape.description.name
+                self.body.tape.description.name
             ),
             "@param {Parameters} parameters".to_string(),
             "@param {Inputs} inputs".to_string(),
@@ -549,17 +521,6 @@ fn comment(texts: &[String], star: &str) -> String {
     }
     text.push_str(" */\n");
     text
-}
-
-/// A string of the language.
-fn quoted(text: &str) -> String {
-    format!(
-        "\"{}\"",
-        lines(text, usize::MAX)
-            .concat()
-            .replace('\\', "\\\\")
-            .replace('"', "\\\"")
-    )
 }
 
 /// The parts of the picture that do not move, as a constant.

@@ -15,8 +15,10 @@
 //! ```
 
 mod arrange;
+mod body;
 #[allow(clippy::format_push_string, reason = "a few kilobytes of text, piece by piece")]
 mod c;
+mod expression;
 mod java_script;
 mod node;
 mod print;
@@ -29,7 +31,7 @@ mod runtime;
 mod signature;
 mod stages;
 mod structure;
-mod words;
+pub(crate) mod words;
 mod writer;
 
 #[cfg(test)]
@@ -38,6 +40,7 @@ mod printing_tests;
 mod tests;
 
 pub use c::C;
+pub use java_script::JavaScriptNames;
 pub use node::{Comparison, Constant, Function, Node, Operator, Value};
 #[doc(hidden)]
 pub use record::record_at;

@@ -1,16 +1,16 @@
 //! A tape in Python, for arrays of NumPy.
 
-use std::collections::BTreeSet;
 use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::tape::c::expression::Expression;
+use crate::tape::body::{Body, Language};
+use crate::tape::expression::Expression;
 use crate::tape::runtime::{self, Parts};
 use crate::tape::signature::{Entry, Signature, head};
-use crate::tape::words::lines;
-use crate::tape::writer::{Dialect, Writer};
-use crate::tape::{Condition, Function, Node, Step, Tape, Value};
+use crate::tape::words::{lines, quoted};
+use crate::tape::writer::Dialect;
+use crate::tape::{Function, Node, Tape, Value};
 
 /// The words of the language, and the names that the module uses itself.
 const TAKEN: &[&str] = &[
@@ -79,7 +79,7 @@ const TAKEN: &[&str] = &[
     "annotations",
 ];
 
-struct Python;
+pub(super) struct Python;
 
 impl Dialect for Python {
     fn number(&self, value: f64) -> Expression {
@@ -153,6 +153,103 @@ impl Dialect for Python {
     }
 }
 
+impl Language for Python {
+    const INDENT: &'static str = "    ";
+    const NAN: &'static str = "np.nan";
+
+    fn unknown(index: usize) -> String {
+        format!("_u[{index}]")
+    }
+
+    fn root(search: usize, index: usize) -> String {
+        format!("_root{search}[{index}]")
+    }
+
+    fn solution(solution: usize, index: usize) -> String {
+        format!("_solution{solution}[{index}]")
+    }
+
+    fn pair(angle: Value) -> [String; 2] {
+        ["_sine", "_cosine"].map(|name| format!("{name}{}", angle.0))
+    }
+
+    fn assignment(names: &[&str], value: &str) -> String {
+        format!("{} = {value}", names.join(", "))
+    }
+
+    fn sine_cosine(angle: &str) -> String {
+        format!("_sine_cosine({angle})")
+    }
+
+    fn is_lost(search: usize) -> [String; 2] {
+        [format!("_outcome{search} != _FOUND"), format!("_detail{search}")]
+    }
+
+    fn is_singular(system: usize) -> [String; 2] {
+        [
+            format!("_system{system}.outcome != _FOUND"),
+            format!("_system{system}.detail"),
+        ]
+    }
+
+    fn check(body: &mut Body<'_, Self>, index: usize, fails: &str, margin: impl FnOnce(&mut Body<'_, Self>) -> String) {
+        body.line(1, &format!("_failing = np.logical_and(_check < 0, {fails})"));
+        body.line(1, "if np.any(_failing):");
+        let margin = margin(body);
+        body.line(2, &format!("_check = np.where(_failing, {index}, _check)"));
+        body.line(2, &format!("_margin = np.where(_failing, {margin}, _margin)"));
+    }
+
+    fn search(body: &mut Body<'_, Self>, index: usize) {
+        let search = &body.tape.searches[index];
+        let outer = body.tape.given(index);
+        let given = body.list(&outer);
+        // Inside, each is a parameter with a name of its own.
+        let inner: Vec<String> = (0..outer.len()).map(|place| format!("_g{place}")).collect();
+        let before = body.writer.names_of(&outer);
+        for (value, name) in outer.iter().zip(&inner) {
+            body.writer.name(*value, name.clone());
+        }
+        body.line(0, "");
+        let parameters: Vec<String> = inner.iter().map(|name| format!(", {name}: Array")).collect();
+        let parameters = parameters.concat();
+        body.line(
+            1,
+            &format!("def _equations{index}(_u: Array{parameters}) -> tuple[Array, Array]:"),
+        );
+        body.within(&search.body);
+        let (residuals, jacobian) = (body.list(&search.residuals), body.rows(&search.jacobian));
+        body.line(2, "_size = _u.shape[1]");
+        body.line(
+            2,
+            &format!("return _stacked({residuals}, _size), _stacked({jacobian}, _size)"),
+        );
+        for (value, name) in outer.iter().zip(before) {
+            body.writer.rename(*value, name);
+        }
+        let (guess, sizes) = (body.list(&search.guess), body.list(&search.sizes));
+        body.line(0, "");
+        body.line(1, &format!("_root{index}, _outcome{index}, _detail{index} = _newton("));
+        body.line(2, &format!("_stacked({guess}, _poses),"));
+        body.line(2, &format!("_stacked({sizes}, _poses),"));
+        body.line(2, &format!("_equations{index},"));
+        body.line(2, &format!("_stacked({given}, _poses),"));
+        body.line(2, "_check < 0,");
+        body.line(1, ")");
+    }
+
+    fn factor(body: &mut Body<'_, Self>, index: usize, rows: &str) {
+        body.line(1, &format!("_system{index} = _Factors(_stacked({rows}, _poses))"));
+    }
+
+    fn solve(body: &mut Body<'_, Self>, index: usize, system: usize, right: &str) {
+        body.line(
+            1,
+            &format!("_solution{index} = _system{system}.solve(_stacked({right}, _poses))"),
+        );
+    }
+}
+
 /// The function that rounds halves away from zero, which `np.round` does not.
 const ROUND: &str = r#"
 
@@ -208,14 +305,8 @@ impl Tape {
 
 /// A module while it is written.
 pub(super) struct Module<'a> {
-    tape: &'a Tape,
     signature: Signature,
-    writer: Writer<'a, Python>,
-    /// The longest operand without a name of its own.
-    limit: Option<usize>,
-    /// The sines and cosines that are there, by their angles.
-    pairs: BTreeSet<Value>,
-    body: String,
+    body: Body<'a, Python>,
 }
 
 /// The name of an argument. A name that ends with an underscore and a digit behind two is never that of a quantity.
@@ -225,167 +316,14 @@ fn argument(place: usize) -> String {
 
 impl<'a> Module<'a> {
     pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
-        let mut writer = Writer::new(tape, Python);
-        for place in 0..tape.nodes.len() {
-            let value = Value(u32::try_from(place).unwrap_or(u32::MAX));
-            match tape.nodes[place] {
-                Node::Argument(index) => writer.name(value, argument(index)),
-                Node::Unknown { index, .. } => writer.name(value, format!("_u[{index}]")),
-                Node::Root { search, index } => writer.name(value, format!("_root{search}[{index}]")),
-                Node::Solution { solution, index } => writer.name(value, format!("_solution{solution}[{index}]")),
-                _ => {}
-            }
-        }
         Self {
-            tape,
             signature: Signature::new(tape, TAKEN),
-            writer,
-            limit,
-            pairs: BTreeSet::new(),
-            body: String::new(),
+            body: Body::new(tape, Python, limit, argument),
         }
     }
 
     fn line(&mut self, indent: usize, text: &str) {
-        for _ in 0..indent {
-            self.body.push_str("    ");
-        }
-        self.body.push_str(text);
-        self.body.push('\n');
-    }
-
-    /// The nodes of a group, each as a variable.
-    fn compute(&mut self, group: &[Value], indent: usize) {
-        let tape = self.tape;
-        for value in self.writer.named(group, self.limit) {
-            if let Node::Call(Function::Sine | Function::Cosine, angle) = tape.nodes[value.index()] {
-                if self.pairs.insert(angle) {
-                    let argument = self.writer.value(angle).text;
-                    self.line(
-                        indent,
-                        &format!("_sine{0}, _cosine{0} = _sine_cosine({argument})", angle.0),
-                    );
-                }
-                let is_sine = matches!(tape.nodes[value.index()], Node::Call(Function::Sine, _));
-                let name = if is_sine { "_sine" } else { "_cosine" };
-                self.writer.name(value, format!("{name}{}", angle.0));
-            } else {
-                let text = self.writer.operation(value).text;
-                self.line(indent, &format!("{value} = {text}"));
-                self.writer.name(value, value.to_string());
-            }
-        }
-    }
-
-    fn list(&self, values: &[Value]) -> String {
-        let texts: Vec<String> = values.iter().map(|value| self.writer.value(*value).text).collect();
-        format!("[{}]", texts.join(", "))
-    }
-
-    fn rows(&self, rows: &[Vec<Value>]) -> String {
-        let rows: Vec<String> = rows.iter().map(|row| self.list(row)).collect();
-        format!("[{}]", rows.join(", "))
-    }
-
-    fn check(&mut self, index: usize) {
-        let check = &self.tape.checks[index];
-        let (condition, detail) = match check.condition {
-            Condition::Holds(truth) => (self.writer.dialect.not(&self.writer.value(truth)).text, None),
-            Condition::Found(search) => (format!("_outcome{search} != _FOUND"), Some(format!("_detail{search}"))),
-            Condition::Regular(system) => (
-                format!("_system{system}.outcome != _FOUND"),
-                Some(format!("_system{system}.detail")),
-            ),
-        };
-        self.line(1, &format!("_failing = np.logical_and(_check < 0, {condition})"));
-        self.line(1, "if np.any(_failing):");
-        let before = self.pairs.clone();
-        self.compute(&check.cold, 2);
-        self.pairs = before;
-        let margin = match (check.margin, detail) {
-            (Some(margin), _) => self.writer.value(margin).text,
-            (None, Some(detail)) => detail,
-            (None, None) => "np.nan".to_string(),
-        };
-        self.line(2, &format!("_check = np.where(_failing, {index}, _check)"));
-        self.line(2, &format!("_margin = np.where(_failing, {margin}, _margin)"));
-    }
-
-    fn search(&mut self, index: usize) {
-        let search = &self.tape.searches[index];
-        let given: Vec<String> = self
-            .writer
-            .given(index)
-            .iter()
-            .map(|value| self.writer.value(*value).text)
-            .collect();
-        // Inside, each is a parameter with a name of its own.
-        let inner: Vec<String> = (0..given.len()).map(|place| format!("_g{place}")).collect();
-        let outer = self.writer.given(index);
-        let before = (self.pairs.clone(), self.writer.names_of(&outer));
-        for (value, name) in outer.iter().zip(&inner) {
-            self.writer.name(*value, name.clone());
-        }
-        self.line(0, "");
-        let parameters = inner
-            .iter()
-            .map(|name| format!(", {name}: Array"))
-            .collect::<Vec<_>>()
-            .concat();
-        self.line(
-            1,
-            &format!("def _equations{index}(_u: Array{parameters}) -> tuple[Array, Array]:"),
-        );
-        self.compute(&search.body, 2);
-        let (residuals, jacobian) = (self.list(&search.residuals), self.rows(&search.jacobian));
-        self.line(2, "_size = _u.shape[1]");
-        self.line(
-            2,
-            &format!("return _stacked({residuals}, _size), _stacked({jacobian}, _size)"),
-        );
-        self.pairs = before.0;
-        for (value, name) in outer.iter().zip(before.1) {
-            self.writer.rename(*value, name);
-        }
-        let (guess, sizes) = (self.list(&search.guess), self.list(&search.sizes));
-        self.line(0, "");
-        self.line(1, &format!("_root{index}, _outcome{index}, _detail{index} = _newton("));
-        self.line(2, &format!("_stacked({guess}, _poses),"));
-        self.line(2, &format!("_stacked({sizes}, _poses),"));
-        self.line(2, &format!("_equations{index},"));
-        self.line(2, &format!("_stacked([{}], _poses),", given.join(", ")));
-        self.line(2, "_check < 0,");
-        self.line(1, ")");
-    }
-
-    fn steps(&mut self) {
-        let tape = self.tape;
-        let all: Vec<Value> = tape.steps.iter().filter_map(Step::computed).collect();
-        let named = BTreeSet::from_iter(self.writer.named(&all, self.limit));
-        for step in &tape.steps {
-            match *step {
-                Step::Compute(value) => {
-                    if named.contains(&value) {
-                        self.compute(&[value], 1);
-                    }
-                }
-                Step::Check(index) => self.check(index),
-                Step::Search(index) => self.search(index),
-                Step::Factor(index) => {
-                    let rows = self.rows(&tape.systems[index].rows);
-                    self.line(1, &format!("_system{index} = _Factors(_stacked({rows}, _poses))"));
-                }
-                Step::Solve(index) => {
-                    let solution = &tape.solutions[index];
-                    let right = self.list(&solution.right);
-                    let system = solution.system;
-                    self.line(
-                        1,
-                        &format!("_solution{index} = _system{system}.solve(_stacked({right}, _poses))"),
-                    );
-                }
-            }
-        }
+        self.body.line(indent, text);
     }
 
     fn opening(&mut self) {
@@ -435,36 +373,17 @@ impl<'a> Module<'a> {
         self.line(2, "reached=_reached.reshape(_shape),");
         self.line(2, "check=_check.reshape(_shape),");
         self.line(2, "margin=_margin.reshape(_shape),");
-        let value = |place: usize| self.tape.results[place].value;
-        let mut entries: Vec<String> = Vec::new();
-        for entry in &self.signature.results {
-            let values: Vec<Value> = entry.places.iter().map(|place| value(*place)).collect();
-            entries.push(format!("{}=_found({}),", entry.name, self.list(&values)));
-        }
-        for (name, list) in self.picture() {
-            let rows: Vec<Vec<Value>> = list
-                .iter()
-                .map(|places| places.iter().map(|place| value(*place)).collect())
-                .collect();
-            entries.push(format!("{name}=_found({}),", self.rows(&rows)));
-        }
-        for entry in entries {
-            self.line(2, &entry);
+        for (name, list) in self.body.results(&self.signature) {
+            self.line(2, &format!("{name}=_found({list}),"));
         }
         self.line(1, ")");
     }
 
-    /// The parts of the skeleton that are there.
-    fn picture(&self) -> impl Iterator<Item = (&'static str, &Vec<Vec<usize>>)> {
-        let parts = [("joints", &self.signature.joints), ("slides", &self.signature.slides)];
-        parts.into_iter().filter(|(_, list)| !list.is_empty())
-    }
-
     pub(super) fn text(mut self) -> String {
         self.opening();
-        self.steps();
+        self.body.steps();
         self.closing();
-        let tape = self.tape;
+        let tape = self.body.tape;
         let mut text = docstring(&head(tape), "");
         text.push_str(
             "from __future__ import annotations\n\nfrom collections.abc import Callable, Mapping, Sequence\n",
@@ -484,7 +403,7 @@ impl<'a> Module<'a> {
         text.push_str("\n\ndef _rate(motion: Sequence[npt.ArrayLike], order: int) -> npt.ArrayLike:\n    return motion[order] if order < len(motion) else 0.0\n");
         text.push_str(STACKED);
         text.push_str("\n\ndef _solve(parameters: Parameters, inputs: Inputs, assembly: Assembly) -> Pose:\n");
-        text.push_str(&self.body);
+        text.push_str(&self.body.text);
         if tape
             .nodes
             .iter()
@@ -544,12 +463,12 @@ impl<'a> Module<'a> {
             text.push_str(&documented("    ", &entry.text()));
             text.extend([format!("    {}: Array\n", entry.name)]);
         }
-        for (name, _) in self.picture() {
+        for (name, _) in signature.picture() {
             text.extend([format!("    #: The {name} of the skeleton: the first axes are the number and the coordinate.\n    {name}: Array\n")]);
         }
         text.push_str("\n\ndef solve(parameters: Parameters, inputs: Inputs, assembly: Assembly) -> Pose:\n");
         let of = [
-            format!("The poses of the mechanism `{}`.", self.tape.description.name),
+            format!("The poses of the mechanism `{}`.", self.body.tape.description.name),
             String::new(),
             "Every number may be an array. All of them are broadcast to one shape.".to_string(),
         ];
@@ -582,15 +501,4 @@ fn docstring(texts: &[String], indent: &str) -> String {
         String::new()
     };
     format!("{indent}\"\"\"{}{end}\"\"\"\n\n", text.trim_start())
-}
-
-/// A string of the language.
-fn quoted(text: &str) -> String {
-    format!(
-        "\"{}\"",
-        lines(text, usize::MAX)
-            .concat()
-            .replace('\\', "\\\\")
-            .replace('"', "\\\"")
-    )
 }

@@ -81,11 +81,6 @@ impl Options {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RecordError {
-    /// The range declared for an unknown chooses between two solutions at run time.
-    ChosenByRange {
-        /// The name of the unknown.
-        unknown: &'static str,
-    },
     /// The solver took a decision that is not a named check.
     DecidedByValue,
     /// The solver fails whatever its numbers are.
@@ -105,11 +100,6 @@ pub enum RecordError {
 impl fmt::Display for RecordError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::ChosenByRange { unknown } => write!(
-                formatter,
-                "the range declared for `{unknown}` chooses between two solutions at run time, which a tape does not \
-                 record; declare `{unknown}` without its range, and choose by the assembly"
-            ),
             Self::DecidedByValue => formatter.write_str(
                 "the solver took a decision that is not one of its named checks, so its record would hold for some numbers only",
             ),
@@ -248,9 +238,6 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
 
     // Which choice of the caller, or which side, each of the assemblies follows that the solver asks for.
     let plain = run(&[], Probe::default());
-    if let Some(unknown) = plain.recorder.refused {
-        return Err(RecordError::ChosenByRange { unknown });
-    }
     let mut sources: Vec<Source> = plain.recorder.asked.iter().map(|own| Source::Fixed(*own)).collect();
     let mut follow = |probe: Probe, source: &dyn Fn(bool) -> Source| {
         let crossed = run(&[], probe).recorder.asked;

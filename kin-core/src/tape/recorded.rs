@@ -262,17 +262,17 @@ impl<F: Number> Scalar for Recorded<F> {
         }
     }
 
+    fn all_assembled<const N: usize>(assembly: Assembly, open: [Self; N], crossed: [Self; N]) -> [Self; N] {
+        core::array::from_fn(|index| Self::assembled(assembly, || open[index], || crossed[index]))
+    }
+
     fn side(self) -> Assembly {
         let is_open = self.is_at_least(Self::constant(0.0));
-        with(|recorder| {
-            let number = recorder.sides.len();
-            recorder.sides.push(is_open);
-            if recorder.crossed_side == Some(number) {
-                Assembly::Crossed
-            } else {
-                Assembly::Open
-            }
-        })
+        with(|recorder| recorder.side(is_open))
+    }
+
+    fn agreeing<const N: usize, const K: usize>(near: [Self; N], _: [Self; K]) -> [Self; N] {
+        near
     }
 
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
@@ -280,10 +280,48 @@ impl<F: Number> Scalar for Recorded<F> {
     }
 
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
-        with(|recorder| recorder.refused = Some(choice.name()));
-        Err(Failure::NotFinite {
-            quantity: choice.name(),
-        })
+        Self::first_chosen([choice])
+    }
+
+    fn first_chosen<const N: usize, const K: usize>(choices: [impl Choose<Self, N>; K]) -> Result<Assembly, Failure> {
+        // Whether all criteria before found both solutions valid, and what the last of them that was asked chose.
+        let mut is_asked = Self::certainly(true);
+        let mut is_first = Self::certainly(true);
+        for (number, choice) in choices.iter().enumerate() {
+            let (operands, zero) = (choice.operands(), Self::constant(0.0));
+            let own = choice.validity(operands);
+            // The margin of numbers that are not finite is not finite.
+            let finite = operands
+                .into_iter()
+                .fold(Self::constant(f64::INFINITY), |sum, operand| sum + operand * zero);
+            let checks = [
+                ("finite solutions", own.are_finite, finite),
+                ("a solution in the range", own.has_one, own.margin_of_one),
+                (
+                    "only one solution in the range",
+                    Self::not(own.has_two),
+                    own.margin_of_two,
+                ),
+            ];
+            // Only the last criterion fails if both solutions are valid.
+            let count = if number + 1 == K { 3 } else { 2 };
+            for (name, condition, margin) in checks.into_iter().take(count) {
+                let condition = <Self as Real>::either(Self::not(is_asked), || condition);
+                let holds = with(|recorder| {
+                    let before = recorder.nodes.len();
+                    recorder.check(name, Condition::Holds(condition), Some(margin.value), before)
+                });
+                if !holds {
+                    return Err(Failure::NotFinite {
+                        quantity: choice.name(),
+                    });
+                }
+            }
+            let own_first = Self::both(is_asked, || own.is_first);
+            is_first = <Self as Real>::either(own_first, || Self::both(Self::not(is_asked), || is_first));
+            is_asked = Self::both(is_asked, || own.has_two);
+        }
+        Ok(with(|recorder| recorder.side(is_first)))
     }
 
     fn root<const N: usize>(

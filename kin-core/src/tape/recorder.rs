@@ -99,7 +99,6 @@ pub(super) struct Recorder {
     at: Vec<f64>,
     /// The value of each node there. Truths are 1 and 0, and a root is its guess.
     values: Vec<f64>,
-    pub(super) refused: Option<&'static str>,
 }
 
 impl Recorder {
@@ -125,7 +124,6 @@ impl Recorder {
             is_read: false,
             at: at.to_vec(),
             values: Vec::new(),
-            refused: None,
         }
     }
 
@@ -215,6 +213,17 @@ impl Recorder {
             self.events.push((before, Event::Check(at)));
         }
         self.fails != Some(number)
+    }
+
+    /// An assembly that depends on a truth.
+    pub(super) fn side(&mut self, is_open: Value) -> Assembly {
+        let number = self.sides.len();
+        self.sides.push(is_open);
+        if self.crossed_side == Some(number) {
+            Assembly::Crossed
+        } else {
+            Assembly::Open
+        }
     }
 
     /// The truth that an assembly is open, or the assembly itself if it is known.

@@ -62,6 +62,12 @@ pub(super) struct Signature {
 }
 
 impl Signature {
+    /// The parts of the skeleton that are there.
+    pub(super) fn picture(&self) -> impl Iterator<Item = (&'static str, &Vec<Vec<usize>>)> {
+        let parts = [("joints", &self.joints), ("slides", &self.slides)];
+        parts.into_iter().filter(|(_, list)| !list.is_empty())
+    }
+
     /// The quantities with names that are none of `taken`. A quantity has one name wherever it occurs.
     pub(super) fn new(tape: &Tape, taken: &'static [&'static str]) -> Self {
         let mut names = Names::new(taken);

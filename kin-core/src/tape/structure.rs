@@ -1,5 +1,6 @@
 //! A tape as data, for printers.
 
+use std::collections::BTreeSet;
 use std::string::String;
 use std::vec::Vec;
 
@@ -41,6 +42,29 @@ pub struct Tape {
     pub systems: Vec<System>,
     /// The solutions of those systems.
     pub solutions: Vec<Solution>,
+}
+
+impl Tape {
+    /// The nodes outside of a search, and no constants, that its equations need, in ascending order.
+    pub(super) fn given(&self, search: usize) -> Vec<Value> {
+        let own = &self.searches[search];
+        let mut given = BTreeSet::new();
+        let mut need = |value: Value| {
+            let is_plain = matches!(
+                self.nodes[value.index()],
+                Node::Constant(_) | Node::Certain(_) | Node::Unknown { .. }
+            );
+            if !is_plain && !own.body.contains(&value) {
+                given.insert(value);
+            }
+        };
+        for value in &own.body {
+            self.nodes[value.index()].operands(&mut need);
+        }
+        let equations = own.residuals.iter().chain(own.jacobian.iter().flatten());
+        equations.copied().for_each(&mut need);
+        given.into_iter().collect()
+    }
 }
 
 /// A number type.

@@ -175,3 +175,31 @@ fn a_tape_is_in_order() {
     }
     assert!(used.into_iter().all(|used| used));
 }
+
+mod coupled_and_named {
+    crate::mechanism! {
+        pub struct Delayed { pub r: Length, pub l: Length, pub k: Scalar }
+        input theta: Angle;
+        unknown phi: Angle, s: Length, e: Angle;
+        r * sin(theta) == l * sin(phi);
+        s == r * cos(theta) + l * cos(phi);
+        e - k * sin(e) == phi + theta;
+    }
+}
+
+/// A mechanism with both a coupled block and an assembly is recorded. Its assembly follows from the values nearby.
+#[test]
+fn assemblies_beside_coupled_blocks_are_recorded() {
+    use coupled_and_named::Delayed;
+
+    let tape = record::<Delayed>(&Options::new()).unwrap();
+    assert!(tape.searches.len() == 1 && tape.arguments.iter().all(|own| !matches!(own.role, Role::Assembly(_))));
+    let mechanism = Delayed { r: 0.4, l: 1.1, k: 0.3 };
+    let rates = [0.7, 2.0, -0.5, 0.3, 1.0];
+    for near in [[0.2, 1.3, 1.0], [3.0, -0.8, 4.0]] {
+        let pose = mechanism.solve_near(Motion::from(rates), near).unwrap();
+        let own = [pose.phi.derivatives(), pose.s.derivatives(), pose.e.derivatives()].concat();
+        let given = [&[0.4, 1.1, 0.3][..], &rates, &near].concat();
+        assert_eq!(bits(&tape.run(&given).unwrap()), bits(&own));
+    }
+}

@@ -6,13 +6,13 @@ use std::string::{String, ToString as _};
 use std::vec::Vec;
 
 /// Names that are told apart, none of which is a word of the language.
-pub(super) struct Names {
+pub(crate) struct Names {
     keywords: &'static [&'static str],
     taken: BTreeSet<String>,
 }
 
 impl Names {
-    pub(super) fn new(keywords: &'static [&'static str]) -> Self {
+    pub(crate) fn new(keywords: &'static [&'static str]) -> Self {
         Self {
             keywords,
             taken: BTreeSet::new(),
@@ -20,7 +20,7 @@ impl Names {
     }
 
     /// An identifier for a name as declared, different from all before.
-    pub(super) fn name(&mut self, declared: &str) -> String {
+    pub(crate) fn name(&mut self, declared: &str) -> String {
         let plain = identifier(declared);
         // Printers name their own variables so.
         let is_value = |name: &str| {
@@ -75,7 +75,7 @@ const GREEK: [(char, &str); 24] = [
 ];
 
 /// A name in letters, digits and underscores that begins with a letter.
-fn identifier(declared: &str) -> String {
+pub(crate) fn identifier(declared: &str) -> String {
     let declared = declared.strip_prefix("r#").unwrap_or(declared);
     let mut own = String::new();
     for letter in declared.chars() {
@@ -104,7 +104,7 @@ fn identifier(declared: &str) -> String {
 }
 
 /// A type's name in small letters with underscores: `FourBar` becomes `four_bar`.
-pub(super) fn snake(name: &str) -> String {
+pub(crate) fn snake(name: &str) -> String {
     let mut own = String::new();
     let letters: Vec<char> = identifier(name).chars().collect();
     for (place, letter) in letters.iter().enumerate() {
@@ -160,6 +160,12 @@ pub(super) fn of_order(name: &str, order: usize) -> String {
         4 => format!("{name}_snap"),
         _ => format!("{name}_order{order}"),
     }
+}
+
+/// A string literal of JavaScript or Python.
+pub(crate) fn quoted(text: &str) -> String {
+    let text = lines(text, usize::MAX).concat();
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::string::{String, ToString as _};
 use std::vec;
 use std::vec::Vec;
 
-use crate::tape::c::expression::Expression;
+use crate::tape::expression::Expression;
 use crate::tape::{Function, Node, Operator, Step, Tape, Value};
 
 /// The ways in which a language writes operations.
@@ -24,7 +24,7 @@ pub(super) trait Dialect {
 
     /// One number over another.
     fn quotient(&self, one: &Expression, other: &Expression) -> Expression {
-        one.product('/', other)
+        one.product("/", other)
     }
 
     /// Whether a number is finite.
@@ -168,13 +168,13 @@ impl<'a, D: Dialect> Writer<'a, D> {
             Node::Certain(holds) => dialect.truth(holds),
             Node::Call(Function::Negate, one) => of(one).negated(),
             Node::Call(function, one) => dialect.call(function, &of(one)),
-            Node::Binary(Operator::Add, one, other) => of(one).sum('+', &of(other)),
-            Node::Binary(Operator::Subtract, one, other) => of(one).sum('-', &of(other)),
-            Node::Binary(Operator::Multiply, one, other) => of(one).product('*', &of(other)),
+            Node::Binary(Operator::Add, one, other) => of(one).sum("+", &of(other)),
+            Node::Binary(Operator::Subtract, one, other) => of(one).sum("-", &of(other)),
+            Node::Binary(Operator::Multiply, one, other) => of(one).product("*", &of(other)),
             Node::Binary(Operator::Divide, one, other) => dialect.quotient(&of(one), &of(other)),
             Node::Binary(Operator::ArcTangent, y, x) => dialect.angle(&of(y), &of(x)),
-            Node::PlusProduct(sum, one, other) => of(sum).sum('+', &of(one).product('*', &of(other))),
-            Node::MinusProduct(sum, one, other) => of(sum).sum('-', &of(one).product('*', &of(other))),
+            Node::PlusProduct(sum, one, other) => of(sum).sum("+", &of(one).product("*", &of(other))),
+            Node::MinusProduct(sum, one, other) => of(sum).sum("-", &of(one).product("*", &of(other))),
             Node::Select(truth, one, other) => dialect.select(&of(truth), &of(one), &of(other)),
             Node::Compare(comparison, one, other) => of(one).compared(comparison, &of(other)),
             Node::IsFinite(one) => dialect.is_finite(&of(one)),
@@ -186,31 +186,5 @@ impl<'a, D: Dialect> Writer<'a, D> {
                 Expression::whole(value.to_string())
             }
         }
-    }
-
-    /// The nodes outside of a search, and no constants, that its equations need, in ascending order.
-    pub(super) fn given(&self, search: usize) -> Vec<Value> {
-        let own = &self.tape.searches[search];
-        let mut given = Vec::new();
-        let mut need = |value: Value| {
-            let is_plain = matches!(
-                self.tape.nodes[value.index()],
-                Node::Constant(_) | Node::Certain(_) | Node::Unknown { .. }
-            );
-            if !is_plain && !own.body.contains(&value) {
-                given.push(value);
-            }
-        };
-        for value in &own.body {
-            self.tape.nodes[value.index()].operands(&mut need);
-        }
-        own.residuals
-            .iter()
-            .chain(own.jacobian.iter().flatten())
-            .copied()
-            .for_each(&mut need);
-        given.sort_unstable();
-        given.dedup();
-        given
     }
 }

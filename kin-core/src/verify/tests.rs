@@ -13,7 +13,7 @@ use crate::mechanism::{Block, BlockForm, Description, Formula, Formulas, Mechani
 use crate::motion::Motion;
 use crate::number::{Number, Operations};
 use crate::picture::{Outline, TransmissionAngle};
-use crate::quantity::{Dimension, Quantity};
+use crate::quantity::Quantity;
 use crate::solve::Scalar;
 
 /// The tests read no formulas.
@@ -52,11 +52,7 @@ impl<T: Scalar> Pose for HyperbolaPose<T> {
 }
 
 const fn quantity(name: &'static str) -> Quantity {
-    Quantity {
-        name,
-        dimension: Dimension::Length,
-        description: "",
-    }
+    Quantity::length(name, "")
 }
 
 /// The n-th derivative of a product without the terms that contain an n-th derivative of a factor, by Leibniz's rule.

@@ -4,7 +4,9 @@ mod circuits;
 mod diagrams;
 mod gallery;
 mod laws;
+mod page;
 mod peaks;
+mod problems;
 mod rates;
 mod walking;
 
@@ -27,6 +29,7 @@ pub struct Figure {
 /// Where a mechanism does not close, or where there is no such motion law; the numbers of the figures are such that neither happens.
 pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
     let mut figures = vec![
+        page::page()?,
         diagrams::four_bar()?,
         diagrams::open_and_crossed()?,
         diagrams::dyads(),
@@ -37,6 +40,9 @@ pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
         circuits::circuits()?,
         peaks::peaks()?,
         walking::walking()?,
+        problems::straight_lines()?,
+        problems::flat_steps()?,
+        problems::eighteen_points()?,
         diagrams::pipeline(),
     ];
     figures.extend(gallery()?.iter().map(Entry::figure));

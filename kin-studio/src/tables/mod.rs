@@ -16,9 +16,12 @@
 //! ```
 
 mod csv;
+mod exact;
 mod json;
 #[cfg(test)]
 mod tests;
+
+pub use exact::{ExactJson, JsonError};
 
 use std::io;
 use std::path::Path;
@@ -85,7 +88,7 @@ fn outcome(outcome: Outcome) -> &'static str {
 }
 
 /// The kind of a limit in a few words.
-fn kind(kind: LimitKind) -> &'static str {
+pub(crate) fn kind(kind: LimitKind) -> &'static str {
     match kind {
         LimitKind::TurningPoint => "limit position",
         LimitKind::ChangePoint => "change point",

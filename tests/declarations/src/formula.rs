@@ -84,6 +84,16 @@ impl Formula {
         Self::operand(format!("{}.{axis}", self.bound(Binding::Operand)))
     }
 
+    /// Whether it is made of numbers alone.
+    pub(crate) fn is_constant(&self) -> bool {
+        let is_of_word = |letter: char| letter.is_alphanumeric() || letter == '_';
+        let mut words = self
+            .text
+            .split(|letter| !is_of_word(letter))
+            .filter(|word| !word.is_empty());
+        words.all(|word| word == "PI" || word.starts_with(|letter: char| letter.is_ascii_digit()))
+    }
+
     pub(crate) fn in_parentheses(&self) -> Self {
         Self::operand(format!("({self})"))
     }
@@ -107,6 +117,16 @@ impl Display for Formula {
 #[cfg(test)]
 mod tests {
     use super::Formula;
+
+    #[test]
+    fn numbers_are_constant_and_names_are_not() {
+        for text in ["2f64", "-1E0 / 0.1_5", "25e-2 * (PI - 3.0f64)"] {
+            assert!(Formula::operand(text).is_constant(), "{text}");
+        }
+        for text in ["a1", "cos(2)", "2 * _a", "PI2"] {
+            assert!(!Formula::operand(text).is_constant(), "{text}");
+        }
+    }
 
     #[test]
     fn parentheses_stand_where_they_are_needed() {

@@ -156,7 +156,17 @@ impl Writer<'_> {
     ) -> Formula {
         let left = self.formula(left, depth);
         let right = self.formula(right, depth);
-        operation(&left, &right)
+        self.unless_constant(operation(&left, &right), left)
+    }
+
+    /// The formula, or a part of it if it is made of numbers alone: two numbers together may be more than a turn, and that is no angle in
+    /// radians.
+    fn unless_constant(&self, formula: Formula, part: Formula) -> Formula {
+        if self.temper == Temper::Tame && formula.is_constant() {
+            part
+        } else {
+            formula
+        }
     }
 
     /// The formulas of every shape except a rotation: sums, signs, and products with a scalar.
@@ -183,7 +193,8 @@ impl Writer<'_> {
         let Measure { shape, exponent } = measure;
         if self.temper == Temper::Tame {
             let dividend = self.formula(measure, depth);
-            return dividend.over(&Formula::operand(numbers::ordinary(self.random)));
+            let quotient = dividend.over(&Formula::operand(numbers::ordinary(self.random)));
+            return self.unless_constant(quotient, dividend);
         }
         let by = self.random.below(2);
         let by = i32::from(by == 1);
@@ -237,8 +248,13 @@ impl Writer<'_> {
         }
         let base = exponent.checked_div(power).unwrap_or(1);
         let base = self.formula(Measure::new(Shape::Scalar, base), depth);
-        let arguments = [base, Formula::operand(power.to_string())];
-        if self.random.one_in(2) {
+        let arguments = [base.clone(), Formula::operand(power.to_string())];
+        let is_method = self.random.one_in(2);
+        if self.temper == Temper::Tame && base.is_constant() {
+            // as for two numbers together
+            return base;
+        }
+        if is_method {
             Formula::method("powi", &arguments)
         } else {
             Formula::call("powi", &arguments)

@@ -5,8 +5,16 @@ use std::fmt::Write;
 
 use kin_core::verify::{Report, Sampling};
 
-/// Verifies a mechanism.
-type Verify = fn() -> Report;
+/// What is found of a mechanism.
+type Found = Report;
+/// How it is found.
+type Find = fn() -> Found;
+
+macro_rules! of {
+    ($mechanism:ident) => {
+        super::SAMPLING.mechanism::<$mechanism>()
+    };
+}
 
 include!(concat!(env!("OUT_DIR"), "/sample.rs"));
 

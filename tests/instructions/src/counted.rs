@@ -10,6 +10,47 @@ use kin_core::library::{
 };
 use kin_core::prelude::*;
 
+mechanism! {
+    /// A four-bar linkage of which the rocker's range chooses the assembly.
+    struct RangedFourBar {
+        r1: Length,
+        r2: Length,
+        r3: Length,
+        r4: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle in 0.0..=PI;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+mechanism! {
+    /// A four-bar linkage of which the rocker's range decides where the coupler's holds both solutions.
+    struct TwiceRangedFourBar {
+        r1: Length,
+        r2: Length,
+        r3: Length,
+        r4: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle in -PI / 2..=PI / 2, theta4: Angle in 0.0..=PI;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+mechanism! {
+    /// A slider-crank on an inclined slide, with its slider on the near side.
+    struct RangedSliderCrank {
+        r: Length,
+        l: Length,
+        incline: Angle,
+    }
+    input theta: Angle;
+    unknown phi: Angle, s: Length where s < 0;
+
+    r * cis(theta) + l * cis(phi) == s * cis(incline);
+}
+
 /// How often each function is called, every time for another pose.
 pub(crate) const POSES: u64 = 16;
 
@@ -62,6 +103,24 @@ fn inverted_slider_crank_solve(
 }
 
 #[inline(never)]
+fn ranged_four_bar_solve(linkage: &RangedFourBar, crank: Motion) -> Result<RangedFourBarSnap, SolveError> {
+    linkage.solve(crank)
+}
+
+#[inline(never)]
+fn twice_ranged_four_bar_solve(
+    linkage: &TwiceRangedFourBar,
+    crank: Motion,
+) -> Result<TwiceRangedFourBarSnap, SolveError> {
+    linkage.solve(crank)
+}
+
+#[inline(never)]
+fn ranged_slider_crank_solve(linkage: &RangedSliderCrank, crank: Motion) -> Result<RangedSliderCrankSnap, SolveError> {
+    linkage.solve(crank)
+}
+
+#[inline(never)]
 fn class_three_triad_solve(
     triad: &ClassThreeTriad,
     legs: [Motion; 3],
@@ -98,6 +157,23 @@ pub(crate) fn run() -> Result<(), SolveError> {
     };
     let slider_crank = SliderCrank { r: 0.1, l: 0.3 };
     let inverted = InvertedSliderCrank { r1: 2.0, r2: 0.8 };
+    let ranged = RangedFourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let twice_ranged = TwiceRangedFourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let ranged_slider_crank = RangedSliderCrank {
+        r: 1.0,
+        l: 3.0,
+        incline: 0.4,
+    };
     let root = 3.0_f64.sqrt();
     let triad = ClassThreeTriad {
         base_b: Plane::new(2.0 * root, 0.0),
@@ -124,6 +200,9 @@ pub(crate) fn run() -> Result<(), SolveError> {
         ))?;
         count!(slider_crank_solve(&slider_crank, crank))?;
         count!(inverted_slider_crank_solve(&inverted, crank))?;
+        count!(ranged_four_bar_solve(&ranged, crank))?;
+        count!(twice_ranged_four_bar_solve(&twice_ranged, crank))?;
+        count!(ranged_slider_crank_solve(&ranged_slider_crank, crank))?;
 
         // about the position that the library's documentation has, to which the guess belongs
         let leg = |way: f64| Motion::from([5.0_f64.sqrt() + 0.2 * t * way, 0.1 * way, 0.2, -0.1, 0.3]);

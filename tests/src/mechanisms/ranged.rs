@@ -123,3 +123,48 @@ mechanism! {
 
     x == a * t;
 }
+
+mechanism! {
+    /// A four-bar linkage with its coupler on the right: where both couplers are, the rocker's range decides.
+    pub struct RangedTwice {
+        r1: Length,
+        r2: Length,
+        r3: Length,
+        r4: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle in -PI / 2..=PI / 2, theta4: Angle in 0.0..=PI;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+mechanism! {
+    /// A slider-crank on an inclined slide, with its slider on the near side: the rod's range decides where both are.
+    pub struct RangedIncline {
+        r: Length,
+        l: Length,
+        incline: Angle,
+    }
+    input theta: Angle;
+    unknown s: Length in -10..=0, phi: Angle in PI..=2 * PI;
+
+    r * cis(theta) + l * cis(phi) == s * cis(incline);
+}
+
+mechanism! {
+    /// A ranged dyad between two that the caller chooses.
+    pub struct RangedBetween {
+        r1: Length,
+        r2: Length,
+        r3: Length,
+        r4: Length,
+        r5: Length,
+        r6: Length,
+    }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle, theta5: Angle in 0.0..=PI, theta6: Angle, theta7: Angle, theta8: Angle;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+    r4 * cis(theta4) + r5 * cis(theta5) == r1 + r6 * cis(theta6);
+    r6 * cis(theta6) + r3 * cis(theta7) == r1 + r4 * cis(theta8);
+}

@@ -8,6 +8,9 @@ use kin_precise::Number;
 use super::closure::Given;
 use super::solution::{Stray, solution};
 
+/// A number that cannot be told from zero: the reference has 77 digits, and finds zeros by differences.
+const NOTHING: f64 = 1e-100;
+
 /// The worst errors of a mechanism, order by order.
 #[derive(Clone, Debug)]
 pub struct Errors {
@@ -54,7 +57,7 @@ impl Errors {
                 let error = error.nearest().abs();
                 let unit = epsilon * reference.conditions[index][order];
                 // what is exact is so where there is no unit, too
-                let units = if error == 0.0 { 0.0 } else { error / unit };
+                let units = if error <= NOTHING { 0.0 } else { error / unit };
                 if units > self.worst[order] {
                     self.worst[order] = units;
                     self.places[order] = format!(

@@ -42,7 +42,7 @@ pub(crate) const CORE: House = House {
     name: "kin-core",
     source: "kin-core/src",
     faces: &["lib.rs", "prelude.rs", "private.rs"],
-    root_items: &["storable"],
+    root_items: &["storable", "each_library_mechanism"],
     rooms: &[
         room("number", &["number/"], "numbers and rows"),
         room("geometry", &["geometry/"], "vectors and rotations"),
@@ -63,6 +63,7 @@ pub(crate) const CORE: House = House {
         room("extremes", &["extremes/"], "peaks, means"),
         room("cycle", &["cycle/"], "circuits, branches"),
         room("tape", &["tape/"], "solvers as data"),
+        room("exact", &["exact/"], "exact tables"),
         room("stored", &["stored/"], "traits of serde"),
         room("interop", &["interop/"], "other crates' types"),
         room("verify", &["verify/"], "two oracles"),

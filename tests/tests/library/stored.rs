@@ -125,14 +125,7 @@ macro_rules! travel {
 
 #[test]
 fn all_mechanisms_of_the_library_travel() {
-    travel! {
-        AndrewsSqueezer Bennett ChebyshevLinkage ClassThreeTriad FiveBar FourBar FreudensteinFourBar GearedFiveBar
-        GeometricFourBar HoekenLinkage InvertedSliderCrank JansenLeg KlannLeg OffsetSliderCrank Pantograph
-        PeaucellierLinkage RobertsLinkage Rssp Rssr ScotchYoke SliderCrank SliderCrankFirstApproximation
-        SliderCrankHigherApproximation SphericalFourBar StephensonI StephensonIByDyad StephensonII StephensonIIByElbow
-        StephensonIII StephensonIIIByDyad StewartGoughLeg UniversalJoint WattI WattIByDyad WattII WattIIByCouplers
-        WhitworthQuickReturn
-    }
+    kin_core::each_library_mechanism!(travel);
 }
 
 mechanism! {

@@ -1,5 +1,7 @@
 //! Full cycles of random linkages: dense scans find nothing else, and labels say what the cycles find.
 
+use core::fmt;
+
 use kin_core::cycle::{BlockClass, Branch, Cycle, EndKind, FullCycle, InvertedSliderCrankType, SliderCrankType};
 use kin_core::library::{
     StephensonI, StephensonIByDyad, StephensonII, StephensonIIByElbow, StephensonIII, StephensonIIIByDyad, WattI,
@@ -91,9 +93,8 @@ where
     Ok(())
 }
 
-/// Random six-bars of all kinds, with both drives: a dense scan finds no position beside those of the cycle.
-#[test]
-fn six_bars_have_no_other_position() {
+/// Random six-bars of some of the ten kinds below: a dense scan finds no position beside those of the cycle.
+fn assert_scans_find_nothing_else(kinds: core::ops::Range<usize>) {
     let mut random = Random::new(71);
     let mut counts = [0; 2];
     let mut wrong = Vec::new();
@@ -101,6 +102,9 @@ fn six_bars_have_no_other_position() {
         let [r1, r2, r3, r4, r5, r6] = [(); 6].map(|()| random.between(0.8, 4.0));
         let [p, q] = [(); 2].map(|()| Plane::new(random.between(-2.0, 2.0), random.between(-2.0, 2.0)));
         let pivot = Plane::new(random.between(-5.0, 5.0), random.between(-5.0, 5.0));
+        if !kinds.contains(&(round % 10)) {
+            continue;
+        }
         let result = match round % 10 {
             0 => scan(
                 WattI {
@@ -247,7 +251,24 @@ fn six_bars_have_no_other_position() {
     }
     println!("{} circuits, {} branches", counts[0], counts[1]);
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
-    assert!(counts[0] > samples::of(200) && counts[1] > counts[0]);
+    assert!(counts[0] > samples::of(200) * kinds.len() / 10 && counts[1] > counts[0]);
+}
+
+#[test]
+fn six_bars_of_dyads_have_no_other_position() {
+    assert_scans_find_nothing_else(0..5);
+}
+
+#[test]
+#[cfg_attr(not(feature = "every-case"), ignore = "a long scan, for the feature every-case")]
+fn watt_six_bars_of_coupled_loops_have_no_other_position() {
+    assert_scans_find_nothing_else(5..7);
+}
+
+#[test]
+#[cfg_attr(not(feature = "every-case"), ignore = "a long scan, for the feature every-case")]
+fn stephenson_six_bars_of_coupled_loops_have_no_other_position() {
+    assert_scans_find_nothing_else(7..10);
 }
 
 /// The whole turns of a circuit's input and of an angle, if it returns.
@@ -263,36 +284,40 @@ fn told<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> (Vec<Turns>, bool) {
     (turns.collect(), ends.any(|end| end.kind == EndKind::ChangePoint))
 }
 
-/// The labels of slider-cranks say which links turn, for whole lengths, of which many have change points.
-#[test]
-fn labels_of_slider_cranks_agree_with_the_cycle() {
-    let mut random = Random::new(72);
+/// What a label says of the turns along each circuit, or nothing for a linkage with a change point.
+type Expected = Option<Vec<Turns>>;
+
+/// Compares the labels of random linkages of whole lengths, of which many have change points, with their cycles. There are four labels, and
+/// each of them, as well as none, occurs often. `label` gives the index of a label with what it says; `is_alone` says whether all positions
+/// of a linkage with a change point are on one circuit.
+fn assert_labels_agree<M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]> + fmt::Debug>(
+    seed: u64,
+    linkage: impl Fn([f64; 3]) -> M,
+    label: impl Fn(&M) -> Option<(usize, Expected)>,
+    is_alone: impl Fn(&M) -> bool,
+) {
+    let mut random = Random::new(seed);
     let mut counts = [0_usize; 5];
     for _ in 0..samples::of(10_000) {
-        let [crank, coupler] = [(); 2].map(|()| random.between(1.0, 13.0).floor());
+        let [first, second] = [(); 2].map(|()| random.between(1.0, 13.0).floor());
         let offset = random.between(0.0, 13.0).floor();
-        let mechanism = OffsetSliderCrank { crank, coupler, offset };
-        let [form, _] = mechanism.block_forms();
-        let label = match BlockClass::of(&form) {
-            Some(BlockClass::SliderCrank(label)) => Some(label),
-            None => None,
-            other => panic!("{mechanism:?} {form:?} {other:?}"),
-        };
+        let mechanism = linkage([first, second, offset]);
+        let label = label(&mechanism);
         let cycle = mechanism.cycle().unwrap();
         let (turns, has_change_point) = told(&cycle);
         let context = format!("{mechanism:?} {label:?} {cycle:?}");
-        let expected = match label {
-            None => vec![],
-            Some(SliderCrankType::TurningCrank) => vec![(Some(1), Some(0)); 2],
-            Some(SliderCrankType::TurningCoupler) => vec![(Some(0), Some(1)); 2],
-            Some(SliderCrankType::Swinging) => vec![(Some(0), Some(0))],
-            Some(SliderCrankType::ChangePoint) => {
-                counts[4] += 1;
-                assert!(has_change_point && turns.len() == 1, "{context}");
-                continue;
-            }
+        let (count, expected) = match label {
+            None => (0, Some(vec![])),
+            Some((index, expected)) => (1 + index, expected),
         };
-        counts[label.map_or(0, |label| 1 + label as usize)] += 1;
+        counts[count] += 1;
+        let Some(expected) = expected else {
+            assert!(
+                has_change_point && (!is_alone(&mechanism) || turns.len() == 1),
+                "{context}"
+            );
+            continue;
+        };
         assert!(cycle.is_complete() && !has_change_point, "{context}");
         assert_eq!(turns, expected, "{context}");
     }
@@ -302,43 +327,84 @@ fn labels_of_slider_cranks_agree_with_the_cycle() {
     );
 }
 
+/// The labels of slider-cranks say which links turn.
+#[test]
+fn labels_of_slider_cranks_agree_with_the_cycle() {
+    assert_labels_agree(
+        72,
+        |[crank, coupler, offset]| OffsetSliderCrank { crank, coupler, offset },
+        |mechanism| {
+            let [form, _] = mechanism.block_forms();
+            let label = match BlockClass::of(&form)? {
+                BlockClass::SliderCrank(label) => label,
+                other => panic!("{mechanism:?} {form:?} {other:?}"),
+            };
+            let expected = match label {
+                SliderCrankType::TurningCrank => Some(vec![(Some(1), Some(0)); 2]),
+                SliderCrankType::TurningCoupler => Some(vec![(Some(0), Some(1)); 2]),
+                SliderCrankType::Swinging => Some(vec![(Some(0), Some(0))]),
+                SliderCrankType::ChangePoint => None,
+            };
+            Some((label as usize, expected))
+        },
+        |_| true,
+    );
+}
+
 /// The labels of inverted slider-cranks say which links turn.
 #[test]
 fn labels_of_inverted_slider_cranks_agree_with_the_cycle() {
-    let mut random = Random::new(73);
-    let mut counts = [0_usize; 5];
-    for _ in 0..samples::of(10_000) {
-        let [ground, crank] = [(); 2].map(|()| random.between(1.0, 13.0).floor());
-        let offset = random.between(0.0, 13.0).floor();
-        let mechanism = OffsetInvertedSliderCrank { ground, crank, offset };
-        let [form] = mechanism.block_forms();
-        let label = match BlockClass::of(&form) {
-            Some(BlockClass::InvertedSliderCrank(label)) => Some(label),
-            None => None,
-            other => panic!("{mechanism:?} {form:?} {other:?}"),
+    assert_labels_agree(
+        73,
+        |[ground, crank, offset]| OffsetInvertedSliderCrank { ground, crank, offset },
+        |mechanism| {
+            let [form] = mechanism.block_forms();
+            let label = match BlockClass::of(&form)? {
+                BlockClass::InvertedSliderCrank(label) => label,
+                other => panic!("{mechanism:?} {form:?} {other:?}"),
+            };
+            let expected = match label {
+                InvertedSliderCrankType::TurningLink => Some(vec![(Some(1), Some(1)); 2]),
+                InvertedSliderCrankType::SwingingLink => Some(vec![(Some(1), Some(0)); 2]),
+                InvertedSliderCrankType::SwingingCrank => Some(vec![(Some(0), Some(0))]),
+                InvertedSliderCrankType::ChangePoint => None,
+            };
+            Some((label as usize, expected))
+        },
+        // A slide that comes to stand on the pivot of its link leaves the link free to turn there, and no position is alone.
+        |mechanism| mechanism.ground != mechanism.crank,
+    );
+}
+
+/// A crank as long as the ground brings the slide to the pivot of its link, which turns freely there and connects both branches.
+#[test]
+fn a_free_link_connects_branches() {
+    let mut random = Random::new(74);
+    for _ in 0..samples::of(200) {
+        let length = 10.0_f64.powf(random.between(-3.0, 3.0));
+        let mechanism = OffsetInvertedSliderCrank {
+            ground: length,
+            crank: length,
+            offset: 0.0,
         };
         let cycle = mechanism.cycle().unwrap();
-        let (turns, has_change_point) = told(&cycle);
-        let context = format!("{mechanism:?} {label:?} {cycle:?}");
-        let expected = match label {
-            None => vec![],
-            Some(InvertedSliderCrankType::TurningLink) => vec![(Some(1), Some(1)); 2],
-            Some(InvertedSliderCrankType::SwingingLink) => vec![(Some(1), Some(0)); 2],
-            Some(InvertedSliderCrankType::SwingingCrank) => vec![(Some(0), Some(0))],
-            Some(InvertedSliderCrankType::ChangePoint) => {
-                counts[4] += 1;
-                // A slide that comes to stand on the pivot of its link leaves the link free to turn there, and no position is alone.
-                let turns_freely = ground == crank;
-                assert!(has_change_point && (turns_freely || turns.len() == 1), "{context}");
-                continue;
-            }
-        };
-        counts[label.map_or(0, |label| 1 + label as usize)] += 1;
-        assert!(cycle.is_complete() && !has_change_point, "{context}");
-        assert_eq!(turns, expected, "{context}");
+        assert!(cycle.is_complete(), "{cycle:?}");
+        assert_eq!((cycle.circuits().len(), cycle.branches().len()), (1, 2), "{cycle:?}");
+        for branch in cycle.branches() {
+            assert_eq!(
+                branch.ends().map(|end| end.kind),
+                [EndKind::ChangePoint; 2],
+                "{cycle:?}"
+            );
+            assert_eq!(branch.joins().map(<[usize]>::len), [3; 2], "{cycle:?}");
+        }
     }
-    assert!(
-        counts.iter().all(|count| *count > samples::of(10_000) / 50),
-        "{counts:?}"
-    );
+    let mut counts = [0; 2];
+    let mechanism = OffsetInvertedSliderCrank {
+        ground: 2.0,
+        crank: 2.0,
+        offset: 0.0,
+    };
+    scan(mechanism, 1400, &mut counts).unwrap();
+    assert_eq!(counts, [1, 2]);
 }

@@ -8,6 +8,7 @@ use std::path::Path;
 
 use kin_core::library::FourBar;
 use kin_core::{Assembly, Mechanism, Motion, Pose as _, Row};
+use kin_tests::batches;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::reference::{Errors, Given, Kind, Pose, poses, solution};
 
@@ -39,26 +40,39 @@ fn double<M: ThroughSnap>(poses: &[Pose<M>]) -> Errors {
     errors
 }
 
-/// The errors in single precision, of all poses but those near limits: they are as near as double precision can tell.
-fn single<M: ThroughSnap>(poses: &[Pose<M>]) -> Errors {
-    type Single<M> = <M as Mechanism>::With<f32>;
+/// A mechanism in single precision.
+type Narrow<M> = <M as Mechanism>::With<f32>;
+
+/// Poses in single precision, the assembly of each, and the numbers that are given, for the reference.
+struct Narrowed<M: ThroughSnap> {
+    poses: batches::Poses<Narrow<M>>,
+    assemblies: Vec<M::Assembly>,
+    given: Vec<(Given, String)>,
+}
+
+/// The poses rounded to single precision, without those near limits: they are as near as double precision can tell.
+fn narrowed<M: ThroughSnap>(poses: &[Pose<M>]) -> Narrowed<M> {
     #[expect(
         clippy::cast_possible_truncation,
         reason = "the nearest single-precision number is meant"
     )]
     let nearest = |value: f64| value as f32;
-    let mut errors = Errors::new::<M>();
+    let mut narrowed = Narrowed::<M> {
+        poses: batches::Poses {
+            mechanisms: Vec::new(),
+            inputs: Vec::new(),
+            near: Vec::new(),
+        },
+        assemblies: Vec::new(),
+        given: Vec::new(),
+    };
     for pose in poses.iter().filter(|pose| pose.kind != Kind::NearLimit) {
-        let mechanism: Single<M> = pose.mechanism.convert(nearest);
-        let given = given(pose);
-        let inputs: <Single<M> as Mechanism>::Inputs<_> = Row::from_fn(|index| {
-            let motion: M::Motion<f32> = Row::from_fn(|order| nearest(given.inputs[index][order]));
+        let mechanism: Narrow<M> = pose.mechanism.convert(nearest);
+        let wide = given(pose);
+        let inputs: <Narrow<M> as Mechanism>::Inputs<_> = Row::from_fn(|index| {
+            let motion: M::Motion<f32> = Row::from_fn(|order| nearest(wide.inputs[index][order]));
             motion
         });
-        let widened = |motions: &[M::Motion<f32>]| -> Vec<Vec<f64>> {
-            let motion = |motion: &M::Motion<f32>| motion.as_ref().iter().map(|value| f64::from(*value)).collect();
-            motions.iter().map(motion).collect()
-        };
         let given = Given {
             parameters: mechanism
                 .parameters()
@@ -66,15 +80,90 @@ fn single<M: ThroughSnap>(poses: &[Pose<M>]) -> Errors {
                 .iter()
                 .map(|value| f64::from(*value))
                 .collect(),
-            inputs: widened(inputs.as_ref()),
+            inputs: widened::<M>(inputs.as_ref()),
         };
-        let place = format!("{:?} in {:?}", pose.kind, pose.assembly);
-        let Ok(found) = mechanism.solve_motion(inputs, pose.assembly) else {
+        narrowed.poses.mechanisms.push(mechanism);
+        narrowed.poses.inputs.push(inputs);
+        narrowed
+            .poses
+            .near
+            .push(Row::from_fn(|unknown| nearest(pose.unknowns[unknown][0])));
+        narrowed.assemblies.push(pose.assembly);
+        narrowed
+            .given
+            .push((given, format!("{:?} in {:?}", pose.kind, pose.assembly)));
+    }
+    narrowed
+}
+
+fn widened<M: ThroughSnap>(motions: &[M::Motion<f32>]) -> Vec<Vec<f64>> {
+    let motion = |motion: &M::Motion<f32>| motion.as_ref().iter().map(|value| f64::from(*value)).collect();
+    motions.iter().map(motion).collect()
+}
+
+/// Holds a pose in single precision to the reference.
+fn hold<M: ThroughSnap>(errors: &mut Errors, (given, place): &(Given, String), motions: &[Vec<f64>]) {
+    let held = errors.hold::<M>(given, motions, f32::EPSILON.into(), place);
+    assert_eq!(held, Ok(()), "{}, {place}: {given:?}", errors.name);
+}
+
+/// The errors in single precision.
+fn single<M: ThroughSnap>(poses: &[Pose<M>]) -> Errors {
+    let mut errors = Errors::new::<M>();
+    let Narrowed {
+        poses,
+        assemblies,
+        given,
+    } = narrowed(poses);
+    for (index, assembly) in assemblies.into_iter().enumerate() {
+        if let Ok(found) = poses.mechanisms[index].solve_motion(poses.inputs[index], assembly) {
+            hold::<M>(
+                &mut errors,
+                &given[index],
+                &widened::<M>(found.unknown_motions().as_ref()),
+            );
+        }
+    }
+    errors
+}
+
+/// The errors of batches in single precision, in all vectors.
+fn in_lanes<M: ThroughSnap>(all: &[Pose<M>]) -> Errors {
+    /// More than the lanes of the widest vectors: fewer poses are solved one by one.
+    const LEAST: usize = 40;
+    let mut errors = Errors::new::<M>();
+    let all = narrowed(all);
+    let assemblies: Vec<Option<M::Assembly>> = if const { M::ASSEMBLY_COUNT > 0 } {
+        M::assemblies().map(Some).collect()
+    } else {
+        vec![None]
+    };
+    for assembly in assemblies {
+        let is_wanted = |index: &usize| assembly.is_none_or(|assembly| all.assemblies[*index] == assembly);
+        let places: Vec<usize> = (0..all.given.len()).filter(is_wanted).collect();
+        if places.is_empty() {
             continue;
+        }
+        let count = places.len().max(LEAST);
+        let places: Vec<usize> = places.into_iter().cycle().take(count).collect();
+        let poses = batches::Poses::<Narrow<M>> {
+            mechanisms: places.iter().map(|place| all.poses.mechanisms[*place]).collect(),
+            inputs: places.iter().map(|place| all.poses.inputs[*place]).collect(),
+            near: places.iter().map(|place| all.poses.near[*place]).collect(),
         };
-        let motions = widened(found.unknown_motions().as_ref());
-        let held = errors.hold::<M>(&given, &motions, f32::EPSILON.into(), &place);
-        assert_eq!(held, Ok(()), "{}, {place}: {given:?}", errors.name);
+        for vectors in batches::vectors() {
+            let (table, outcomes, summary) = poses.solve(assembly, vectors);
+            assert!(summary.alone <= count / 2, "{}: {summary:?}", errors.name);
+            for (index, place) in places.iter().enumerate() {
+                let alone = poses.solve_one(index, assembly);
+                assert_eq!(outcomes[index].is_solved(), alone.is_ok(), "{}, {index}", errors.name);
+                if outcomes[index].is_solved() {
+                    let of = |motion: &Vec<Vec<f32>>| motion.iter().map(|column| f64::from(column[index])).collect();
+                    let motions: Vec<Vec<f64>> = table.unknowns.iter().map(of).collect();
+                    hold::<M>(&mut errors, &all.given[*place], &motions);
+                }
+            }
+        }
     }
     errors
 }
@@ -127,6 +216,14 @@ impl Measure for Single {
 /// The mechanisms that are measured without the feature `every-case`.
 const FEW: [&str; 4] = ["FourBar", "OffsetSliderCrank", "ScotchYoke", "Rssr"];
 
+struct SingleInLanes;
+
+impl Measure for SingleInLanes {
+    fn errors<M: ThroughSnap>(&self, poses: &[Pose<M>]) -> Errors {
+        in_lanes(poses)
+    }
+}
+
 impl<F: Measure> Visitor for Table<F> {
     fn visit<M: ThroughSnap>(&mut self, case: Case) {
         if cfg!(not(feature = "every-case")) && !FEW.contains(&M::DESCRIPTION.name) {
@@ -168,11 +265,15 @@ fn check(heading: &str, measure: impl Measure) -> BTreeMap<Kind, usize> {
         kinds: BTreeMap::new(),
         mistakes: Vec::new(),
     };
-    cases::library(&mut table);
-    cases::coupled_library(&mut table);
+    if cfg!(feature = "every-case") {
+        cases::library(&mut table);
+        cases::coupled_library(&mut table);
+        assert!(table.rows.is_empty(), "not in the library: {:?}", table.rows);
+    } else {
+        cases::library_of_each_form(&mut table);
+    }
     println!("{:?}", table.kinds);
     assert!(table.mistakes.is_empty(), "{}", table.mistakes.join("\n"));
-    assert!(table.rows.is_empty(), "not in the library: {:?}", table.rows);
     table.kinds
 }
 
@@ -188,6 +289,11 @@ fn double_precision() {
 #[test]
 fn single_precision() {
     check("## Single precision", Single);
+}
+
+#[test]
+fn single_precision_in_lanes() {
+    check("## Single precision in lanes", SingleInLanes);
 }
 
 /// The reference itself: a parallelogram's rocker moves as its crank does, and its coupler does not turn.

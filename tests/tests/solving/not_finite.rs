@@ -90,7 +90,7 @@ impl Visitor for Inputs {
 #[test]
 fn parameters() {
     let mut parameters = Parameters::default();
-    cases::all(&mut parameters);
+    cases::of_each_form(&mut parameters);
     cases::coupled_library(&mut parameters);
     assert!(parameters.0.0.is_empty(), "{:#?}", parameters.0.0);
 }
@@ -98,7 +98,7 @@ fn parameters() {
 #[test]
 fn inputs_and_their_rates() {
     let mut inputs = Inputs::default();
-    cases::all(&mut inputs);
+    cases::of_each_form(&mut inputs);
     cases::coupled_library(&mut inputs);
     assert!(inputs.0.0.is_empty(), "{:#?}", inputs.0.0);
 }
@@ -139,6 +139,6 @@ fn extremes() {
             );
         }
     }
-    cases::all(&mut Extremes);
+    cases::of_each_form(&mut Extremes);
     cases::coupled_library(&mut Extremes);
 }

@@ -7,7 +7,7 @@ use core::any::type_name;
 use core::hint::black_box;
 
 use allocation_counter::measure;
-use kin_core::batch::{Column, Outcome};
+use kin_core::batch::{Column, Fold, FoldedNumber, Outcome, Place, Turn, Vectors, fold};
 use kin_core::library::{
     self, ClassThreeTriad, ClassThreeTriadBatch, FourBar, FourBarBatch, StephensonII, WattIByDyad,
 };
@@ -113,7 +113,7 @@ impl All {
 #[test]
 fn no_solver_allocates() {
     let mut all = All::new();
-    cases::all(&mut all);
+    cases::of_each_form(&mut all);
     cases::coupled_library(&mut all);
     all.report();
 }
@@ -174,6 +174,18 @@ fn batches_do_not_allocate() {
     });
     let summary = summary.expect("the columns are of one length");
     assert!(summary.solved > 50 && summary.failed > 10, "{summary:?}");
+    let mut folds = [
+        Fold::of(Place::Unknown(1, 4)),
+        Fold::of(FoldedNumber::SmallestTransmissionAngle),
+    ];
+    let parameters = linkage.parameters().map(Column::Same);
+    let turn = Turn::whole(0, 1000);
+    let summary = without_allocation::<FourBar, _>("fold", || {
+        let vectors = Vectors::widest();
+        fold::<FourBar>(turn, parameters, [theta2], Assembly::Open, &mut folds, vectors)
+    });
+    let summary = summary.expect("the inputs that do not turn are the same");
+    assert!(summary.solved > 500 && summary.failed > 100, "{summary:?}");
 
     let triad = ClassThreeTriad {
         base_b: Plane::new(3.4, 0.2),

@@ -3,6 +3,7 @@
 mod allocation;
 mod batches;
 mod batches_at_dead_points;
+mod batches_that_fail;
 mod growth;
 mod nested_dual_numbers;
 mod operation_counts;

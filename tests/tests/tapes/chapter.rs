@@ -108,3 +108,60 @@ fn the_notebook_by_python() {
     );
     assert_eq!(told, shown);
 }
+
+/// A package whose build script is that of the chapter, with the line for the crate `cc`, links the solver in C to a program in Rust.
+#[test]
+#[ignore = "gcc"]
+fn the_build_script_with_gcc() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/languages.md");
+    let chapter = fs::read_to_string(path).expect("the chapter is there");
+    let (_, rest) = chapter.split_once("// build.rs\n").expect("there is a build script");
+    let (script, _) = rest.split_once("```").expect("the block ends");
+    let with_cc = script
+        .replace("    // cc::Build", "    cc::Build")
+        .replace("JansenLeg", "FourBar");
+    assert_ne!(with_cc, script);
+    let core = Path::new(env!("CARGO_MANIFEST_DIR")).join("../kin-core");
+    let manifest = format!(
+        "[package]
+name = \"firmware\"
+version = \"0.0.0\"
+edition = \"2024\"
+
+[build-dependencies]
+cc = \"1\"
+kin-core = {{ path = {core:?}, features = [\"library\", \"tape\"] }}
+
+[workspace]
+"
+    );
+    let main = "#[repr(C)]
+struct Outcome {
+    code: i32,
+    margin: f64,
+}
+
+unsafe extern \"C\" {
+    fn four_bar_solve(linkage: *const [f64; 4], crank: *const [f64; 5], assembly: *const f64, pose: *mut [f64; 10]) -> Outcome;
+}
+
+fn main() {
+    let mut pose = [f64::NAN; 10];
+    // SAFETY: the structures of the header hold so many doubles and nothing else.
+    let outcome = unsafe { four_bar_solve(&[90.0, 30.0, 60.0, 45.0], &[1.0, -10.0, 2.0, -0.5, 0.3], &1.0, &mut pose) };
+    println!(\"{} {} {pose:?}\", outcome.code, outcome.margin);
+}
+";
+    let files = [("Cargo.toml", &*manifest), ("build.rs", &with_cc)];
+    let folder = folder("script", &files);
+    fs::create_dir_all(folder.join("src")).expect("the folder of temporary files can be written");
+    fs::write(folder.join("src/main.rs"), main).expect("the folder of temporary files can be written");
+    let told =
+        output(
+            Command::new(env!("CARGO"))
+                .current_dir(&folder)
+                .args(["run", "--quiet", "--target-dir", "target"]),
+        );
+    let wanted = four_bar().run(&[90.0, 30.0, 60.0, 45.0, 1.0, -10.0, 2.0, -0.5, 0.3, 1.0]);
+    assert_eq!(told, format!("0 0 {:?}\n", wanted.expect("it closes")));
+}

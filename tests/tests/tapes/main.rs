@@ -1,9 +1,18 @@
 //! Recorded solvers of the whole library against the solvers themselves.
+//!
+//! Tests of other languages need tools besides Rust, and much to compile: they stand behind the feature `every-case`.
 
+#[cfg(feature = "every-case")]
 mod c;
+#[cfg(feature = "every-case")]
 mod chapter;
+#[cfg(feature = "every-case")]
+mod exact;
+#[cfg(feature = "every-case")]
 mod languages;
 mod poses;
+#[cfg(feature = "every-case")]
+mod sensitivities;
 
 use kin_core::tape::{self, Options, Stop};
 use kin_core::{Failure, Pose, SolveError};
@@ -12,7 +21,7 @@ use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use poses::poses;
 
 /// How many inputs and dimensions of a mechanism are compared, half of them with dimensions that may not close.
-const POSES: u32 = 120;
+const POSES: u32 = if cfg!(feature = "every-case") { 1000 } else { 120 };
 
 /// What was compared.
 #[derive(Default)]
@@ -21,6 +30,7 @@ struct Compared {
     found: usize,
     refused: usize,
     margins: usize,
+    ranges: usize,
     wrong: Vec<String>,
 }
 
@@ -48,6 +58,7 @@ impl Compared {
                 if stop.block != error.block {
                     self.wrong.push(format!("{name}: {stop:?} {error:?}"));
                 }
+                self.ranges += usize::from(self.range::<M>(&stop, &error));
                 if let Failure::OutOfReach { margin } = error.failure {
                     self.margins += 1;
                     // The check has its margin from squares of lengths up to `size`.
@@ -58,6 +69,28 @@ impl Compared {
             }
             (own, found) => self.wrong.push(format!("{name}: {own:?} {found:?}")),
         }
+    }
+}
+
+impl Compared {
+    /// Whether a range refuses the pose. The check says so with the margin of the error.
+    fn range<M: ThroughSnap>(&mut self, stop: &Stop, error: &SolveError) -> bool {
+        let is_same = match error.failure {
+            Failure::OutOfRange { value, low, high, .. } => {
+                let is_of_a_range = matches!(
+                    stop.name,
+                    "a solution in the range" | "range of an angle" | "range of a value"
+                );
+                is_of_a_range && stop.margin.to_bits() == (value - low).min(high - value).to_bits()
+            }
+            // The error does not name the ends of the range, in which both solutions lie.
+            Failure::Ambiguous { .. } => stop.name == "only one solution in the range" && stop.margin <= 0.0,
+            _ => return false,
+        };
+        if !is_same {
+            self.wrong.push(format!("{}: {stop:?} {error:?}", M::DESCRIPTION.name));
+        }
+        true
     }
 }
 
@@ -84,11 +117,12 @@ fn tapes_are_their_solvers() {
     let mut compared = Compared::default();
     cases::library(&mut compared);
     cases::coupled_library(&mut compared);
+    cases::ranges(&mut compared);
     let wrong = &compared.wrong;
     println!("{:?}", compared.mechanisms);
     println!(
-        "{} poses, {} refused, {} margins",
-        compared.found, compared.refused, compared.margins
+        "{} poses, {} refused, {} margins, {} ranges",
+        compared.found, compared.refused, compared.margins, compared.ranges
     );
     assert!(
         wrong.is_empty(),
@@ -96,7 +130,7 @@ fn tapes_are_their_solvers() {
         wrong.len(),
         &wrong[..wrong.len().min(12)]
     );
-    assert!(compared.found > 2000 && compared.refused > 500 && compared.margins > 500);
+    assert!(compared.found > 2000 && compared.refused > 500 && compared.margins > 500 && compared.ranges > 100);
 }
 
 /// A record does not depend on the place where it is made: at 20 poses, in reach and out of reach, the tape is the same.
@@ -132,4 +166,5 @@ impl Visitor for SameEverywhere {
 fn tapes_are_the_same_wherever_they_are_recorded() {
     cases::library(&mut SameEverywhere);
     cases::coupled_library(&mut SameEverywhere);
+    cases::ranges(&mut SameEverywhere);
 }

@@ -5,6 +5,10 @@ use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::{Case, ThroughSnap};
 use kin_tests::random::Random;
 
+/// The inputs of each mechanism in other languages, each tried in every assembly. About half of the poses are out of reach.
+#[cfg(feature = "every-case")]
+pub(crate) const INPUTS: u32 = 1000;
+
 /// A pose that is to be found.
 pub(crate) struct Wanted<M: Mechanism> {
     pub(crate) mechanism: M,

@@ -6,9 +6,14 @@
 //! Each lane decides for itself: where a solver would stop for one of the numbers, that lane becomes NaN and stays NaN,
 //! while the other lanes continue. So a lane that is finite at the end has passed every test. A lane also becomes NaN
 //! where lanes cannot solve a pose (huge angles, an iteration that must be damped) or where [rounding](Scalar::DOUBT)
-//! would decide. The caller must then ask the ordinary solver about these poses.
+//! would decide. The caller must then ask the ordinary solver about these poses, except those for which the check that
+//! failed has left a [verdict](verdicts).
 
+mod element;
 mod newton;
+pub(in crate::batch) mod verdicts;
+
+pub use element::Element;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -23,43 +28,91 @@ use crate::solve::{Check, Choose, Measure, Scalar};
 /// `W` numbers. If they are `FUSED`, multiply-add is one step where functions ask for it.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Lanes<const W: usize, const FUSED: bool>(pub(crate) [f64; W]);
+pub(crate) struct Lanes<const W: usize, const FUSED: bool, E = f64>(pub(crate) [E; W]);
 
-impl<const W: usize, const FUSED: bool> Lanes<W, FUSED> {
-    #[inline(always)]
-    pub(crate) fn from_fn(mut function: impl FnMut(usize) -> f64) -> Self {
-        let mut lanes = [0.0; W];
+impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn from_fn(mut function: impl FnMut(usize) -> E) -> Self {
+        let mut lanes = [E::zero(); W];
         for (lane, entry) in lanes.iter_mut().enumerate() {
             *entry = function(lane);
         }
         Self(lanes)
     }
 
-    #[inline(always)]
-    fn map(self, function: impl Fn(f64) -> f64) -> Self {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn map(self, function: impl Fn(E) -> E) -> Self {
         Self::from_fn(|lane| function(self.0[lane]))
     }
 
-    #[inline(always)]
-    fn with(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn with(self, other: Self, function: impl Fn(E, E) -> E) -> Self {
         Self::from_fn(|lane| function(self.0[lane], other.0[lane]))
     }
 
-    /// The sum of all lanes, which is not finite if one of them is not.
-    #[inline(always)]
-    pub(crate) fn sum(self) -> f64 {
-        // Add one by one: with pairs, a compiler would arrange everything before in vectors of two.
-        let mut sum = 0.0;
+    /// Whether all lanes are finite.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn is_finite_throughout(self) -> bool {
+        let mut is_finite = true;
         for entry in self.0 {
-            sum += entry;
+            is_finite &= Float::is_finite(entry);
         }
-        sum
+        is_finite
+    }
+
+    /// NaN in lanes that are not finite, zero in the others.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn gaps(self) -> Self {
+        self.map(|number| if Float::is_finite(number) { E::zero() } else { E::nan() })
+    }
+
+    /// One in lanes that are not finite, zero in the others.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn gone(self) -> Self {
+        self.map(|number| if Float::is_finite(number) { E::zero() } else { E::one() })
+    }
+
+    /// The sum of small counts.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "they are counts")]
+    pub(super) fn count(self) -> usize {
+        self.0.iter().map(|count| count.real()).sum::<f64>() as usize
+    }
+
+    /// The numbers themselves, NaN in lanes where a sum of squares exceeds that of the [largest length](LARGEST).
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(in crate::batch) fn within(self, squares: Self) -> Self {
+        self.with(squares, |number, squares| {
+            if squares < E::LARGEST * E::LARGEST {
+                number
+            } else {
+                E::nan()
+            }
+        })
+    }
+
+    /// The number with NaN in the lanes that fail a check, NaN in these lanes and zero in the others, and whether a lane
+    /// fails.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn checked<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> (Self, Self, bool) {
+        let operands = check.operands();
+        let (mut kept, mut failing, mut one_fails) = (self, Self::constant(0.0), false);
+        for lane in 0..W {
+            // One condition after the other: the compiler vectorises a comparison with a selection, but not a
+            // conjunction.
+            for holds in check.holds(Self::at(&operands, lane)) {
+                kept.0[lane] = if holds { kept.0[lane] } else { E::nan() };
+                failing.0[lane] = if holds { failing.0[lane] } else { E::nan() };
+                one_fails |= !holds;
+            }
+        }
+        (kept, failing, one_fails)
     }
 
     /// The values in one lane.
-    #[inline(always)]
-    fn at<const N: usize>(numbers: &[Self; N], lane: usize) -> [f64; N] {
-        let mut values = [0.0; N];
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at<const N: usize>(numbers: &[Self; N], lane: usize) -> [E; N] {
+        let mut values = [E::zero(); N];
         for (value, number) in values.iter_mut().zip(numbers) {
             *value = number.0[lane];
         }
@@ -67,152 +120,153 @@ impl<const W: usize, const FUSED: bool> Lanes<W, FUSED> {
     }
 }
 
-impl<const W: usize, const FUSED: bool> Add for Lanes<W, FUSED> {
+impl<const W: usize, const FUSED: bool, E: Element> Add for Lanes<W, FUSED, E> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         self.with(other, |a, b| a + b)
     }
 }
 
-impl<const W: usize, const FUSED: bool> Sub for Lanes<W, FUSED> {
+impl<const W: usize, const FUSED: bool, E: Element> Sub for Lanes<W, FUSED, E> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         self.with(other, |a, b| a - b)
     }
 }
 
-impl<const W: usize, const FUSED: bool> Mul for Lanes<W, FUSED> {
+impl<const W: usize, const FUSED: bool, E: Element> Mul for Lanes<W, FUSED, E> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         self.with(other, |a, b| a * b)
     }
 }
 
-impl<const W: usize, const FUSED: bool> Div for Lanes<W, FUSED> {
+impl<const W: usize, const FUSED: bool, E: Element> Div for Lanes<W, FUSED, E> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         self.with(other, |a, b| a / b)
     }
 }
 
-impl<const W: usize, const FUSED: bool> Neg for Lanes<W, FUSED> {
+impl<const W: usize, const FUSED: bool, E: Element> Neg for Lanes<W, FUSED, E> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         self.map(|a| -a)
     }
 }
 
-impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
-    const EPSILON: f64 = f64::EPSILON;
+impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E> {
+    const EPSILON: f64 = E::EPSILON;
+    const SMALLEST: f64 = E::SMALLEST;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: f64) -> Self {
-        Self([value; W])
+        Self([E::of(value); W])
     }
 
     /// Only reports use it, and nobody reads them.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn real(self) -> f64 {
-        self.0[0]
+        self.0[0].real()
     }
 
     /// Always true: callers that solve in lanes test each lane at the end.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_finite(self) -> bool {
         true
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(self) -> Self {
         self.map(Float::sqrt)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let (mut sine, mut cosine) = (self, self);
         for lane in 0..W {
             let angle = self.0[lane];
             // NaN where the polynomials are not valid.
-            let angle = if is_near(angle) { angle } else { f64::NAN };
-            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, FUSED>(angle);
+            let angle = if is_near(angle) { angle } else { E::nan() };
+            (sine.0[lane], cosine.0[lane]) = near_sine_cosine::<FUSED, FUSED, E>(angle);
         }
         (sine, cosine)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn asin(self) -> Self {
         self.atan2(leg(self))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acos(self) -> Self {
         leg(self).atan2(self)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan(self) -> Self {
         self.atan2(Self::constant(1.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2(self, x: Self) -> Self {
         self.with(x, |y, x| {
-            let (angle, ordinary) = ordinary_arc_tangent::<FUSED, FUSED>(y, x);
-            if FUSED || ordinary { angle } else { f64::NAN }
+            let (angle, ordinary) = ordinary_arc_tangent::<FUSED, FUSED, E>(y, x);
+            if FUSED || ordinary { angle } else { E::nan() }
         })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sinh(self) -> Self {
         self.map(Number::sinh)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn cosh(self) -> Self {
         self.map(Number::cosh)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn tanh(self) -> Self {
         self.map(Number::tanh)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn asinh(self) -> Self {
         self.map(Number::asinh)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acosh(self) -> Self {
         self.map(Number::acosh)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn atanh(self) -> Self {
         self.map(Number::atanh)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn exp(self) -> Self {
         self.map(Float::exp)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn ln(self) -> Self {
         self.map(Float::ln)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
             Self::from_fn(|lane| Float::mul_add(a.0[lane], b.0[lane], self.0[lane]))
@@ -221,7 +275,7 @@ impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn minus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
             Self::from_fn(|lane| Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]))
@@ -231,25 +285,45 @@ impl<const W: usize, const FUSED: bool> Number for Lanes<W, FUSED> {
     }
 }
 
-impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
-    /// About 4500 ε: the steps before a sum may have magnified rounding a thousand times.
-    const DOUBT: f64 = 1e-12;
+impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E> {
+    const DOUBT: f64 = E::DOUBT_IN_LANES;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
-        let operands = check.operands();
-        let mut kept = self;
-        for lane in 0..W {
-            // One condition after the other: the compiler vectorises a comparison with a selection, but not a
-            // conjunction.
-            for holds in check.holds(Self::at(&operands, lane)) {
-                kept.0[lane] = if holds { kept.0[lane] } else { f64::NAN };
-            }
+        let (kept, failing, one_fails) = self.checked(check);
+        if one_fails {
+            judge(check, kept, failing, check.square().sqrt())?;
         }
         Some(kept)
     }
 
-    #[inline(always)]
+    /// A lane that fails does not need its own root, so it gets the one by which its shortfall is measured: a root takes
+    /// longer than twenty other operations.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rooted<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<(Self, Self)> {
+        let (kept, failing, one_fails) = self.checked(check);
+        let square = check.square();
+        let root = Self::from_fn(|lane| {
+            if failing.0[lane] == E::zero() {
+                self.0[lane]
+            } else {
+                square.0[lane]
+            }
+        })
+        .sqrt();
+        if one_fails {
+            judge(check, kept, failing, root)?;
+        }
+        Some((kept, root - failing))
+    }
+
+    /// Nobody reads the failure: the verdicts say what fails.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn refused(_: impl FnOnce() -> Failure) -> Failure {
+        Failure::NotFinite { quantity: "lanes" }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn either<const N: usize>(
         check: impl Check<Self, N, 1>,
         one: impl FnOnce() -> Self,
@@ -263,23 +337,23 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
         })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times_sign_of(self, other: Self) -> Self {
-        self.with(other, |a, b| turned_round(a, b.to_bits()))
+        self.with(other, |a, b| turned_round(a, b.bits()))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
         let operands = measure.operands();
         Self::from_fn(|lane| measure.measure(Self::at(&operands, lane)))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         let operands = choice.operands();
-        let first = choice.choose(Self::at(&operands, 0))?;
+        let first = choice.choose(Self::at(&operands, 0).map(Number::real))?;
         for lane in 1..W {
-            if choice.choose(Self::at(&operands, lane))? != first {
+            if choice.choose(Self::at(&operands, lane).map(Number::real))? != first {
                 return Err(Failure::NotFinite { quantity: "lanes" });
             }
         }
@@ -288,7 +362,7 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
 
     /// The pivot as for one pose. Sizes are computed again instead of kept, which saves one percent of the instructions
     /// of Newton's method.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn pivot<R: Row<Self>>(rows: &[R], step: usize) -> usize {
         let size_of = |row: &R| row[step].leading().abs();
         let mut best = step;
@@ -301,12 +375,12 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     }
 
     /// The first lane leads.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn leading(self) -> f64 {
-        self.0[0]
+        self.0[0].real()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root<const N: usize>(
         guess: [Self; N],
         sizes: [Self; N],
@@ -316,9 +390,42 @@ impl<const W: usize, const FUSED: bool> Scalar for Lanes<W, FUSED> {
     }
 }
 
+/// Records verdicts about lanes that fail a check. Returns `None` if nothing is left to solve, because no lane passes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn judge<const W: usize, const FUSED: bool, const N: usize, const K: usize, E: Element>(
+    check: impl Check<Lanes<W, FUSED, E>, N, K>,
+    kept: Lanes<W, FUSED, E>,
+    failing: Lanes<W, FUSED, E>,
+    root: Lanes<W, FUSED, E>,
+) -> Option<()> {
+    let Some([margin, scale]) = check.shortfall(root) else {
+        verdicts::record(failing);
+        return Some(());
+    };
+    verdicts::record(Lanes::<W, FUSED, E>::from_fn(|lane| {
+        verdict(failing.0[lane], margin.0[lane], scale.0[lane])
+    }));
+    kept.0.iter().any(|number| !Float::is_nan(*number)).then_some(())
+}
+
+/// The verdict about a lane: zero if it does not fail, the margin if it is negative beyond doubt, and NaN otherwise. NaN
+/// also stands for lengths whose squares lose digits or overflow.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn verdict<E: Element>(failing: E, margin: E, scale: E) -> E {
+    let doubt = -E::of(E::DOUBT_IN_LANES);
+    let margin = if margin < doubt * scale { margin } else { E::nan() };
+    let margin = if scale > E::one() / E::LARGEST {
+        margin
+    } else {
+        E::nan()
+    };
+    let margin = if scale < E::LARGEST { margin } else { E::nan() };
+    if failing == E::zero() { failing } else { margin }
+}
+
 /// The other leg of a right triangle whose hypotenuse is 1.
-#[inline(always)]
-fn leg<const W: usize, const FUSED: bool>(known: Lanes<W, FUSED>) -> Lanes<W, FUSED> {
-    let one = Lanes::constant(1.0);
-    ((one - known) * (one + known)).sqrt()
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn leg<const W: usize, const FUSED: bool, E: Element>(known: Lanes<W, FUSED, E>) -> Lanes<W, FUSED, E> {
+    let one = Lanes::<W, FUSED, E>::constant(1.0);
+    Number::sqrt((one - known) * (one + known))
 }

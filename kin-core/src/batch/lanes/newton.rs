@@ -6,7 +6,9 @@
 
 #![expect(clippy::needless_range_loop, reason = "lanes are an index into several arrays")]
 
-use super::Lanes;
+use num_traits::Float;
+
+use super::{Element, Lanes, verdicts};
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
@@ -16,22 +18,22 @@ use crate::solve::{FIRST_STEP, Factors, LINEAR_STEP, factor};
 const ITERATIONS: u32 = 12;
 
 /// A step that has been taken.
-struct NewtonStep<const W: usize, const FUSED: bool, const N: usize> {
-    from: [Lanes<W, FUSED>; N],
-    length: Lanes<W, FUSED>,
-    factors: Factors<Lanes<W, FUSED>, N>,
+struct NewtonStep<const W: usize, const FUSED: bool, const N: usize, E> {
+    from: [Lanes<W, FUSED, E>; N],
+    length: Lanes<W, FUSED, E>,
+    factors: Factors<Lanes<W, FUSED, E>, N>,
 }
 
-#[inline(always)]
-pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
-    guess: [Lanes<W, FUSED>; N],
-    sizes: [Lanes<W, FUSED>; N],
-    mut evaluate: impl FnMut([Lanes<W, FUSED>; N]) -> ([Lanes<W, FUSED>; N], [[Lanes<W, FUSED>; N]; N]),
-) -> Result<[Lanes<W, FUSED>; N], Failure> {
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element>(
+    guess: [Lanes<W, FUSED, E>; N],
+    sizes: [Lanes<W, FUSED, E>; N],
+    mut evaluate: impl FnMut([Lanes<W, FUSED, E>; N]) -> ([Lanes<W, FUSED, E>; N], [[Lanes<W, FUSED, E>; N]; N]),
+) -> Result<[Lanes<W, FUSED, E>; N], Failure> {
     let mut point = guess;
-    let mut root = [Lanes([f64::NAN; W]); N];
+    let mut root = [Lanes([E::nan(); W]); N];
     let mut pending = [true; W];
-    let mut last: Option<NewtonStep<W, FUSED, N>> = None;
+    let mut last: Option<NewtonStep<W, FUSED, N, E>> = None;
     for _ in 0..ITERATIONS {
         // Called in one place only: with two calls it would not be inlined into this function, and so not compiled for
         // the machine's vectors.
@@ -64,9 +66,9 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
             ratio = factors.determinant_relative_to(&step.factors);
             for lane in 0..W {
                 let (previous, fall) = (previous.0[lane], fall.0[lane]);
-                let falls = fall < 0.75 * previous;
+                let falls = fall < E::of(0.75) * previous;
                 // A small correction that does not fall is rounding.
-                let ends = !falls && previous * previous <= LINEAR_STEP * f64::EPSILON;
+                let ends = !falls && previous * previous <= E::of(LINEAR_STEP * E::EPSILON);
                 if pending[lane] && ends && is_distinct(ratio.0[lane]) {
                     arrive(&mut root, if fall < previous { &point } else { &step.from }, lane);
                 }
@@ -75,11 +77,11 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
         }
         for lane in 0..W {
             let lost = (0..N).all(|index| {
-                let size = point[index].0[lane].abs() / sizes[index].0[lane];
-                correction[index].0[lane].abs() <= f64::EPSILON * size.max(1.0)
+                let size = point[index].0[lane].size() / sizes[index].0[lane];
+                correction[index].0[lane].size() <= E::of(E::EPSILON) * Float::max(size, E::one())
             });
             let (length, previous) = (length.0[lane], previous.0[lane]);
-            let stalled = length >= 0.5 * previous && length * length <= LINEAR_STEP * f64::EPSILON;
+            let stalled = length >= E::of(0.5) * previous && length * length <= E::of(LINEAR_STEP * E::EPSILON);
             if pending[lane] && (lost || stalled) {
                 pending[lane] = false;
                 if is_distinct(ratio.0[lane]) {
@@ -89,7 +91,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
             let is_full = if last.is_some() {
                 forecast[0].0[lane] >= forecast[1].0[lane]
             } else {
-                length <= FIRST_STEP
+                length <= E::of(FIRST_STEP)
             };
             pending[lane] &= is_full;
         }
@@ -107,20 +109,24 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize>(
         }
         last = Some(NewtonStep { from, length, factors });
     }
+    let missing = root
+        .iter()
+        .fold(Lanes::constant(0.0), |sum, entry| sum + *entry * Lanes::constant(0.0));
+    verdicts::record(missing);
     Ok(root)
 }
 
 /// Whether rounding errors change the determinant too little for a second root. The ordinary method allows a change of
 /// a quarter. Its last step differs from the one here, so half of that would already be in doubt.
-#[inline(always)]
-fn is_distinct(ratio: f64) -> bool {
-    (0.97..=1.03).contains(&ratio)
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn is_distinct<E: Element>(ratio: E) -> bool {
+    ratio >= E::of(0.97) && ratio <= E::of(1.03)
 }
 
-#[inline(always)]
-fn arrive<const W: usize, const FUSED: bool, const N: usize>(
-    root: &mut [Lanes<W, FUSED>; N],
-    place: &[Lanes<W, FUSED>; N],
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn arrive<const W: usize, const FUSED: bool, const N: usize, E: Element>(
+    root: &mut [Lanes<W, FUSED, E>; N],
+    place: &[Lanes<W, FUSED, E>; N],
     lane: usize,
 ) {
     for (root, place) in root.iter_mut().zip(place) {
@@ -128,8 +134,10 @@ fn arrive<const W: usize, const FUSED: bool, const N: usize>(
     }
 }
 
-#[inline(always)]
-fn negated<const W: usize, const FUSED: bool, const N: usize>(vector: [Lanes<W, FUSED>; N]) -> [Lanes<W, FUSED>; N] {
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn negated<const W: usize, const FUSED: bool, const N: usize, E: Element>(
+    vector: [Lanes<W, FUSED, E>; N],
+) -> [Lanes<W, FUSED, E>; N] {
     let mut negated = vector;
     for entry in &mut negated {
         *entry = -*entry;
@@ -138,13 +146,15 @@ fn negated<const W: usize, const FUSED: bool, const N: usize>(vector: [Lanes<W, 
 }
 
 /// The largest magnitude, or NaN if an entry is NaN.
-#[inline(always)]
-fn largest<const W: usize, const FUSED: bool, const N: usize>(vector: &[Lanes<W, FUSED>; N]) -> Lanes<W, FUSED> {
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn largest<const W: usize, const FUSED: bool, const N: usize, E: Element>(
+    vector: &[Lanes<W, FUSED, E>; N],
+) -> Lanes<W, FUSED, E> {
     let mut largest = Lanes::constant(0.0);
     for entry in vector {
         largest = largest.with(*entry, |largest, entry| {
-            let size = entry.abs();
-            if size <= largest || largest.is_nan() {
+            let size = entry.size();
+            if size <= largest || Float::is_nan(largest) {
                 largest
             } else {
                 size
@@ -204,7 +214,7 @@ mod tests {
     #[test]
     fn the_largest_magnitude_is_that_of_each_lane() {
         let row = [Lanes([1.0, -5.0, f64::NAN, 0.0]), Lanes([-2.0, 3.0, 1.0, f64::NAN])];
-        let Lanes(found) = largest::<4, false, 2>(&row);
+        let Lanes(found) = largest::<4, false, 2, f64>(&row);
         assert_eq!(found[..2], [2.0, 5.0]);
         assert!(found[2].is_nan() && found[3].is_nan(), "{found:?}");
     }

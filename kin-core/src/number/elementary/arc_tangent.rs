@@ -9,8 +9,9 @@ use core::f64::consts::FRAC_PI_4;
 
 use num_traits::Float;
 
-use super::bits::turned_round;
+use super::bits::{Binary, turned_round};
 use super::polynomial::{FUSED, multiply_add, polynomial};
+use super::precision::Elementary;
 use crate::number::single;
 
 /// π/4 as a multiple of 2⁻²⁶, and the rest.
@@ -45,7 +46,7 @@ pub(crate) const ARC_TANGENT_SINGLE: [f64; 6] = [
 /// The angle from the x axis to (`x`, `y`), in -π ..= π, with the signs of zeros of IEEE 754.
 #[inline]
 pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
-    let (angle, ordinary) = ordinary_arc_tangent::<FUSED, false>(y, x);
+    let (angle, ordinary) = ordinary_arc_tangent::<FUSED, false, f64>(y, x);
     if ordinary { angle } else { beyond(y, x) }
 }
 
@@ -74,39 +75,50 @@ fn one_by_one(first: (f64, f64), second: (f64, f64)) -> (f64, f64) {
     (arc_tangent(first.0, first.1), arc_tangent(second.0, second.1))
 }
 
+/// [`one_by_one`] in single precision.
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+#[cold]
+#[inline(never)]
+fn singles_one_by_one(first: (f32, f32), second: (f32, f32)) -> (f32, f32) {
+    (
+        arc_tangent_single(first.0, first.1),
+        arc_tangent_single(second.0, second.1),
+    )
+}
+
 /// [`arc_tangent`] without a branch, and whether the result is valid. It is not valid for the origin, for coordinates
 /// that are not finite, and for coordinates whose sum overflows.
 ///
 /// With `SELECT` a condition selects, a sign is a bit, and an invalid angle is NaN.
 #[expect(clippy::eq_op, reason = "infinity minus itself is NaN")]
-#[inline(always)]
-pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool>(y: f64, x: f64) -> (f64, bool) {
-    let turned = Turned::<SELECT>::of(y, x);
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn ordinary_arc_tangent<const FUSED: bool, const SELECT: bool, E: Elementary>(y: E, x: E) -> (E, bool) {
+    let turned = Turned::<SELECT, E>::of(y, x);
     let fraction = turned.across / turned.along;
     let ordinary = turned.has(fraction);
     let z = fraction * fraction;
     let fraction = turned.sense.on(fraction);
     let low = if SELECT {
         // The last operand is zero, or NaN if a coordinate is too large.
-        multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[1], turned.along - turned.along)
+        multiply_add::<FUSED, E>(turned.multiple, E::HALF_RIGHT_ANGLE[1], turned.along - turned.along)
     } else {
-        turned.multiple * HALF_RIGHT_ANGLE[1]
+        turned.multiple * E::HALF_RIGHT_ANGLE[1]
     };
-    let rest = multiply_add::<FUSED>(-(fraction * z), polynomial::<FUSED, 12>(ARC_TANGENT, z), low);
-    let angle = multiply_add::<FUSED>(turned.multiple, HALF_RIGHT_ANGLE[0], fraction + rest);
-    (angle.copysign(y), ordinary)
+    let rest = multiply_add::<FUSED, E>(-(fraction * z), E::arc_tangent_series::<FUSED>(z), low);
+    let angle = multiply_add::<FUSED, E>(turned.multiple, E::HALF_RIGHT_ANGLE[0], fraction + rest);
+    (angle.signed_as(y), ordinary)
 }
 
 /// [`arc_tangent`] in single precision, computed in double precision.
 #[inline]
 pub(crate) fn arc_tangent_single(y: f32, x: f32) -> f32 {
-    let turned = Turned::<false>::of(f64::from(y), f64::from(x));
+    let turned = Turned::<false, f64>::of(f64::from(y), f64::from(x));
     let fraction = turned.across / turned.along;
     if !turned.has(fraction) {
         return beyond(y, x);
     }
     let z = fraction * fraction;
-    let angle = fraction - fraction * (z * polynomial::<FUSED, 6>(ARC_TANGENT_SINGLE, z));
+    let angle = fraction - fraction * (z * polynomial::<FUSED, 6, f64>(ARC_TANGENT_SINGLE, z));
     let wide = turned.multiple * FRAC_PI_4 + turned.sense.on(angle);
     single(wide).copysign(y)
 }
@@ -114,6 +126,16 @@ pub(crate) fn arc_tangent_single(y: f32, x: f32) -> f32 {
 /// [`arc_tangent_single`] of two points.
 #[inline]
 pub(crate) fn arc_tangents_single(y: [f32; 2], x: [f32; 2]) -> [f32; 2] {
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    if !FUSED {
+        let ([first, second], ordinary) = super::sse2::arc_tangents_single(y, x);
+        let (first, second) = if ordinary {
+            (first, second)
+        } else {
+            singles_one_by_one((y[0], x[0]), (y[1], x[1]))
+        };
+        return [first, second];
+    }
     [arc_tangent_single(y[0], x[0]), arc_tangent_single(y[1], x[1])]
 }
 
@@ -125,29 +147,30 @@ fn beyond<T: Float>(y: T, x: T) -> T {
 
 /// A point that has been turned and mirrored close to the positive x axis. Its distance from the origin changes by a
 /// factor that does not matter.
-struct Turned<const SELECT: bool> {
-    across: f64,
-    along: f64,
+struct Turned<const SELECT: bool, E> {
+    across: E,
+    along: E,
     /// Whether the angle counts forwards or backwards.
-    sense: Sign<SELECT>,
+    sense: Sign<SELECT, E>,
     /// The multiple of π/4 from which the angle counts, if the point itself is above the x axis.
-    multiple: f64,
+    multiple: E,
 }
 
-impl<const SELECT: bool> Turned<SELECT> {
-    #[inline(always)]
-    fn of(y: f64, x: f64) -> Self {
-        let (height, width) = (y.abs(), x.abs());
+impl<const SELECT: bool, E: Binary> Turned<SELECT, E> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of(y: E, x: E) -> Self {
+        let (one, two) = (E::one(), E::from_single(2.0));
+        let (height, width) = (y.size(), x.size());
         let greater = if height > width { height } else { width };
         let lesser = if height > width { width } else { height };
-        let slanting = Condition::<SELECT>::new(lesser > greater - lesser);
+        let slanting = Condition::<SELECT, E>::new(lesser > greater - lesser);
         let (side, steepness) = (Sign::of(x), Sign::of(width - height));
         let sense = side.times(steepness);
         // The multiple is 0, 2 or 4 at the nearest axis, and 1 or 3 at a diagonal.
         let multiple = if SELECT {
-            2.0 - side.on(1.0 + slanting.unless(steepness.on(1.0)))
+            two - side.on(one + slanting.unless(steepness.on(one)))
         } else {
-            (2.0 - side.0) - slanting.unless(sense.0)
+            (two - side.0) - slanting.unless(sense.0)
         };
         Self {
             across: lesser - slanting.then(greater),
@@ -158,8 +181,8 @@ impl<const SELECT: bool> Turned<SELECT> {
     }
 
     /// Whether this fraction of the two coordinates is valid: neither 0/0 nor a fraction of infinities.
-    #[inline(always)]
-    fn has(&self, fraction: f64) -> bool {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn has(&self, fraction: E) -> bool {
         !(self.along * fraction).is_nan()
     }
 }
@@ -167,36 +190,36 @@ impl<const SELECT: bool> Turned<SELECT> {
 /// A condition that selects between a number and zero. With `SELECT` it is a real selection. Otherwise it is a factor,
 /// because a condition that selects several numbers would become a branch.
 #[derive(Clone, Copy)]
-struct Condition<const SELECT: bool> {
+struct Condition<const SELECT: bool, E> {
     holds: bool,
     /// The factor 1 if the condition holds, 0 if it does not.
-    factor: f64,
+    factor: E,
 }
 
-impl<const SELECT: bool> Condition<SELECT> {
-    #[inline(always)]
+impl<const SELECT: bool, E: Float> Condition<SELECT, E> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(holds: bool) -> Self {
-        let factor = if holds { 1.0 } else { 0.0 };
+        let factor = if holds { E::one() } else { E::zero() };
         Self { holds, factor }
     }
 
-    #[inline(always)]
-    fn then(self, number: f64) -> f64 {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn then(self, number: E) -> E {
         if !SELECT {
             self.factor * number
         } else if self.holds {
             number
         } else {
-            0.0
+            E::zero()
         }
     }
 
-    #[inline(always)]
-    fn unless(self, number: f64) -> f64 {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn unless(self, number: E) -> E {
         if !SELECT {
-            (1.0 - self.factor) * number
+            (E::one() - self.factor) * number
         } else if self.holds {
-            0.0
+            E::zero()
         } else {
             number
         }
@@ -206,27 +229,27 @@ impl<const SELECT: bool> Condition<SELECT> {
 /// A sign. With `SELECT` it is the sign of the stored number. Otherwise the stored number is ±1 and serves as a factor,
 /// because bit operations would move numbers out of the floating-point registers and back.
 #[derive(Clone, Copy)]
-struct Sign<const SELECT: bool>(f64);
+struct Sign<const SELECT: bool, E>(E);
 
-impl<const SELECT: bool> Sign<SELECT> {
-    #[inline(always)]
-    fn of(number: f64) -> Self {
-        Self(if SELECT { number } else { 1.0_f64.copysign(number) })
+impl<const SELECT: bool, E: Binary> Sign<SELECT, E> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of(number: E) -> Self {
+        Self(if SELECT { number } else { E::one().signed_as(number) })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, other: Self) -> Self {
         Self(if SELECT {
-            f64::from_bits(self.0.to_bits() ^ other.0.to_bits())
+            E::of_bits(self.0.bits() ^ other.0.bits())
         } else {
             self.0 * other.0
         })
     }
 
-    #[inline(always)]
-    fn on(self, number: f64) -> f64 {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn on(self, number: E) -> E {
         if SELECT {
-            turned_round(number, self.0.to_bits())
+            turned_round(number, self.0.bits())
         } else {
             self.0 * number
         }
@@ -287,8 +310,8 @@ mod tests {
 
     #[test]
     fn errors_are_within_one_and_a_half_units_in_the_last_place() {
-        let fused = |y, x| ordinary_arc_tangent::<true, true>(y, x).0;
-        let unfused = |y, x| ordinary_arc_tangent::<false, true>(y, x).0;
+        let fused = |y, x| ordinary_arc_tangent::<true, true, f64>(y, x).0;
+        let unfused = |y, x| ordinary_arc_tangent::<false, true, f64>(y, x).0;
         for error in [
             worst(around(), arc_tangent),
             worst(near_the_axes(), arc_tangent),
@@ -307,9 +330,9 @@ mod tests {
     /// The results without fusion in scalar code, without fusion in lanes, and with fusion in lanes.
     fn all(y: f64, x: f64) -> [(f64, bool); 3] {
         [
-            ordinary_arc_tangent::<false, false>(y, x),
-            ordinary_arc_tangent::<false, true>(y, x),
-            ordinary_arc_tangent::<true, true>(y, x),
+            ordinary_arc_tangent::<false, false, f64>(y, x),
+            ordinary_arc_tangent::<false, true, f64>(y, x),
+            ordinary_arc_tangent::<true, true, f64>(y, x),
         ]
     }
 

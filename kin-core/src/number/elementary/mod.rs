@@ -26,6 +26,7 @@
 mod arc_tangent;
 mod bits;
 mod polynomial;
+mod precision;
 #[cfg(test)]
 mod reference;
 mod sine_cosine;
@@ -44,4 +45,5 @@ pub(crate) use arc_tangent::{
 };
 pub(crate) use bits::turned_round;
 pub(crate) use polynomial::FUSED;
+pub(crate) use precision::Elementary;
 pub(crate) use sine_cosine::{is_near, near_sine_cosine, sine_cosine, sine_cosine_single};

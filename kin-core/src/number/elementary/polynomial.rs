@@ -1,5 +1,7 @@
 //! Polynomials evaluated in pairs, so that fewer steps wait for each other.
 
+use num_traits::Float;
+
 /// Whether multiply-add is one instruction wherever the program runs. Elsewhere the exact function is slow.
 ///
 /// A function compiled for a machine with that instruction, and called only there, may choose fusion even where this is
@@ -10,20 +12,16 @@ pub(crate) const FUSED: bool = cfg!(all(
 ));
 
 /// The number a b + c, rounded once if `FUSED`.
-#[inline(always)]
-pub(super) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
-    if FUSED {
-        num_traits::Float::mul_add(a, b, c)
-    } else {
-        a * b + c
-    }
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn multiply_add<const FUSED: bool, E: Float>(a: E, b: E, c: E) -> E {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
 
 /// The value at `z` of the polynomial with these coefficients, lowest power first.
 ///
 /// Estrin's scheme joins neighbours first, then pairs by z², then fours by z⁴.
-#[inline(always)]
-pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn polynomial<const FUSED: bool, const N: usize, E: Float>(coefficients: [E; N], z: E) -> E {
     if FUSED {
         return by_halves(coefficients, z);
     }
@@ -33,7 +31,7 @@ pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; 
     while count > 1 {
         let half = count / 2;
         for pair in 0..half {
-            terms[pair] = multiply_add::<FUSED>(terms[2 * pair + 1], power, terms[2 * pair]);
+            terms[pair] = multiply_add::<FUSED, E>(terms[2 * pair + 1], power, terms[2 * pair]);
         }
         if count % 2 == 1 {
             terms[half] = terms[count - 1];
@@ -46,21 +44,21 @@ pub(super) fn polynomial<const FUSED: bool, const N: usize>(coefficients: [f64; 
 
 /// The value computed from the even and the odd powers, each by Horner's scheme in z². This takes one instruction per
 /// coefficient where multiply-add is one instruction.
-#[inline(always)]
-fn by_halves<const N: usize>(coefficients: [f64; N], z: f64) -> f64 {
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn by_halves<const N: usize, E: Float>(coefficients: [E; N], z: E) -> E {
     let square = z * z;
     let (mut even, mut odd) = if N.is_multiple_of(2) {
         (coefficients[N - 2], coefficients[N - 1])
     } else {
-        (coefficients[N - 1], 0.0)
+        (coefficients[N - 1], E::zero())
     };
     let mut index = if N.is_multiple_of(2) { N - 2 } else { N - 1 };
     while index >= 2 {
-        odd = multiply_add::<true>(odd, square, coefficients[index - 1]);
-        even = multiply_add::<true>(even, square, coefficients[index - 2]);
+        odd = multiply_add::<true, E>(odd, square, coefficients[index - 1]);
+        even = multiply_add::<true, E>(even, square, coefficients[index - 2]);
         index -= 2;
     }
-    multiply_add::<true>(odd, z, even)
+    multiply_add::<true, E>(odd, z, even)
 }
 
 #[cfg(test)]
@@ -75,8 +73,8 @@ mod tests {
                 .iter()
                 .rev()
                 .fold(0.0, |sum, coefficient| sum * z + coefficient);
-            assert_eq!(polynomial::<false, N>(coefficients, z), expected, "{N} {z}");
-            assert_eq!(polynomial::<true, N>(coefficients, z), expected, "{N} {z}, fused");
+            assert_eq!(polynomial::<false, N, f64>(coefficients, z), expected, "{N} {z}");
+            assert_eq!(polynomial::<true, N, f64>(coefficients, z), expected, "{N} {z}, fused");
         }
     }
 

@@ -1,9 +1,10 @@
 //! Sine and cosine together.
 
-use num_traits::Float;
+use num_traits::{Float, One, WrappingAdd, WrappingNeg, Zero};
 
-use super::bits::{ONE, SIGN, turned_round};
+use super::bits::{Binary, turned_round};
 use super::polynomial::{FUSED, multiply_add, polynomial};
+use super::precision::Elementary;
 use crate::number::single;
 
 /// The largest angle reduced here. Up to it, the multiple of π/2 has 16 bits and its products with [`QUARTER_TURN`] are
@@ -69,19 +70,22 @@ pub(crate) fn sine_cosine(angle: f64) -> (f64, f64) {
     if !FUSED {
         return super::sse2::sine_cosine(angle);
     }
-    near_sine_cosine::<FUSED, false>(angle)
+    near_sine_cosine::<FUSED, false, f64>(angle)
 }
 
 /// [`sine_cosine`] in single precision, computed in double precision.
 #[inline]
 pub(crate) fn sine_cosine_single(angle: f32) -> (f32, f32) {
     let wide = f64::from(angle);
-    if is_near(wide) {
-        let (sine, cosine) = near_single(wide);
-        (single(sine), single(cosine))
-    } else {
-        far(angle)
+    if !is_near(wide) {
+        return far(angle);
     }
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+    if !FUSED {
+        return super::sse2::sine_cosine_single(wide);
+    }
+    let (sine, cosine) = near_single(wide);
+    (single(sine), single(cosine))
 }
 
 #[cold]
@@ -91,93 +95,112 @@ fn far<T: Float>(angle: T) -> (T, T) {
 }
 
 /// Whether [`near_sine_cosine`] accepts this angle: the angle is finite and not large.
-#[inline(always)]
-pub(crate) fn is_near(angle: f64) -> bool {
-    angle.abs() <= LIMIT
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn is_near<E: Elementary>(angle: E) -> bool {
+    angle.size() <= E::LIMIT
 }
 
 /// [`sine_cosine`] of an angle that [is near](is_near), without a branch: by products, or with `SELECT` by selection.
 /// Both results are NaN if the angle is NaN.
-#[inline(always)]
-pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool>(angle: f64) -> (f64, f64) {
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn near_sine_cosine<const FUSED: bool, const SELECT: bool, E: Elementary>(angle: E) -> (E, E) {
+    let (one, half) = (E::one(), E::from_single(0.5));
     let Reduced { r, tail, shifted } = Reduced::new::<FUSED>(angle);
     let z = r * r;
     // The subtracted number is a positive zero where the angle is zero, so the sine keeps the sign of the angle. The
     // cosine can ignore the tail, which is less than half a unit in the last place of the angle.
-    let sine = r - multiply_add::<FUSED>(r * z, polynomial::<FUSED, 6>(SINE, z), tail);
-    let quartic = polynomial::<FUSED, 6>(COSINE, z);
+    let sine = r - multiply_add::<FUSED, E>(r * z, E::sine_series::<FUSED>(z), tail);
+    let quartic = E::cosine_series::<FUSED>(z);
     let cosine = if FUSED {
-        multiply_add::<FUSED>(-z, multiply_add::<FUSED>(-z, quartic, 0.5), 1.0)
+        multiply_add::<FUSED, E>(-z, multiply_add::<FUSED, E>(-z, quartic, half), one)
     } else {
         // Half of the square is exact. A product with a difference would be rounded once more.
-        1.0 - (0.5 * z - z * z * quartic)
+        one - (half * z - z * z * quartic)
     };
     if SELECT {
         in_quadrant_by_selection(shifted, sine, cosine)
     } else {
-        in_quadrant::<FUSED>(shifted, sine, cosine)
+        in_quadrant::<FUSED, E>(shifted, sine, cosine)
     }
 }
 
 /// An angle minus the nearest whole number of quarter turns.
-pub(super) struct Reduced {
-    pub(super) r: f64,
+pub(super) struct Reduced<E> {
+    pub(super) r: E,
     /// The amount by which r is too large.
-    pub(super) tail: f64,
+    pub(super) tail: E,
+    /// The number of quarter turns, in the lowest bits.
+    pub(super) shifted: E,
+}
+
+impl<E: Elementary> Reduced<E> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn new<const FUSED: bool>(angle: E) -> Self {
+        let shifted = multiply_add::<FUSED, E>(angle, E::QUARTERS_PER_RADIAN, E::ROUNDING);
+        let turns = shifted - E::ROUNDING;
+        // The first difference is exact. The tail receives what the second one loses.
+        let first = multiply_add::<FUSED, E>(-turns, E::QUARTER_TURN[0], angle);
+        let second = turns * E::QUARTER_TURN[1];
+        let r = first - second;
+        let tail = multiply_add::<FUSED, E>(turns, E::QUARTER_TURN[2], second - (first - r));
+        Self { r, tail, shifted }
+    }
+}
+
+/// [`Reduced`] for an angle of single precision, which needs no tail.
+pub(super) struct ReducedSingle {
+    pub(super) r: f64,
     /// The number of quarter turns, in the lowest bits.
     pub(super) shifted: f64,
 }
 
-impl Reduced {
-    #[inline(always)]
+impl ReducedSingle {
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new<const FUSED: bool>(angle: f64) -> Self {
-        let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
+        let shifted = multiply_add::<FUSED, f64>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
         let turns = shifted - ROUNDING;
-        // The first difference is exact. The tail receives what the second one loses.
-        let first = multiply_add::<FUSED>(-turns, QUARTER_TURN[0], angle);
-        let second = turns * QUARTER_TURN[1];
-        let r = first - second;
-        let tail = multiply_add::<FUSED>(turns, QUARTER_TURN[2], second - (first - r));
-        Self { r, tail, shifted }
+        let r = (angle - turns * QUARTER_TURN[0]) - turns * QUARTER_TURN[1];
+        Self { r, shifted }
     }
 }
 
 #[inline]
 fn near_single(angle: f64) -> (f64, f64) {
-    let shifted = multiply_add::<FUSED>(angle, core::f64::consts::FRAC_2_PI, ROUNDING);
-    let turns = shifted - ROUNDING;
-    let r = (angle - turns * QUARTER_TURN[0]) - turns * QUARTER_TURN[1];
+    let ReducedSingle { r, shifted } = ReducedSingle::new::<FUSED>(angle);
     let z = r * r;
-    let sine = r * (1.0 - z * polynomial::<FUSED, 4>(SINE_SINGLE, z));
-    let cosine = (1.0 - 0.5 * z) + z * z * polynomial::<FUSED, 3>(COSINE_SINGLE, z);
-    in_quadrant::<FUSED>(shifted, sine, cosine)
+    let sine = r * (1.0 - z * polynomial::<FUSED, 4, f64>(SINE_SINGLE, z));
+    let cosine = (1.0 - 0.5 * z) + z * z * polynomial::<FUSED, 3, f64>(COSINE_SINGLE, z);
+    in_quadrant::<FUSED, f64>(shifted, sine, cosine)
 }
 
 /// The sine and cosine of the reduced angle, turned by the number of quarter turns in the lowest bits of `shifted`.
 ///
 /// The turn is a product with the sine and cosine of these quarter turns, which are 0 or ±1, so nothing is rounded.
 /// Exchanging the two numbers would move them out of the floating-point registers and back.
-#[inline(always)]
-fn in_quadrant<const FUSED: bool>(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
-    let quarters = shifted.to_bits();
-    let odd = (quarters & 1).wrapping_neg();
-    let along = f64::from_bits((!odd & ONE) | (quarters << 62 & SIGN));
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn in_quadrant<const FUSED: bool, E: Binary>(shifted: E, sine: E, cosine: E) -> (E, E) {
+    let quarters = shifted.bits();
+    let (lowest, highest) = (quarters & E::Bits::one(), E::FROM_SECOND_TO_SIGN);
+    let odd = lowest.wrapping_neg();
+    let along = E::of_bits((!odd & E::ONE) | (quarters << highest & E::SIGN));
     // A negative zero if there is no turn, because that keeps the sign of a sine that is zero.
-    let across = f64::from_bits((odd & ONE) | (quarters.wrapping_add(3) << 62 & SIGN));
+    let before = quarters.wrapping_add(&!E::Bits::zero());
+    let across = E::of_bits((odd & E::ONE) | (before << highest & E::SIGN));
     (
-        multiply_add::<FUSED>(sine, along, cosine * across),
-        multiply_add::<FUSED>(cosine, along, -(sine * across)),
+        multiply_add::<FUSED, E>(sine, along, cosine * across),
+        multiply_add::<FUSED, E>(cosine, along, -(sine * across)),
     )
 }
 
 /// [`in_quadrant`] with `SELECT`: selection exchanges the two numbers, and signs are flipped as bits.
-#[inline(always)]
-fn in_quadrant_by_selection(shifted: f64, sine: f64, cosine: f64) -> (f64, f64) {
-    let quarters = shifted.to_bits();
-    let odd = quarters & 1 != 0;
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn in_quadrant_by_selection<E: Binary>(shifted: E, sine: E, cosine: E) -> (E, E) {
+    let quarters = shifted.bits();
+    let (one, highest) = (E::Bits::one(), E::FROM_SECOND_TO_SIGN);
+    let odd = quarters & one != E::Bits::zero();
     (
-        turned_round(if odd { cosine } else { sine }, quarters << 62),
-        turned_round(if odd { sine } else { cosine }, quarters.wrapping_add(1) << 62),
+        turned_round(if odd { cosine } else { sine }, quarters << highest),
+        turned_round(if odd { sine } else { cosine }, quarters.wrapping_add(&one) << highest),
     )
 }
 
@@ -234,7 +257,7 @@ mod tests {
         let quarter = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * PI / 4.0);
         let range = || fractions(COUNT).map(|f| (2.0 * f - 1.0) * LIMIT);
         let tiny = || fractions(10_000).map(|f| f64::exp2(-1074.0 * f));
-        let fused = near_sine_cosine::<true, true>;
+        let fused = near_sine_cosine::<true, true, f64>;
         for [sine, cosine] in [
             worst(turn(), sine_cosine),
             worst(quarter(), sine_cosine),
@@ -255,8 +278,8 @@ mod tests {
         for angle in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert!(!is_near(angle));
             for (sine, cosine) in [
-                near_sine_cosine::<false, true>(angle),
-                near_sine_cosine::<true, true>(angle),
+                near_sine_cosine::<false, true, f64>(angle),
+                near_sine_cosine::<true, true, f64>(angle),
             ] {
                 assert!(sine.is_nan() && cosine.is_nan());
             }

@@ -38,7 +38,7 @@ pub(in crate::solve) struct Domain<T> {
 }
 
 impl<T: Scalar> Domain<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::solve) fn is_inside<R: Real>(&self, x: R) -> R::Truth {
         match self.ends {
             Ends::NotNegative => x.is_at_least(R::of(0.0)),
@@ -56,7 +56,7 @@ impl<T: Scalar> Domain<T> {
     }
 
     /// Whether an argument is clearly inside or outside the ends whose size is about 1.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_told<R: Real>(&self, x: R) -> R::Truth {
         let one = R::of(1.0);
         let told = |low, high| R::both(is_told_from::<T, R>(low, x, one), || is_told_from::<T, R>(high, x, one));
@@ -75,12 +75,12 @@ impl<T: Scalar> Check<T, 2, 3> for Domain<T> {
         self.function
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.argument, self.result]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [argument, result]: [R; 2]) -> [R::Truth; 3] {
         // Each of several poses needs the test for a finite value here, because a later division by an infinite value
         // hides it.

@@ -12,12 +12,12 @@ impl<T: Scalar, const N: usize> Check<T, N, N> for Finite<T, N> {
         "finite numbers"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; N] {
         self.0
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, numbers: [R; N]) -> [R::Truth; N] {
         numbers.map(R::is_finite)
     }

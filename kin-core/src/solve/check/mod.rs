@@ -28,12 +28,14 @@ pub(super) use sides::SameSides;
 pub use sign::Negative;
 pub(super) use sign::{NotNegative, Zero};
 pub(super) use size::{LargestLength, LargestSize, SumOfSizes};
-pub(super) use span::{AngleInRange, SolutionInRange, Span, ValueInRange, out_of_range, within};
+pub use span::SolutionInRange;
+pub(super) use span::{AngleInRange, Span, ValueInRange, out_of_range, within};
 pub(super) use told::Told;
 pub(super) use turns::{NearestTurns, TellsDirection, TurnsInto};
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
+use crate::solve::Scalar;
 
 /// A check on which the path to a solution depends: `K` conditions on `N` operands, all of which must hold.
 pub trait Check<T, const N: usize, const K: usize>: Copy {
@@ -52,6 +54,24 @@ pub trait Check<T, const N: usize, const K: usize>: Copy {
     /// The margin is calculated in the number type, so that each of several poses has its own. Solvers do not ask for
     /// it.
     fn margin(&self) -> T;
+
+    /// The square of the length with whose root the [shortfall](Self::shortfall) is measured.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn square(&self) -> T
+    where
+        T: Scalar,
+    {
+        T::constant(0.0)
+    }
+
+    /// The margin of [`Failure::OutOfReach`] and the size of the lengths whose difference it is, if a pose that fails the
+    /// check fails for this reason wherever the margin is clearly negative. Otherwise only the solver for one pose knows
+    /// the reason. NaN leaves the pose to that solver, too. `root` is the root of the [square](Self::square).
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, root: T) -> Option<[T; 2]> {
+        let _ = root;
+        None
+    }
 }
 
 /// A choice between two solutions.
@@ -62,14 +82,35 @@ pub trait Choose<T, const N: usize>: Copy {
     /// The numbers that the choice compares.
     fn operands(&self) -> [T; N];
 
+    /// Which of the solutions are valid for these operands. It agrees with [`choose`](Self::choose), which finds more quickly that one
+    /// of them is.
+    fn validity<R: Real>(&self, operands: [R; N]) -> Validity<R>;
+
     /// The solution for one pose with these operands: open for the first solution, crossed for the second.
     ///
     /// # Errors
-    /// Fails if neither solution is valid, or both are.
+    /// Fails if neither solution is valid, or both are: [`Failure::Ambiguous`].
     fn choose(&self, operands: [f64; N]) -> Result<Assembly, Failure>;
 
     /// The distance of the choice from another outcome, in the unit of the solutions.
     fn margin(&self) -> T;
+}
+
+/// Which of two solutions are valid.
+#[derive(Clone, Copy, Debug)]
+pub struct Validity<R: Real> {
+    /// Whether both solutions are finite. Otherwise the rest means nothing.
+    pub are_finite: R::Truth,
+    /// Whether a solution is valid.
+    pub has_one: R::Truth,
+    /// Whether both are valid, and differ from each other.
+    pub has_two: R::Truth,
+    /// Whether the first solution is chosen, if one is valid and not two.
+    pub is_first: R::Truth,
+    /// The distance by which the more valid solution is valid, negative if it is not.
+    pub margin_of_one: R,
+    /// The distance by which the less valid solution is not valid, negative if it is.
+    pub margin_of_two: R,
 }
 
 /// A constant that depends on the real parts of numbers, for example a count of whole turns.

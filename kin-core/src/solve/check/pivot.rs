@@ -18,12 +18,12 @@ impl<T: Scalar> Check<T, 1, 1> for Multiplier<T> {
         "pivot"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.0]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [multiplier]: [R; 1]) -> [R::Truth; 1] {
         [multiplier.magnitude().is_at_most(R::of(LARGEST_MULTIPLIER))]
     }

@@ -4,7 +4,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::Float;
 
-/// A real number on which a check decides: `f64`, or a number that records what is compared.
+use crate::number::single;
+
+/// A real number on which a check decides: `f64` or `f32`, or a number that records what is compared.
 ///
 /// A check states its conditions with these methods. So one text serves the solvers, which ask whether a condition holds,
 /// and a record of the solver, which writes the condition down.
@@ -40,14 +42,14 @@ pub trait Real:
 
     /// Whether the number is less than or equal to another. NaN never is.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_at_most(self, other: Self) -> Self::Truth {
         other.is_at_least(self)
     }
 
     /// Whether the number is less than another. NaN never is.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_below(self, other: Self) -> Self::Truth {
         other.exceeds(self)
     }
@@ -81,82 +83,89 @@ pub trait Real:
     fn choose(truth: Self::Truth, one: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self;
 }
 
-impl Real for f64 {
-    type Truth = bool;
+macro_rules! real {
+    ($float:ty, $from_f64:expr) => {
+        impl Real for $float {
+            type Truth = bool;
 
-    #[inline(always)]
-    fn of(value: f64) -> Self {
-        value
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn of(value: f64) -> Self {
+                $from_f64(value)
+            }
 
-    #[inline(always)]
-    fn magnitude(self) -> Self {
-        self.abs()
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn magnitude(self) -> Self {
+                self.abs()
+            }
 
-    #[inline(always)]
-    fn rounded(self) -> Self {
-        Float::round(self)
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn rounded(self) -> Self {
+                Float::round(self)
+            }
 
-    #[inline(always)]
-    fn raised(self) -> Self {
-        Float::ceil(self)
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn raised(self) -> Self {
+                Float::ceil(self)
+            }
 
-    #[inline(always)]
-    fn is_at_least(self, other: Self) -> bool {
-        self >= other
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn is_at_least(self, other: Self) -> bool {
+                self >= other
+            }
 
-    #[inline(always)]
-    fn exceeds(self, other: Self) -> bool {
-        self > other
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn exceeds(self, other: Self) -> bool {
+                self > other
+            }
 
-    // The order of the operands decides which of them the machine has to copy.
-    #[inline(always)]
-    fn is_at_most(self, other: Self) -> bool {
-        self <= other
-    }
+            // The order of the operands decides which of them the machine has to copy.
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn is_at_most(self, other: Self) -> bool {
+                self <= other
+            }
 
-    #[inline(always)]
-    fn is_below(self, other: Self) -> bool {
-        self < other
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn is_below(self, other: Self) -> bool {
+                self < other
+            }
 
-    #[inline(always)]
-    fn equals(self, other: Self) -> bool {
-        self == other
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn equals(self, other: Self) -> bool {
+                self == other
+            }
 
-    #[inline(always)]
-    fn is_finite(self) -> bool {
-        f64::is_finite(self)
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn is_finite(self) -> bool {
+                <$float>::is_finite(self)
+            }
 
-    #[inline(always)]
-    fn certainly(answer: bool) -> bool {
-        answer
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn certainly(answer: bool) -> bool {
+                answer
+            }
 
-    #[inline(always)]
-    fn both(one: bool, other: impl FnOnce() -> bool) -> bool {
-        one && other()
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn both(one: bool, other: impl FnOnce() -> bool) -> bool {
+                one && other()
+            }
 
-    #[inline(always)]
-    fn either(one: bool, other: impl FnOnce() -> bool) -> bool {
-        one || other()
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn either(one: bool, other: impl FnOnce() -> bool) -> bool {
+                one || other()
+            }
 
-    #[inline(always)]
-    fn not(truth: bool) -> bool {
-        !truth
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn not(truth: bool) -> bool {
+                !truth
+            }
 
-    #[inline(always)]
-    fn choose(truth: bool, one: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
-        if truth { one() } else { other() }
-    }
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn choose(truth: bool, one: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
+                if truth { one() } else { other() }
+            }
+        }
+    };
 }
+
+real!(f64, core::convert::identity);
+real!(f32, single);

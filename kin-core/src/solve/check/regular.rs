@@ -14,12 +14,12 @@ impl<T: Scalar> Check<T, 1, 2> for Regular<T> {
         "regular determinant"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.0]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [determinant]: [R; 1]) -> [R::Truth; 2] {
         ordinary(determinant.magnitude(), T::SMALLEST)
     }

@@ -17,12 +17,12 @@ impl<T: Scalar, const K: usize> Check<T, K, 2> for SameSides<T, K> {
         "assembly of the values nearby"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; K] {
         self.orientations
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, orientations: [R; K]) -> [R::Truth; 2] {
         let (mut is_told, mut agrees) = (R::certainly(true), R::certainly(true));
         for (orientation, is_positive) in orientations.into_iter().zip(self.leading) {

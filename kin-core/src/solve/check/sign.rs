@@ -15,12 +15,12 @@ macro_rules! sign {
                     $words
                 }
 
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 fn operands(&self) -> [T; 1] {
                     [self.0]
                 }
 
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 fn holds<R: Real>(&self, [$number]: [R; 1]) -> [R::Truth; 1] {
                     [$holds]
                 }

@@ -12,12 +12,12 @@ impl<T: Scalar, const N: usize> Measure<T, N> for SumOfSizes<T, N> {
         "sizes of the terms"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; N] {
         self.0
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure<R: Real>(&self, terms: [R; N]) -> R {
         let mut sum = R::of(0.0);
         for term in terms {
@@ -39,12 +39,12 @@ impl<T: Scalar> Measure<T, 2> for LargestSize<T> {
         "largest entry"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.size, self.number]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure<R: Real>(&self, [largest, number]: [R; 2]) -> R {
         let size = number.magnitude();
         R::choose(size.exceeds(largest), || size, || largest)
@@ -60,12 +60,12 @@ impl<T: Scalar, const N: usize> Measure<T, N> for LargestLength<T, N> {
         "largest length"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; N] {
         self.0
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure<R: Real>(&self, lengths: [R; N]) -> R {
         let zero = R::of(0.0);
         let mut largest = zero;

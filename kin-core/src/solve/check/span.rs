@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{Check, Choose, Real, TurnsInto};
+use crate::solve::check::{Check, Choose, Real, TurnsInto, Validity};
 use crate::solve::doubt::{is_told_from, size, smaller};
 
 /// The tolerance for solutions outside the range, in units of ε times the size of the numbers.
@@ -23,19 +23,19 @@ pub(in crate::solve) struct Span<R> {
 }
 
 /// Whether a value lies in a range that contains its ends.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::solve) fn within<R: Real>(value: R, low: f64, high: f64) -> R::Truth {
     R::both(value.is_at_least(R::of(low)), || value.is_at_most(R::of(high)))
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn larger<R: Real>(one: R, other: R) -> R {
     R::choose(other.exceeds(one), || other, || one)
 }
 
 impl<R: Real> Span<R> {
     /// The range from `low` to `high`. The tolerance suits values of the size of `value`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::solve) fn new(low: f64, high: f64, value: R, epsilon: f64) -> Self {
         let finite = |end: f64| if end.is_finite() { end.abs() } else { 0.0 };
         let ends = R::of(finite(low).max(finite(high)));
@@ -74,13 +74,19 @@ impl<R: Real> Span<R> {
         })
     }
 
+    /// The distance of a value from the nearer end, positive inside the range.
+    fn inside(self, value: R) -> R {
+        let (above, below) = (value - R::of(self.low), R::of(self.high) - value);
+        R::choose(below.is_below(above), || below, || above)
+    }
+
     fn distance(self, value: R) -> R {
         let outside = larger(R::of(self.low) - value, value - R::of(self.high));
         larger(outside, R::of(0.0))
     }
 
     /// The smallest number of turns that brings an angle into the range, or next to it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::solve) fn turns(self, angle: R) -> R {
         let (low, high, zero) = (R::of(self.low), R::of(self.high), R::of(0.0));
         let turns = R::choose(
@@ -126,12 +132,12 @@ impl<T: Scalar> Check<T, 1, 2> for ValueInRange<T> {
         "range of a value"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.value]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [value]: [R; 1]) -> [R::Truth; 2] {
         let span = || Span::new(self.low, self.high, value, T::EPSILON);
         let is_inside = || R::either(within(value, self.low, self.high), || span().holds(value));
@@ -163,12 +169,12 @@ impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
         "range of an angle"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.angle]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [angle]: [R; 1]) -> [R::Truth; 2] {
         let span = || Span::new(self.low, self.high, angle, T::EPSILON);
         let is_inside = || {
@@ -188,14 +194,21 @@ impl<T: Scalar> Check<T, 1, 2> for AngleInRange<T> {
         ]
     }
 
+    /// An angle can miss a range of less than a turn on either side. The nearer side counts.
     fn margin(&self) -> T {
-        inside(self.angle + self.turns(), self.low, self.high)
+        let (angle, turn) = (self.angle + self.turns(), T::constant(TAU));
+        let margin = |angle| inside(angle, self.low, self.high);
+        let larger = |one: T, other: T| -smaller(-one, -other);
+        [angle - turn, angle + turn]
+            .map(margin)
+            .into_iter()
+            .fold(margin(angle), larger)
     }
 }
 
 impl<T: Scalar> AngleInRange<T> {
     /// The turns that bring the angle into the range, in radians.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::solve) fn turns(&self) -> T {
         T::measured(TurnsInto {
             angle: self.angle,
@@ -210,15 +223,41 @@ fn inside<T: Scalar>(value: T, low: f64, high: f64) -> T {
     smaller(value - T::constant(low), T::constant(high) - value)
 }
 
-/// Which of two solutions lies in a range.
-#[derive(Clone, Copy)]
-pub(in crate::solve) struct SolutionInRange<T> {
-    pub(in crate::solve) unknown: &'static str,
-    pub(in crate::solve) solutions: [T; 2],
-    pub(in crate::solve) low: f64,
-    pub(in crate::solve) high: f64,
+/// Which of two solutions lies in a range: the criterion of [`choose`](crate::solve::choose()).
+#[derive(Clone, Copy, Debug)]
+pub struct SolutionInRange<T> {
+    unknown: &'static str,
+    solutions: [T; 2],
+    low: f64,
+    high: f64,
     /// Whether the solutions are angles, which whole turns do not change.
-    pub(in crate::solve) is_angle: bool,
+    is_angle: bool,
+}
+
+impl<T> SolutionInRange<T> {
+    /// Two values of an unknown, and its range `low..=high`.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub const fn value(unknown: &'static str, solutions: [T; 2], low: f64, high: f64) -> Self {
+        Self {
+            unknown,
+            solutions,
+            low,
+            high,
+            is_angle: false,
+        }
+    }
+
+    /// Two angles in radians, and their range. An angle lies in it if whole turns can bring it there.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub const fn angle(unknown: &'static str, solutions: [T; 2], low: f64, high: f64) -> Self {
+        Self {
+            unknown,
+            solutions,
+            low,
+            high,
+            is_angle: true,
+        }
+    }
 }
 
 impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
@@ -226,12 +265,52 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
         self.unknown
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         self.solutions
     }
 
-    #[inline(always)]
+    fn validity<R: Real>(&self, [first, second]: [R; 2]) -> Validity<R> {
+        let span = Span::new(
+            self.low,
+            self.high,
+            larger(first.magnitude(), second.magnitude()),
+            T::EPSILON,
+        );
+        let of_range = |solution| {
+            if self.is_angle {
+                span.representative(solution)
+            } else {
+                solution
+            }
+        };
+        let (first, second) = (of_range(first), of_range(second));
+        let strictly = [first, second].map(|solution| span.holds_strictly(solution));
+        let loosely = [first, second].map(|solution| span.holds(solution));
+        let one = |[one, other]: [R::Truth; 2]| R::either(one, || other);
+        let two = |[one, other]: [R::Truth; 2]| R::both(one, || other);
+        let are_equal = R::both((first - second).magnitude().is_at_most(span.tolerance), || two(loosely));
+        // Rounding counts only if there would be no solution otherwise.
+        let by_rounding = || R::both(R::not(one(strictly)), || two(loosely));
+        let are_valid = R::either(two(strictly), by_rounding);
+        let is_first = R::either(strictly[0], || R::both(R::not(strictly[1]), || loosely[0]));
+        let (inside, other) = (span.inside(first), span.inside(second));
+        Validity {
+            are_finite: R::both(first.is_finite(), || second.is_finite()),
+            has_one: one(loosely),
+            has_two: R::both(are_valid, || R::not(are_equal)),
+            // The end of the range may lie between two angles that are equal up to rounding.
+            is_first: if self.is_angle {
+                R::either(are_equal, || is_first)
+            } else {
+                is_first
+            },
+            margin_of_one: larger(inside, other),
+            margin_of_two: larger(-inside, -other),
+        }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn choose(&self, [first, second]: [f64; 2]) -> Result<Assembly, Failure> {
         let (low, high) = (self.low, self.high);
         let span = Span::new(low, high, first.abs().max(second.abs()), T::EPSILON);
@@ -245,7 +324,9 @@ impl<T: Scalar> Choose<T, 2> for SolutionInRange<T> {
         if !(span.tells::<T>(first) && span.tells::<T>(second)) {
             return Err(IN_DOUBT);
         }
-        match (first >= low && first <= high, second >= low && second <= high) {
+        // An infinite solution lies in no range.
+        let (least, most) = (low.max(f64::MIN), high.min(f64::MAX));
+        match (first >= least && first <= most, second >= least && second <= most) {
             (true, false) if second.is_finite() => Ok(Assembly::Open),
             (false, true) if first.is_finite() => Ok(Assembly::Crossed),
             _ => choose(self.unknown, first, second, span, self.is_angle),

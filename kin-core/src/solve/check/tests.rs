@@ -1,8 +1,11 @@
 //! A number that records the decisions about it, and tests of those decisions.
 
 use core::cell::RefCell;
+use core::f64::consts::TAU;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::vec::Vec;
+
+use proptest::prelude::*;
 
 use super::{Check, Choose};
 use crate::assembly::Assembly;
@@ -10,7 +13,7 @@ use crate::batch::lanes::Lanes;
 use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::number::Number;
-use crate::solve::check::Regular;
+use crate::solve::check::{Regular, SolutionInRange};
 use crate::solve::{self, Scalar};
 
 /// A double-precision number that records the names and margins of all checks.
@@ -182,7 +185,7 @@ fn checks_know_the_margins_of_the_failures() {
 fn margins_are_positive_where_checks_hold() {
     let (solved, notes) = notes_of(|| {
         let (first, _) = solve::circle_circle(Recorded(3.0), Recorded(4.0), vector([5.0, 0.0]), Assembly::Open)?;
-        let chosen = solve::choose_angle("theta", first.x, first.y, 1.0, 2.0)?;
+        let chosen = solve::choose([SolutionInRange::angle("theta", [first.x, first.y], 1.0, 2.0)])?;
         solve::regular(first.y)?;
         Ok::<_, Failure>(chosen)
     });
@@ -206,4 +209,64 @@ fn lanes_have_margins() {
     let margins = Regular(determinants).margin();
     assert_eq!(margins.0[..3], [0.5, 2.0, 0.0]);
     assert!(margins.0[3].is_nan());
+}
+
+/// Numbers in a range and outside of it, at its ends up to rounding, and numbers that are not finite.
+fn about(low: f64, high: f64) -> impl Strategy<Value = f64> {
+    let end = prop_oneof![Just(low), Just(high), Just(low.midpoint(high))];
+    let beside = (end, -40..=40_i32, -2..=2_i32)
+        .prop_map(|(end, units, turns)| end + f64::from(units) * f64::EPSILON + f64::from(turns) * TAU);
+    prop_oneof![8 => -20.0..20.0, 8 => beside, 1 => Just(f64::NAN), 1 => Just(f64::INFINITY)]
+}
+
+fn range_and_solutions() -> impl Strategy<Value = (f64, f64, [f64; 2])> {
+    let range = prop_oneof![
+        (-7.0..7.0, 0.0..8.0).prop_map(|(low, width)| (low, low + width)),
+        (-7.0..7.0).prop_map(|high| (f64::NEG_INFINITY, high)),
+        (-7.0..7.0).prop_map(|low| (low, f64::INFINITY)),
+        // a range of rounding alone
+        (-7.0..7.0).prop_map(|low| (low, low + 4.0 * f64::EPSILON)),
+    ];
+    range.prop_flat_map(|(low, high)| {
+        let finite = |end: f64| if end.is_finite() { end } else { 0.0 };
+        let number = about(finite(low), finite(high));
+        let solutions = (number, -40..=40_i32, about(finite(low), finite(high)), any::<bool>());
+        solutions.prop_map(move |(first, units, second, is_near)| {
+            let near = first + f64::from(units) * f64::EPSILON;
+            (low, high, [first, if is_near { near } else { second }])
+        })
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    /// What a record of a choice compares chooses what one pose chooses, and fails with the same numbers.
+    #[test]
+    fn validity_is_the_choice((low, high, solutions) in range_and_solutions(), is_angle in any::<bool>()) {
+        let choice = if is_angle {
+            SolutionInRange::angle("x", solutions, low, high)
+        } else {
+            SolutionInRange::value("x", solutions, low, high)
+        };
+        let own = choice.validity(solutions);
+        let inside = |value: f64| (value - low).min(high - value);
+        match choice.choose(solutions) {
+            Err(Failure::NotFinite { .. }) => prop_assert!(!own.are_finite),
+            Err(Failure::OutOfRange { value, .. }) => {
+                prop_assert!(own.are_finite && !own.has_one);
+                prop_assert_eq!(own.margin_of_one.to_bits(), inside(value).to_bits());
+                prop_assert!(own.margin_of_one < 0.0);
+            }
+            Err(Failure::Ambiguous { first, second, .. }) => {
+                prop_assert!(own.are_finite && own.has_one && own.has_two);
+                prop_assert_eq!(own.margin_of_two, -inside(first).min(inside(second)));
+            }
+            Ok(assembly) => {
+                prop_assert!(own.are_finite && own.has_one && !own.has_two);
+                prop_assert_eq!(own.is_first, assembly == Assembly::Open);
+            }
+            Err(other) => prop_assert!(false, "{:?}", other),
+        }
+    }
 }

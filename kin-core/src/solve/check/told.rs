@@ -17,12 +17,12 @@ impl<T: Scalar> Check<T, 2, 1> for Told<T> {
         "sum beyond doubt"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.number, self.size]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [number, size]: [R; 2]) -> [R::Truth; 1] {
         [number.magnitude().is_at_least(R::of(T::DOUBT) * size)]
     }

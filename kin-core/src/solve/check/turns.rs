@@ -17,12 +17,12 @@ impl<T: Scalar> Measure<T, 2> for NearestTurns<T> {
         "turns to a guess"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.angle, self.guess]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure<R: Real>(&self, [angle, guess]: [R; 2]) -> R {
         let turns = ((guess - angle) / R::of(TAU)).rounded();
         // A guess that is not finite does not move the angle.
@@ -44,12 +44,12 @@ impl<T: Scalar> Measure<T, 1> for TurnsInto<T> {
         "turns into a range"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.angle]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure<R: Real>(&self, [angle]: [R; 1]) -> R {
         // The tolerance is calculated outside of the range only.
         let turns = R::choose(
@@ -74,12 +74,12 @@ impl<T: Scalar> Check<T, 1, 1> for TellsDirection<T> {
         "turns that tell a direction"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.size]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [size]: [R; 1]) -> [R::Truth; 1] {
         // NaN does not equal itself.
         [R::either(size.is_at_most(R::of(self.limit)), || {

@@ -42,7 +42,7 @@ const QUANTITY: &str = "link lengths or the distance they span";
 /// assert!((first.cross(second) + four_areas.value / 2.0).abs() < 1e-14);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> Result<(Plane<T>, Root<T>), Failure> {
     let d2 = c.norm_squared();
     let sum = a + b;
@@ -59,16 +59,13 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
         d2,
         least_d2: least(reach2),
     };
-    let Some(four_q2) = four_q2.provided(reach) else {
-        return Err(lengths_do_not_close(
-            a.real(),
-            b.real(),
-            Plane::new(c.x.real(), c.y.real()),
-            T::EPSILON,
-        ));
+    let Some(root) = Root::provided(four_q2, reach, assembly) else {
+        return Err(T::refused(|| {
+            let c = Plane::new(c.x.real(), c.y.real());
+            lengths_do_not_close(a.real(), b.real(), c, T::EPSILON)
+        }));
     };
     let half = T::constant(0.5) / d2;
-    let root = Root::of(four_q2, assembly);
     Ok((beside(c, twice_p * half, root.value * half), root))
 }
 
@@ -79,7 +76,7 @@ pub fn circle_circle<T: Scalar>(a: T, b: T, c: Plane<T>, assembly: Assembly) -> 
 ///
 /// # Errors
 /// As for [`circle_circle`]. If a square is negative, the links are out of reach by the root of its magnitude.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let d2 = c.norm_squared();
     let twice_p = d2 + a2 - b2;
@@ -95,16 +92,14 @@ pub fn circle_circle_squared<T: Scalar>(a2: T, b2: T, c: Plane<T>, assembly: Ass
         d2,
         least_d2: least(|| a2 + b2),
     };
-    let Some(four_q2) = four_q2.provided(reach) else {
-        return Err(squares_do_not_close(
-            a2.real(),
-            b2.real(),
-            Plane::new(c.x.real(), c.y.real()),
-            T::EPSILON,
-        ));
+    let Some(root) = Root::provided(four_q2, reach, assembly) else {
+        return Err(T::refused(|| {
+            let c = Plane::new(c.x.real(), c.y.real());
+            squares_do_not_close(a2.real(), b2.real(), c, T::EPSILON)
+        }));
     };
     let half = T::constant(0.5) / d2;
-    Ok(beside(c, twice_p * half, four_q2.sqrt().signed(assembly) * half))
+    Ok(beside(c, twice_p * half, root.value * half))
 }
 
 /// Whether two links of given lengths can span a distance.
@@ -122,19 +117,30 @@ impl<T: Scalar> Check<T, 4, 3> for Reach<T> {
         "reach of two circles"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 4] {
         [self.four_q2, self.least_four_q2, self.d2, self.least_d2]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
         [low, high, d2.is_at_least(least_d2)]
     }
 
     fn margin(&self) -> T {
-        margin(self.lengths, self.d2)
+        let [margin, _] = shortfall(self.lengths, self.d2.sqrt());
+        margin
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn square(&self) -> T {
+        self.d2
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, root: T) -> Option<[T; 2]> {
+        Some(shortfall(self.lengths, root))
     }
 }
 
@@ -153,31 +159,47 @@ impl<T: Scalar> Check<T, 4, 3> for ReachOfSquares<T> {
         "reach of two circles"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 4] {
         [self.four_q2, self.least_four_q2, self.d2, self.least_d2]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least_q2, d2, least_d2]: [R; 4]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least_q2, T::SMALLEST);
         [low, high, d2.is_at_least(least_d2)]
     }
 
     fn margin(&self) -> T {
-        margin(self.squares.map(|square| size(square).sqrt()), self.d2)
+        let [margin, _] = shortfall(self.squares.map(|square| size(square).sqrt()), self.d2.sqrt());
+        margin
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn square(&self) -> T {
+        self.d2
+    }
+
+    /// A negative square gives NaN.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, root: T) -> Option<[T; 2]> {
+        let [a2, b2] = self.squares;
+        Some(shortfall([a2.sqrt(), b2.sqrt()], root))
     }
 }
 
-/// The reach of two links, negative if they do not reach: the smaller of |a| + |b| - d and d - ||a| - |b||.
-fn margin<T: Scalar>(lengths: [T; 2], d2: T) -> T {
-    let [a, b] = lengths.map(size);
-    let d = d2.sqrt();
-    smaller(a + b - d, d - size(a - b))
+/// The reach of two links, negative if they do not reach: the smaller of |a| + |b| - d and d - ||a| - |b||. The second
+/// number is the sum of the three lengths.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn shortfall<T: Scalar>(lengths: [T; 2], d: T) -> [T; 2] {
+    // `map` is not always inlined.
+    let [a, b] = [size(lengths[0]), size(lengths[1])];
+    let reach = a + b;
+    [smaller(reach - d, d - size(a - b)), reach + d]
 }
 
 /// The vector `c (p + i q)`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn beside<T: Scalar>(c: Plane<T>, p: T, q: T) -> Plane<T> {
     Plane::new(c.x * p - c.y * q, c.y * p + c.x * q)
 }

@@ -7,7 +7,7 @@ use crate::geometry::Plane;
 use crate::solve::Scalar;
 use crate::solve::check::{Check, Finite, Real, SumOfSizes};
 use crate::solve::diagnosis::{length, ordinary_from, refusal, root};
-use crate::solve::doubt::{least, size};
+use crate::solve::doubt::{divisor, least, size};
 
 const QUANTITY: &str = "link length, direction of the slide or distance spanned";
 
@@ -33,7 +33,7 @@ const QUANTITY: &str = "link length, direction of the slide or distance spanned"
 /// assert_eq!((link.x, link.y, travel), (-4.0, 3.0, 2.5));
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn circle_line<T: Scalar>(
     a2: T,
     direction: Plane<T>,
@@ -53,11 +53,12 @@ pub fn circle_line<T: Scalar>(
         least: least(sizes),
         u2,
         a2,
+        c,
+        beside,
     };
-    let Some(q2) = q2.provided(reach) else {
+    let Some((_, q)) = q2.rooted(reach) else {
         return Err(does_not_reach(a2, direction, c));
     };
-    let q = q2.sqrt();
     let travel = T::assembled(assembly, || along + q, || along - q) / u2;
     let Some(travel) = travel.provided(Finite([travel])) else {
         return Err(does_not_reach(a2, direction, c));
@@ -72,20 +73,19 @@ pub fn circle_line<T: Scalar>(
 ///
 /// # Errors
 /// As for [`circle_line`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
     let q2 = a2 - c.y * c.y;
     let reach = ReachAlongX {
         q2,
         least: least(|| a2),
-        x: c.x,
+        c,
         a2,
     };
-    let Some(q2) = q2.provided(reach) else {
+    let Some(leg) = Root::provided(q2, reach, assembly.mirrored()) else {
         let axis = Plane::new(T::constant(1.0), T::constant(0.0));
         return Err(does_not_reach(a2, axis, c));
     };
-    let leg = Root::of(q2, assembly.mirrored());
     Ok((leg, c.x - leg.value))
 }
 
@@ -96,7 +96,7 @@ pub fn circle_line_x<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Resul
 ///
 /// # Errors
 /// As for [`circle_line`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn circle_line_y<T: Scalar>(a2: T, c: Plane<T>, assembly: Assembly) -> Result<(Root<T>, T), Failure> {
     circle_line_x(a2, Plane::new(c.y, c.x), assembly)
 }
@@ -108,6 +108,9 @@ struct Reach<T> {
     least: T,
     u2: T,
     a2: T,
+    c: Plane<T>,
+    /// The distance of the line, multiplied by the length of its direction.
+    beside: T,
 }
 
 impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
@@ -115,12 +118,12 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
         "reach of a circle and a line"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 3] {
         [self.q2, self.least, self.u2]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, u2]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, u2.is_at_least(R::of(T::SMALLEST))]
@@ -129,6 +132,17 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
     fn margin(&self) -> T {
         margin(self.a2, self.q2 / self.u2)
     }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn square(&self) -> T {
+        self.a2
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, root: T) -> Option<[T; 2]> {
+        let distance = size(self.beside) / divisor(self.u2).sqrt();
+        Some(shortfall(root, self.c, distance))
+    }
 }
 
 /// Whether a link reaches a line parallel to an axis, from a point on the axis.
@@ -136,7 +150,7 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 struct ReachAlongX<T> {
     q2: T,
     least: T,
-    x: T,
+    c: Plane<T>,
     a2: T,
 }
 
@@ -145,12 +159,12 @@ impl<T: Scalar> Check<T, 3, 3> for ReachAlongX<T> {
         "reach of a circle and an axis"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 3] {
-        [self.q2, self.least, self.x]
+        [self.q2, self.least, self.c.x]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, x]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, x.is_finite()]
@@ -158,6 +172,16 @@ impl<T: Scalar> Check<T, 3, 3> for ReachAlongX<T> {
 
     fn margin(&self) -> T {
         margin(self.a2, self.q2)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn square(&self) -> T {
+        self.a2
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, root: T) -> Option<[T; 2]> {
+        Some(shortfall(root, self.c, size(self.c.y)))
     }
 }
 
@@ -167,14 +191,22 @@ fn margin<T: Scalar>(a2: T, q2: T) -> T {
     size(a2).sqrt() - size(a2 - q2).sqrt()
 }
 
-#[inline(always)]
+/// The difference between the length of a link and the distance of the line, and a size of the lengths.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn shortfall<T: Scalar>(radius: T, c: Plane<T>, distance: T) -> [T; 2] {
+    [radius - distance, radius + size(c.x) + size(c.y)]
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn does_not_reach<T: Scalar>(a2: T, direction: Plane<T>, c: Plane<T>) -> Failure {
-    diagnose(
-        a2.real(),
-        Plane::new(direction.x.real(), direction.y.real()),
-        Plane::new(c.x.real(), c.y.real()),
-        T::EPSILON,
-    )
+    T::refused(|| {
+        diagnose(
+            a2.real(),
+            Plane::new(direction.x.real(), direction.y.real()),
+            Plane::new(c.x.real(), c.y.real()),
+            T::EPSILON,
+        )
+    })
 }
 
 #[cold]

@@ -6,7 +6,7 @@ use crate::geometry::Plane;
 use crate::solve::Scalar;
 use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::{length, ordinary_from, refusal};
-use crate::solve::doubt::{least, size};
+use crate::solve::doubt::{divisor, least, size};
 
 const QUANTITY: &str = "coefficients of the cosine and the sine";
 
@@ -28,7 +28,7 @@ const QUANTITY: &str = "coefficients of the cosine and the sine";
 /// assert!((u.x - 1.0).abs() < 1e-15 && u.y.abs() < 1e-15);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let rho2 = a * a + b * b;
     let q2 = rho2 - c * c;
@@ -38,12 +38,12 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<Pl
         rho2,
         c,
     };
-    let Some(q2) = q2.provided(reach) else {
-        return Err(no_angle(a.real(), b.real(), c.real(), T::EPSILON));
+    let Some((_, q)) = q2.rooted(reach) else {
+        return Err(T::refused(|| no_angle(a.real(), b.real(), c.real(), T::EPSILON)));
     };
     let inverse = T::constant(1.0) / rho2;
     let cosine = c * inverse;
-    let sine = q2.sqrt() * inverse;
+    let sine = q * inverse;
     let (along, beside) = (Plane::new(a * cosine, b * cosine), Plane::new(b * sine, a * sine));
     Ok(Plane::new(
         T::assembled(assembly, || along.x - beside.x, || along.x + beside.x),
@@ -65,18 +65,29 @@ impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
         "reach of a cosine and a sine"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.q2, self.least]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least]: [R; 2]) -> [R::Truth; 2] {
         ordinary_from(q2, least, T::SMALLEST)
     }
 
     fn margin(&self) -> T {
         self.rho2.sqrt() - size(self.c)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn square(&self) -> T {
+        divisor(self.rho2)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, rho: T) -> Option<[T; 2]> {
+        let c = size(self.c);
+        Some([rho - c, rho + c])
     }
 }
 

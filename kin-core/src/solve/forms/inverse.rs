@@ -25,7 +25,7 @@ use crate::solve::doubt::{least, size};
 /// assert!((height - 4.0).abs() < 1e-15);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn inverse_cosine<T: Scalar>(width: T, radius: T, assembly: Assembly) -> Result<Root<T>, Failure> {
     other(width, radius, assembly, "length of a link or its given width")
 }
@@ -39,13 +39,13 @@ pub fn inverse_cosine<T: Scalar>(width: T, radius: T, assembly: Assembly) -> Res
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin |radius| - |height|, [`Failure::Singular`] if the margin is zero,
 /// [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn inverse_sine<T: Scalar>(height: T, radius: T, assembly: Assembly) -> Result<Root<T>, Failure> {
     other(height, radius, assembly, "length of a link or its given height")
 }
 
 /// The other leg of the right-angled triangle whose hypotenuse is the radius.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static str) -> Result<Root<T>, Failure> {
     // The factors keep precision at angles where the known leg is almost as long as the radius.
     let square = (radius - known) * (radius + known);
@@ -56,7 +56,9 @@ fn other<T: Scalar>(known: T, radius: T, assembly: Assembly, quantity: &'static 
         known,
     };
     let Some(square) = square.provided(reach) else {
-        return Err(too_short(known.real(), radius.real(), T::EPSILON, quantity));
+        return Err(T::refused(|| {
+            too_short(known.real(), radius.real(), T::EPSILON, quantity)
+        }));
     };
     let leg = Root::of(square, assembly);
     Ok(Root {
@@ -79,18 +81,24 @@ impl<T: Scalar> Check<T, 2, 2> for Reach<T> {
         "reach of a link"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.square, self.least]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [square, least]: [R; 2]) -> [R::Truth; 2] {
         ordinary_from(square, least, T::SMALLEST)
     }
 
     fn margin(&self) -> T {
         size(self.radius) - size(self.known)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, _: T) -> Option<[T; 2]> {
+        let (radius, known) = (size(self.radius), size(self.known));
+        Some([radius - known, radius + known])
     }
 }
 

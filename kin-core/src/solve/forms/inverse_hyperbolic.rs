@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::solve::Scalar;
 use crate::solve::check::{Check, Real};
 use crate::solve::diagnosis::refusal;
-use crate::solve::doubt::is_told_from;
+use crate::solve::doubt::{is_told_from, size};
 
 /// The number a with cosh a = `value`. In [`Assembly::Open`] it has the sign of `growth`, in the crossed assembly the
 /// opposite sign.
@@ -27,11 +27,11 @@ use crate::solve::doubt::is_told_from;
 /// assert!((argument + 2.0).abs() < 1e-15);
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn inverse_hyperbolic_cosine<T: Scalar>(value: T, growth: T, assembly: Assembly) -> Result<T, Failure> {
     match value.provided(AboveOne { value }) {
         Some(value) => Ok(value.acosh().times_sign_of(growth).signed(assembly)),
-        None => Err(too_small(value.real(), T::EPSILON)),
+        None => Err(T::refused(|| too_small(value.real(), T::EPSILON))),
     }
 }
 
@@ -46,12 +46,12 @@ impl<T: Scalar> Check<T, 1, 3> for AboveOne<T> {
         "reach of a hyperbolic cosine"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.value]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [value]: [R; 1]) -> [R::Truth; 3] {
         let one = R::of(1.0);
         [
@@ -63,6 +63,11 @@ impl<T: Scalar> Check<T, 1, 3> for AboveOne<T> {
 
     fn margin(&self) -> T {
         self.value - T::constant(1.0)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, _: T) -> Option<[T; 2]> {
+        Some([self.margin(), size(self.value) + T::constant(1.0)])
     }
 }
 

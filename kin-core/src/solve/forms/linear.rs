@@ -19,7 +19,7 @@ const QUANTITY: &str = "coefficients of a linear equation, or its solution";
 /// assert_eq!(solve::linear(4.0, 6.0), Ok(1.5));
 /// assert!(solve::linear(0.0, 6.0).is_err());
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
     let x = b / a;
     // Check the coefficient too: division by an infinite coefficient gives zero, which would pass as a solution.
@@ -39,7 +39,7 @@ pub fn linear<T: Scalar>(a: T, b: T) -> Result<T, Failure> {
 ///
 /// assert_eq!(solve::linear_pair([[1.0, 1.0], [1.0, -1.0]], [3.0, 1.0]), Ok((2.0, 1.0)));
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn linear_pair<T: Scalar>(a: [[T; 2]; 2], b: [T; 2]) -> Result<(T, T), Failure> {
     let product = a[0][0] * a[1][1];
     let determinant = product - a[0][1] * a[1][0];
@@ -76,12 +76,12 @@ impl<T: Scalar> Check<T, 4, 4> for Meet<T> {
         "two lines that meet"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 4] {
         [self.determinant, self.product, self.x, self.y]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [determinant, product, x, y]: [R; 4]) -> [R::Truth; 4] {
         let size = determinant.magnitude();
         [
@@ -99,7 +99,7 @@ impl<T: Scalar> Check<T, 4, 4> for Meet<T> {
 
 /// The size of rounding errors in the determinant. The determinant of parallel lines is of this size, so the lines
 /// would seem to meet far away.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn noise<T: Scalar, R: Real>(product: R) -> R {
     R::of(2.0 * T::EPSILON) * product.magnitude()
 }

@@ -30,7 +30,7 @@ const QUANTITY: &str = "offset of the slide or distance spanned";
 /// assert_eq!((length, c.y / length), (-2.0, -1.0));
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Failure> {
     let d2 = c.norm_squared();
     let Some(d2) = d2.provided(Apart { d2 }) else {
@@ -51,7 +51,7 @@ pub fn polar<T: Scalar>(c: Plane<T>, assembly: Assembly) -> Result<Root<T>, Fail
 /// # Errors
 /// [`Failure::OutOfReach`] with the margin |c| - |offset.y|, [`Failure::Singular`] if the margin is zero,
 /// [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly) -> Result<(T, Plane<T>), Failure> {
     let d2 = c.norm_squared();
     let q2 = d2 - offset.y * offset.y;
@@ -62,14 +62,16 @@ pub fn polar_offset<T: Scalar>(offset: Plane<T>, c: Plane<T>, assembly: Assembly
         d2,
         across: offset.y,
     };
-    let Some(q2) = q2.provided(reach) else {
-        return Err(does_not_pass(
-            Plane::new(offset.x.real(), offset.y.real()),
-            Plane::new(c.x.real(), c.y.real()),
-            T::EPSILON,
-        ));
+    let Some((_, q)) = q2.rooted(reach) else {
+        return Err(T::refused(|| {
+            does_not_pass(
+                Plane::new(offset.x.real(), offset.y.real()),
+                Plane::new(c.x.real(), c.y.real()),
+                T::EPSILON,
+            )
+        }));
     };
-    let along = q2.sqrt().signed(assembly);
+    let along = q.signed(assembly);
     // u = c / w with w = along + i offset.y, and |w|² = |c|².
     let inverse = T::constant(1.0) / d2;
     let cosine = along * inverse;
@@ -89,12 +91,12 @@ impl<T: Scalar> Check<T, 1, 2> for Apart<T> {
         "distance of two points"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.d2]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [d2]: [R; 1]) -> [R::Truth; 2] {
         ordinary(d2, T::SMALLEST)
     }
@@ -119,12 +121,12 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
         "reach of an offset slide"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 3] {
         [self.q2, self.least, self.shift]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, shift]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, shift.is_finite()]
@@ -132,6 +134,18 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
 
     fn margin(&self) -> T {
         self.d2.sqrt() - size(self.across)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn square(&self) -> T {
+        self.d2
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shortfall(&self, d: T) -> Option<[T; 2]> {
+        let across = size(self.across);
+        // The product is NaN if the shift is not finite.
+        Some([d - across, d + across + self.shift * T::constant(0.0)])
     }
 }
 

@@ -28,7 +28,7 @@ const QUANTITY: &str = "coefficients of a quadratic equation, or its solution";
 /// assert_eq!(solve::quadratic(1.0, -3.0, 2.0, Assembly::Open), Ok(2.0));
 /// assert_eq!(solve::quadratic(1.0, -3.0, 2.0, Assembly::Crossed), Ok(1.0));
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn quadratic<T: Scalar>(a: T, b: T, c: T, assembly: Assembly) -> Result<T, Failure> {
     let g = b * T::constant(-0.5);
     let q2 = g * g - a * c;
@@ -72,12 +72,12 @@ impl<T: Scalar> Check<T, 3, 3> for Reach<T> {
         "reach of a parabola"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 3] {
         [self.q2, self.least, self.a]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [q2, least, a]: [R; 3]) -> [R::Truth; 3] {
         let [low, high] = ordinary_from(q2, least, T::SMALLEST);
         [low, high, R::not(a.equals(R::of(0.0)))]
@@ -102,12 +102,12 @@ impl<T: Scalar> Check<T, 2, 1> for IsSum<T> {
         "formula of a root"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 2] {
         [self.a, self.g]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [a, g]: [R; 2]) -> [R::Truth; 1] {
         let (plus, above) = (a.exceeds(R::of(0.0)), g.is_at_least(R::of(0.0)));
         [R::either(R::both(plus, || above), || R::not(R::either(plus, || above)))]

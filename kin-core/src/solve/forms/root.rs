@@ -2,6 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::solve::Scalar;
+use crate::solve::check::Check;
 
 /// A square root with a sign, and its square.
 ///
@@ -17,8 +18,22 @@ pub struct Root<T = f64> {
 }
 
 impl<T: Scalar> Root<T> {
+    /// The root with the sign of the assembly, if a check holds.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn provided<const N: usize, const K: usize>(
+        square: T,
+        check: impl Check<T, N, K>,
+        assembly: Assembly,
+    ) -> Option<Self> {
+        let (square, root) = square.rooted(check)?;
+        Some(Self {
+            value: root.signed(assembly),
+            square,
+        })
+    }
+
     /// The root with the sign of the assembly.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of(square: T, assembly: Assembly) -> Self {
         Self {
             value: square.sqrt().signed(assembly),

@@ -19,7 +19,7 @@ use crate::solve::doubt::size;
 ///
 /// assert_eq!(solve::square_root(9.0, Assembly::Crossed), Ok(-3.0));
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn square_root<T: Scalar>(w: T, assembly: Assembly) -> Result<T, Failure> {
     match w.provided(Positive { square: w }) {
         Some(square) => Ok(square.sqrt().signed(assembly)),
@@ -38,12 +38,12 @@ impl<T: Scalar> Check<T, 1, 2> for Positive<T> {
         "positive square"
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn operands(&self) -> [T; 1] {
         [self.square]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn holds<R: Real>(&self, [square]: [R; 1]) -> [R::Truth; 2] {
         [square.exceeds(R::of(0.0)), square.is_below(R::of(f64::INFINITY))]
     }

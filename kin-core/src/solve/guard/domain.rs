@@ -18,7 +18,7 @@ use crate::solve::check::{Domain, Ends};
 /// assert_eq!(solve::square_root_of(9.0), Ok(3.0));
 /// assert!(solve::square_root_of(-9.0).is_err());
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::NotNegative, x, x.sqrt(), "sqrt")
 }
@@ -27,7 +27,7 @@ pub fn square_root_of<T: Scalar>(x: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::Unit, x, x.asin(), "asin")
 }
@@ -36,7 +36,7 @@ pub fn arc_sine<T: Scalar>(x: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::Unit, x, x.acos(), "acos")
 }
@@ -45,7 +45,7 @@ pub fn arc_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn area_hyperbolic_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::FromOne, x, x.acosh(), "acosh")
 }
@@ -54,7 +54,7 @@ pub fn area_hyperbolic_cosine<T: Scalar>(x: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn area_hyperbolic_tangent<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::WithinUnit, x, x.atanh(), "atanh")
 }
@@ -63,7 +63,7 @@ pub fn area_hyperbolic_tangent<T: Scalar>(x: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
     within(Ends::Positive, x, x.ln(), "ln")
 }
@@ -72,7 +72,7 @@ pub fn logarithm<T: Scalar>(x: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::RightAngles, v, v.sin_cos().0, "the inverse of asin")
 }
@@ -81,7 +81,7 @@ pub fn sine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::HalfTurn, v, v.sin_cos().1, "the inverse of acos")
 }
@@ -90,7 +90,7 @@ pub fn cosine_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
     let (sine, cosine) = v.sin_cos();
     within(Ends::WithinRightAngles, v, sine / cosine, "the inverse of atan")
@@ -100,7 +100,7 @@ pub fn tangent_of_arc<T: Scalar>(v: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn hyperbolic_cosine_of_area<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::NotNegative, v, v.cosh(), "the inverse of acosh")
 }
@@ -109,13 +109,13 @@ pub fn hyperbolic_cosine_of_area<T: Scalar>(v: T) -> Result<T, Failure> {
 ///
 /// # Errors
 /// [`Failure::OutsideDomain`], [`Failure::NotFinite`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
     within(Ends::NotNegative, v, v * v, "the inverse of sqrt")
 }
 
 /// The result, if its argument is inside the domain and the result and its rates are finite.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn within<T: Scalar>(ends: Ends, argument: T, result: T, function: &'static str) -> Result<T, Failure> {
     let domain = Domain {
         argument,

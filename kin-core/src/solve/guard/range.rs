@@ -6,64 +6,30 @@ use crate::solve::Scalar;
 use crate::solve::check::{AngleInRange, SolutionInRange, Span, ValueInRange, out_of_range};
 use crate::solve::guard::turn::turned;
 
-/// The choice between two solutions by a range `low..=high`: [`Assembly::Open`] for the first, [`Assembly::Crossed`]
-/// for the second.
+/// The choice between two solutions by the ranges `low..=high` of unknowns: [`Assembly::Open`] for the first solution,
+/// [`Assembly::Crossed`] for the second. The first range that does not contain both solutions decides.
 ///
 /// A range without an end has an infinite end. Solutions may lie beyond an end by no more than rounding. Two solutions
-/// that coincide count as one, the first.
+/// that coincide count as one, the first. An angle lies in its range if whole turns can bring it there.
 ///
 /// # Errors
-/// [`Failure::OutOfRange`] with the solution closest to the range if neither lies in it, [`Failure::Ambiguous`] if both
-/// do, [`Failure::NotFinite`].
+/// [`Failure::OutOfRange`] with the solution closest to the range that decides if neither lies in it, [`Failure::Ambiguous`] if
+/// both lie in all ranges, [`Failure::NotFinite`].
 ///
 /// ```
-/// use kin_core::{Assembly, solve};
+/// use kin_core::Assembly;
+/// use kin_core::solve::{self, SolutionInRange};
 ///
-/// assert_eq!(solve::choose_value("e", -2.0, 2.0, 0.0, f64::INFINITY), Ok(Assembly::Crossed));
+/// let slider = SolutionInRange::value("s", [-2.0, 2.0], 0.0, f64::INFINITY);
+/// assert_eq!(solve::choose([slider]), Ok(Assembly::Crossed));
+///
+/// let coupler = SolutionInRange::angle("theta3", [0.5, -0.5], -1.0, 1.0);
+/// let rocker = SolutionInRange::angle("theta4", [-2.0, 2.0], 0.0, 3.1);
+/// assert_eq!(solve::choose([coupler, rocker]), Ok(Assembly::Crossed));
 /// ```
-#[inline(always)]
-pub fn choose_value<T: Scalar>(
-    unknown: &'static str,
-    first: T,
-    second: T,
-    low: f64,
-    high: f64,
-) -> Result<Assembly, Failure> {
-    T::chosen(SolutionInRange {
-        unknown,
-        solutions: [first, second],
-        low,
-        high,
-        is_angle: false,
-    })
-}
-
-/// [`choose_value`] for angles: a solution lies in the range if whole turns can bring it there.
-///
-/// # Errors
-/// As for [`choose_value`].
-///
-/// ```
-/// use kin_core::{Assembly, solve};
-///
-/// let chosen = solve::choose_angle("gamma", 0.5, -0.5, 5.0, 6.2);
-/// assert_eq!(chosen, Ok(Assembly::Crossed));
-/// ```
-#[inline(always)]
-pub fn choose_angle<T: Scalar>(
-    unknown: &'static str,
-    first: T,
-    second: T,
-    low: f64,
-    high: f64,
-) -> Result<Assembly, Failure> {
-    T::chosen(SolutionInRange {
-        unknown,
-        solutions: [first, second],
-        low,
-        high,
-        is_angle: true,
-    })
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn choose<T: Scalar, const K: usize>(ranges: [SolutionInRange<T>; K]) -> Result<Assembly, Failure> {
+    T::first_chosen(ranges)
 }
 
 /// The value itself, if it lies in `low..=high` up to rounding.
@@ -77,7 +43,7 @@ pub fn choose_angle<T: Scalar>(
 /// assert_eq!(solve::check_value("s", 2.0, 0.0, 3.0), Ok(2.0));
 /// assert!(solve::check_value("s", 4.0, 0.0, 3.0).is_err());
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
     value.provided(ValueInRange { value, low, high }).ok_or_else(|| {
         let real = value.real();
@@ -100,7 +66,7 @@ pub fn check_value<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f
 ///
 /// assert_eq!(solve::check_angle("theta4", -1.0, 0.0, TAU), Ok(TAU - 1.0));
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn check_angle<T: Scalar>(unknown: &'static str, value: T, low: f64, high: f64) -> Result<T, Failure> {
     let range = |angle: T| AngleInRange { angle, low, high };
     let Some(value) = value.provided(range(value)) else {
@@ -121,13 +87,14 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use super::{check_angle, check_value, choose_angle, choose_value};
+    use super::{check_angle, check_value, choose};
     use crate::assembly::Assembly;
     use crate::failure::Failure;
+    use crate::solve::SolutionInRange;
 
     #[test]
     fn values_are_chosen_by_the_range() {
-        let choose = |first, second| choose_value::<f64>("e", first, second, 0.0, 10.0);
+        let choose = |first, second| choose::<f64, 1>([SolutionInRange::value("e", [first, second], 0.0, 10.0)]);
         assert_eq!(choose(1.0, -1.0), Ok(Assembly::Open));
         assert_eq!(choose(-1.0, 1.0), Ok(Assembly::Crossed));
         assert_eq!(choose(3.0, 3.0), Ok(Assembly::Open));
@@ -161,7 +128,9 @@ mod tests {
 
     #[test]
     fn angles_are_chosen_modulo_whole_turns() {
-        let choose = |first, second| choose_angle::<f64>("gamma", first, second, 0.0, PI);
+        let choose_in =
+            |low, high, first, second| choose::<f64, 1>([SolutionInRange::angle("gamma", [first, second], low, high)]);
+        let choose = |first, second| choose_in(0.0, PI, first, second);
         assert_eq!(choose(0.5, -0.5), Ok(Assembly::Open));
         assert_eq!(choose(-0.5, 0.5), Ok(Assembly::Crossed));
         assert_eq!(choose(0.5 - TAU, -0.5 + 3.0 * TAU), Ok(Assembly::Open));
@@ -175,7 +144,7 @@ mod tests {
         assert_eq!(choose(-1e-17, 1e-17), Ok(Assembly::Open));
         assert!(choose(PI, -PI).is_ok());
         assert_eq!(
-            choose_angle::<f64>("gamma", -3.0, -0.1, f64::NEG_INFINITY, -1.0),
+            choose_in(f64::NEG_INFINITY, -1.0, -3.0, -0.1),
             Err(Failure::Ambiguous {
                 unknown: "gamma",
                 first: -3.0,
@@ -183,6 +152,31 @@ mod tests {
                 is_angle: true
             })
         );
+    }
+
+    /// The next range decides only where the one before holds both solutions.
+    #[test]
+    fn several_ranges_choose_one_after_the_other() {
+        let choose = |first: [f64; 2], second: [f64; 2]| {
+            choose([
+                SolutionInRange::value("a", first, 0.0, 10.0),
+                SolutionInRange::value("b", second, 0.0, 10.0),
+            ])
+        };
+        assert_eq!(choose([1.0, -1.0], [-1.0, 1.0]), Ok(Assembly::Open));
+        assert_eq!(choose([1.0, 2.0], [-1.0, 1.0]), Ok(Assembly::Crossed));
+        assert!(matches!(
+            choose([-1.0, -2.0], [1.0, -1.0]),
+            Err(Failure::OutOfRange { unknown: "a", .. })
+        ));
+        assert!(matches!(
+            choose([1.0, 2.0], [-1.0, -2.0]),
+            Err(Failure::OutOfRange { unknown: "b", .. })
+        ));
+        assert!(matches!(
+            choose([1.0, 2.0], [3.0, 4.0]),
+            Err(Failure::Ambiguous { unknown: "b", .. })
+        ));
     }
 
     #[test]

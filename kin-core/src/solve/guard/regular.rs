@@ -16,7 +16,7 @@ use crate::solve::check::Regular;
 /// assert_eq!(solve::regular(-0.5), Ok(-0.5));
 /// assert_eq!(solve::regular(0.0), Err(Failure::Singular { determinant: 0.0 }));
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
     determinant
         .provided(Regular(determinant))
@@ -36,7 +36,7 @@ pub fn regular<T: Scalar>(determinant: T) -> Result<T, Failure> {
 /// let error = Failure::NotFinite { quantity: "r1" };
 /// assert_eq!(solve::finite("r1", f64::NAN), Err(error));
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn finite<T: Scalar>(quantity: &'static str, value: T) -> Result<T, Failure> {
     if value.is_finite() {
         Ok(value)

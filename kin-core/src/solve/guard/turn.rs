@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{NearestTurns, SameSides, SumOfSizes, TellsDirection, Zero};
+use crate::solve::check::{NearestTurns, SumOfSizes, TellsDirection, Zero};
 
 /// The largest useful spacing of numbers, about a degree. Angles with a larger spacing define no direction.
 const COARSEST: f64 = 1.0 / 64.0;
@@ -15,7 +15,7 @@ const COARSEST: f64 = 1.0 / 64.0;
 ///
 /// assert_eq!(solve::nearest_turn(0.5, 13.0), 0.5 + 2.0 * TAU);
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
     turned(angle, T::measured(NearestTurns { angle, guess }))
 }
@@ -30,7 +30,7 @@ pub fn nearest_turn<T: Scalar>(angle: T, guess: T) -> T {
 /// assert_eq!(solve::on_turn(0.5, Some([3.0, 13.0]), 1), 0.5 + 2.0 * TAU);
 /// assert_eq!(solve::on_turn(0.5, None::<[f64; 2]>, 1), 0.5);
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index: usize) -> T {
     match near.as_ref().and_then(|guesses| guesses.get(index)) {
         Some(guess) => nearest_turn(angle, *guess),
@@ -53,7 +53,7 @@ pub fn on_turn<T: Scalar, const N: usize>(angle: T, near: Option<[T; N]>, index:
 /// let failure = solve::within_turns([1e15, 0.0], crank).unwrap_err();
 /// assert_eq!(failure, Failure::TooManyTurns { unknown: "theta", guess: 1e15, spacing: 0.125 });
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn within_turns<T: Scalar, const N: usize, const K: usize>(
     near: [T; N],
     angles: [(&'static str, usize); K],
@@ -95,14 +95,13 @@ fn each_within<T: Scalar, const N: usize>(
 /// The values of unknowns near a position, checked by the orientations that identify the assembly there. If a number
 /// holds several poses, each pose becomes NaN whose assembly differs from that of the first pose, or which has a NaN
 /// orientation. Any other number is returned unchanged.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn agreeing<T: Scalar, const N: usize, const K: usize>(near: [T; N], orientations: [T; K]) -> [T; N] {
-    let leading = orientations.map(|orientation| orientation.leading() >= 0.0);
-    near.map(|value| value.provided(SameSides { orientations, leading }).unwrap_or(value))
+    T::agreeing(near, orientations)
 }
 
 /// An angle plus whole turns, given in radians.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<T: Scalar>(angle: T, turns: T) -> T {
     // Adding zero would remove the sign of a negative zero.
     T::either(Zero(turns), || angle, || angle + turns)

@@ -1,6 +1,6 @@
 //! The solver of a mechanism in C99.
 
-pub(super) mod expression;
+mod expression;
 mod header;
 mod source;
 mod writer;
@@ -196,15 +196,23 @@ impl Tape {
     /// ```
     #[must_use]
     pub fn c(&self) -> C {
-        let text = Text::new(self);
-        C {
-            header: header::header(&text),
-            source: source::source(&text),
-            example: header::example(&text),
-            name: text.name,
+        Text::new(self).files()
+    }
+
+    /// [`c`](Self::c) with expressions of any length.
+    #[cfg(test)]
+    pub(super) fn c_without_sharing(&self) -> C {
+        let width = usize::MAX;
+        Text {
+            width,
+            ..Text::new(self)
         }
+        .files()
     }
 }
+
+/// The longest expression that is written where it is used, in letters.
+const WIDTH: usize = 64;
 
 /// A tape with its names in C.
 struct Text<'a> {
@@ -221,6 +229,8 @@ struct Text<'a> {
     results: Vec<String>,
     /// The name of the code of each check.
     codes: Vec<String>,
+    /// The longest expression that is written where it is used, in letters.
+    width: usize,
 }
 
 impl<'a> Text<'a> {
@@ -275,6 +285,16 @@ impl<'a> Text<'a> {
             arguments,
             results,
             codes,
+            width: WIDTH,
+        }
+    }
+
+    fn files(self) -> C {
+        C {
+            header: header::header(&self),
+            source: source::source(&self),
+            example: header::example(&self),
+            name: self.name,
         }
     }
 

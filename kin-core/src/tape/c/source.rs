@@ -95,33 +95,8 @@ fn given(tape: &Tape, search: usize) -> Vec<Value> {
         .iter()
         .chain(&own.sizes)
         .copied()
-        .chain(outside(tape, search))
+        .chain(tape.given(search))
         .collect()
-}
-
-/// The values that the body of a search needs from outside.
-pub(super) fn outside(tape: &Tape, search: usize) -> Vec<Value> {
-    let own = &tape.searches[search];
-    let mut values = BTreeSet::new();
-    let mut add = |value: Value| {
-        let is_inside = own.body.contains(&value)
-            || matches!(
-                tape.nodes[value.index()],
-                Node::Unknown { .. } | Node::Constant(_) | Node::Certain(_)
-            );
-        if !is_inside {
-            values.insert(value);
-        }
-    };
-    for value in &own.body {
-        tape.nodes[value.index()].operands(&mut add);
-    }
-    own.residuals
-        .iter()
-        .chain(own.jacobian.iter().flatten())
-        .copied()
-        .for_each(&mut add);
-    values.into_iter().collect()
 }
 
 pub(super) fn source(text: &Text<'_>) -> String {

@@ -6,14 +6,11 @@ use std::string::{String, ToString as _};
 use std::vec;
 use std::vec::Vec;
 
-use crate::tape::c::expression::Expression;
-use crate::tape::c::source::{Carried, outside, taken};
+use crate::tape::c::source::{Carried, taken};
 use crate::tape::c::{Text, comment};
+use crate::tape::expression::Expression;
 use crate::tape::stages::Stages;
 use crate::tape::{Condition, Constant, Function, Node, Step, Value};
-
-/// The longest expression that is written where it is used, in letters.
-const WIDTH: usize = 64;
 
 /// Writes the body of a function.
 pub(super) struct Writer<'a> {
@@ -154,7 +151,7 @@ impl<'a> Writer<'a> {
     pub(super) fn equations(mut self, search: usize) -> String {
         let (number, tape) = (self.text.number, self.text.tape);
         let sought = &tape.searches[search];
-        let given = outside(tape, search);
+        let given = tape.given(search);
         if given.is_empty() {
             self.line("(void)given;");
         } else {
@@ -206,7 +203,7 @@ impl<'a> Writer<'a> {
             return;
         }
         let own = self.written(node);
-        if self.uses[value.index()] == 1 && own.text.len() <= WIDTH {
+        if self.uses[value.index()] == 1 && own.text.len() <= self.text.width {
             self.there.insert(value, own);
             return;
         }
@@ -279,12 +276,12 @@ impl<'a> Writer<'a> {
                 one.binary(operator, &self.expression(other))
             }
             Node::PlusProduct(sum, one, other) => {
-                let product = self.expression(one).product('*', &self.expression(other));
-                self.expression(sum).sum('+', &product)
+                let product = self.expression(one).product("*", &self.expression(other));
+                self.expression(sum).sum("+", &product)
             }
             Node::MinusProduct(sum, one, other) => {
-                let product = self.expression(one).product('*', &self.expression(other));
-                self.expression(sum).sum('-', &product)
+                let product = self.expression(one).product("*", &self.expression(other));
+                self.expression(sum).sum("-", &product)
             }
             Node::Select(truth, one, other) => {
                 let (truth, one) = (self.expression(truth), self.expression(one));
@@ -385,7 +382,7 @@ impl<'a> Writer<'a> {
         let (number, tape) = (self.text.number, self.text.tape);
         let sought = &tape.searches[index];
         let count = sought.guess.len();
-        let given = outside(tape, index);
+        let given = tape.given(index);
         let (guess, sizes) = (self.array(&sought.guess), self.array(&sought.sizes));
         self.line(&format!("const {number} guess_{index}[{count}] = {{{guess}}};"));
         self.line(&format!("const {number} sizes_{index}[{count}] = {{{sizes}}};"));

@@ -44,7 +44,7 @@ static void kin_sine_cosine(double angle, double *sine, double *cosine)
         const double z = r * r;
         const double s = r - ((r * z) * kin_six(kin_sine, z) + tail);
         const double c = 1.0 - (0.5 * z - (z * z) * kin_six(kin_cosine, z));
-        switch ((unsigned long)(long)turns & 3ul) {
+        switch ((unsigned long)(long)turns & 3UL) {
         case 0:
             *sine = s;
             *cosine = c;

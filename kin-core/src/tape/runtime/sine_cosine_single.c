@@ -40,7 +40,7 @@ static void kin_sine_cosine(float angle, float *sine, float *cosine)
         const float quartic = (kin_cosine[0] + kin_cosine[1] * z) + kin_cosine[2] * (z * z);
         const float s = r - ((r * z) * cubic + tail);
         const float c = 1.0f - (0.5f * z - (z * z) * quartic);
-        switch ((unsigned long)(long)turns & 3ul) {
+        switch ((unsigned long)(long)turns & 3UL) {
         case 0:
             *sine = s;
             *cosine = c;

@@ -64,22 +64,18 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
     let inputs = mechanism.input_names();
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
     let [near, poses, outcomes] = ["near", "poses", "outcomes"].map(|name| mechanism.own(name));
+    let [column, value] = ["Column", "Value"].map(|name| mechanism.type_parameter(name));
+    let same = quote!(#name<#value::Element>);
+    let columns = quote!(#runtime::batch::Column<'_, #value::Element>);
     let (choice, chosen, solve) = if mechanism.is_coupled() {
         let count = Literal::usize_unsuffixed(model.unknowns.len());
-        (
-            quote!(#near: [#runtime::batch::Column<'_>; #count],),
-            quote!(#near),
-            "solve_near",
-        )
+        (quote!(#near: [#columns; #count],), quote!(#near), "solve_near")
     } else if mechanism.choices().is_empty() {
         (TokenStream::new(), quote!(()), "solve")
     } else {
         let (argument, value) = (mechanism.assembly_argument(), mechanism.assembly_value());
         (quote!(#argument,), value, "solve")
     };
-    let [column, value] = ["Column", "Value"].map(|name| mechanism.type_parameter(name));
-    // in double precision, because the structure is named without a type argument
-    let same = name;
     let summary = format!(
         " Position and all time derivatives to {} of many poses.",
         order_name(mechanism.order())
@@ -93,9 +89,9 @@ fn methods(mechanism: &Compiled<'_>) -> TokenStream {
         let (name, solve) = (local(name), local(solve));
         quote! {
             #[inline]
-            pub fn #name<#column: #runtime::batch::Target>(
+            pub fn #name<#column: #runtime::batch::Target<#value::Element>>(
                 &self,
-                #(#inputs: #runtime::Motion<#runtime::batch::Column<'_>, #length>,)*
+                #(#inputs: #runtime::Motion<#columns, #length>,)*
                 #choice
                 #poses: &mut #structure<#column>,
                 #outcomes: &mut [#runtime::batch::Outcome],

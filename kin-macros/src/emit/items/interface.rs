@@ -305,12 +305,10 @@ fn description(mechanism: &Compiled<'_>) -> TokenStream {
         .iter()
         .map(|input| quantity(runtime, &input.name.to_string(), input.dimension, &input.documentation));
     let unknowns = model.unknowns.iter().map(|unknown| {
-        quantity(
-            runtime,
-            &unknown.name.to_string(),
-            unknown.dimension,
-            &unknown.documentation,
-        )
+        let name = unknown.name.to_string();
+        let quantity = quantity(runtime, &name, unknown.dimension, &unknown.documentation);
+        let range = unknown.range.as_ref().map(|_| quote!(.with_range()));
+        quote!(#quantity #range)
     });
     let outputs = model.outputs.iter().flat_map(|output| {
         let name = output.name.to_string();

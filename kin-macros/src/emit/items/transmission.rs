@@ -69,6 +69,7 @@ pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
     quote! {
         type Dyads<Element: ::core::marker::Copy> = [Element; #count];
 
+        #[inline(always)]
         fn transmission_angles_at(&self, #input_row: [T; #input_count], #unknown_row: [T; #unknown_count])
             -> [#runtime::TransmissionAngle<T>; #count]
         {

@@ -95,36 +95,26 @@ impl Text<'_> {
         kept.retain(|symbol| needed.contains(symbol));
         let names: Vec<_> = kept.iter().map(|&symbol| self.name(symbol)).collect();
         let kinds = names.iter().map(|_| quote!(T));
+        let places: Vec<_> = (0..names.len()).map(Literal::usize_unsuffixed).collect();
         let body = self.sequence(inside.iter().copied(), part);
         let bounds = bounds.iter().map(|step| self.step(step, Some(part), &[]));
         let failed = self.mechanism.failed(part);
-        let [candidate, assembly, first, second] =
-            ["candidate", "assembly", "first", "second"].map(|name| self.mechanism.own(name));
-        let choices: Vec<TokenStream> = self.mechanism.parts()[part]
-            .unknowns
-            .iter()
-            .filter_map(|&unknown| {
-                let range = model.unknowns[unknown].range.as_ref()?;
-                let own = Symbol::Unknown(unknown);
-                let turns = inside
-                    .iter()
-                    .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
-                let choose = local(if turns { "choose_angle" } else { "choose_value" });
-                let place = Literal::usize_unsuffixed(kept.iter().position(|&symbol| symbol == own)?);
-                let (low, high) = (number(range.low), number(range.high));
-                let label = model.unknowns[unknown].name.to_string();
-                Some(quote!(#runtime::solve::#choose(#label, #first.#place, #second.#place, #low, #high)))
-            })
-            .collect();
+        let [candidate, assembly, first, second, chosen] =
+            ["candidate", "assembly", "first", "second", "chosen"].map(|name| self.mechanism.own(name));
         // if one range contains both solutions, the next one decides
-        let decided = self.mechanism.own("decided");
-        let choice = choices.into_iter().rev().reduce(|after, before| {
-            quote! {
-                match #before {
-                    ::core::result::Result::Err(#runtime::Failure::Ambiguous { .. }) => #after,
-                    #decided => #decided,
-                }
-            }
+        let ranges = self.mechanism.parts()[part].unknowns.iter().filter_map(|&unknown| {
+            let range = model.unknowns[unknown].range.as_ref()?;
+            let own = Symbol::Unknown(unknown);
+            let turns = inside
+                .iter()
+                .any(|step| matches!(step, Step::Angle { symbol, .. } if *symbol == own));
+            let kind = local(if turns { "angle" } else { "value" });
+            let place = Literal::usize_unsuffixed(kept.iter().position(|&symbol| symbol == own)?);
+            let (low, high) = (number(range.low), number(range.high));
+            let label = model.unknowns[unknown].name.to_string();
+            Some(quote! {
+                #runtime::solve::SolutionInRange::#kind(#label, [#first.#place, #second.#place], #low, #high)
+            })
         });
         quote! {
             let #candidate = |#assembly: #runtime::Assembly| -> ::core::result::Result<(#(#kinds,)*), #runtime::SolveError> {
@@ -132,11 +122,8 @@ impl Text<'_> {
                 ::core::result::Result::Ok((#(#names,)*))
             };
             let (#first, #second) = #runtime::solve::both(#candidate)?;
-            let (#(#names,)*) =
-                match #choice #failed {
-                    #runtime::Assembly::Open => #first,
-                    #runtime::Assembly::Crossed => #second,
-                };
+            let #chosen = #runtime::solve::choose([#(#ranges),*]) #failed;
+            let [#(#names),*] = T::all_assembled(#chosen, [#(#first.#places),*], [#(#second.#places),*]);
             #(#bounds)*
         }
     }

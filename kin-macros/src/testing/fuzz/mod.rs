@@ -13,15 +13,30 @@ use kin_declarations::Scale;
 
 use campaign::Campaign;
 
-#[test]
-fn five_thousand_declarations() {
+fn small_declarations(count: u64, threads: usize) {
     let campaign = Campaign {
         first: 0,
-        count: 5_000,
+        count,
         scale: Scale::Small,
-        threads: 1,
+        threads,
     };
     println!("{}", campaign.run());
+}
+
+#[test]
+fn five_hundred_declarations() {
+    small_declarations(500, 1);
+}
+
+/// `.ci/run` runs it.
+#[test]
+#[ignore = "takes a minute"]
+fn five_thousand_declarations() {
+    small_declarations(5_000, processors());
+}
+
+fn processors() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// `.ci/fuzz` runs it optimised. The environment may set another first seed, `KIN_SEED`, and another number,
@@ -34,7 +49,7 @@ fn a_hundred_thousand_declarations() {
         first: number("KIN_SEED", 1_000_000),
         count: number("KIN_COUNT", 100_000),
         scale: Scale::Full,
-        threads: thread::available_parallelism().map_or(1, usize::from),
+        threads: processors(),
     };
     println!("{}", campaign.run());
 }

@@ -133,14 +133,14 @@ fn elementary([y, x]: [f64; 2], found: [f64; 3]) {
             || (found - expected).abs() <= 2.0 * f64::EPSILON * expected.abs() && found.signum() == expected.signum()
     };
     let (sine, cosine) = if is_near(y) {
-        let (sine, cosine) = near_sine_cosine::<false, false>(y);
+        let (sine, cosine) = near_sine_cosine::<false, false, _>(y);
         assert_eq!(found.map(bits)[..2], [sine, cosine].map(bits), "{y:e}: {found:?}");
         (sine, cosine)
     } else {
         y.sin_cos()
     };
     assert!(alike(found[0], sine) && alike(found[1], cosine), "{y:e}: {found:?}");
-    let (angle, ordinary) = ordinary_arc_tangent::<false, false>(y, x);
+    let (angle, ordinary) = ordinary_arc_tangent::<false, false, _>(y, x);
     if ordinary {
         assert_eq!(bits(found[2]), bits(angle), "atan2({y:e}, {x:e}): {found:?} {angle:e}");
     } else {

@@ -1,8 +1,10 @@
 //! A four-bar linkage from position to snap, by three methods, compared with the values printed in lecture notes.
 //!
 //! ```sh
-//! cargo run --release --example four_bar
+//! cargo run -p four-bar
 //! ```
+//!
+//! It also writes a page on which the linkage moves, `four_bar.html`, or the file that is named behind `--`.
 //!
 //! The exit code is not zero if a value differs from the printed one by more than its last digit allows.
 
@@ -10,8 +12,48 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::process::ExitCode;
 
-use kin_core::library::{FourBar, FreudensteinFourBar, GeometricFourBar};
 use kin_core::prelude::*;
+
+mechanism! {
+    /// The linkage as one vector loop: ground 1, crank 2, coupler 3, rocker 4.
+    pub struct FourBar { r1: Length, r2: Length, r3: Length, r4: Length }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+
+    r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+}
+
+mechanism! {
+    /// The same linkage, one triangle after the other. They share the diagonal `e` from the crank's pin to the rocker's pivot.
+    pub struct Triangles { r1: Length, r2: Length, r3: Length, r4: Length }
+    input theta2: Angle;
+    unknown e: Length where e > 0, alpha: Angle, gamma: Angle, beta: Angle, theta4: Angle, theta3: Angle;
+
+    e.powi(2) == r1.powi(2) + r2.powi(2) - 2 * r1 * r2 * cos(theta2);
+    sin(alpha) == r2 * sin(theta2) / e;
+    cos(gamma) == (r3.powi(2) + r4.powi(2) - e.powi(2)) / (2 * r3 * r4);
+    sin(beta) == r3 * sin(gamma) / e;
+    alpha + beta + theta4 == PI;
+    theta3 == theta4 - gamma;
+}
+
+mechanism! {
+    /// The same linkage by Freudenstein's equations, one for each angle.
+    ///
+    /// Source: F. Freudenstein, "Approximate synthesis of four-bar linkages", Transactions of the ASME 77, 1955.
+    pub struct Freudenstein { r1: Length, r2: Length, r3: Length, r4: Length }
+    input theta2: Angle;
+    unknown theta3: Angle, theta4: Angle;
+
+    let k1 = r1 / r2;
+    let k2 = r1 / r4;
+    let k3 = (r2.powi(2) - r3.powi(2) + r4.powi(2) + r1.powi(2)) / (2 * r2 * r4);
+    let k4 = r1 / r3;
+    let k5 = (r4.powi(2) - r1.powi(2) - r2.powi(2) - r3.powi(2)) / (2 * r2 * r3);
+
+    k1 * cos(theta4) - k2 * cos(theta2) + k3 == cos(theta2 - theta4);
+    k1 * cos(theta3) + k4 * cos(theta2) + k5 == cos(theta2 - theta3);
+}
 
 const ORDERS: [&str; 5] = ["position", "velocity", "acceleration", "jerk", "snap"];
 
@@ -68,6 +110,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let agrees = methods(&linkage, crank)?;
     range_of_motion(&linkage)?;
     assemblies(&linkage);
+    page(&linkage)?;
 
     Ok(if agrees { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
@@ -75,12 +118,23 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 /// Solves the same motion by three sets of equations, and returns whether every value agrees with the printed one.
 fn methods(linkage: &FourBar, crank: Motion) -> Result<bool, SolveError> {
     let FourBar { r1, r2, r3, r4 } = *linkage;
-    let triangles = GeometricFourBar { r1, r2, r3, r4 };
-    let equations = FreudensteinFourBar { r1, r2, r3, r4 };
+    let triangles = Triangles { r1, r2, r3, r4 };
+    let equations = Freudenstein { r1, r2, r3, r4 };
+    // At this angle alpha and beta are acute.
+    let of_triangles = TrianglesAssembly {
+        alpha: Assembly::Open,
+        gamma: Assembly::Open,
+        beta: Assembly::Open,
+    };
+    // Each equation has two solutions. These two close the linkage.
+    let of_equations = FreudensteinAssembly {
+        theta3: Assembly::Crossed,
+        theta4: Assembly::Crossed,
+    };
 
     let by_loop = linkage.solve(crank, Assembly::Open)?;
-    let by_triangles = triangles.solve(crank, triangles.assembly(crank.value(), Assembly::Open))?;
-    let by_equations = equations.solve(crank, FreudensteinFourBar::OPEN)?;
+    let by_triangles = triangles.solve(crank, of_triangles)?;
+    let by_equations = equations.solve(crank, of_equations)?;
 
     // In the order of PRINTED.
     let found = [
@@ -177,21 +231,23 @@ fn cell(value: Option<f64>) -> String {
 
 /// Prints the range of the crank, and the errors beyond it.
 fn range_of_motion(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
-    let range = linkage.crank_range().ok_or("the links do not close at any angle")?;
     println!("Range of motion\n");
+    let cycle = linkage.cycle()?;
+    let branch = cycle.branches().first().ok_or("the links do not close at any angle")?;
+    let (low, high) = branch.range().into_inner();
     println!(
-        "The linkage closes for |theta2| from {:.4} to {:.4} degrees{}.",
-        range.low.to_degrees(),
-        range.high.to_degrees(),
-        if range.is_full_turn() {
+        "The linkage closes for theta2 from {:.4} to {:.4} degrees{}.",
+        low.to_degrees(),
+        high.to_degrees(),
+        if branch.is_full_turn() {
             ": the crank makes full turns"
         } else {
             "; the crank does not make full turns"
         }
     );
     for (place, angle) in [
-        ("at the limit", range.high),
-        ("half a degree beyond", range.high + 0.5_f64.to_radians()),
+        ("at the limit", high),
+        ("half a degree beyond", high + 0.5_f64.to_radians()),
     ] {
         match linkage.position(angle, Assembly::Open) {
             Ok(position) => println!(
@@ -207,6 +263,24 @@ fn range_of_motion(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
         }
     }
     println!();
+    Ok(())
+}
+
+/// Writes the page on which the linkage moves, and says how to open it.
+fn page(linkage: &FourBar) -> Result<(), Box<dyn Error>> {
+    let path = std::env::args_os().nth(1).unwrap_or_else(|| "four_bar.html".into());
+    kin_studio::report(linkage)
+        .at([65_f64.to_radians()])
+        .speed(-10.0)
+        .units("cm", "s")
+        .title("Four-bar linkage")
+        .documentation("The linkage of the lecture notes: ground 90, crank 30, coupler 60 and rocker 45 cm.")
+        .write(&path)?;
+    let path = std::path::absolute(path)?;
+    println!(
+        "\nA page on which the linkage moves: open this file in a browser.\n\n    {}",
+        path.display()
+    );
     Ok(())
 }
 

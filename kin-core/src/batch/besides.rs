@@ -1,0 +1,151 @@
+//! What a batch may calculate besides the numbers of a pose.
+
+use super::destination::{Entries, Stored};
+use super::lanes::{Element, Lanes};
+use crate::mechanism::{Mechanism, Pose};
+use crate::number::{Number, Row};
+
+/// What is calculated from a pose, one or several, as soon as it is found.
+pub(super) trait Besides<E>: Copy {
+    /// Calculates it and stores it, starting at a given pose. Returns a number that is finite if it could be calculated.
+    fn store<T: Mechanism<Scalar: Angle<Element = E>>>(
+        self,
+        start: usize,
+        mechanism: &T,
+        inputs: &T::Inputs<T::Motion<T::Scalar>>,
+        pose: &T::Pose,
+    ) -> T::Scalar;
+
+    /// Stores NaN for a pose that fails.
+    fn leave_out(self, index: usize);
+
+    /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is zero for the others.
+    fn clear<const W: usize, const FUSED: bool>(self, start: usize, gone: Lanes<W, FUSED, E>);
+}
+
+/// Nothing.
+impl<E: Element> Besides<E> for () {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn store<T: Mechanism<Scalar: Angle<Element = E>>>(
+        self,
+        _: usize,
+        _: &T,
+        _: &T::Inputs<T::Motion<T::Scalar>>,
+        _: &T::Pose,
+    ) -> T::Scalar {
+        // Adding it changes nothing, which the compiler knows.
+        T::Scalar::constant(-0.0)
+    }
+
+    fn leave_out(self, _: usize) {}
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn clear<const W: usize, const FUSED: bool>(self, _: usize, _: Lanes<W, FUSED, E>) {}
+}
+
+/// The places of the transmission angles, each folded to at most a right angle.
+pub(super) struct TransmissionEntries<'t, M: Mechanism> {
+    pub(super) of_dyads: M::Dyads<Entries<'t, M::Scalar>>,
+    /// The place of the smallest of all.
+    pub(super) smallest: Entries<'t, M::Scalar>,
+}
+
+impl<M: Mechanism> Default for TransmissionEntries<'_, M> {
+    fn default() -> Self {
+        Self {
+            of_dyads: Row::from_fn(|_| -> Entries<'_, M::Scalar> { &[] }),
+            smallest: &[],
+        }
+    }
+}
+
+impl<E: Element, M: Mechanism<Scalar = E>> Besides<E> for &TransmissionEntries<'_, M> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn store<T: Mechanism<Scalar: Angle<Element = E>>>(
+        self,
+        start: usize,
+        mechanism: &T,
+        inputs: &T::Inputs<T::Motion<T::Scalar>>,
+        pose: &T::Pose,
+    ) -> T::Scalar {
+        let (inputs, unknowns) = (inputs.as_ref(), pose.unknown_motions());
+        let unknowns = unknowns.as_ref();
+        let angles = mechanism.transmission_angles_at(
+            Row::from_fn(|input| inputs[input].as_ref()[0]),
+            Row::from_fn(|unknown| unknowns[unknown].as_ref()[0]),
+        );
+        let mut sum = T::Scalar::constant(0.0);
+        let mut smallest = T::Scalar::constant(core::f64::consts::FRAC_PI_2);
+        for (transmission, entries) in angles.as_ref().iter().zip(self.of_dyads.as_ref()) {
+            let folded = transmission.angle.folded();
+            sum = sum + folded;
+            smallest = folded.or_smaller(smallest);
+            folded.store(entries, start);
+        }
+        smallest.store(self.smallest, start);
+        sum
+    }
+
+    fn leave_out(self, index: usize) {
+        for entries in self.of_dyads.as_ref() {
+            E::nan().store(entries, index);
+        }
+        E::nan().store(self.smallest, index);
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn clear<const W: usize, const FUSED: bool>(self, start: usize, gone: Lanes<W, FUSED, E>) {
+        for entries in self.of_dyads.as_ref() {
+            take_away(gone, entries, start);
+        }
+        take_away(gone, self.smallest, start);
+    }
+}
+
+/// Takes numbers away from what is stored, starting at a given pose.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn take_away<const W: usize, const FUSED: bool, E: Element>(
+    gone: Lanes<W, FUSED, E>,
+    entries: Entries<'_, E>,
+    start: usize,
+) {
+    if let Some(places) = entries.get(start..start + W) {
+        let numbers = Lanes::<W, FUSED, E>::from_fn(|lane| places[lane].get());
+        (numbers - gone).store(entries, start);
+    }
+}
+
+/// Angles of one pose or several.
+pub(super) trait Angle: Number + Stored {
+    /// An angle in 0 ..= π or its negative, as the smaller of the angle and its supplement. A transmission angle takes its
+    /// sign from the first lane, so it may be negative in others.
+    fn folded(self) -> Self;
+
+    /// The smaller of this number and another.
+    fn or_smaller(self, other: Self) -> Self;
+}
+
+impl<E: Element> Angle for E {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn folded(self) -> Self {
+        let angle = num_traits::Float::abs(self);
+        angle.or_smaller(E::of(core::f64::consts::PI) - angle)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn or_smaller(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+}
+
+impl<const W: usize, const FUSED: bool, E: Element> Angle for Lanes<W, FUSED, E> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn folded(self) -> Self {
+        Self::from_fn(|lane| self.0[lane].folded())
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn or_smaller(self, other: Self) -> Self {
+        Self::from_fn(|lane| self.0[lane].or_smaller(other.0[lane]))
+    }
+}

@@ -1,0 +1,128 @@
+//! The numbers of a pose that a fold summarises.
+
+use core::error::Error;
+use core::fmt;
+
+use crate::batch::outcome::LengthMismatch;
+use crate::batch::target::Place;
+use crate::mechanism::{Description, Mechanism};
+use crate::number::Row;
+use crate::quantity::Quantity;
+
+/// A number of a pose that a [`Fold`](super::Fold) summarises.
+///
+/// ```
+/// use kin_core::Mechanism;
+/// use kin_core::batch::{FoldedNumber, Place};
+/// use kin_core::library::FourBar;
+///
+/// let description = FourBar::<f64>::DESCRIPTION;
+/// let snap = FoldedNumber::named(&description, "theta4", 4);
+/// assert_eq!(snap, Some(FoldedNumber::At(Place::Unknown(1, 4))));
+/// assert_eq!(FoldedNumber::named(&description, "theta5", 4), None);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FoldedNumber {
+    /// An input, an unknown or an output, or a derivative of one. The sine of an unknown that is not a direction exists in
+    /// no pose.
+    At(Place),
+    /// The transmission angle of a dyad, folded to at most a right angle, by the index of the dyad in the order of
+    /// [`Mechanism::transmission_angles`].
+    TransmissionAngle(usize),
+    /// The smallest transmission angle of all dyads, each folded to at most a right angle.
+    SmallestTransmissionAngle,
+}
+
+impl From<Place> for FoldedNumber {
+    fn from(place: Place) -> Self {
+        Self::At(place)
+    }
+}
+
+impl FoldedNumber {
+    /// The derivative of this order of the input, the unknown or the output with this name, if the mechanism has it. Order
+    /// 0 is the position.
+    #[must_use]
+    pub fn named(description: &Description, name: &str, order: usize) -> Option<Self> {
+        let index_in = |quantities: &[Quantity]| quantities.iter().position(|quantity| quantity.name == name);
+        let place = if let Some(input) = index_in(description.inputs) {
+            Place::Input(input, order)
+        } else if let Some(unknown) = index_in(description.unknowns) {
+            Place::Unknown(unknown, order)
+        } else {
+            Place::Output(index_in(description.outputs)?, order)
+        };
+        (order <= description.order).then_some(Self::At(place))
+    }
+
+    /// Whether the mechanism has this number.
+    pub(super) fn is_of<M: Mechanism>(self) -> bool {
+        let description = M::DESCRIPTION;
+        match self {
+            Self::At(place) => {
+                let (quantities, index, order) = match place {
+                    Place::Input(index, order) => (description.inputs, index, order),
+                    Place::Unknown(index, order) => (description.unknowns, index, order),
+                    Place::Sine(index) => (description.unknowns, index, 0),
+                    Place::Output(index, order) => (description.outputs, index, order),
+                };
+                index < quantities.len() && order <= description.order
+            }
+            Self::TransmissionAngle(dyad) => dyad < M::Dyads::<f64>::LENGTH,
+            Self::SmallestTransmissionAngle => M::Dyads::<f64>::LENGTH > 0,
+        }
+    }
+}
+
+/// The error for a fold that cannot be started.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FoldError {
+    /// A column has another length than there are poses.
+    Length(LengthMismatch),
+    /// The mechanism does not have this number.
+    NoSuchNumber {
+        /// The name of the mechanism.
+        mechanism: &'static str,
+        /// The number.
+        number: FoldedNumber,
+    },
+    /// The mechanism does not have the input that turns.
+    NoSuchInput {
+        /// The name of the mechanism.
+        mechanism: &'static str,
+        /// The index of the input.
+        input: usize,
+    },
+}
+
+impl From<LengthMismatch> for FoldError {
+    fn from(mismatch: LengthMismatch) -> Self {
+        Self::Length(mismatch)
+    }
+}
+
+impl fmt::Display for FoldError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length(LengthMismatch {
+                quantity,
+                poses,
+                length,
+            }) => write!(
+                formatter,
+                "a column of `{quantity}` has {length} entries, but {poses} poses are folded: give one entry for each pose"
+            ),
+            Self::NoSuchNumber { mechanism, number } => write!(
+                formatter,
+                "`{mechanism}` has no number {number:?}: its `DESCRIPTION` lists the quantities and the order"
+            ),
+            Self::NoSuchInput { mechanism, input } => write!(
+                formatter,
+                "`{mechanism}` has no input {input} that could turn: inputs count from 0, as in its `DESCRIPTION`"
+            ),
+        }
+    }
+}
+
+impl Error for FoldError {}

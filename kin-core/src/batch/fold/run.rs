@@ -1,0 +1,224 @@
+//! Folds over the poses of a batch, piece by piece.
+
+use core::cell::Cell;
+use core::ops::Range;
+
+use super::folded::Folded;
+use super::number::{FoldError, FoldedNumber};
+use super::poses::{Poses, Turn};
+use super::reduce::{Fold, PIECE, ROOM, Reduction, Room};
+use crate::batch::Column;
+use crate::batch::besides::TransmissionEntries;
+use crate::batch::destination::Destination;
+use crate::batch::dispatch::{MOST_LANES, Vectors};
+use crate::batch::outcome::{Outcome, Summary};
+use crate::batch::sweep::{Guide, InAssembly, Nearest, Problem};
+use crate::batch::target::Place;
+use crate::mechanism::Mechanism;
+
+/// Solves many poses, as [`solve`](crate::batch::solve) does, and summarises numbers of them instead of storing them.
+///
+/// `poses` is the number of poses, or a [`Turn`](super::Turn). Each [`Fold`] then holds the summary of its number over the
+/// poses that close; the returned [`Summary`] counts these and those that fail. Nothing is allocated.
+///
+/// The minima and the maxima, and their poses, are those of the numbers that a batch in the same vectors stores, to the
+/// last bit. Each sum adds the values of 512 poses in 16 running sums, joins these in pairs, and adds the sums of these
+/// pieces from the first to the last. The order is the same in all vectors, whatever their width; the sums themselves differ
+/// as the poses do, by rounding.
+///
+/// # Errors
+/// Returns a [`FoldError`] if the length of a column differs from the number of poses, or if the mechanism does not have a
+/// number or the input that turns. Nothing is solved then.
+///
+/// ```
+/// use kin_core::batch::{Column, Fold, FoldedNumber, Place, Turn, Vectors, fold};
+/// use kin_core::library::FourBar;
+/// use kin_core::prelude::*;
+///
+/// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 80.0, r4: 60.0 };
+/// let mut folds = [
+///     Fold::of(Place::Unknown(1, 0)),
+///     Fold::of(Place::Unknown(1, 4)),
+///     Fold::of(FoldedNumber::SmallestTransmissionAngle),
+/// ];
+/// let summary = fold::<FourBar>(
+///     Turn::whole(0, 360),
+///     linkage.parameters().map(Column::Same),
+///     [Motion::at_constant_speed(0.0, 10.0).map(Column::Same)],
+///     Assembly::Open,
+///     &mut folds,
+///     Vectors::widest(),
+/// )?;
+/// assert_eq!(summary.share_solved(), Some(1.0));
+///
+/// let [rocker, snap, transmission] = folds.map(|fold| *fold.folded());
+/// // the transmission angle is smallest where the crank lies on the ground line
+/// assert_eq!(transmission.least.map(|(pose, _)| pose), Some(0));
+/// println!("swing {:?}, peak snap {:?}", rocker.range(), snap.peak());
+/// # Ok::<(), kin_core::batch::FoldError>(())
+/// ```
+pub fn fold<'a, M: Mechanism<Scalar = f64>>(
+    poses: impl Into<Poses>,
+    parameters: M::Parameters<Column<'a>>,
+    inputs: M::Inputs<M::Motion<Column<'a>>>,
+    assembly: M::Assembly,
+    folds: &mut [Fold],
+    vectors: Vectors,
+) -> Result<Summary, FoldError> {
+    let problem = Problem::<M, _> {
+        parameters,
+        inputs,
+        guide: InAssembly(assembly),
+    };
+    problem.fold(poses.into(), folds, vectors)
+}
+
+/// [`fold`](fold()) with values of the unknowns near each position, instead of an assembly.
+///
+/// # Errors
+/// As for [`fold`](fold()).
+pub fn fold_near<'a, M: Mechanism<Scalar = f64>>(
+    poses: impl Into<Poses>,
+    parameters: M::Parameters<Column<'a>>,
+    inputs: M::Inputs<M::Motion<Column<'a>>>,
+    near: M::Unknowns<Column<'a>>,
+    folds: &mut [Fold],
+    vectors: Vectors,
+) -> Result<Summary, FoldError> {
+    let problem = Problem::<M, _> {
+        parameters,
+        inputs,
+        guide: Nearest(near),
+    };
+    problem.fold(poses.into(), folds, vectors)
+}
+
+impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
+    fn fold(mut self, poses: Poses, folds: &mut [Fold], vectors: Vectors) -> Result<Summary, FoldError> {
+        self.check(&poses, folds)?;
+        start(folds);
+        let mut scratch = Scratch {
+            turning: Room([0.0; ROOM]),
+            outcomes: [Outcome::Unsolved; ROOM],
+        };
+        let (mut summary, mut first) = (Summary::default(), 0);
+        while first < poses.count() {
+            let range = piece(first, poses.count());
+            summary = summary.and(self.fold_piece(&poses, range.clone(), &mut scratch, folds, vectors));
+            first = range.end;
+        }
+        copy_twins(folds);
+        Ok(summary)
+    }
+
+    /// Takes the column of the input that turns out of the problem, and checks all others.
+    fn check(&mut self, poses: &Poses, folds: &[Fold]) -> Result<(), FoldError> {
+        let mechanism = M::DESCRIPTION.name;
+        if let Poses::Turn(Turn { input, .. }) = *poses {
+            let motion = self.inputs.as_mut().get_mut(input);
+            motion.ok_or(FoldError::NoSuchInput { mechanism, input })?[0] = Column::Same(f64::NAN);
+        }
+        for Fold { number, .. } in folds {
+            if !number.is_of::<M>() {
+                let number = *number;
+                return Err(FoldError::NoSuchNumber { mechanism, number });
+            }
+        }
+        Ok(self.check_lengths(poses.count())?)
+    }
+
+    /// Solves a piece and adds it to the summaries.
+    fn fold_piece(
+        &self,
+        poses: &Poses,
+        range: Range<usize>,
+        scratch: &mut Scratch,
+        folds: &mut [Fold],
+        vectors: Vectors,
+    ) -> Summary {
+        let (first, count) = (range.start, range.len());
+        let (turning, outcomes) = (&mut scratch.turning.0[..count], &mut scratch.outcomes[..count]);
+        let mut problem = self.part(range);
+        if let Poses::Turn(turn) = poses {
+            turn.fill(first, turning);
+            problem.inputs[turn.input][0] = Column::Each(turning);
+        }
+        let mut destination = Destination::nowhere();
+        let mut angles = None::<TransmissionEntries<'_, M>>;
+        for fold in folds.iter_mut() {
+            let entries = Cell::from_mut(&mut fold.room.0[..count]).as_slice_of_cells();
+            match fold.number {
+                FoldedNumber::At(place) => *destination.entries(place) = entries,
+                FoldedNumber::TransmissionAngle(dyad) => angles.get_or_insert_default().of_dyads[dyad] = entries,
+                FoldedNumber::SmallestTransmissionAngle => angles.get_or_insert_default().smallest = entries,
+            }
+        }
+        let mut summary = match &angles {
+            None => problem.store(&destination, (), outcomes, vectors),
+            Some(angles) => problem.store(&destination, angles, outcomes, vectors),
+        };
+        if let Some((index, _)) = &mut summary.first_failure {
+            *index += first;
+        }
+        if summary.failed > 0 {
+            leave_out(folds, outcomes);
+        }
+        vectors.run(Reduction {
+            folds,
+            first,
+            count,
+            is_complete: summary.failed == 0,
+        });
+        summary
+    }
+}
+
+/// Room for what a piece needs besides the values of its folds.
+struct Scratch {
+    /// The values of the input that turns.
+    turning: Room,
+    outcomes: [Outcome; ROOM],
+}
+
+/// The piece that starts at a pose. None but the only one has fewer poses than lanes: they would be solved one by one and
+/// rounded differently.
+fn piece(first: usize, count: usize) -> Range<usize> {
+    first..if count - first < PIECE + MOST_LANES {
+        count
+    } else {
+        first + PIECE
+    }
+}
+
+/// Starts the summaries anew.
+fn start(folds: &mut [Fold]) {
+    for fold in folds {
+        fold.folded = Folded::default();
+        if let FoldedNumber::At(Place::Sine(_)) = fold.number {
+            // Only directions have a sine. Without one, nothing is stored.
+            fold.room = Room([f64::NAN; ROOM]);
+        }
+    }
+}
+
+/// Leaves out the inputs of poses that fail: a batch stores them, because they are given.
+fn leave_out(folds: &mut [Fold], outcomes: &[Outcome]) {
+    let of_input = |fold: &&mut Fold| matches!(fold.number, FoldedNumber::At(Place::Input(..)));
+    for fold in folds.iter_mut().filter(of_input) {
+        for (value, outcome) in fold.room.0.iter_mut().zip(outcomes) {
+            *value = if outcome.is_solved() { *value } else { f64::NAN };
+        }
+    }
+}
+
+/// Copies the summary of a number to all folds of it: its values were stored for the last one only.
+fn copy_twins(folds: &mut [Fold]) {
+    for index in (0..folds.len()).rev() {
+        let Fold { number, folded, .. } = folds[index];
+        for twin in &mut folds[..index] {
+            if twin.number == number {
+                twin.folded = folded;
+            }
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Places where a part turns freely, such as the link of an inverted slider-crank whose slide stands on the link's pivot.
+//!
+//! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on smoothly from one
+//! assembly into another one, and at the place itself the free part leads from every direction to every other.
+
+use super::interpolation::{CROSSING, around, interpolated};
+use super::line::{Line, MEETING, distance, nearest};
+use crate::mechanism::Mechanism;
+use crate::number::Row;
+
+/// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
+/// [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is a hundred times as much.
+const FREE: f64 = MEETING * MEETING / 1024.0;
+/// The number of parts of a straight line at whose ends the closure is tested.
+const PARTS: u32 = 8;
+
+/// A place at which an assembly jumps, because a part turns freely there.
+pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
+    pub(super) s: f64,
+    /// The unknowns before the place and behind it.
+    pub(super) unknowns: [M::Unknowns<f64>; 2],
+    /// The unknowns of the block with the free part, separated by commas.
+    pub(super) block: &'static str,
+}
+
+/// The place at which an assembly jumps, between places on both sides of it.
+///
+/// Another assembly goes on smoothly where this one ends, and this one goes on where the other one ends. So there are two smooth curves. Their
+/// difference has a simple zero in the unknown that frees the part, the length of the slide, and inverse interpolation finds it.
+pub(super) fn jump<M: Mechanism<Scalar = f64>>(
+    solved: impl Fn(f64, M::Assembly) -> Option<M::Unknowns<f64>>,
+    size: f64,
+    assembly: M::Assembly,
+    places: &[f64; CROSSING],
+) -> Option<Jump<M>> {
+    const BEFORE: usize = CROSSING / 2 - 1;
+    const BEHIND: usize = CROSSING / 2;
+    let start = solved(places[BEFORE], assembly)?;
+    let end = solved(places[BEHIND], assembly)?;
+    let others = M::assemblies().filter(|other| *other != assembly);
+    let candidates = others.filter_map(|other| {
+        let behind = solved(places[BEHIND], other)?;
+        Some((other, distance::<M>(size, &start, &behind)))
+    });
+    let (partner, way) = candidates.min_by(|one, other| one.1.total_cmp(&other.1))?;
+    if way > 0.5 * distance::<M>(size, &start, &end) {
+        return None;
+    }
+    let (mut onward, mut back) = ([start; CROSSING], [end; CROSSING]);
+    for (place, s) in places.iter().enumerate() {
+        let (own, other) = (solved(*s, assembly)?, solved(*s, partner)?);
+        let [one, two] = if place < BEHIND { [own, other] } else { [other, own] };
+        (onward[place], back[place]) = (nearest::<M>(one, &start), nearest::<M>(two, &end));
+    }
+    let half = |place: usize, unknown: usize| 0.5 * (onward[place][unknown] - back[place][unknown]);
+    let crosses = |unknown: &usize| {
+        let [low, before, behind, high] = [0, BEFORE, BEHIND, CROSSING - 1].map(|place| half(place, *unknown));
+        before * behind < 0.0 && before.abs().max(behind.abs()) < 0.5 * low.abs().min(high.abs())
+    };
+    let unknowns = 0..M::DESCRIPTION.unknowns.len();
+    let lead = unknowns
+        .filter(crosses)
+        .max_by(|one, other| half(0, *one).abs().total_cmp(&half(0, *other).abs()))?;
+    let s = interpolated(&core::array::from_fn(|place| half(place, lead)), places, 0.0);
+    let at = |curve: &[M::Unknowns<f64>; CROSSING]| {
+        M::Unknowns::from_fn(|unknown| interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s))
+    };
+    let unknowns = [at(&onward), at(&back)];
+    let name = M::DESCRIPTION.unknowns[lead].name;
+    let mut blocks = M::DESCRIPTION.blocks.iter();
+    let block = blocks.find(|block| block.unknowns.split(", ").any(|unknown| unknown == name))?;
+    let is_finite = unknowns
+        .iter()
+        .all(|row| row.as_ref().iter().all(|value| value.is_finite()));
+    let is_jump = is_finite && s.is_finite() && distance::<M>(size, &unknowns[0], &unknowns[1]) >= MEETING;
+    is_jump.then_some(Jump {
+        s,
+        unknowns,
+        block: block.unknowns,
+    })
+}
+
+/// The unknowns of an assembly before and behind a place, if they are different positions there: a part turns freely, and no other assembly goes on
+/// where this one ends, since the declared range of an unknown leaves it out.
+pub(super) fn sides<M: Mechanism<Scalar = f64>>(
+    solved: impl Fn(f64) -> Option<M::Unknowns<f64>>,
+    mechanism: &M,
+    line: &Line<M>,
+    size: f64,
+    s: f64,
+    reach: f64,
+) -> Option<[M::Unknowns<f64>; 2]> {
+    // from places that keep away from it, where the direction of the free part has lost its digits
+    let side = |direction: f64| {
+        let places = around(s + 0.55 * direction * reach, 0.45 * reach);
+        let first = solved(places[0])?;
+        let mut values = [first; CROSSING];
+        for (value, place) in values.iter_mut().zip(places) {
+            *value = nearest::<M>(solved(place)?, &first);
+        }
+        let unknowns: M::Unknowns<f64> =
+            Row::from_fn(|unknown| interpolated(&places, &core::array::from_fn(|place| values[place][unknown]), s));
+        is_position(mechanism, line, size, s, unknowns).then_some(unknowns)
+    };
+    let (before, behind) = (side(-1.0)?, side(1.0)?);
+    (distance::<M>(size, &before, &behind) >= MEETING).then_some([before, behind])
+}
+
+/// Whether the closure holds, up to the error of an interpolation.
+fn is_position<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    line: &Line<M>,
+    size: f64,
+    s: f64,
+    unknowns: M::Unknowns<f64>,
+) -> bool {
+    let residuals = mechanism.residuals(line.inputs(s), unknowns);
+    residuals.as_ref().iter().all(|residual| residual.abs() <= FREE * size)
+}
+
+/// Whether the straight line between two positions at the same input consists of positions.
+pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    line: &Line<M>,
+    size: f64,
+    s: f64,
+    [from, to]: [&M::Unknowns<f64>; 2],
+) -> bool {
+    let to: M::Unknowns<f64> = nearest::<M>(*to, from);
+    (0..=PARTS).all(|step| {
+        let part = f64::from(step) / f64::from(PARTS);
+        let unknowns = Row::from_fn(|unknown| from[unknown] + part * (to[unknown] - from[unknown]));
+        is_position(mechanism, line, size, s, unknowns)
+    })
+}

@@ -1,0 +1,625 @@
+//! Tables of whole circuits, through their limits.
+//!
+//! Where an input turns back, the unknowns are a root of it. As in [`track`](crate::track()), the quantity that moves fastest is the local
+//! parameter there, and the input one of the unknowns: with it the curve is as smooth as anywhere. The length of the arc joins all local
+//! parameters into one.
+
+use alloc::boxed::Box;
+use alloc::string::ToString as _;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+use num_traits::Float;
+
+use super::ExactTableError;
+use super::factors::Factors;
+use super::owned::ExactTable;
+use super::precision::Precision;
+use super::refine::{Frame, Source, Station, refined};
+use crate::failure::Failure;
+use crate::law::Side;
+use crate::mechanism::Mechanism;
+use crate::number::{Number, Row};
+use crate::quantity::{Dimension, Quantity};
+use crate::sweep::{Course, Drive, Line, Local, SmoothDrive, Variable, Walk};
+
+/// The number of terms of the series along the curve.
+const TERMS: usize = 5;
+/// The longest step along the curve.
+const LONGEST: f64 = 0.4;
+/// The shortest first piece. A shorter one would only bring rounding into the derivatives, and is made where the tolerance needs it.
+const THINNEST: f64 = 0.1;
+/// The shortest step. Where even this is too long, the curve has no single direction.
+const SHORTEST: f64 = 1e-7;
+/// The largest number of steps around a circuit.
+const MOST_STEPS: usize = 100_000;
+/// The cosine of the angle by which the curve may turn in a step.
+const TURN: f64 = 0.9;
+/// The smallest share of the local parameter in the direction of the curve, in a step.
+const SHARE: f64 = 0.3;
+/// The largest distance between prediction and correction, for each unit of a step.
+const CORRECTION: f64 = 0.05;
+/// The largest distance of a corrected point to the curve.
+const NOISE: f64 = 1e-9;
+/// The largest number of corrections.
+const CORRECTIONS: usize = 16;
+/// The longest piece over which the length of the arc is integrated at once.
+const PIECE: f64 = 0.2;
+
+/// The places and the weights of Gauss's rule of ten points, on one half of -1 to 1. (M. Abramowitz and I. A. Stegun, *Handbook of
+/// Mathematical Functions*, table 25.4.)
+const GAUSS: [(f64, f64); 5] = [
+    (0.148_874_338_981_631_22, 0.295_524_224_714_752_87),
+    (0.433_395_394_129_247_2, 0.269_266_719_309_996_35),
+    (0.679_409_568_299_024_4, 0.219_086_362_515_982_04),
+    (0.865_063_366_688_984_5, 0.149_451_349_150_580_6),
+    (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
+];
+
+/// A point of the curve. Its coordinates are the moving input and the unknowns, in their sizes.
+#[derive(Clone)]
+struct Point {
+    place: Vec<f64>,
+    /// The coordinate that is the local parameter.
+    leading: usize,
+    /// The series of each coordinate in the local parameter.
+    series: Vec<Local>,
+    /// Whether the local parameter grows along the curve, 1 or -1.
+    direction: f64,
+    /// The sign of the Jacobian with the direction of the curve as a further row. It changes where branches cross.
+    orientation: f64,
+}
+
+impl Point {
+    /// The derivatives of the coordinates with respect to the local parameter.
+    fn rates(&self) -> Vec<f64> {
+        self.series.iter().map(|series| series.coefficients()[1]).collect()
+    }
+
+    /// The direction of the curve.
+    fn tangent(&self) -> Vec<f64> {
+        let rates = self.rates();
+        let factor = self.direction / length(&rates);
+        rates.into_iter().map(|rate| factor * rate).collect()
+    }
+
+    /// The local parameter as a series in the length of the arc.
+    fn by_arc(&self) -> Local {
+        // the change of the length with the parameter is the length of the rates; all terms of its integral are known
+        let mut speed = Local::constant(0.0);
+        for series in &self.series {
+            let coefficients = series.coefficients();
+            let mut rate = [0.0; TERMS];
+            let mut order = 0.0;
+            for (rate, coefficient) in rate.iter_mut().zip(&coefficients[1..]) {
+                order += 1.0;
+                *rate = order * coefficient;
+            }
+            let rate = Local::from_coefficients(rate);
+            speed = speed + rate * rate;
+        }
+        let speed = speed
+            .sqrt()
+            .coefficients()
+            .map(|coefficient| self.direction * coefficient);
+        let [a, b, c, d] = [speed[0], speed[1] / 2.0, speed[2] / 3.0, speed[3] / 4.0];
+        // the inverse of a series (Abramowitz and Stegun, 3.6.25)
+        let e = 1.0 / a;
+        let (b, c, d) = (b * e, c * e, d * e);
+        Local::from_coefficients([
+            0.0,
+            e,
+            -b * e * e,
+            (2.0 * b * b - c) * e * e * e,
+            (5.0 * b * c - d - 5.0 * b * b * b) * e * e * e * e,
+        ])
+    }
+}
+
+fn length(vector: &[f64]) -> f64 {
+    Float::sqrt(dot(vector, vector))
+}
+
+/// The right-hand side for the rates by the leading coordinate, which belongs to the last row.
+fn leading_rate(count: usize) -> Vec<f64> {
+    (1..=count).map(|row| if row == count { 1.0 } else { 0.0 }).collect()
+}
+
+fn dot(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(one, other)| one * other).sum()
+}
+
+/// A series at a change of its variable.
+fn value(series: &Local, change: f64) -> f64 {
+    series
+        .coefficients()
+        .iter()
+        .rev()
+        .fold(0.0, |sum, coefficient| sum * change + coefficient)
+}
+
+/// A series whose variable is a series without a constant term.
+fn composed(outer: &Local, inner: Local) -> Local {
+    let sum = Local::constant(0.0);
+    outer
+        .coefficients()
+        .iter()
+        .rev()
+        .fold(sum, |sum, coefficient| sum * inner + Local::constant(*coefficient))
+}
+
+/// The curve of all positions on which a pose lies.
+struct Curve<'c, M: Mechanism<Scalar = f64>> {
+    course: &'c Course<M, Line<M>>,
+    mechanism: M::With<Local>,
+    /// The inputs that move, with their ways for each unit of the leading one.
+    moving: Vec<(usize, f64)>,
+    sizes: Vec<f64>,
+    /// Whether a coordinate is an angle.
+    angles: Vec<bool>,
+    count: usize,
+}
+
+impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
+    fn new(course: &'c Course<M, Line<M>>, count: usize, unknowns: &M::Unknowns<f64>) -> Self {
+        let description = M::DESCRIPTION;
+        // the variable of a line is always an input
+        let lead = match course.drive.variable() {
+            Variable::Input(lead) => lead,
+            _ => 0,
+        };
+        let slopes = course.drive.derivatives(course.from, Side::Right);
+        let parameters = course.mechanism.parameters();
+        let lengths = description.parameters.iter().zip(parameters.as_ref());
+        let longest = lengths
+            .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+            .fold(0.0, |longest: f64, (_, value)| longest.max(value.abs()));
+        let quantities = core::iter::once(description.inputs[lead]).chain(description.unknowns.iter().copied());
+        let values = core::iter::once(course.from).chain(unknowns.as_ref().iter().copied());
+        let size = |dimension: Dimension, value: f64| match dimension {
+            Dimension::Angle => 1.0,
+            Dimension::Length if longest > 0.0 => longest.max(value),
+            Dimension::Length if value > 0.0 => value,
+            Dimension::Length => 1.0,
+            Dimension::Scalar => value.max(1.0),
+        };
+        Self {
+            course,
+            mechanism: course.mechanism.convert(Local::constant),
+            moving: (0..description.inputs.len())
+                .filter(|input| *input == lead || course.drive.same(*input, 0).is_none())
+                .map(|input| (input, slopes[input][1]))
+                .collect(),
+            sizes: quantities
+                .clone()
+                .zip(values)
+                .map(|(quantity, value)| size(quantity.dimension, value.abs()))
+                .collect(),
+            angles: quantities
+                .map(|quantity| quantity.dimension == Dimension::Angle)
+                .collect(),
+            count,
+        }
+    }
+
+    /// The residuals of the closure for coordinates that are series.
+    fn residuals(&self, coordinates: &[Local]) -> Vec<Local> {
+        let scaled = |index: usize| Local::constant(self.sizes[index]) * coordinates[index];
+        let lead = scaled(0);
+        let values = self.course.drive.motions(lead.real());
+        let change = lead - Local::constant(lead.real());
+        let input = |index: usize| {
+            let slope = self.moving.iter().find(|(moving, _)| *moving == index);
+            Local::constant(values[index][0]) + Local::constant(slope.map_or(0.0, |(_, slope)| *slope)) * change
+        };
+        let residuals = self
+            .mechanism
+            .residuals(Row::from_fn(input), Row::from_fn(|unknown| scaled(1 + unknown)));
+        residuals.as_ref().to_vec()
+    }
+
+    /// The residuals at a place, and the Jacobian with a row that holds the leading coordinate.
+    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, Factors)> {
+        let count = place.len();
+        let mut rows = vec![vec![0.0; count]; count];
+        let mut values = vec![0.0; count];
+        let mut coordinates: Vec<Local> = place.iter().copied().map(Local::constant).collect();
+        for column in 0..count {
+            coordinates[column] = Local::from_coefficients([place[column], 1.0, 0.0, 0.0, 0.0]);
+            let residuals = self.residuals(&coordinates);
+            for (row, residual) in residuals.iter().enumerate().take(count - 1) {
+                [values[row], rows[row][column]] = [residual.coefficients()[0], residual.coefficients()[1]];
+            }
+            coordinates[column] = Local::constant(place[column]);
+        }
+        rows[count - 1][leading] = 1.0;
+        Some((values, Factors::new(rows)?))
+    }
+
+    /// The place on the curve with the same leading coordinate.
+    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, Factors)> {
+        let mut previous = f64::INFINITY;
+        for _ in 0..CORRECTIONS {
+            let (mut values, factors) = self.linear(&place, leading)?;
+            // the leading coordinate stays
+            if let Some(last) = values.last_mut() {
+                *last = 0.0;
+            }
+            let changes = factors.solve(&values);
+            let size = changes.iter().fold(0.0, |size: f64, change| size.max(change.abs()));
+            if !size.is_finite() {
+                return None;
+            }
+            for (value, change) in place.iter_mut().zip(&changes) {
+                *value -= change;
+            }
+            if size <= f64::EPSILON || size >= 0.5 * previous {
+                return (size <= NOISE).then_some((place, factors));
+            }
+            previous = size;
+        }
+        None
+    }
+
+    /// The curve close to a place, in the direction of `ahead`.
+    fn point(&self, place: Vec<f64>, leading: usize, ahead: &[f64]) -> Option<Point> {
+        let (place, mut factors) = self.corrected(place, leading)?;
+        let count = place.len();
+        let unit = leading_rate(count);
+        let mut leading = leading;
+        let mut rates = factors.solve(&unit);
+        let fastest = (0..count).max_by(|one, other| rates[*one].abs().total_cmp(&rates[*other].abs()))?;
+        if fastest != leading {
+            leading = fastest;
+            factors = self.linear(&place, leading)?.1;
+            rates = factors.solve(&unit);
+        }
+        let mut series: Vec<[f64; TERMS]> = place
+            .iter()
+            .zip(&rates)
+            .map(|(value, rate)| [*value, *rate, 0.0, 0.0, 0.0])
+            .collect();
+        for order in 2..TERMS {
+            let coordinates: Vec<Local> = series.iter().copied().map(Local::from_coefficients).collect();
+            let residuals = self.residuals(&coordinates);
+            let mut right: Vec<f64> = residuals
+                .iter()
+                .map(|residual| -residual.coefficients()[order])
+                .collect();
+            right.truncate(count - 1);
+            right.push(0.0);
+            for (series, coefficient) in series.iter_mut().zip(factors.solve(&right)) {
+                series[order] = coefficient;
+            }
+        }
+        if !series.iter().flatten().all(|coefficient| coefficient.is_finite()) {
+            return None;
+        }
+        let direction = dot(&rates, ahead).signum();
+        Some(Point {
+            place,
+            leading,
+            series: series.into_iter().map(Local::from_coefficients).collect(),
+            direction,
+            orientation: factors.orientation * direction,
+        })
+    }
+
+    /// A place near the curve, after a change of the local parameter.
+    fn predicted(from: &Point, change: f64) -> Vec<f64> {
+        let mut place: Vec<f64> = from.series.iter().map(|series| value(series, change)).collect();
+        place[from.leading] = from.place[from.leading] + change;
+        place
+    }
+
+    /// The change of the length of the arc with the local parameter, after a change of it.
+    fn speed(&self, from: &Point, change: f64) -> Option<f64> {
+        let (_, factors) = self.corrected(Self::predicted(from, change), from.leading)?;
+        Some(length(&factors.solve(&leading_rate(from.place.len()))))
+    }
+
+    /// The length of the arc from a point to the one after a change of the local parameter, along the curve.
+    fn arc(&self, from: &Point, change: f64) -> Option<f64> {
+        let pieces = Float::ceil(change.abs() / PIECE).max(1.0);
+        let half = 0.5 * change / pieces;
+        let mut sum = 0.0;
+        let mut middle = half;
+        while (middle - change) * change < 0.0 {
+            for (place, weight) in GAUSS {
+                for place in [place, -place] {
+                    sum += weight * self.speed(from, middle + place * half)?;
+                }
+            }
+            middle += 2.0 * half;
+        }
+        Some(sum * half * from.direction)
+    }
+
+    /// The point after a length of the arc.
+    fn advanced(&self, from: &Point, way: f64) -> Option<Point> {
+        let mut change = value(&from.by_arc(), way);
+        let mut previous = f64::INFINITY;
+        for _ in 0..CORRECTIONS {
+            let missing = way - self.arc(from, change)?;
+            if missing.abs() <= f64::EPSILON * way.abs() || missing.abs() >= 0.5 * previous {
+                break;
+            }
+            previous = missing.abs();
+            change += from.direction * missing / self.speed(from, change)?;
+        }
+        self.point(Self::predicted(from, change), from.leading, &from.tangent())
+    }
+
+    /// The columns at a point, in all orders by the length of the arc.
+    fn station(&self, at: f64, point: Point) -> Station<Point> {
+        let parameter = point.by_arc();
+        let derivatives = |index: usize| {
+            let series = composed(&point.series[index], parameter) * Local::constant(self.sizes[index]);
+            series.derivatives()
+        };
+        let mut numbers = Vec::new();
+        let lead = derivatives(0);
+        let values = self.course.drive.motions(lead[0]);
+        for (input, slope) in &self.moving {
+            numbers.push(values[*input][0]);
+            numbers.extend(lead[1..self.count].iter().map(|derivative| slope * derivative));
+        }
+        for index in 1..point.place.len() {
+            numbers.extend(&derivatives(index)[..self.count]);
+        }
+        Station {
+            at,
+            numbers,
+            near: point,
+        }
+    }
+
+    /// The error of a curve that cannot be followed beyond a station.
+    fn lost(&self, station: &Station<Point>) -> ExactTableError {
+        ExactTableError::Lost {
+            input: station.near.place[0] * self.sizes[0],
+            length: station.at,
+        }
+    }
+
+    /// The next station, at most at a distance.
+    fn next(&self, from: &Station<Point>, longest: f64) -> Result<Station<Point>, ExactTableError> {
+        let here = &from.near;
+        let tangent = here.tangent();
+        let input = here.place[0] * self.sizes[0];
+        let mut way = longest;
+        loop {
+            if way < SHORTEST {
+                return Err(ExactTableError::ChangePoint { input });
+            }
+            let change = value(&here.by_arc(), way);
+            let predicted = Self::predicted(here, change);
+            let found = self.point(predicted.clone(), here.leading, &tangent).filter(|there| {
+                let ahead = there.tangent();
+                let distances = there
+                    .place
+                    .iter()
+                    .zip(&predicted)
+                    .map(|(one, other)| (one - other).abs());
+                change * here.direction > 0.0
+                    && dot(&tangent, &ahead) >= TURN
+                    && ahead[here.leading] * here.direction >= SHARE
+                    && distances.fold(0.0, f64::max) <= CORRECTION * way
+            });
+            if let Some(there) = found
+                && let Some(arc) = self.arc(here, change)
+            {
+                if there.orientation != here.orientation {
+                    return Err(ExactTableError::ChangePoint { input });
+                }
+                return Ok(self.station(from.at + arc, there));
+            }
+            way *= 0.5;
+        }
+    }
+
+    /// Whether the solvers find this place as well. Near a limit they may not.
+    fn confirm(&self, station: &Station<Point>) -> Result<(), ExactTableError> {
+        let point = &station.near;
+        let at = point.place[0] * self.sizes[0];
+        let motions = self.course.drive.motions(at);
+        let unknowns: M::Unknowns<f64> = Row::from_fn(|index| point.place[1 + index] * self.sizes[1 + index]);
+        let solved = self
+            .course
+            .mechanism
+            .solve_position_near(Row::from_fn(|input| motions[input][0]), unknowns);
+        match solved {
+            Ok(found) => {
+                let is_near = (0..self.sizes.len() - 1).all(|index| {
+                    let mut change = (found[index] - unknowns[index]) / self.sizes[1 + index];
+                    if self.angles[1 + index] {
+                        change -= TAU * Float::round(change / TAU);
+                    }
+                    change.abs() <= 0.1
+                });
+                if is_near { Ok(()) } else { Err(self.lost(station)) }
+            }
+            Err(error) => match error.failure {
+                Failure::OutOfReach { .. } | Failure::Singular { .. } | Failure::NotConverged { .. } => Ok(()),
+                _ => Err(ExactTableError::NotClosed {
+                    at,
+                    error: Box::new(error),
+                }),
+            },
+        }
+    }
+
+    /// The whole turns by which a place differs from the start, and the rest of the difference.
+    fn turns(&self, start: &Point, place: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let differences = place.iter().zip(&start.place).zip(&self.angles);
+        differences
+            .map(|((one, other), is_angle)| {
+                let turns = if *is_angle {
+                    TAU * Float::round((one - other) / TAU)
+                } else {
+                    0.0
+                };
+                (turns, one - other - turns)
+            })
+            .unzip()
+    }
+
+    /// The start again, if it lies between two stations.
+    fn back(&self, start: &Station<Point>, [here, there]: [&Station<Point>; 2]) -> Option<Station<Point>> {
+        let tangent = start.near.tangent();
+        let (_, before) = self.turns(&start.near, &here.near.place);
+        let (turns, behind) = self.turns(&start.near, &there.near.place);
+        let passes = dot(&before, &tangent) < 0.0 && dot(&behind, &tangent) >= 0.0;
+        let is_near = length(&before).max(length(&behind)) <= 2.0 * LONGEST;
+        let goes_on = dot(&there.near.tangent(), &tangent) > 0.0;
+        if !(passes && is_near && goes_on) {
+            return None;
+        }
+        let leading = here.near.leading;
+        let end: Vec<f64> = start
+            .near
+            .place
+            .iter()
+            .zip(&turns)
+            .map(|(value, turn)| value + turn)
+            .collect();
+        let change = end[leading] - here.near.place[leading];
+        let (found, _) = self.corrected(Self::predicted(&here.near, change), leading)?;
+        let distances = found.iter().zip(&end).map(|(one, other)| (one - other).abs());
+        if distances.fold(0.0, f64::max) > NOISE {
+            return None;
+        }
+        let mut station = start.clone();
+        station.at = here.at + self.arc(&here.near, change)?;
+        station.near.place.clone_from(&end);
+        for (series, value) in station.near.series.iter_mut().zip(&end) {
+            let mut coefficients = series.coefficients();
+            coefficients[0] = *value;
+            *series = Local::from_coefficients(coefficients);
+        }
+        // the values on their new turns, the derivatives as they are
+        let again = self.station(station.at, station.near.clone());
+        for (own, again) in station
+            .numbers
+            .chunks_mut(self.count)
+            .zip(again.numbers.chunks(self.count))
+        {
+            own[0] = again[0];
+        }
+        Some(station)
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Source for Curve<'_, M> {
+    type Near = Point;
+
+    fn columns(&self) -> Vec<Quantity> {
+        let description = M::DESCRIPTION;
+        let inputs = self.moving.iter().map(|(input, _)| description.inputs[*input]);
+        inputs.chain(description.unknowns.iter().copied()).collect()
+    }
+
+    fn station(&self, at: f64, _: Side, from: &Station<Point>) -> Result<Station<Point>, ExactTableError> {
+        let mut here = from.clone();
+        loop {
+            // as far as one local parameter leads
+            let rest = at - here.at;
+            let there = self.next(&here, rest)?;
+            if there.at - here.at > 0.75 * rest {
+                let point = self.advanced(&here.near, rest);
+                return point.map_or_else(|| Err(self.lost(&here)), |point| Ok(self.station(at, point)));
+            }
+            here = there;
+        }
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Course<M, Line<M>> {
+    /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits where the input
+    /// turns back, until the motion has come back to its start. So one closed table holds both assemblies between two limits.
+    ///
+    /// The parameter is the length of the arc, `arc`: the root of the sum of the squares of all ways of the moving input and the unknowns,
+    /// angles in radians and lengths in units of the longest link. It is smooth where the input turns back. A mechanism that is shown at a
+    /// constant speed of the arc moves evenly. The columns are the inputs that move and the unknowns, in this order. Outputs are not among
+    /// them: at a limit the solver has none of their derivatives. A quantity that is declared as an unknown with an equation of its own is
+    /// a column.
+    ///
+    /// The errors are measured against the closure, which is well-conditioned at limits with the fastest quantity as its parameter; `solve`
+    /// is not. Away from limits both are the same.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// // the crank swings between limits at ±112.02°
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let table = linkage.sweep(Assembly::Open).over(0.9..=1.0, 2).exact_circuit(1e-6)?;
+    /// let crank = table.column("theta2")?;
+    /// let period = table.period().expect("the table is closed");
+    /// let highest = (0..1000).map(|step| crank.at(period * f64::from(step) / 1000.0).map(|[angle]| angle));
+    /// let highest = highest.collect::<Result<Vec<f64>, _>>()?.into_iter().fold(0.0, f64::max);
+    /// assert!((highest.to_degrees() - 112.0243).abs() < 1e-2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ExactTableError::NotClosed`] if the mechanism does not close at the beginning, or the motion leads to the end of the domain of a
+    /// function, [`ExactTableError::ChangePoint`] where branches cross, [`ExactTableError::Lost`] if the motion does not come back, and the
+    /// errors of [`exact_table`](Self::exact_table).
+    pub fn exact_circuit(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
+        let precision = precision.into();
+        self.check()?;
+        let order = M::DESCRIPTION.order.min(precision.tolerances().len() - 1);
+        let closed = |error| ExactTableError::NotClosed {
+            at: self.from,
+            error: Box::new(error),
+        };
+        let mut walk = Walk::BEGINNING;
+        let reached = walk
+            .step(&self.mechanism, self.assembly, self.drive.motions(self.from))
+            .map_err(closed)?;
+        let curve = Curve::new(self, order + 1, &reached.unknowns);
+        let mut place = vec![self.from / curve.sizes[0]];
+        place.extend((0..curve.sizes.len() - 1).map(|index| reached.unknowns[index] / curve.sizes[1 + index]));
+        let mut ahead = vec![0.0; place.len()];
+        ahead[0] = if self.to < self.from { -1.0 } else { 1.0 };
+        let change_point = ExactTableError::ChangePoint { input: self.from };
+        let start = curve.station(0.0, curve.point(place, 0, &ahead).ok_or(change_point)?);
+        let mut stations = vec![start.clone()];
+        let mut here = start.clone();
+        let mut longest = LONGEST;
+        let mut steps = 0;
+        loop {
+            let there = curve.next(&here, longest)?;
+            if let Some(end) = curve.back(&start, [&here, &there]) {
+                while stations.len() > 1 && stations.last().is_some_and(|last| end.at - last.at < THINNEST) {
+                    stations.pop();
+                }
+                stations.push(end);
+                break;
+            }
+            curve.confirm(&there)?;
+            steps += 1;
+            if steps >= MOST_STEPS {
+                return Err(curve.lost(&there));
+            }
+            longest = LONGEST.min(2.0 * (there.at - here.at));
+            if stations.last().is_none_or(|last| there.at - last.at >= THINNEST) {
+                stations.push(there.clone());
+            }
+            here = there;
+        }
+        let first = stations
+            .windows(2)
+            .map(|pair| [pair[0].clone(), pair[1].clone()])
+            .collect();
+        let frame = Frame {
+            name: M::DESCRIPTION.name,
+            parameter: ("arc".to_string(), Dimension::Scalar),
+            order,
+            may_close: true,
+        };
+        refined(&curve, frame, first, precision)
+    }
+}

@@ -1,0 +1,68 @@
+/** The coefficients of a polynomial about another place, by Horner's scheme. */
+function shifted(coefficients, way) {
+    for (let first = 0; first < ORDERS; first++) {
+        for (let index = coefficients.length - 2; index >= first; index--) {
+            coefficients[index] += way * coefficients[index + 1];
+        }
+    }
+    return coefficients;
+}
+
+/** The polynomial that agrees with two rows in all orders, at a part of the way between them. */
+function piece(left, right, length, part) {
+    const factors = [1];
+    for (let order = 0; order + 1 < ORDERS; order++) factors.push(factors[order] * (length / (order + 1)));
+    const start = left.map((value, order) => value * factors[order]);
+    const rest = right.map((value, order) => value * factors[order]);
+    const moved = start.slice();
+    moved[0] -= rest[0];
+    rest[0] = 0;
+    shifted(moved, 1);
+    for (let order = 0; order < ORDERS; order++) rest[order] -= moved[order];
+    for (let time = 0; time < ORDERS; time++) {
+        for (let order = 1; order < ORDERS; order++) rest[order] -= rest[order - 1];
+    }
+    const powers = shifted(start.concat(shifted(rest, -1)), part).slice(0, ORDERS);
+    let factor = 1;
+    for (let order = 0; order < ORDERS; order++) {
+        powers[order] *= factor;
+        factor *= (order + 1) / length;
+    }
+    return powers;
+}
+
+/**
+ * All columns at a place: for each of COLUMNS the value and its derivatives by time, while the parameter changes at a speed.
+ * At the speed 1 they are the derivatives by the parameter.
+ * @param {number} place
+ * @param {number} [speed]
+ * @returns {number[][]}
+ */
+export function at(place, speed = 1) {
+    const rows = TABLE.length, low = TABLE[0][0], high = TABLE[rows - 1][0];
+    let turns = 0, left = 0, right = rows - 1;
+    if (IS_CLOSED) {
+        turns = Math.floor((place - low) / (high - low));
+        place = Math.min(Math.max(place - turns * (high - low), low), high);
+    }
+    if (!(low <= place && place <= high && Number.isFinite(speed))) {
+        throw new RangeError(`the table runs from ${low} to ${high}; the place is ${place}, the speed ${speed}`);
+    }
+    while (right - left > 1) {
+        const middle = (left + right) >> 1;
+        if (TABLE[middle][0] <= place) left = middle;
+        else right = middle;
+    }
+    const start = TABLE[left][0], length = TABLE[right][0] - start, part = (place - start) / length;
+    return CHANGES.map((change, column) => {
+        const own = [left, right].map((row) => TABLE[row].slice(1 + column * ORDERS, 1 + (column + 1) * ORDERS));
+        const found = piece(own[0], own[1], length, part);
+        found[0] += turns * change;
+        let factor = 1;
+        for (let order = 0; order < ORDERS; order++) {
+            found[order] *= factor;
+            factor *= speed;
+        }
+        return found;
+    });
+}

@@ -1,0 +1,57 @@
+def _shifted(coefficients, way):
+    """The coefficients of a polynomial about another place, by Horner's scheme."""
+    for first in range(ORDERS):
+        for index in range(len(coefficients) - 2, first - 1, -1):
+            coefficients[index] += way * coefficients[index + 1]
+    return coefficients
+
+
+def _piece(left, right, length, part):
+    """The polynomial that agrees with two rows in all orders, at a part of the way between them."""
+    factors = [1.0]
+    for order in range(1, ORDERS):
+        factors.append(factors[-1] * (length / order))
+    start = [value * factor for value, factor in zip(left, factors)]
+    rest = [value * factor for value, factor in zip(right, factors)]
+    moved = _shifted([start[0] - rest[0]] + start[1:], 1.0)
+    rest = [value - other for value, other in zip([0.0] + rest[1:], moved)]
+    for _ in range(ORDERS):
+        for order in range(1, ORDERS):
+            rest[order] -= rest[order - 1]
+    powers = _shifted(start + _shifted(rest, -1.0), part)
+    factor = 1.0
+    for order in range(ORDERS):
+        powers[order] *= factor
+        factor *= (order + 1) / length
+    return powers[:ORDERS]
+
+
+def at(place: float, speed: float = 1.0) -> list[list[float]]:
+    """All columns at a place: for each of COLUMNS the value and its derivatives by time, while the parameter changes at a speed.
+
+    At the speed 1 they are the derivatives by the parameter. Raises ValueError for a place that is not in the table.
+    """
+    low, high, turns, left, right = _TABLE[0][0], _TABLE[-1][0], 0.0, 0, len(_TABLE) - 1
+    if IS_CLOSED and math.isfinite(place):
+        turns = float(math.floor((place - low) / (high - low)))
+        place = min(max(place - turns * (high - low), low), high)
+    if not (low <= place <= high and math.isfinite(speed)):
+        raise ValueError(f"the table runs from {low} to {high}; the place is {place}, the speed {speed}")
+    while right - left > 1:
+        middle = (left + right) // 2
+        if _TABLE[middle][0] <= place:
+            left = middle
+        else:
+            right = middle
+    start, length = _TABLE[left][0], _TABLE[right][0] - _TABLE[left][0]
+    result = []
+    for column, change in enumerate(_CHANGES):
+        own = slice(1 + column * ORDERS, 1 + (column + 1) * ORDERS)
+        found = _piece(_TABLE[left][own], _TABLE[right][own], length, (place - start) / length)
+        found[0] += turns * change
+        factor = 1.0
+        for order in range(ORDERS):
+            found[order] *= factor
+            factor *= speed
+        result.append(found)
+    return result

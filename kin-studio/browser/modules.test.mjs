@@ -1,0 +1,271 @@
+/** The page's modules without a browser. */
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import { anatomyOf, followedAt, placeOf } from "../src/page/anatomy.mjs";
+import { isMathematics, seemsMathematics, withClasses } from "../src/page/formulas.mjs";
+import { createRoom, keepLines, placeName } from "../src/page/labels.mjs";
+import { marksOf, stopText } from "../src/page/marks.mjs";
+import { createModel, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/model.mjs";
+import { nearestInput } from "../src/page/nearest.mjs";
+import { numberText, steadyText, ticks, unitText, withUnit } from "../src/page/numbers.mjs";
+import { givenPeaks, ownPeaks } from "../src/page/peaks.mjs";
+import { hull } from "../src/page/picture.mjs";
+import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/rates.mjs";
+import { quotedCell, sweepTable } from "../src/page/saving.mjs";
+import { allRows, movedInput, rowAt, sweepDesign } from "../src/page/sweep.mjs";
+import { poorTransmission } from "../src/page/transmission.mjs";
+import { createView, fitView, flat, onPage, orbitView, zoomView } from "../src/page/view.mjs";
+import { poseText } from "../src/page/words.mjs";
+import { reportOf, solver } from "./testing/slider_crank.mjs";
+
+function prepared(changes) {
+  const model = createModel(reportOf(changes), solver);
+  const design = givenDesign(model);
+  const assembly = model.report.assemblies[model.report.assembly];
+  return { model, design, assembly, sweep: sweepDesign(model, design, assembly) };
+}
+
+const SHORT_ROD = { parameters: [{ name: "r", text: "r", dimension: "length", value: 30 }, { name: "l", text: "l", dimension: "length", value: 15 }] };
+
+test("modules can be joined into one script", () => {
+  const folder = new URL("../src/page/", import.meta.url);
+  const owners = new Map();
+  for (const file of readdirSync(folder).filter((name) => name.endsWith(".mjs"))) {
+    const source = readFileSync(new URL(file, folder), "utf8");
+    for (const line of source.split("\n")) {
+      if (/^\s*(import|export)\b/.test(line)) {
+        assert.match(line, /^(import \{ [\w, ]+ \} from "\.\/\w+\.mjs";|export (async )?(function|const) \w+)/, `${file}: ${line}`);
+        assert.doesNotMatch(line, / as /);
+      }
+      const name = line.match(/^(?:export )?(?:async )?(?:function|const|let|class) (\w+)/)?.[1];
+      if (name) {
+        assert.equal(owners.get(name), undefined, `${name} stands in ${owners.get(name)} and in ${file}`);
+        owners.set(name, file);
+      }
+      assert.equal((line.replaceAll("\"`\"", "").match(/`/g) ?? []).length % 2, 0, `a text over several lines in ${file}: ${line}`);
+    }
+    assert.doesNotMatch(source, /setAttribute\("style"|innerHTML|insertAdjacentHTML|eval\(|<\/script/);
+  }
+});
+
+test("numbers are short, with true minus signs and powers of ten", () => {
+  assert.deepEqual([0, -1.5, 1234.5678, 1e-9, -2.5e8, Infinity].map((value) => numberText(value)), ["0", "−1.5", "1234.6", "1×10⁻⁹", "−2.5×10⁸", "∞"]);
+  assert.equal(numberText(0.1 + 0.2, 6), "0.3");
+  assert.deepEqual([1.23456, -0.00001].map((value) => steadyText(value, 9.9)), ["1.235", "0.000"]);
+});
+
+test("units follow the order and the choice of degrees", () => {
+  const units = { length: "mm", time: "s" };
+  assert.deepEqual([0, 1, 2, 4].map((order) => unitText("length", order, units, true)), ["mm", "mm/s", "mm/s²", "mm/s⁴"]);
+  assert.deepEqual([0, 3].map((order) => unitText("angle", order, units, true)), ["°", "°/s³"]);
+  assert.equal(unitText("angle", 1, units, false), "rad/s");
+  assert.equal(unitText("number", 1, units, false), "1/s");
+  assert.deepEqual([withUnit("5", "°"), withUnit("5", "mm"), withUnit("5", "")], ["5°", "5 mm", "5"]);
+});
+
+test("ticks are round, and parts of a turn in degrees", () => {
+  assert.deepEqual(ticks(0, 10, 5), [0, 2, 4, 6, 8, 10]);
+  assert.deepEqual(ticks(0, 360, 4, true), [0, 90, 180, 270, 360]);
+  assert.deepEqual(ticks(1, 1, 5), []);
+});
+
+test("a newer report is refused with both numbers", () => {
+  assert.equal(reasonToRefuse(reportOf()), "");
+  const reason = reasonToRefuse(reportOf({ format: 7 }));
+  assert.match(reason, /format 7/);
+  assert.match(reason, /up to 1/);
+  assert.notEqual(reasonToRefuse(null), "");
+});
+
+test("Taylor polynomials lead from pose to pose", () => {
+  const { model, design } = prepared();
+  const one = solveAt(model, design, 1, 1).pose;
+  const other = solveAt(model, design, 1.01, 1).pose;
+  // the rest of the series is below (0.01)^5 times the size of the motion
+  assert.ok(Math.abs(movedOn(one.s, 0.01 / design.speed) - other.s[0]) < 100 * 0.01 ** 5);
+});
+
+test("a whole turn is one stretch, and passes from its end to its beginning", () => {
+  const { model, sweep } = prepared();
+  assert.ok(sweep.full);
+  const moved = movedInput(model, sweep, 6.2, 0.2);
+  assert.ok(!moved.stopped);
+  assert.ok(Math.abs(moved.x - (6.4 - 2 * Math.PI)) < 1e-12);
+  assert.ok(Math.abs(sweep.travel[0][0] - 50) < 1e-9 && Math.abs(sweep.travel[0][1] - 110) < 1e-9);
+});
+
+test("limits are found to 1e-9, and motion stops there", () => {
+  const { model, sweep } = prepared(SHORT_ROD);
+  const limits = [Math.PI / 6, (5 * Math.PI) / 6, (7 * Math.PI) / 6, (11 * Math.PI) / 6];
+  assert.equal(sweep.spans.length, 3);
+  const found = sweep.gaps.flatMap(({ from, to }) => [from, to]);
+  found.forEach((x, index) => assert.ok(Math.abs(x - limits[index]) < 2e-9, `${x}`));
+  assert.ok(Math.abs(sweep.gaps[0].margin + 15) < 1e-12);
+  const moved = movedInput(model, sweep, 0.4, 0.5);
+  assert.ok(moved.stopped && Math.abs(moved.x - limits[0]) < 2e-9);
+  const marks = marksOf(model, sweep, 0, false);
+  assert.equal(marks.length, 4);
+  assert.ok(marks.every(({ own }) => own));
+  assert.equal(stopText(model, marks, sweep.gaps, moved.x, true), "Limit at θ = 30°: reach of a line and a circle (s).");
+});
+
+test("the report's exact limits take the place of the page's own", () => {
+  const end = (input) => ({ kind: "Limit", input, block: "s", text: "limit position" });
+  const cycle = { complete: true, circuits: [], branches: [{ circuit: 0, assembly: 0, range: [-Math.PI / 6, Math.PI / 6], full_turn: false, ends: [end(-Math.PI / 6), end(Math.PI / 6)], samples: [] }] };
+  const { model, sweep } = prepared({ ...SHORT_ROD, cycle });
+  const marks = marksOf(model, sweep, 0, true);
+  assert.deepEqual(marks.map(({ own }) => own), [false, true, true, false]);
+  assert.equal(marks[0].x, Math.PI / 6);
+});
+
+test("a coupled mechanism goes on from its last pose, and tells where it is lost", () => {
+  const near = { coupled: true, assemblies: [{ name: "assembly 1", argument: { s: 100 }, at: 0.1, circuit: 0 }] };
+  const byGuess = {
+    solve: (parameters, inputs, { s }) => {
+      const [one, other] = [1, -1].map((sign) => solver.solve(parameters, inputs, sign));
+      return !one.ok || Math.abs(one.pose.s[0] - s) < Math.abs(other.pose.s[0] - s) ? one : other;
+    },
+  };
+  const turning = createModel(reportOf(near), byGuess);
+  const whole = sweepDesign(turning, givenDesign(turning), turning.report.assemblies[0]);
+  assert.ok(whole.full && allRows(whole).every(({ pose }) => pose.s[0] > 0));
+  const stuck = createModel(reportOf({ ...near, ...SHORT_ROD }), byGuess);
+  const part = sweepDesign(stuck, givenDesign(stuck), stuck.report.assemblies[0]);
+  assert.equal(part.gaps.length, 1);
+  assert.ok(part.gaps[0].lost);
+  assert.ok(Math.abs(part.spans[0].to - Math.PI / 6) < 1e-6);
+});
+
+test("a pose between rows is solved, and stands still outside", () => {
+  const { model, design, sweep, assembly } = prepared();
+  const row = rowAt(model, design, sweep, assembly, 1.23456);
+  assert.equal(row.pose.s[0], solveAt(model, design, 1.23456, 1).pose.s[0]);
+  assert.equal(rowAt(model, design, { ...sweep, spans: [] }, assembly, 1), null);
+});
+
+test("peaks are those of calculus", () => {
+  const { model, design, sweep, assembly } = prepared();
+  const [position] = ownPeaks(model, design, sweep, assembly);
+  assert.ok(Math.abs(position.highest.value - 110) < 1e-12);
+  assert.ok(Math.abs(position.lowest.value - 50) < 1e-12 && Math.abs(position.lowest.at - Math.PI) < 1e-6);
+  const velocity = ownPeaks(model, design, sweep, assembly)[1];
+  const there = solveAt(model, design, velocity.highest.at, 1).pose.s;
+  assert.ok(Math.abs(there[2]) < 1e-3 * 30 * 100, "the acceleration vanishes at the peak of the velocity");
+});
+
+test("the report's peaks are taken over as they are", () => {
+  const extremes = [{ quantity: "s", order: 1, kind: "highest", value: 1.5, at: 0.25, place: "inner" }, { quantity: "s", order: 1, kind: "lowest", value: null, at: 1, place: "unbounded" }];
+  const model = createModel(reportOf({ extremes, rms: [{ quantity: "s", order: 1, value: 2 }] }), solver);
+  const [peak] = givenPeaks(model);
+  assert.deepEqual([peak.highest.value, peak.lowest.value, peak.rms], [1.5, null, 2]);
+});
+
+test("a dragged crank follows the pointer, and stops at a limit", () => {
+  const { model, design, sweep, assembly } = prepared();
+  const placed = (pose) => pose.joints[1];
+  const free = nearestInput(model, design, sweep, assembly, 0.3, placed, [20, 20]);
+  assert.ok(Math.abs(free.x - Math.PI / 4) < 1e-4 && !free.beyond);
+  const backwards = nearestInput(model, design, sweep, assembly, 0.1, placed, [20, -5]);
+  assert.ok(Math.abs(backwards.x - (2 * Math.PI - Math.atan(0.25))) < 1e-4, "it passes the end of the turn");
+  const stuck = prepared(SHORT_ROD);
+  const held = nearestInput(stuck.model, stuck.design, stuck.sweep, stuck.assembly, 0.3, placed, [0, 30]);
+  assert.ok(held.beyond && Math.abs(held.x - Math.PI / 6) < 2e-9);
+});
+
+test("pins, the driven body and the floating body are found", () => {
+  const { model, sweep } = prepared();
+  const anatomy = anatomyOf(model, sweep);
+  assert.deepEqual(anatomy.pins, [true, true, true]);
+  assert.deepEqual(anatomy.driven, [true, false]);
+  assert.equal(anatomy.floating, 1);
+  const followed = followedAt(model, 1, [[0, 0], [0, 0], [10, 0]], [5, 2]);
+  assert.deepEqual([followed.along, followed.across], [0.5, 0.2]);
+  assert.deepEqual(placeOf(model, followed, [[0, 0], [0, 0], [0, 10]]), [-2, 5]);
+});
+
+test("rates of joints agree with those of the solver", () => {
+  const { model, design, assembly, sweep } = prepared();
+  const row = rowAt(model, design, sweep, assembly, 0.7);
+  const rates = ratesOfJoints(model, design, assembly, row);
+  [1, 2, 3].forEach((order) => {
+    const size = 30 * 10 ** order;
+    assert.ok(Math.abs(rates[2][order - 1][0] - row.pose.s[order]) < 1e-5 * size, `order ${order}`);
+  });
+});
+
+test("curvature and instant centres of known motions", () => {
+  const circle = circleOfCurvature([2, 0], [0, 6], [-18, 0]);
+  assert.deepEqual([circle.centre, circle.radius], [[0, 0], 2]);
+  assert.equal(circleOfCurvature([0, 0], [1, 0], [0, 0]), null);
+  assert.deepEqual(instantCentre([1, 0], [0, 2], [0, 3], [-6, 0]), [0, 0]);
+  assert.equal(instantCentre([1, 0], [0, 2], [1, 1], [1, 1]), null);
+});
+
+test("hulls are convex, and lines have two ends", () => {
+  assert.equal(hull([[0, 0], [9, 9], [9, 0], [4, 5], [0, 9]]).length, 4);
+  assert.deepEqual(hull([[0, 0], [9, 9], [4, 4]]), [[0, 0], [9, 9]]);
+  assert.equal(hull([[1, 1]]).length, 1);
+});
+
+test("names avoid lines, other names and the edge", () => {
+  const room = createRoom(200, 100);
+  keepLines(room, [[0, 50], [200, 50]], 5);
+  const one = placeName(room, [[100, 50]], "name", 14, undefined);
+  const other = placeName(room, [[100, 50]], "name", 14, undefined);
+  assert.ok(Math.abs(one.y - 50) > 10 && Math.abs(other.y - 50) > 10);
+  assert.ok(Math.abs(one.x - other.x) > 30 || Math.abs(one.y - other.y) > 14);
+  assert.equal(placeName(createRoom(10, 10), [[5, 5]], "much too long", 14, undefined), null);
+});
+
+test("views fit, zoom about a place and orbit about a centre", () => {
+  const view = createView(false);
+  fitView(view, [[0, 0], [10, 5]], { left: 0, right: 100, top: 0, bottom: 100 });
+  assert.deepEqual(onPage(view, [0, 0]), [0, 75]);
+  const before = onPage(view, [3, 2]);
+  zoomView(view, before, 2);
+  assert.deepEqual(onPage(view, [3, 2]).map(Math.round), before.map(Math.round));
+  const space = createView(true);
+  const centre = onPage(space, [1, 2, 3]);
+  orbitView(space, [40, 10], [1, 2, 3]);
+  onPage(space, [1, 2, 3]).forEach((value, axis) => assert.ok(Math.abs(value - centre[axis]) < 1e-12));
+  assert.ok(flat(space, [0, 0, 1])[1] < 0, "z points up");
+});
+
+test("tables have a heading with units, and all digits", () => {
+  const { model, sweep } = prepared();
+  const lines = sweepTable(model, sweep, true, 10).trim().split("\r\n");
+  assert.equal(lines[0], "theta [deg],time [s],s [mm],s velocity [mm/s],s acceleration [mm/s²],s jerk [mm/s³],s snap [mm/s⁴]");
+  assert.equal(lines.length, allRows(sweep).length + 1);
+  assert.ok(Math.abs(Number(lines[1].split(",")[2]) - 110) < 1e-12);
+  assert.equal(quotedCell('a "b", c'), '"a ""b"", c"');
+});
+
+test("poor transmission is shaded between its crossings of 40 degrees", () => {
+  const degree = Math.PI / 180;
+  const samples = [[0, 60], [1, 50], [2, 30], [3, 20], [4, 60]].map(([input, angle]) => ({ input, angles: [angle * degree] }));
+  const model = createModel(reportOf({ transmission: { dyads: ["s"], worst: [{ angle: 0.3, at: 3 }], samples } }), solver);
+  const [band] = poorTransmission(model, { spans: [{ from: 0, to: 5 }] }, true);
+  assert.ok(Math.abs(band[0] - 1.5) < 1e-9 && Math.abs(band[1] - 3.5) < 1e-9);
+  assert.deepEqual(poorTransmission(model, { spans: [{ from: 0, to: 1.7 }, { from: 2.8, to: 3.1 }] }, true), [[2.8, 3.1]]);
+});
+
+test("formulas hold mathematics alone", () => {
+  assert.ok(isMathematics("mfrac", ["xmlns"]));
+  assert.ok(!isMathematics("script", []) && !isMathematics("mi", ["onclick"]) && !isMathematics("maction", []) && !isMathematics("mi", ["href"]));
+  assert.equal(withClasses('<mi style="font-weight:bold">x</mi><mo style="background:url(x)">+</mo>'), '<mi class="heavy">x</mi><mo>+</mo>');
+});
+
+test("what is not mathematics is not even parsed", () => {
+  assert.ok(seemsMathematics('<math xmlns="x" display="block"><mrow><mi mathvariant="normal">e</mi><mo>&lt;</mo></mrow><mspace/></math>'));
+  for (const evil of ["text", "<b>x</b>", '<mi onclick="x">y</mi>', "<mi onclick=x>y</mi>", "<!-- <mi> -->", "</script><mi>x</mi>", '<math href="x"></math>']) {
+    assert.ok(!seemsMathematics(evil), evil);
+  }
+});
+
+test("a pose is told in words", () => {
+  const { model, design, sweep, assembly } = prepared();
+  const row = rowAt(model, design, sweep, assembly, 0);
+  assert.equal(poseText(model, row, true, "open", [0]), "θ = 0°, s = 110 mm; open");
+});

@@ -1,0 +1,127 @@
+//! Names as they are printed: `theta2` is θ₂. The rule is that of [`FORMULAS`](kin_core::Mechanism::FORMULAS).
+
+/// Greek letters by their names. π is a number, so `pi` stays a word.
+const GREEK: [(&str, char); 32] = [
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ε'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("iota", 'ι'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("rho", 'ρ'),
+    ("sigma", 'σ'),
+    ("tau", 'τ'),
+    ("upsilon", 'υ'),
+    ("phi", 'φ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("Gamma", 'Γ'),
+    ("Delta", 'Δ'),
+    ("Theta", 'Θ'),
+    ("Lambda", 'Λ'),
+    ("Xi", 'Ξ'),
+    ("Pi", 'Π'),
+    ("Sigma", 'Σ'),
+    ("Phi", 'Φ'),
+    ("Psi", 'Ψ'),
+    ("Omega", 'Ω'),
+];
+
+/// A name as it is printed; the coordinates of a point keep their dot: `hand.x`.
+pub(crate) fn symbol(name: &str) -> String {
+    match name.split_once('.') {
+        Some((point, coordinate)) => format!("{}.{coordinate}", of_identifier(point)),
+        None => of_identifier(name),
+    }
+}
+
+fn of_identifier(name: &str) -> String {
+    let mut parts = name.split('_').filter(|part| !part.is_empty());
+    let Some(first) = parts.next() else {
+        return name.to_owned();
+    };
+    let stem = first.trim_end_matches(|digit: char| digit.is_ascii_digit());
+    if stem.is_empty() {
+        return name.to_owned();
+    }
+    let mut text = greek(stem);
+    let mut add = |index: &str| {
+        if index.chars().all(|digit| digit.is_ascii_digit()) && !text.contains('_') {
+            text.extend(index.chars().map(below_the_line));
+        } else {
+            text.push('_');
+            text.push_str(&greek(index));
+        }
+    };
+    let digits = &first[stem.len()..];
+    if !digits.is_empty() {
+        add(digits);
+    }
+    parts.for_each(add);
+    text
+}
+
+fn greek(word: &str) -> String {
+    let letter = GREEK.iter().find(|(name, _)| *name == word);
+    letter.map_or_else(|| word.to_owned(), |(_, letter)| letter.to_string())
+}
+
+fn below_the_line(digit: char) -> char {
+    digit
+        .to_digit(10)
+        .and_then(|value| char::from_u32(u32::from('₀') + value))
+        .unwrap_or(digit)
+}
+
+/// A type's name in small letters, with a sign between its words: `FourBar` becomes `four_bar`.
+pub(crate) fn in_small_letters(name: &str, between: char) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    let mut own = String::new();
+    for (place, letter) in letters.iter().enumerate() {
+        let begins = letter.is_uppercase()
+            && place > 0
+            && (!letters[place - 1].is_uppercase() || letters.get(place + 1).is_some_and(|next| next.is_lowercase()));
+        if begins {
+            own.push(between);
+        }
+        own.extend(letter.to_lowercase());
+    }
+    own
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{in_small_letters, symbol};
+
+    #[test]
+    fn names_are_letters_with_indices() {
+        for (name, text) in [
+            ("theta2", "θ₂"),
+            ("r1", "r₁"),
+            ("r_12", "r₁₂"),
+            ("left_rod", "left_rod"),
+            ("left_rod2", "left_rod2"),
+            ("beta_phi", "β_φ"),
+            ("hand.x", "hand.x"),
+            ("p1.y", "p₁.y"),
+            ("pi", "pi"),
+        ] {
+            assert_eq!(symbol(name), text);
+        }
+    }
+
+    #[test]
+    fn names_of_files() {
+        assert_eq!(in_small_letters("FourBar", '_'), "four_bar");
+        assert_eq!(in_small_letters("StephensonIIIByDyad", '-'), "stephenson-iii-by-dyad");
+    }
+}

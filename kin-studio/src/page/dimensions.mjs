@@ -1,0 +1,84 @@
+/** The drawer: a slider and a field for each dimension, for the inputs that stand still, and for the speed. */
+import { made } from "./elements.mjs";
+import { numberText, unitFactor, unitText } from "./numbers.mjs";
+
+/**
+ * @typedef {{name: string, text: string, note: string, dimension: string, order: number, group: "parameters" | "standing" | "speed"}} Entry
+ */
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("./model.mjs").Model} model
+ * @param {import("./model.mjs").Design} given
+ * @param {(group: string, name: string, value: number) => void} changed
+ */
+export function createSliders(place, model, given, changed) {
+  const lengths = model.parameters.filter(({ dimension }) => dimension === "length").map(({ value }) => Math.abs(value));
+  const size = Math.max(...lengths, 1e-9);
+  let degrees = model.degrees;
+  const entries = entriesOf(model).map((entry) => {
+    const id = `${entry.group}-${entry.name}`;
+    const slider = /** @type {HTMLInputElement} */ (made("input", { type: "range", id, step: "any" }));
+    const field = /** @type {HTMLInputElement} */ (made("input", { type: "number", step: "any", "aria-label": `${entry.text}, as a number` }));
+    const unit = made("span", { className: "quiet-text" });
+    const label = made("label", { for: id, title: entry.note }, entry.text);
+    const head = made("div", { className: "row" }, label, made("span", {}, field, " ", unit));
+    const note = entry.note ? [made("p", { className: "quiet-text" }, entry.note)] : [];
+    const box = made("div", { className: "dimension" }, head, slider, ...note);
+    place.append(box);
+    const factor = () => unitFactor(entry.dimension, degrees);
+    for (const input of [slider, field]) {
+      input.addEventListener("input", () => {
+        const value = Number(input.value);
+        if (input.value !== "" && Number.isFinite(value)) {
+          changed(entry.group, entry.name, value / factor());
+        }
+      });
+    }
+    const [low, high] = boundsOf(entry, valueIn(given, entry), size);
+    return { entry, slider, field, unit, box, low, high, factor };
+  });
+  return {
+    /** @param {import("./model.mjs").Design} design @param {boolean} inDegrees */
+    show(design, inDegrees) {
+      degrees = inDegrees;
+      for (const { entry, slider, field, unit, box, low, high, factor } of entries) {
+        const value = valueIn(design, entry) * factor();
+        slider.min = String(low * factor());
+        slider.max = String(high * factor());
+        slider.value = String(value);
+        const text = String(Number(value.toPrecision(8)));
+        if (document.activeElement !== field) {
+          field.value = text;
+        }
+        unit.textContent = unitText(entry.dimension, entry.order, model.units, degrees);
+        slider.setAttribute("aria-valuetext", `${numberText(value)} ${unit.textContent}`);
+        box.classList.toggle("changed", valueIn(design, entry) !== valueIn(given, entry));
+      }
+    },
+  };
+}
+
+function entriesOf(model) {
+  const { parameters, inputs } = model;
+  const entry = (group, order) => ({ name, text, documentation, dimension }) => ({ group, order, name, dimension, text: text || name, note: (documentation ?? "").replaceAll("`", "") });
+  const standing = inputs.filter(({ name }) => name !== model.moving.name).map(entry("standing", 0));
+  const speed = { group: "speed", order: 1, name: "speed", text: `Speed of ${model.moving.text}`, note: "", dimension: model.moving.dimension };
+  return [...parameters.map(entry("parameters", 0)), ...standing, speed];
+}
+
+function valueIn(design, { group, name }) {
+  return group === "speed" ? design.speed : design[group][name];
+}
+
+/** How far a slider reaches. */
+function boundsOf({ dimension, group }, value, size) {
+  if (group !== "speed" && dimension === "angle") {
+    return [value - Math.PI, value + Math.PI];
+  }
+  if (value === 0) {
+    const reach = dimension === "length" ? 0.5 * size : 1;
+    return [-reach, reach];
+  }
+  return value > 0 ? [0.2 * value, 2 * value] : [2 * value, 0.2 * value];
+}

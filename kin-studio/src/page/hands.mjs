@@ -1,0 +1,188 @@
+/** Pointers on the picture, the plots and the scrubber. */
+import { followedAt, placeOf } from "./anatomy.mjs";
+import { flat, onPage, orbitView, zoomView } from "./view.mjs";
+
+/** How far a pointer moves before a click becomes a drag, in pixels. */
+const STILL = 4;
+
+/** The place of a pointer within an element. */
+function within(element, event) {
+  const box = element.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
+/** Follows a pointer from where it went down until it is lifted. */
+function follow(element, event, move, end) {
+  element.setPointerCapture(event.pointerId);
+  const own = (handler) => (next) => {
+    if (next.pointerId === event.pointerId) {
+      handler(next);
+    }
+  };
+  const onMove = own(move);
+  const onEnd = own((next) => {
+    element.removeEventListener("pointermove", onMove);
+    element.removeEventListener("pointerup", onEnd);
+    element.removeEventListener("pointercancel", onEnd);
+    end(next);
+  });
+  element.addEventListener("pointermove", onMove);
+  element.addEventListener("pointerup", onEnd);
+  element.addEventListener("pointercancel", onEnd);
+}
+
+/**
+ * Links are dragged; the empty plane is shifted, and space is turned.
+ * @param {SVGElement} svg
+ * @param {import("./model.mjs").Model} model
+ * @param {{view: import("./view.mjs").View, pose: () => any, drag: (placed: (pose: any) => number[], pointer: number[]) => void, end: () => void, changed: () => void, assembly: (index: number) => void, trace: (followed: any) => void}} actions
+ */
+export function handlePicture(svg, model, actions) {
+  const { view } = actions;
+  const grabbed = (body, at) => {
+    const { joints } = actions.pose();
+    if (!model.space) {
+      return followedAt(model, body, joints, [(at[0] - view.x) / view.scale, (view.y - at[1]) / view.scale]);
+    }
+    const flatJoints = joints.map((joint) => flat(view, joint));
+    return followedAt(model, body, flatJoints, [(at[0] - view.x) / view.scale, (at[1] - view.y) / view.scale]);
+  };
+  svg.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) {
+      return;
+    }
+    const target = /** @type {Element} */ (event.target);
+    const body = target.getAttribute("data-body");
+    const assembly = target.getAttribute("data-assembly");
+    const start = within(svg, event);
+    if (assembly !== null) {
+      actions.assembly(Number(assembly));
+      return;
+    }
+    if (body !== null) {
+      const followed = grabbed(Number(body), start);
+      const placed = (pose) => onPage(view, placeOf(model, followed, pose.joints));
+      svg.classList.add("dragging");
+      let moved = false;
+      const move = (next) => {
+        const at = within(svg, next);
+        moved ||= Math.hypot(at[0] - start[0], at[1] - start[1]) > STILL;
+        if (moved) {
+          actions.drag(placed, at);
+        }
+      };
+      follow(svg, event, move, () => {
+        svg.classList.remove("dragging");
+        actions.end();
+      });
+      return;
+    }
+    if (event.pointerType === "touch" && !model.space) {
+      return;
+    }
+    let last = start;
+    const centre = centreOf(actions.pose().joints);
+    follow(
+      svg,
+      event,
+      (next) => {
+        const at = within(svg, next);
+        const by = /** @type {[number, number]} */ ([at[0] - last[0], at[1] - last[1]]);
+        if (model.space && !next.shiftKey) {
+          orbitView(view, by, centre);
+        } else {
+          view.x += by[0];
+          view.y += by[1];
+        }
+        last = at;
+        actions.changed();
+      },
+      () => {},
+    );
+  });
+  svg.addEventListener("dblclick", (event) => {
+    const body = /** @type {Element} */ (event.target).getAttribute("data-body");
+    if (body !== null) {
+      actions.trace(grabbed(Number(body), within(svg, event)));
+    }
+  });
+  onWheel(svg, (at, factor) => {
+    zoomView(view, at, factor);
+    actions.changed();
+  });
+}
+
+function centreOf(joints) {
+  return joints[0].map((_, axis) => joints.reduce((sum, joint) => sum + joint[axis], 0) / joints.length);
+}
+
+/** The wheel enlarges once an element was clicked, or with the control key; otherwise it scrolls the page. */
+function onWheel(svg, zoom) {
+  svg.addEventListener(
+    "wheel",
+    (event) => {
+      if (event.ctrlKey || event.metaKey || document.activeElement === svg) {
+        event.preventDefault();
+        zoom(within(svg, event), Math.exp(-Math.max(-60, Math.min(60, event.deltaY)) * 0.004));
+      }
+    },
+    { passive: false },
+  );
+}
+
+/**
+ * Hovering moves the mechanism, a drag enlarges a part, the wheel zooms, a double click shows all.
+ * @param {SVGElement} svg
+ * @param {{inputAt: (x: number) => number, select: (part: [number, number] | null) => void, hover: (x: number) => void, leave: () => void, zoom: (part: [number, number]) => void, zoomed: () => [number, number], all: () => void}} actions
+ */
+export function handlePlots(svg, actions) {
+  svg.addEventListener("pointermove", (event) => {
+    if (event.buttons === 0 || event.pointerType === "touch") {
+      actions.hover(actions.inputAt(within(svg, event)[0]));
+    }
+  });
+  svg.addEventListener("pointerleave", () => actions.leave());
+  svg.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0 || event.pointerType === "touch") {
+      return;
+    }
+    const start = within(svg, event)[0];
+    let end = start;
+    follow(
+      svg,
+      event,
+      (next) => {
+        end = within(svg, next)[0];
+        actions.select([actions.inputAt(start), actions.inputAt(end)]);
+      },
+      () => {
+        actions.select(null);
+        if (Math.abs(end - start) > 2 * STILL) {
+          const [one, other] = [actions.inputAt(start), actions.inputAt(end)];
+          actions.zoom([Math.min(one, other), Math.max(one, other)]);
+        }
+      },
+    );
+  });
+  svg.addEventListener("dblclick", () => actions.all());
+  onWheel(svg, (at, factor) => {
+    const [from, to] = actions.zoomed();
+    const here = actions.inputAt(at[0]);
+    actions.zoom([here + (from - here) / factor, here + (to - here) / factor]);
+  });
+}
+
+/**
+ * @param {SVGElement} svg
+ * @param {{inputAt: (x: number) => number, move: (x: number) => void, end: () => void}} actions
+ */
+export function handleScrubber(svg, actions) {
+  svg.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) {
+      return;
+    }
+    const move = (next) => actions.move(actions.inputAt(within(svg, next)[0]));
+    move(event);
+    follow(svg, event, move, () => actions.end());
+  });
+}

@@ -1,0 +1,818 @@
+/** The page: what is shown, and what happens when a reader acts. */
+import { anatomyOf, placeOf } from "./anatomy.mjs";
+import { createSliders } from "./dimensions.mjs";
+import { made, part, tell } from "./elements.mjs";
+import { handlePicture, handlePlots, handleScrubber } from "./hands.mjs";
+import { inputText, marksOf, stopText } from "./marks.mjs";
+import { blockText, createModel, givenDesign, reasonToRefuse, sameDesign } from "./model.mjs";
+import { nearestInput } from "./nearest.mjs";
+import { numberText, withUnit } from "./numbers.mjs";
+import { createPaper } from "./paper.mjs";
+import { givenPeaks, ownPeaks } from "./peaks.mjs";
+import { createPicture } from "./picture.mjs";
+import { createPlots } from "./plots.mjs";
+import { circleOfCurvature, instantCentre, ratesOfJoints } from "./rates.mjs";
+import { handOver, pictureFile, pictureOfPixels, sweepTable } from "./saving.mjs";
+import { createScrubber } from "./scrubber.mjs";
+import { allRows, gapText, innerRows, isAtLimit, movedInput, rowAt, spanAt, sweepDesign } from "./sweep.mjs";
+import { poorTransmission, worstTransmission } from "./transmission.mjs";
+import { createView, fitView, flat } from "./view.mjs";
+import { poseText } from "./words.mjs";
+
+/** Seconds for the whole range at the pace 1. */
+const SECONDS = 8;
+/** What can be shown in the picture, with its words. */
+const OPTIONS = [
+  ["names", "Names"],
+  ["paths", "Paths"],
+  ["ghosts", "Other assemblies"],
+  ["velocity", "Velocity"],
+  ["acceleration", "Acceleration"],
+  ["jerk", "Jerk"],
+  ["curvature", "Circle of curvature"],
+  ["centres", "Instant centres"],
+];
+/** The sizes of picture and plots on paper, in pixels, as the style sheet has them there. */
+const PRINTED = [
+  [403, 453],
+  [269, 453],
+];
+const ARROWS = ["velocity", "acceleration", "jerk"];
+
+/**
+ * Starts the page.
+ * @param {any} report
+ * @param {any} solver
+ */
+export function start(report, solver) {
+  const refusal = reasonToRefuse(report);
+  if (refusal) {
+    refuse(report, refusal);
+    return;
+  }
+  const model = createModel(report, solver);
+  const given = givenDesign(model);
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const state = {
+    design: structuredClone(given),
+    reference: null,
+    assembly: report.assembly ?? 0,
+    x: model.from,
+    degrees: model.degrees,
+    time: false,
+    zoom: [model.from, model.to],
+    group: "",
+    hidden: new Set(),
+    shows: { names: true, paths: true, ghosts: report.assemblies.length <= 2, velocity: false, acceleration: false, jerk: false, curvature: false, centres: false },
+    playing: false,
+    hovering: false,
+    once: 0,
+    pace: 1,
+    forward: 1,
+    held: 0,
+    followed: [],
+    size: [0, 0],
+    plotSize: [0, 0],
+    printing: false,
+    scrubWidth: 0,
+  };
+  const view = createView(model.space);
+  let sweep = sweepDesign(model, state.design, assemblyNow());
+  model.givenRows = innerRows(sweep);
+  let anatomy = anatomyOf(model, sweep);
+  let others = null;
+  let marks = [];
+  let arrowScales = null;
+  let row = null;
+  let lastRow = null;
+  let unsolved = false;
+  let version = 0;
+  let redrawn = true;
+  let framed = false;
+  const picture = createPicture(part("picture"), model);
+  const plots = createPlots(part("plots"), model);
+  const scrubber = createScrubber(part("scrubber"), model);
+  const paper = createPaper(part("paper"), model, (x) => goTo(x));
+  const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {
+    if (group === "speed") {
+      state.design.speed = value || 1e-9;
+    } else {
+      state.design[group][name] = value;
+    }
+    unsolved = true;
+    ask();
+  });
+
+  function assemblyNow() {
+    return report.assemblies[state.assembly];
+  }
+
+  /** Its name, and its circuit if there are several and the dimensions are the report's, for which they are known. */
+  function nameOfAssembly({ name, circuit }) {
+    const several = (report.cycle?.circuits?.length ?? 0) > 1 && circuit !== undefined && circuit !== null;
+    return several && isGiven() ? `${name}, circuit ${circuit + 1}` : name;
+  }
+
+  /** Whether the design is that of the report. */
+  function isGiven() {
+    return sameDesign(state.design, given);
+  }
+
+  let spentOnFrames = [];
+  let asked = false;
+  let last = 0;
+  function ask() {
+    if (!asked) {
+      asked = true;
+      requestAnimationFrame(frame);
+    }
+  }
+
+  function frame(now) {
+    asked = false;
+    const begin = performance.now();
+    const seconds = Math.min(0.1, (now - last) / 1000);
+    last = now;
+    if (unsolved) {
+      solveAgain();
+    }
+    if (state.playing && !state.hovering) {
+      play(seconds);
+    }
+    if (redrawn) {
+      redrawn = false;
+      drawStill();
+    }
+    drawPose();
+    if (state.playing && !state.hovering) {
+      measureFrame(performance.now() - begin);
+      ask();
+    }
+  }
+
+  /** Keeps the median of the script's part of the last frames of a motion with the page. */
+  function measureFrame(spent) {
+    spentOnFrames.push(spent);
+    if (spentOnFrames.length === 60) {
+      document.body.dataset.frame = spentOnFrames.sort((one, other) => one - other)[30].toFixed(2);
+      spentOnFrames = [];
+    }
+  }
+
+  /** The whole turn again, after a dimension or the assembly changed. */
+  function solveAgain() {
+    const begin = performance.now();
+    unsolved = false;
+    version += 1;
+    sweep = sweepDesign(model, state.design, assemblyNow());
+    const found = anatomyOf(model, sweep);
+    anatomy = found ?? anatomy;
+    others = null;
+    arrowScales = null;
+    redrawn = true;
+    const spent = performance.now() - begin;
+    document.body.dataset.solved = spent.toFixed(2);
+    const gaps = isGiven() ? "" : " Limits are the page's own.";
+    tell(part("solved"), `The whole turn was solved again in ${numberText(spent, 2)} ms.${gaps}`);
+    if (spanAt(sweep, state.x) === null && sweep.spans.length > 0) {
+      const ends = sweep.spans.flatMap(({ from, to }) => [from, to]);
+      state.x = ends.reduce((near, end) => (Math.abs(end - state.x) < Math.abs(near - state.x) ? end : near));
+    }
+    if (sweep.spans.length === 0) {
+      say(`It closes nowhere in this assembly: ${gapText(model, sweep.gaps[0], amount(-sweep.gaps[0].margin))}.`, true);
+    } else {
+      say("", false);
+    }
+    later();
+  }
+
+  let laterTimer = 0;
+  /** What may wait until the reader rests. */
+  function later() {
+    clearTimeout(laterTimer);
+    laterTimer = setTimeout(() => {
+      showPeaks();
+      sayPose();
+    }, 150);
+  }
+
+  function showPeaks() {
+    const exact = model.frames !== null || (isGiven() && state.assembly === (report.assembly ?? 0));
+    const peaks = exact ? givenPeaks(model) : [];
+    const rest = exact && peaks.length > 0 ? "Exact values of the report." : "Found by the page at these dimensions.";
+    const least = exact ? worstTransmission(model) : null;
+    const angle = least ? ` Least transmission angle ${numberText((least.angle * 180) / Math.PI)}° at ${inputText(model, least.at, state.degrees)}.` : "";
+    paper.showPeaks(peaks.length > 0 ? peaks : ownPeaks(model, state.design, sweep, assemblyNow()), state.degrees, `${rest}${angle}`);
+  }
+
+  function amount(value) {
+    return Number.isFinite(value) ? withUnit(numberText(value, 4), model.units.length) : "";
+  }
+
+  function say(text, stops) {
+    tell(part("message"), text);
+    part("message").classList.toggle("stops", stops);
+  }
+
+  function sayPose() {
+    if (row !== null && !state.playing) {
+      tell(part("spoken"), poseText(model, row, state.degrees, report.assemblies.length > 1 ? assemblyNow().name : "", shownNow()));
+    }
+  }
+
+  function sayStop(x) {
+    say(stopText(model, marks, sweep.gaps, x, state.degrees), true);
+  }
+
+  function play(seconds) {
+    if (state.held > 0) {
+      state.held -= seconds;
+      return;
+    }
+    const change = (state.forward * state.pace * seconds * (model.to - model.from)) / SECONDS;
+    const moved = movedInput(model, sweep, state.x, change);
+    state.x = moved.x;
+    if (state.once > 0) {
+      state.once -= Math.abs(change);
+      if (state.once <= 0) {
+        setPlaying(false);
+      }
+    }
+    if (moved.stopped) {
+      sayStop(state.x);
+      state.forward = -state.forward;
+      state.held = 0.6;
+    } else if (part("message").textContent !== "" && state.held <= 0 && spanAt(sweep, state.x) !== null) {
+      const span = spanAt(sweep, state.x);
+      if (Math.min(state.x - span.from, span.to - state.x) > 0.04 * (model.to - model.from)) {
+        say("", false);
+      }
+    }
+  }
+
+  function setPlaying(playing) {
+    state.playing = playing;
+    tell(part("play"), playing ? "Pause" : "Play");
+    if (playing) {
+      last = performance.now();
+      ask();
+    } else {
+      state.once = 0;
+      later();
+    }
+  }
+
+  /** Moves the input, by hand. */
+  function goTo(x, quietly = false) {
+    if (!quietly) {
+      setPlaying(false);
+    }
+    const span = spanAt(sweep, x);
+    if (span !== null) {
+      state.x = Math.min(span.to, Math.max(span.from, x));
+      if (isAtLimit(sweep, state.x)) {
+        sayStop(state.x);
+      } else {
+        say("", false);
+      }
+    } else if (sweep.spans.length > 0) {
+      const ends = sweep.spans.flatMap(({ from, to }) => [from, to]);
+      state.x = ends.reduce((near, end) => (Math.abs(end - x) < Math.abs(near - x) ? end : near));
+      sayStop(state.x);
+    }
+    later();
+    ask();
+  }
+
+  function stepBy(change) {
+    setPlaying(false);
+    const moved = movedInput(model, sweep, state.x, change);
+    state.x = moved.x;
+    say("", false);
+    if (moved.stopped) {
+      sayStop(state.x);
+    }
+    later();
+    ask();
+  }
+
+  function groups() {
+    return [...new Set(model.quantities.map(({ dimension }) => dimension))];
+  }
+
+  function shownNow() {
+    const all = model.quantities.map((_, index) => index).filter((index) => model.quantities[index].dimension === state.group);
+    const seen = all.filter((index) => !state.hidden.has(model.quantities[index].name));
+    return seen.length > 0 ? seen : all.slice(0, 1);
+  }
+
+  function drawStill() {
+    measure();
+    marks = marksOf(model, sweep, state.assembly, isGiven());
+    const shown = shownNow();
+    const reference = state.reference ? state.reference.sweep : null;
+    plots.draw({ width: state.plotSize[0], height: state.plotSize[1], shown, degrees: state.degrees, time: state.time, zoom: state.zoom, sweep, reference, marks, speed: state.design.speed, orders: model.orders });
+    const exact = isGiven() && state.assembly === (report.assembly ?? 0);
+    const poor = poorTransmission(model, sweep, exact);
+    scrubber.draw({ width: state.scrubWidth, sweep, marks, poor, degrees: state.degrees, amount });
+    const keys = [["closes", "closes", sweep.spans], ["poor", "transmission angle below 40°", poor], ["gap", "does not close", sweep.gaps]];
+    const key = keys.filter(([, , bands]) => bands.length > 0).map(([name, words]) => made("span", {}, made("i", { className: `key-${name}` }), words));
+    part("key").replaceChildren(...(key.length > 1 ? key : []));
+    sliders.show(state.design, state.degrees);
+    [...part("assembly").options].forEach((option, index) => tell(option, nameOfAssembly(report.assemblies[index])));
+    part("swap").disabled = part("drop").disabled = state.reference === null;
+  }
+
+  function measure() {
+    const sizes = state.printing ? PRINTED : ["picture", "plots"].map((name) => [part(name).clientWidth, part(name).clientHeight]);
+    const [before] = [state.size];
+    [state.size, state.plotSize] = sizes;
+    state.scrubWidth = state.printing ? 688 : part("scrubber").clientWidth;
+    part("picture").setAttribute("viewBox", `0 0 ${state.size[0]} ${state.size[1]}`);
+    part("plots").setAttribute("viewBox", `0 0 ${state.plotSize[0]} ${state.plotSize[1]}`);
+    part("scrubber").setAttribute("viewBox", `0 0 ${state.scrubWidth} 70`);
+    if (!framed || before[0] !== state.size[0] || before[1] !== state.size[1]) {
+      framed = true;
+      fit();
+    }
+  }
+
+  function fit() {
+    const rows = allRows(sweep).filter((_, index) => index % 3 === 0);
+    const places = rows.flatMap(({ pose }) => [...pose.joints, ...state.followed.map((followed) => placeOf(model, followed, pose.joints))]);
+    if (state.shows.ghosts) {
+      for (const other of otherSweeps()) {
+        places.push(...allRows(other.sweep).filter((_, index) => index % 6 === 0).flatMap(({ pose }) => pose.joints));
+      }
+    }
+    const [width, height] = state.size;
+    const side = Math.min(54, 0.09 * width);
+    fitView(view, places, { left: side, right: width - side, top: 34, bottom: height - 58 });
+  }
+
+  /** The other assemblies, each with its sweep, solved when they are first looked at. */
+  function otherSweeps() {
+    others ??= report.assemblies.flatMap((assembly, index) =>
+      index === state.assembly ? [] : [{ assembly, index, sweep: sweepDesign(model, state.design, assembly) }],
+    );
+    return others;
+  }
+
+  function colourOfCircuit(assembly, index) {
+    const circuitOf = (one, place) => (isGiven() ? (one.circuit ?? place) : place);
+    const circuit = circuitOf(assembly, index);
+    const own = circuitOf(assemblyNow(), state.assembly);
+    // the circuit on which the mechanism is has the first colour
+    const rank = circuit === own ? 0 : circuit < own ? circuit + 1 : circuit;
+    return `c${[0, 3, 1, 2, 5, 4][rank % 6]}`;
+  }
+
+  function trailsOf(of, colour) {
+    return state.followed.flatMap((followed) =>
+      of.spans.map(({ rows }) => ({ points: rows.map(({ pose }) => placeOf(model, followed, pose.joints)), colour, closed: of.full })),
+    );
+  }
+
+  function allTrails() {
+    const others = state.shows.ghosts ? otherSweeps() : [];
+    return [...others.flatMap(({ assembly, index, sweep: own }) => trailsOf(own, colourOfCircuit(assembly, index))), ...trailsOf(sweep, colourOfCircuit(assemblyNow(), state.assembly))];
+  }
+
+  function drawPose() {
+    row = sweep.spans.length > 0 ? rowAt(model, state.design, sweep, assemblyNow(), state.x) : null;
+    part("picture").classList.toggle("broken", row === null);
+    lastRow = row ?? lastRow;
+    if (lastRow === null || anatomy === null) {
+      scrubber.point(state.x, "does not close");
+      return;
+    }
+    const scene = {
+      view,
+      width: state.size[0],
+      height: state.size[1],
+      pose: lastRow.pose,
+      anatomy,
+      sweep,
+      shows: state.shows,
+      followed: state.followed,
+      forward: state.forward,
+      still: [view.scale, view.x, view.y, view.yaw, view.pitch, ...state.size, version, state.shows.paths, state.shows.ghosts, state.followed.length].join(),
+      trails: () => (state.shows.paths ? allTrails() : []),
+      ghosts: [],
+      reference: null,
+      arrows: [],
+      circles: [],
+      centres: [],
+      moves: state.playing,
+    };
+    if (state.shows.ghosts) {
+      for (const { assembly, index, sweep: own } of otherSweeps()) {
+        const there = rowAt(model, state.design, own, assembly, state.x);
+        const colour = colourOfCircuit(assembly, index);
+        if (there !== null) {
+          scene.ghosts.push({ pose: there.pose, index, colour, title: `${nameOfAssembly(assembly)}: click to change to it` });
+        }
+      }
+    }
+    if (state.reference) {
+      const there = rowAt(model, state.reference.design, state.reference.sweep, assemblyNow(), state.x);
+      scene.reference = there?.pose ?? null;
+    }
+    if (row !== null) {
+      addRates(scene);
+      plots.point(row);
+      scrubber.point(state.x, poseText(model, row, state.degrees, "", shownNow().slice(0, 2)));
+    } else {
+      scrubber.point(state.x, "does not close");
+    }
+    picture.draw(scene);
+  }
+
+  /** The places whose rates are drawn: followed ones, or else the pins that move. */
+  function carriers() {
+    if (state.followed.length > 0) {
+      return state.followed;
+    }
+    return anatomy.pins.flatMap((pin, joint) => (pin && !anatomy.fixed[joint] ? [{ name: "", joint }] : []));
+  }
+
+  function addRates(scene) {
+    const wanted = ARROWS.some((name) => state.shows[name]) || (!model.space && (state.shows.curvature || state.shows.centres));
+    const rates = wanted && !model.frames ? ratesOfJoints(model, state.design, assemblyNow(), row) : null;
+    if (rates === null) {
+      return;
+    }
+    arrowScales ??= scalesOfArrows();
+    const ofOrder = (order) => rates.map((joint) => joint[order]);
+    for (const followed of carriers()) {
+      const place = placeOf(model, followed, row.pose.joints);
+      ARROWS.forEach((name, order) => {
+        if (state.shows[name] && arrowScales[order] > 0) {
+          const rate = placeOf(model, followed, ofOrder(order));
+          const long = 0.24 * Math.min(...state.size) * Math.min(1, (1.6 * arrowScales[order]) / (Math.hypot(...rate) || 1));
+          const by = flat(view, rate).map((value) => (value / arrowScales[order]) * long);
+          scene.arrows.push({ from: place, by, order });
+        }
+      });
+      if (state.shows.curvature && !model.space && followed !== undefined && (state.followed.length > 0 || !onCrank(followed))) {
+        const circle = circleOfCurvature(place, placeOf(model, followed, ofOrder(0)), placeOf(model, followed, ofOrder(1)));
+        if (circle) {
+          scene.circles.push({ ...circle, at: place });
+        }
+      }
+    }
+    if (state.shows.centres && !model.space) {
+      model.outline.bodies.forEach(({ name, joints }) => {
+        const moving = joints.length > 1 && !joints.some((joint) => anatomy.fixed[joint]);
+        const [one, other] = joints;
+        const at = moving ? instantCentre(row.pose.joints[one], row.pose.joints[other], rates[one][0], rates[other][0]) : null;
+        if (at) {
+          scene.centres.push({ at, name: `centre of ${name}` });
+        }
+      });
+    }
+  }
+
+  function onCrank(followed) {
+    return model.outline.bodies.some(({ joints }) => joints.includes(followed.joint) && joints.some((joint) => anatomy.fixed[joint]));
+  }
+
+  /** The largest rates of the turn, unless few are far larger than the others, so that arrows keep their scale. */
+  function scalesOfArrows() {
+    const rows = innerRows(sweep);
+    const sizes = [[], [], []];
+    for (let part = 0; part < 24; part += 1) {
+      const some = rows[Math.floor((part / 24) * rows.length)];
+      const rates = some ? ratesOfJoints(model, state.design, assemblyNow(), some) : null;
+      for (const followed of rates ? carriers() : []) {
+        sizes.forEach((list, order) => list.push(Math.hypot(...placeOf(model, followed, rates.map((joint) => joint[order])))));
+      }
+    }
+    return sizes.map((list) => {
+      list.sort((one, other) => one - other);
+      return list.length > 0 ? Math.min(list[list.length - 1], 3 * list[list.length >> 1]) : 0;
+    });
+  }
+
+  function changeAssembly(index) {
+    state.assembly = index;
+    part("assembly").value = String(index);
+    if (state.reference) {
+      state.reference.sweep = sweepDesign(model, state.reference.design, assemblyNow());
+    }
+    unsolved = true;
+    ask();
+  }
+
+  function setGroup(group) {
+    state.group = group;
+    redrawn = true;
+    listQuantities();
+    ask();
+  }
+
+  /** The choices above the plots. */
+  function listQuantities() {
+    const place = part("plot-options");
+    const words = { angle: "Angles", length: "Lengths", number: "Numbers" };
+    const content = [];
+    if (groups().length > 1) {
+      const select = made("select", { "aria-label": "Quantities" }, ...groups().map((name) => made("option", { value: name, selected: name === state.group }, words[name] ?? name)));
+      select.addEventListener("change", () => setGroup(select.value));
+      content.push(select);
+    }
+    model.quantities.forEach(({ name, text, dimension, documentation, colour, dashed }) => {
+      if (dimension === state.group) {
+        const box = made("input", { type: "checkbox", checked: !state.hidden.has(name) });
+        box.addEventListener("change", () => {
+          state.hidden[box.checked ? "delete" : "add"](name);
+          redrawn = true;
+          ask();
+        });
+        content.push(made("label", { title: documentation ?? "" }, box, made("span", { className: `legend c${colour}${dashed ? " dashed" : ""}` }), text));
+      }
+    });
+    const over = made("select", { "aria-label": "Plotted over" }, made("option", { value: "input", selected: !state.time }, `over ${model.moving.text}`), made("option", { value: "time", selected: state.time }, "over time"));
+    over.addEventListener("change", () => {
+      state.time = over.value === "time";
+      redrawn = true;
+      ask();
+    });
+    const whole = made("button", { type: "button", id: "whole", hidden: isWhole() }, "Whole range");
+    whole.addEventListener("click", () => zoomTo([model.from, model.to]));
+    content.push(made("span", { className: "pushed" }, over), whole);
+    place.replaceChildren(...content);
+  }
+
+  function isWhole() {
+    return state.zoom[0] === model.from && state.zoom[1] === model.to;
+  }
+
+  function zoomTo([from, to]) {
+    const least = 1e-4 * (model.to - model.from);
+    state.zoom = [Math.max(model.from, from), Math.min(model.to, Math.max(to, from + least))];
+    part("whole").hidden = isWhole();
+    redrawn = true;
+    ask();
+  }
+
+  function listOptions() {
+    const possible = OPTIONS.filter(([name]) => {
+      return !(name === "ghosts" && report.assemblies.length < 2) && !(model.space && (name === "curvature" || name === "centres"));
+    });
+    const boxes = possible.map(([name, words]) => {
+      const box = made("input", { type: "checkbox", checked: state.shows[name], id: `show-${name}` });
+      box.addEventListener("change", () => {
+        state.shows[name] = box.checked;
+        if (name === "ghosts" && box.checked) {
+          fit();
+        }
+        ask();
+      });
+      const order = ARROWS.indexOf(name);
+      return made("label", {}, box, ...(order < 0 ? [] : [made("span", { className: `legend o${order} own` })]), words);
+    });
+    const show = made("button", { type: "button", className: "pushed" }, "Fit");
+    show.addEventListener("click", () => {
+      fit();
+      ask();
+    });
+    part("options").replaceChildren(...boxes, show);
+  }
+
+  function drag(placed, pointer) {
+    if (row === null) {
+      return;
+    }
+    setPlaying(false);
+    const found = nearestInput(model, state.design, sweep, assemblyNow(), state.x, placed, pointer);
+    state.x = found.x;
+    if (found.beyond) {
+      sayStop(found.x);
+    } else {
+      say("", false);
+    }
+    ask();
+  }
+
+  function trace(followed) {
+    const own = state.followed.filter(({ joint }) => joint === undefined).length;
+    state.followed = [...state.followed, { ...followed, name: followed.name || `P${own > 0 ? own + 1 : ""}` }];
+    arrowScales = null;
+    ask();
+  }
+
+  function swap() {
+    const { design, sweep: own } = state.reference;
+    state.reference = { design: state.design, sweep };
+    state.design = structuredClone(design);
+    sweep = own;
+    unsolved = true;
+    ask();
+  }
+
+  function openDrawer(open) {
+    part("dimensions").hidden = !open;
+    part("board").classList.toggle("with-drawer", open);
+    part("open-dimensions").setAttribute("aria-expanded", String(open));
+    redrawn = true;
+    ask();
+  }
+
+  function setUp() {
+    document.title = report.title;
+    tell(part("title"), report.title);
+    tell(part("subtitle"), (report.documentation ?? "").split(/\n\s*\n/)[0].replaceAll("\n", " ").replaceAll("`", ""));
+    const paces = [["0.25", "¼"], ["0.5", "½"], ["1", "1"], ["2", "2"], ["4", "4"]];
+    part("pace").append(...paces.map(([value, text]) => made("option", { value, selected: value === "1" }, `${text}×`)));
+    part("assembly").append(
+      ...report.assemblies.map((assembly, index) => made("option", { value: String(index), selected: index === state.assembly }, nameOfAssembly(assembly))),
+    );
+    part("assembly-choice").hidden = report.assemblies.length < 2;
+    part("angles").value = state.degrees ? "degrees" : "radians";
+    const degreesFactor = model.moving.dimension === "angle" ? 180 / Math.PI : 1;
+    const scrub = part("scrubber");
+    scrub.setAttribute("aria-label", `${model.moving.text}${model.moving.documentation ? `, ${model.moving.documentation}` : ""}`);
+    scrub.setAttribute("aria-valuemin", String(Math.round(model.from * degreesFactor * 1000) / 1000));
+    scrub.setAttribute("aria-valuemax", String(Math.round(model.to * degreesFactor * 1000) / 1000));
+    state.followed = model.outline.points.map(({ name, joint }) => ({ name, joint })).filter(({ joint }) => !model.outline.ground.includes(joint));
+    if (state.followed.length === 0 && anatomy !== null && anatomy.floating >= 0) {
+      state.followed = [{ name: "P", body: anatomy.floating, along: 0.5, across: 0 }];
+    }
+    const [first] = sweep.spans;
+    // not at a limit, where rates are unbounded
+    state.x = spanAt(sweep, model.from) || !first ? model.from : 0.5 * (first.from + first.to);
+    const plotted = model.quantities.filter(({ declared }) => report.plots?.includes(declared));
+    state.group = plotted[0]?.dimension ?? groups()[0] ?? "number";
+    if (plotted.length > 0) {
+      model.quantities.filter(({ dimension }) => dimension === state.group).forEach((one) => !plotted.includes(one) && state.hidden.add(one.name));
+    }
+    part("open-dimensions").hidden = model.frames !== null;
+    listOptions();
+    listQuantities();
+    if (model.frames !== null) {
+      say(`Dimensions cannot be changed here${report.unrecorded ? `: ${report.unrecorded}` : ""}.`, false);
+    } else if (report.not_closed) {
+      const { text, unknowns, margin, at } = report.not_closed;
+      const reason = margin === null ? text : `out of reach by ${amount(Math.abs(margin))} at ${model.moving.text} = ${inputText(model, at, state.degrees)}${unknowns ? ` (${blockText(model, unknowns)})` : ""}`;
+      say(`It does not close everywhere: ${reason}.`, false);
+    }
+  }
+
+  function listen() {
+    part("play").addEventListener("click", () => setPlaying(!state.playing));
+    part("pace").addEventListener("change", () => (state.pace = Number(part("pace").value)));
+    part("assembly").addEventListener("change", () => changeAssembly(Number(part("assembly").value)));
+    part("angles").addEventListener("change", () => {
+      state.degrees = part("angles").value === "degrees";
+      redrawn = true;
+      say("", false);
+      showPeaks();
+      ask();
+    });
+    part("open-dimensions").addEventListener("click", () => openDrawer(part("dimensions").hidden));
+    part("close-dimensions").addEventListener("click", () => {
+      openDrawer(false);
+      part("open-dimensions").focus();
+    });
+    part("reset").addEventListener("click", () => {
+      state.design = structuredClone(given);
+      unsolved = true;
+      ask();
+    });
+    part("keep").addEventListener("click", () => {
+      state.reference = { design: structuredClone(state.design), sweep };
+      redrawn = true;
+      ask();
+    });
+    part("drop").addEventListener("click", () => {
+      state.reference = null;
+      redrawn = true;
+      ask();
+    });
+    part("swap").addEventListener("click", swap);
+    handlePicture(part("picture"), model, { view, pose: () => lastRow.pose, drag, end: later, changed: ask, assembly: changeAssembly, trace });
+    handlePlots(part("plots"), {
+      inputAt: (x) => plots.inputAt(x),
+      select: (chosen) => plots.select(chosen),
+      hover(x) {
+        state.hovering = true;
+        if (state.once > 0) {
+          setPlaying(false);
+        }
+        goTo(x, true);
+      },
+      leave() {
+        state.hovering = false;
+        if (state.playing) {
+          last = performance.now();
+          ask();
+        }
+      },
+      zoom: zoomTo,
+      zoomed: () => state.zoom,
+      all: () => zoomTo([model.from, model.to]),
+    });
+    handleScrubber(part("scrubber"), { inputAt: (x) => scrubber.inputAt(x), move: (x) => goTo(x), end: later });
+    for (const [event, printing] of [["beforeprint", true], ["afterprint", false]]) {
+      addEventListener(event, () => {
+        state.printing = printing;
+        drawStill();
+        drawPose();
+      });
+    }
+    document.addEventListener("keydown", pressed);
+    document.addEventListener("pointerdown", (event) => {
+      if (!part("save").contains(/** @type {Node} */ (event.target))) {
+        part("save").open = false;
+      }
+    });
+    new ResizeObserver(() => {
+      redrawn = true;
+      ask();
+    }).observe(part("board"));
+    for (const name of ["picture", "plots"]) {
+      new ResizeObserver(() => {
+        redrawn = true;
+        ask();
+      }).observe(part(name));
+    }
+    listenToSaving();
+  }
+
+  /** The numbers of the pose: each quantity with its rates, in radians. */
+  function valuesNow() {
+    return row && Object.fromEntries(model.quantities.map(({ name, declared }, index) => [declared, row.pose[name].map((value, order) => value + (order === 0 ? row.shifts[index] : 0))]));
+  }
+
+  function listenToSaving() {
+    const name = (report.module ?? report.name).replace(/[^A-Za-z0-9_-]+/g, "_");
+    const on = (id, action) =>
+      part(id).addEventListener("click", () => {
+        part("save").open = false;
+        action();
+      });
+    const text = (file, content, type) => handOver(file, new Blob([content], { type }));
+    on("save-csv", () => text(`${name}.csv`, sweepTable(model, sweep, state.degrees, state.design.speed), "text/csv"));
+    on("save-svg", () => text(`${name}.svg`, pictureFile(part("picture"), report.title), "image/svg+xml"));
+    on("save-plots", () => text(`${name}_plots.svg`, pictureFile(part("plots"), report.title), "image/svg+xml"));
+    on("save-png", () => {
+      pictureOfPixels(part("picture"), report.title).then(
+        (blob) => handOver(`${name}.png`, blob),
+        (error) => say(`No picture was written: ${error.message}.`, true),
+      );
+    });
+    on("save-json", () => text(`${name}.json`, `${JSON.stringify({ report, design: state.design, assembly: assemblyNow().name, input: state.x, pose: valuesNow() }, null, 1)}\n`, "application/json"));
+    on("print", () => print());
+  }
+
+  function pressed(event) {
+    const target = /** @type {Element} */ (event.target);
+    const busy = target.closest("input, select, button, textarea, summary, pre");
+    if (busy || event.altKey || event.ctrlKey || event.metaKey) {
+      return;
+    }
+    const small = (model.to - model.from) / 360;
+    const span = spanAt(sweep, state.x);
+    const actions = {
+      " ": () => setPlaying(!state.playing),
+      ArrowRight: () => stepBy(small * (event.shiftKey ? 10 : 1)),
+      ArrowLeft: () => stepBy(-small * (event.shiftKey ? 10 : 1)),
+      Home: () => span && goTo(span.from),
+      End: () => span && goTo(span.to),
+    };
+    if (target === part("scrubber") || target === part("picture")) {
+      actions.ArrowUp = actions.ArrowRight;
+      actions.ArrowDown = actions.ArrowLeft;
+      actions.PageUp = () => stepBy(10 * small);
+      actions.PageDown = () => stepBy(-10 * small);
+    } else if (target !== document.body && target !== part("plots")) {
+      return;
+    } else if (event.key === "Home" || event.key === "End") {
+      return;
+    }
+    if (actions[event.key]) {
+      event.preventDefault();
+      actions[event.key]();
+    }
+  }
+
+  setUp();
+  listen();
+  showPeaks();
+  if (sweep.spans.length === 0) {
+    unsolved = true;
+  } else if (!still) {
+    state.once = model.to - model.from;
+    state.pace = 1;
+    setPlaying(true);
+  }
+  ask();
+}
+
+/** Shows why nothing is shown. */
+function refuse(report, reason) {
+  const title = typeof report?.title === "string" ? report.title : "kin";
+  document.title = title;
+  document.body.replaceChildren(made("main", { className: "refused" }, made("h1", {}, title), made("p", { role: "alert", id: "refusal" }, reason)));
+}

@@ -1,0 +1,110 @@
+/** The ends of what closes, and the places within it that matter: exact ones of the report, or the page's own. */
+import { numberText, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { blockText } from "./model.mjs";
+import { gapText } from "./sweep.mjs";
+
+const KINDS = {
+  Limit: "Limit",
+  ChangePoint: "Change point",
+  Domain: "End of the domain",
+  Range: "End of the range",
+  Lost: "Lost",
+};
+
+/**
+ * @param {import("./model.mjs").Model} model
+ * @param {import("./sweep.mjs").Sweep} sweep
+ * @param {number} assembly
+ * @param {boolean} given whether the design is that of the report
+ * @returns {import("./sweep.mjs").Mark[]}
+ */
+export function marksOf(model, sweep, assembly, given) {
+  const exact = given ? exactMarks(model, assembly) : [];
+  const marks = [...exact];
+  for (const gap of sweep.gaps) {
+    for (const x of [gap.from, gap.to]) {
+      const inside = x > model.from + 1e-9 && x < model.to - 1e-9;
+      if (inside && !exact.some((mark) => isThere(model, mark, x))) {
+        marks.push({ x, kind: gap.lost ? "Lost" : "Limit", text: gapText(model, gap, ""), own: true });
+      }
+    }
+  }
+  return marks.sort((one, other) => one.x - other.x);
+}
+
+/** Why a branch ends, with the names as they are printed. */
+function reasonOf(model, { kind, block, text }) {
+  const words = { Limit: "limit position of", ChangePoint: "branches cross in" };
+  return words[kind] && block ? `${words[kind]} ${blockText(model, block)}` : (text ?? "");
+}
+
+/** Whether a mark is at an input, up to the accuracy with which the page finds ends itself. */
+function isThere(model, mark, x) {
+  return Math.abs(mark.x - x) < 1e-5 * (model.to - model.from);
+}
+
+function exactMarks(model, assembly) {
+  const marks = [];
+  const branches = model.report.cycle?.branches ?? [];
+  for (const branch of branches) {
+    if (branch.assembly !== assembly) {
+      continue;
+    }
+    for (const end of branch.ends) {
+      const x = intoRange(model, end.input);
+      const known = end.kind === "FullTurn" || end.kind === "Range" || x === null;
+      if (!known && !marks.some((mark) => Math.abs(mark.x - x) < 1e-9 && mark.kind === end.kind)) {
+        marks.push({ x, kind: end.kind, text: reasonOf(model, end), own: false });
+      }
+    }
+  }
+  return marks;
+}
+
+/** An input of the cycle as one of the page's range, or null. */
+function intoRange(model, input) {
+  let x = input;
+  if (model.period > 0) {
+    x -= model.period * Math.floor((x - model.from) / model.period + 1e-12);
+  }
+  return x >= model.from - 1e-9 && x <= model.to + 1e-9 ? x : null;
+}
+
+/**
+ * A mark's kind in words.
+ * @param {string} kind
+ */
+export function kindText(kind) {
+  return KINDS[kind] ?? kind;
+}
+
+/**
+ * A value of the moving input, with its unit.
+ * @param {import("./model.mjs").Model} model
+ * @param {number} x
+ * @param {boolean} degrees
+ * @param {number} digits
+ */
+export function inputText(model, x, degrees, digits = 6) {
+  const { dimension } = model.moving;
+  return withUnit(numberText(x * unitFactor(dimension, degrees), digits), unitText(dimension, 0, model.units, degrees));
+}
+
+/**
+ * What is said where the mechanism stops.
+ * @param {import("./model.mjs").Model} model
+ * @param {import("./sweep.mjs").Mark[]} marks
+ * @param {import("./sweep.mjs").Gap[]} gaps
+ * @param {number} x
+ * @param {boolean} degrees
+ */
+export function stopText(model, marks, gaps, x, degrees) {
+  const mark = marks.find((one) => isThere(model, one, x));
+  const place = `${model.moving.text} = ${inputText(model, mark?.x ?? x, degrees)}`;
+  if (!mark) {
+    return `End of the range at ${place}.`;
+  }
+  const gap = gaps.find(({ from, to }) => Math.abs(from - x) < 1e-6 || Math.abs(to - x) < 1e-6);
+  const reason = mark.text || (gap ? gapText(model, gap, "") : "");
+  return `${kindText(mark.kind)} at ${place}${reason ? `: ${reason}` : ""}.`;
+}

@@ -1,0 +1,457 @@
+/** The mechanism to scale: ground, links, sliders, pins, paths, arrows and names. */
+import { placeOf } from "./anatomy.mjs";
+import { change, drawn, line, tell, tenth } from "./elements.mjs";
+import { createRoom, keepLines, keepSquare, placeName } from "./labels.mjs";
+import { numberText, ticks, withUnit } from "./numbers.mjs";
+import { alongSlide } from "./sweep.mjs";
+import { flat, onPage } from "./view.mjs";
+
+/** Half the length and half the width of a slider's block, in pixels. */
+const BLOCK = [13, 7.5];
+const LAYERS = ["grid", "trails", "ghosts", "reference", "ground", "bodies", "sliders", "pins", "marks", "arrows", "names", "hits"];
+
+/**
+ * @typedef {object} Scene
+ * @property {import("./view.mjs").View} view
+ * @property {number} width
+ * @property {number} height
+ * @property {any} pose
+ * @property {import("./anatomy.mjs").Anatomy} anatomy
+ * @property {import("./sweep.mjs").Sweep} sweep
+ * @property {{name: boolean, [option: string]: boolean}} shows
+ * @property {any[]} followed
+ * @property {string} still what grid and trails depend on: they are drawn again when it differs
+ * @property {() => {points: number[][], colour: string, closed: boolean}[]} trails in the mechanism's coordinates
+ * @property {{pose: any, index: number, colour: string, title: string}[]} ghosts
+ * @property {any} reference another pose, or null
+ * @property {{from: number[], by: number[], order: number}[]} arrows by, in pixels
+ * @property {{centre: number[], radius: number, at: number[]}[]} circles
+ * @property {{at: number[], name: string}[]} centres
+ * @property {boolean} moves whether names should keep their places
+ */
+
+/**
+ * @param {SVGElement} svg
+ * @param {import("./model.mjs").Model} model
+ */
+export function createPicture(svg, model) {
+  const layers = Object.fromEntries(LAYERS.map((name) => [name, pool(drawn("g", { class: name }, svg))]));
+  const choices = new Map();
+  let still = "";
+  let kept = createRoom(0, 0);
+  return {
+    /** @param {Scene} scene */
+    draw(scene) {
+      const room = createRoom(scene.width, scene.height);
+      const joints = scene.pose.joints.map((joint) => onPage(scene.view, joint));
+      if (still !== scene.still) {
+        still = scene.still;
+        kept = createRoom(scene.width, scene.height);
+        grid(layers.grid, model, scene, kept);
+        trails(layers.trails, scene, kept);
+      }
+      room.lines.push(...kept.lines);
+      room.boxes.push(...kept.boxes);
+      ghosts(layers.ghosts, model, scene);
+      outlines(layers.reference, model, scene, scene.reference);
+      ground(layers.ground, model, scene, joints, room);
+      bodies(layers.bodies, layers.hits, model, scene, joints, room);
+      sliders(layers.sliders, model, scene, joints, room);
+      pins(layers.pins, model, scene, joints, room);
+      marks(layers.marks, model, scene, joints, room);
+      arrows(layers.arrows, scene, room);
+      names(layers.names, model, scene, joints, room, choices);
+    },
+  };
+}
+
+/** Elements that are used again for the next frame. */
+function pool(layer) {
+  const kept = new Map();
+  const counts = new Map();
+  return {
+    begin() {
+      counts.clear();
+    },
+    add(name, attributes) {
+      const list = kept.get(name) ?? [];
+      kept.set(name, list);
+      const count = counts.get(name) ?? 0;
+      counts.set(name, count + 1);
+      const element = list[count] ?? drawn(name, {}, layer);
+      list[count] = element;
+      element.removeAttribute("display");
+      change(element, attributes);
+      return element;
+    },
+    end() {
+      for (const [name, list] of kept) {
+        for (const element of list.slice(counts.get(name) ?? 0)) {
+          element.setAttribute("display", "none");
+        }
+      }
+    },
+  };
+}
+
+function grid(layer, model, { view, width, height }, room) {
+  layer.begin();
+  const step = gridStep(view.scale);
+  if (!model.space) {
+    let data = "";
+    for (let x = Math.ceil(-view.x / view.scale / step) * step; x * view.scale + view.x < width; x += step) {
+      data += `M${tenth(x * view.scale + view.x)} 0V${height}`;
+    }
+    for (let y = Math.ceil(-view.y / view.scale / step) * step; y * view.scale + view.y < height; y += step) {
+      data += `M0 ${tenth(y * view.scale + view.y)}H${width}`;
+    }
+    layer.add("path", { d: data, class: "grid-line" });
+  }
+  const length = step * view.scale;
+  const [left, foot] = [12, height - 12];
+  layer.add("path", { d: `M${left} ${foot - 4}V${foot}H${tenth(left + length)}V${foot - 4}`, class: "scale-line" });
+  const text = withUnit(numberText(step), model.units.length);
+  tell(layer.add("text", { x: tenth(left + length + 7), y: foot, class: "quiet" }), text);
+  keepSquare(room, [left + 0.5 * length, foot], 0.5 * length);
+  if (model.space) {
+    const corner = [width - 40, height - 34];
+    for (const [name, axis] of [
+      ["x", [1, 0, 0]],
+      ["y", [0, 1, 0]],
+      ["z", [0, 0, 1]],
+    ]) {
+      const [x, y] = flat(view, axis);
+      layer.add("path", { d: line([corner, [corner[0] + 20 * x, corner[1] + 20 * y]]), class: "scale-line" });
+      const at = { x: tenth(corner[0] + 28 * x), y: tenth(corner[1] + 28 * y + 4), class: "quiet middle" };
+      tell(layer.add("text", at), name);
+    }
+  }
+  layer.end();
+}
+
+function gridStep(scale) {
+  const places = ticks(0, 320 / scale, 5);
+  return places.length > 1 ? places[1] : 1 / scale;
+}
+
+function trails(layer, { view, trails: all }, room) {
+  layer.begin();
+  for (const { points, colour, closed } of all()) {
+    const places = points.map((point) => onPage(view, point));
+    layer.add("path", { d: line(places, closed), class: `trail ${colour}` });
+    const sparse = places.filter((_, index) => index % 12 === 0);
+    keepLines(room, sparse, 1.5);
+  }
+  layer.end();
+}
+
+/** Another pose as thin lines. */
+function outlines(layer, model, scene, pose, attributes = {}) {
+  layer.begin();
+  if (pose) {
+    layer.add("path", { d: thinLines(model, scene, pose), class: "thin", ...attributes });
+  }
+  layer.end();
+}
+
+function ghosts(layer, model, scene) {
+  layer.begin();
+  for (const { pose, index, colour, title } of scene.ghosts) {
+    const d = thinLines(model, scene, pose);
+    layer.add("path", { d, class: `ghost ${colour}` });
+    const hit = layer.add("path", { d, class: "ghost hit-ghost", "data-assembly": index });
+    const name = hit.firstChild ?? drawn("title", {}, hit);
+    tell(name, title);
+  }
+  layer.end();
+}
+
+function thinLines(model, scene, pose) {
+  const joints = pose.joints.map((joint) => onPage(scene.view, joint));
+  return model.outline.bodies
+    .map((_, body) => cornersOf(model, scene, body, joints, pose))
+    .map((corners) => line(hull(corners), corners.length > 2))
+    .join("");
+}
+
+/** The ends of a slide's line: how far its joint comes in the sweep. */
+function guideOf(model, scene, slide, pose) {
+  const { joint } = model.outline.slides[slide];
+  const direction = pose.slides[slide];
+  const length = Math.hypot(...direction);
+  const here = alongSlide(model, pose, slide);
+  const travel = scene.sweep.travel[slide].map((end) => (Number.isFinite(end) ? end : here));
+  return travel.map((end) => onPage(scene.view, pose.joints[joint].map((value, axis) => value + (direction[axis] / length) * (end - here))));
+}
+
+/** Whether a slide is the stroke of a cylinder: it is driven, or seen in space. */
+function isCylinder(model, scene, slide) {
+  return model.outline.slides[slide].guide !== null && (model.space || scene.anatomy.drivenSlides[slide]);
+}
+
+function cornersOf(model, scene, body, joints, pose) {
+  const corners = model.outline.bodies[body].joints.map((joint) => joints[joint]);
+  model.outline.slides.forEach(({ joint, guide }, slide) => {
+    if (guide !== body) {
+      return;
+    }
+    if (isCylinder(model, scene, slide)) {
+      corners.push(joints[joint]);
+    } else {
+      const [from, to] = guideOf(model, scene, slide, pose);
+      const [x, y] = unitOf(from, to);
+      corners.push([from[0] - BLOCK[0] * x, from[1] - BLOCK[0] * y], [to[0] + BLOCK[0] * x, to[1] + BLOCK[0] * y]);
+    }
+  });
+  return corners;
+}
+
+function unitOf(from, to) {
+  const [x, y] = [to[0] - from[0], to[1] - from[1]];
+  const length = Math.hypot(x, y);
+  return length > 1e-9 ? [x / length, y / length] : [1, 0];
+}
+
+/** Short lines on one side of a line. */
+function hatch(from, to, below) {
+  const [x, y] = unitOf(from, to);
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  const count = Math.max(1, Math.floor(length / 6));
+  let data = "";
+  for (let index = 0; index < count; index += 1) {
+    const place = (length * (index + 0.5)) / count;
+    const start = [from[0] + x * place, from[1] + y * place];
+    data += line([start, [start[0] + 5.5 * below[0] - 5 * x, start[1] + 5.5 * below[1] - 5 * y]]);
+  }
+  return data;
+}
+
+function ground(layer, model, scene, joints, room) {
+  layer.begin();
+  model.outline.slides.forEach(({ guide }, slide) => {
+    if (guide !== null) {
+      return;
+    }
+    const [start, end] = guideOf(model, scene, slide, scene.pose);
+    const [x, y] = directionOf(model, scene, slide);
+    let below = [-y, x];
+    if (below[1] < -1e-9 || (Math.abs(below[1]) <= 1e-9 && below[0] < 0)) {
+      below = [y, -x];
+    }
+    const shift = (place, sign) => [place[0] + sign * 18 * x + below[0] * (BLOCK[1] + 1), place[1] + sign * 18 * y + below[1] * (BLOCK[1] + 1)];
+    const forward = (end[0] - start[0]) * x + (end[1] - start[1]) * y >= 0;
+    const [from, to] = forward ? [shift(start, -1), shift(end, 1)] : [shift(end, -1), shift(start, 1)];
+    layer.add("path", { d: line([from, to]), class: "ground-line" });
+    layer.add("path", { d: hatch(from, to, below), class: "hatch" });
+    keepLines(room, [from, to], 6);
+  });
+  joints.forEach(([x, y], joint) => {
+    if (!scene.anatomy.pins[joint] || !scene.anatomy.fixed[joint]) {
+      return;
+    }
+    layer.add("path", { d: line([[x, y], [x - 9, y + 16], [x + 9, y + 16]], true), class: "foot" });
+    const [from, to] = [[x - 14, y + 16], [x + 14, y + 16]];
+    layer.add("path", { d: line([from, to]), class: "ground-line" });
+    layer.add("path", { d: hatch(from, to, [0, 1]), class: "hatch" });
+    room.boxes.push([x - 15, y - 5, x + 15, y + 22]);
+  });
+  layer.end();
+}
+
+function directionOf(model, scene, slide) {
+  return unitOf([0, 0], flat(scene.view, scene.pose.slides[slide]));
+}
+
+function bodies(layer, hits, model, scene, joints, room) {
+  layer.begin();
+  hits.begin();
+  model.outline.bodies.forEach((_, body) => {
+    const { driven, colours } = scene.anatomy;
+    const corners = cornersOf(model, scene, body, joints, scene.pose);
+    const cylinder = model.outline.slides.some(({ guide }, slide) => guide === body && isCylinder(model, scene, slide));
+    const outer = hull(corners);
+    const shifted = model.outline.slides.some(({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide]);
+    const colour = driven[body] || shifted ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
+    const d = line(outer, outer.length > 2);
+    if (cylinder && outer.length === 2) {
+      const [from, to] = [corners[0], corners[corners.length - 1]];
+      const middle = [0, 1].map((axis) => from[axis] + 0.6 * (to[axis] - from[axis]));
+      layer.add("path", { d: line([from, to]), class: "rod" });
+      layer.add("path", { d: line([from, middle]), class: "bar-edge" });
+      layer.add("path", { d: line([from, middle]), class: `bar ${colour}` });
+    } else if (outer.length > 2 && model.space) {
+      layer.add("path", { d, class: `pane ${colour}` });
+      layer.add("path", { d: "", class: "bar" });
+    } else if (outer.length > 1) {
+      const plate = outer.length > 2 ? " plate" : "";
+      layer.add("path", { d, class: `bar-edge${plate}` });
+      layer.add("path", { d, class: `bar${plate} ${colour}` });
+    }
+    if (outer.length > 0) {
+      const own = driven[body] || shifted ? "hit hit-driven" : "hit";
+      hits.add("path", { d: outer.length > 1 ? d : line([outer[0], outer[0]]), class: own, "data-body": body });
+    }
+    keepLines(room, outer, 6, outer.length > 2);
+  });
+  layer.end();
+  hits.end();
+}
+
+function sliders(layer, model, scene, joints, room) {
+  layer.begin();
+  model.outline.slides.forEach(({ joint }, slide) => {
+    if (isCylinder(model, scene, slide)) {
+      return;
+    }
+    const [x, y] = directionOf(model, scene, slide);
+    const corner = (along, across) => [
+      joints[joint][0] + along * BLOCK[0] * x - across * BLOCK[1] * y,
+      joints[joint][1] + along * BLOCK[0] * y + across * BLOCK[1] * x,
+    ];
+    layer.add("path", { d: line([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true), class: "block" });
+    keepSquare(room, joints[joint], 12);
+  });
+  layer.end();
+}
+
+function pins(layer, model, scene, joints, room) {
+  layer.begin();
+  joints.forEach(([x, y], joint) => {
+    if (scene.anatomy.pins[joint]) {
+      layer.add("circle", { cx: tenth(x), cy: tenth(y), r: scene.anatomy.fixed[joint] ? 5 : 4.2, class: "pin" });
+      keepSquare(room, [x, y], 6);
+    }
+  });
+  scene.followed.forEach((followed) => {
+    const [x, y] = onPage(scene.view, placeOf(model, followed, scene.pose.joints));
+    if (followed.joint === undefined || !scene.anatomy.pins[followed.joint]) {
+      layer.add("circle", { cx: tenth(x), cy: tenth(y), r: 3.4, class: "tracer" });
+      keepSquare(room, [x, y], 5);
+    }
+  });
+  layer.end();
+}
+
+/** The arc of the drive, circles of curvature and instant centres. */
+function marks(layer, model, scene, joints, room) {
+  layer.begin();
+  scene.anatomy.driven.forEach((driven, body) => {
+    const own = model.outline.bodies[body].joints;
+    const centre = own.find((joint) => scene.anatomy.fixed[joint]);
+    const arm = own.find((joint) => joint !== centre);
+    if (!driven || model.space || centre === undefined || arm === undefined) {
+      return;
+    }
+    const from = -Math.atan2(joints[arm][1] - joints[centre][1], joints[arm][0] - joints[centre][0]);
+    const sign = scene.forward < 0 ? -1 : 1;
+    const arc = [...Array(17).keys()].map((step) => {
+      const angle = from + sign * (0.4 + (1.4 * step) / 16);
+      return [joints[centre][0] + 19 * Math.cos(angle), joints[centre][1] - 19 * Math.sin(angle)];
+    });
+    layer.add("path", { d: line(arc), class: "drive" });
+    layer.add("path", { d: arrowHead(arc[16], arc[15]), class: "drive-head" });
+    keepLines(room, arc.filter((_, index) => index % 4 === 0), 3);
+  });
+  for (const { centre, radius, at } of scene.circles) {
+    const [[x, y], place] = [onPage(scene.view, centre), onPage(scene.view, at)];
+    const size = radius * scene.view.scale;
+    if (size < 20 * Math.max(scene.width, scene.height)) {
+      layer.add("circle", { cx: tenth(x), cy: tenth(y), r: tenth(size), class: "osculating" });
+      layer.add("path", { d: line([place, [x, y]]), class: "thin-dash" });
+      layer.add("circle", { cx: tenth(x), cy: tenth(y), r: 2.2, class: "dot" });
+    }
+  }
+  for (const { at } of scene.centres) {
+    const [x, y] = onPage(scene.view, at);
+    if (Math.abs(x) < 1e5 && Math.abs(y) < 1e5) {
+      layer.add("path", { d: `M${tenth(x - 5)} ${tenth(y)}h10m-5 -5v10`, class: "centre" });
+    }
+  }
+  layer.end();
+}
+
+function arrowHead(tip, from) {
+  const [x, y] = unitOf(from, tip);
+  const end = [tip[0] + 4 * x, tip[1] + 4 * y];
+  const back = [end[0] - 9 * x, end[1] - 9 * y];
+  return line([end, [back[0] - 3.4 * y, back[1] + 3.4 * x], [back[0] + 3.4 * y, back[1] - 3.4 * x]], true);
+}
+
+function arrows(layer, scene, room) {
+  layer.begin();
+  for (const { from, by, order } of scene.arrows) {
+    const start = onPage(scene.view, from);
+    const end = [start[0] + by[0], start[1] + by[1]];
+    if (Math.hypot(...by) > 6) {
+      layer.add("path", { d: line([start, [end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]]]), class: `arrow o${order}` });
+      layer.add("path", { d: arrowHead([end[0] - 4 * unitOf(start, end)[0], end[1] - 4 * unitOf(start, end)[1]], start), class: `arrow-head o${order}` });
+      keepLines(room, [start, end], 2);
+    }
+  }
+  layer.end();
+}
+
+function names(layer, model, scene, joints, room, choices) {
+  layer.begin();
+  const write = (key, around, text, style) => {
+    const place = placeName(room, around, text, 14, scene.moves ? choices.get(key) : undefined);
+    if (place) {
+      choices.set(key, place);
+      tell(layer.add("text", { x: tenth(place.x), y: tenth(place.y + 4.6), class: `name ${style}` }), text);
+    }
+  };
+  if (scene.shows.names) {
+    scene.followed.forEach((followed, index) => {
+      write(`p${index}`, [onPage(scene.view, placeOf(model, followed, scene.pose.joints))], followed.name, "of-point");
+    });
+    scene.centres.forEach(({ at, name }, index) => write(`i${index}`, [onPage(scene.view, at)], name, "of-centre"));
+    model.outline.bodies.forEach(({ name }, body) => {
+      const outer = hull(cornersOf(model, scene, body, joints, scene.pose));
+      const around = [];
+      for (const part of [0.5, 0.35, 0.65, 0.2, 0.8]) {
+        outer.forEach((from, index) => {
+          const to = outer[(index + 1) % outer.length];
+          if (outer.length > 2 || index === 0) {
+            around.push([from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part]);
+          }
+        });
+      }
+      write(`b${body}`, around, name, "of-body");
+    });
+  }
+  layer.end();
+}
+
+/**
+ * The corners of the smallest convex polygon around some places; two if all lie on one line.
+ * @param {number[][]} places
+ * @returns {number[][]}
+ */
+export function hull(places) {
+  const sorted = [...places].sort((one, other) => one[0] - other[0] || one[1] - other[1]);
+  const chain = (all) => {
+    const found = [];
+    for (const place of all) {
+      while (found.length > 1) {
+        const [before, last] = found.slice(-2);
+        const cross = (last[0] - before[0]) * (place[1] - last[1]) - (last[1] - before[1]) * (place[0] - last[0]);
+        // less than a pixel beside the line is on it
+        if (cross > 0.5 * Math.hypot(place[0] - before[0], place[1] - before[1])) {
+          break;
+        }
+        found.pop();
+      }
+      const last = found[found.length - 1];
+      if (!last || Math.hypot(place[0] - last[0], place[1] - last[1]) > 0.5) {
+        found.push(place);
+      }
+    }
+    return found;
+  };
+  const lower = chain(sorted);
+  const upper = chain(sorted.reverse());
+  if (lower.length === 1) {
+    return lower;
+  }
+  return [...lower.slice(0, -1), ...upper.slice(0, -1)];
+}

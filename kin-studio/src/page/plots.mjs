@@ -1,0 +1,207 @@
+/** Position through snap over one common axis, with one cursor. */
+import { change, drawn, line, tell, tenth } from "./elements.mjs";
+import { inputText } from "./marks.mjs";
+import { numberText, ORDERS, steadyText, ticks, unitFactor, unitText, withUnit } from "./numbers.mjs";
+import { innerRows, isAtLimit, spanAt } from "./sweep.mjs";
+
+const LEFT = 58;
+const RIGHT = 16;
+const HEAD = 30;
+/** The width of a letter in the values at the cursor, in pixels. */
+const DIGIT = 7.6;
+const FOOT = 34;
+
+/**
+ * @typedef {object} Plotted
+ * @property {number} width
+ * @property {number} height
+ * @property {number[]} shown indices of the quantities
+ * @property {boolean} degrees
+ * @property {boolean} time
+ * @property {[number, number]} zoom the part of the range that is seen
+ * @property {import("./sweep.mjs").Sweep} sweep
+ * @property {import("./sweep.mjs").Sweep | null} reference
+ * @property {import("./sweep.mjs").Mark[]} marks
+ * @property {number} speed
+ * @property {number} orders how many derivatives
+ */
+
+/**
+ * @param {SVGElement} svg
+ * @param {import("./model.mjs").Model} model
+ */
+export function createPlots(svg, model) {
+  let rows = [];
+  let now = null;
+  const still = drawn("g", {}, svg);
+  const moving = drawn("g", {}, svg);
+  const selection = drawn("rect", { class: "selection", display: "none" }, svg);
+  const across = (x) => LEFT + ((x - now.zoom[0]) / (now.zoom[1] - now.zoom[0])) * (now.width - LEFT - RIGHT);
+  const valueOf = (row, index, order) =>
+    (row.pose[model.quantities[index].name][order] + (order === 0 ? row.shifts[index] : 0)) *
+    unitFactor(model.quantities[index].dimension, now.degrees);
+
+  /** Everything but the cursor. @param {Plotted} plotted */
+  function draw(plotted) {
+    now = plotted;
+    still.replaceChildren();
+    moving.replaceChildren();
+    rows = [];
+    const count = now.orders + 1;
+    const high = (now.height - FOOT) / count;
+    for (let order = 0; order < count; order += 1) {
+      rows.push(drawRow(order, order * high, high));
+    }
+    drawAxis(now.height - FOOT);
+    rows.cursor = drawn("path", { class: "cursor" }, moving);
+  }
+
+  function drawRow(order, top, high) {
+    const dimension = model.quantities[now.shown[0]]?.dimension ?? "number";
+    const unit = unitText(dimension, order, model.units, now.degrees);
+    const [low, most] = boundsOf(order);
+    const upper = top + HEAD;
+    const lower = top + high - 6;
+    const down = (value) => lower - ((value - low) / (most - low)) * (lower - upper);
+    const title = drawn("text", { x: LEFT, y: top + 14, class: "plot-title" }, still);
+    const name = ORDERS[order];
+    title.textContent = `${name[0].toUpperCase()}${name.slice(1)}`;
+    drawn("tspan", { class: "quiet", dx: 6 }, title).textContent = unit;
+    const clip = `clip-${order}`;
+    const frame = { x: LEFT, y: upper - 3, width: Math.max(1, now.width - LEFT - RIGHT), height: Math.max(1, lower - upper + 6) };
+    drawn("rect", frame, drawn("clipPath", { id: clip }, still));
+    for (const value of ticks(low, most, (lower - upper) / 20, dimension === "angle" && order === 0 && now.degrees)) {
+      const y = tenth(down(value));
+      drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: value === 0 ? "zero-line" : "grid-line" }, still);
+      drawn("text", { x: LEFT - 7, y: y + 4, class: "quiet end" }, still).textContent = numberText(value, 4);
+    }
+    for (const x of axisPlaces()) {
+      drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: "grid-line" }, still);
+    }
+    for (const { x } of now.marks) {
+      if (x >= now.zoom[0] && x <= now.zoom[1]) {
+        drawn("path", { d: `M${tenth(across(x))} ${upper}V${tenth(lower)}`, class: "limit-line" }, still);
+      }
+    }
+    const curves = drawn("g", { "clip-path": `url(#${clip})` }, still);
+    const limit = 4 * (lower - upper);
+    const held = (value) => Math.max(lower - limit, Math.min(upper + limit, down(value)));
+    if (now.reference) {
+      curvesOf(now.reference, order, held, curves, " reference");
+    }
+    curvesOf(now.sweep, order, held, curves, "");
+    const dots = now.shown.map((index) => drawn("circle", { r: 3.2, class: `plot-dot c${model.quantities[index].colour}` }, moving));
+    const wide = now.shown.reduce((sum, index) => sum + DIGIT * (model.quantities[index].text.length + 9) + 14, 0);
+    const named = wide < now.width - LEFT - RIGHT - 120;
+    const own = now.shown.slice(0, named ? 99 : Math.max(1, Math.floor((now.width - LEFT - RIGHT - 118) / (DIGIT * 8))));
+    const values = drawn("text", { x: now.width - RIGHT, y: top + 14, class: "plot-values end" }, moving);
+    const texts = own.map((index, place) => {
+      const swatch = drawn("tspan", { class: `swatch c${model.quantities[index].colour}`, ...(place > 0 ? { dx: 7 } : {}) }, values);
+      swatch.textContent = "●";
+      return { element: drawn("tspan", { dx: 3 }, values), name: named ? `${model.quantities[index].text} ` : "" };
+    });
+    const scales = now.shown.map((index) => now.sweep.scales[index][order] * unitFactor(model.quantities[index].dimension, now.degrees));
+    return { upper, lower, down: held, dots, texts, scales, visible: (y) => y >= upper - 3 && y <= lower + 3 };
+  }
+
+  function curvesOf(sweep, order, down, parent, style) {
+    for (const index of now.shown) {
+      const { colour, dashed } = model.quantities[index];
+      for (const span of sweep.spans) {
+        const points = span.rows.map((row) => [across(row.x), down(valueOf(row, index, order))]);
+        drawn("path", { d: line(points), class: `curve c${colour}${dashed ? " dashed" : ""}${style}` }, parent);
+      }
+    }
+  }
+
+  function boundsOf(order) {
+    let [low, high] = [Infinity, -Infinity];
+    for (const sweep of now.reference ? [now.sweep, now.reference] : [now.sweep]) {
+      for (const row of innerRows(sweep)) {
+        if (row.x < now.zoom[0] || row.x > now.zoom[1]) {
+          continue;
+        }
+        for (const index of now.shown) {
+          const value = valueOf(row, index, order);
+          low = Math.min(low, value);
+          high = Math.max(high, value);
+        }
+      }
+    }
+    if (!(high >= low)) {
+      return [-1, 1];
+    }
+    const scale = Math.max(...now.shown.map((index) => now.sweep.scales[index][order] * unitFactor(model.quantities[index].dimension, now.degrees)), 1e-300);
+    // what does not change but for rounding is a straight line
+    const least = high - low < 1e-9 * Math.max(Math.abs(high), Math.abs(low), scale) ? Math.max(0.1 * Math.abs(high), 1e-3) : 0;
+    const room = 0.08 * (high - low) + least;
+    return [low - room, high + room];
+  }
+
+  function axisPlaces() {
+    const count = (now.width - LEFT - RIGHT) / 70;
+    if (now.time) {
+      const [from, to] = now.zoom.map((x) => (x - model.from) / now.speed);
+      return ticks(Math.min(from, to), Math.max(from, to), count).map((time) => model.from + time * now.speed);
+    }
+    const factor = unitFactor(model.moving.dimension, now.degrees);
+    return ticks(now.zoom[0] * factor, now.zoom[1] * factor, count, factor !== 1).map((x) => x / factor);
+  }
+
+  function drawAxis(y) {
+    drawn("path", { d: `M${LEFT} ${y}H${now.width - RIGHT}`, class: "axis-line" }, still);
+    for (const x of axisPlaces()) {
+      const at = across(x);
+      const text = drawn("text", { x: tenth(at), y: y + 14, class: "quiet middle" }, still);
+      const time = numberText((x - model.from) / now.speed, 4);
+      text.textContent = now.time ? time : inputText(model, x, now.degrees, 4);
+      drawn("path", { d: `M${tenth(at)} ${y}v4`, class: "axis-line" }, still);
+    }
+    const label = drawn("text", { x: now.width - RIGHT, y: y + 29, class: "quiet end" }, still);
+    label.textContent = now.time ? withUnit("time,", model.units.time) : model.moving.text;
+  }
+
+  /** The cursor and the values at it. @param {import("./sweep.mjs").Row} row */
+  function point(row) {
+    if (now === null) {
+      return;
+    }
+    const x = across(row.x);
+    const inside = x >= LEFT - 0.5 && x <= now.width - RIGHT + 0.5;
+    change(rows.cursor, { d: rows.map(({ upper, lower }) => `M${tenth(x)} ${tenth(upper)}V${tenth(lower)}`).join(""), display: inside ? "inline" : "none" });
+    const ends = isAtLimit(now.sweep, row.x);
+    rows.forEach(({ down, dots, texts, scales, visible }, order) => {
+      now.shown.forEach((index, place) => {
+        const value = valueOf(row, index, order);
+        const y = down(value);
+        change(dots[place], { cx: tenth(x), cy: tenth(y), display: inside && visible(y) ? "inline" : "none" });
+        if (texts[place]) {
+          tell(texts[place].element, `${texts[place].name}${ends && Math.abs(value) > 1e3 * scales[place] ? "unbounded" : steadyText(value, scales[place])}`);
+        }
+      });
+    });
+  }
+
+  const inputAt = (x) => {
+    const part = Math.min(1, Math.max(0, (x - LEFT) / (now.width - LEFT - RIGHT)));
+    return now.zoom[0] + part * (now.zoom[1] - now.zoom[0]);
+  };
+
+  return {
+    draw,
+    point,
+    inputAt,
+    /** Marks a part that is being chosen; none for null. @param {[number, number] | null} part */
+    select(part) {
+      if (part === null) {
+        change(selection, { display: "none" });
+        return;
+      }
+      const [from, to] = part.map((x) => across(x));
+      const box = { x: Math.min(from, to), width: Math.abs(to - from), y: HEAD - 6, height: now.height - FOOT - HEAD + 6 };
+      change(selection, { ...box, display: "inline" });
+    },
+    /** Whether anything closes at an input. @param {number} x */
+    closes: (x) => now !== null && spanAt(now.sweep, x) !== null,
+  };
+}

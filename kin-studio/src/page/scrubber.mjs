@@ -1,0 +1,84 @@
+/** The range of the input: where it closes, limits, dead points, poor transmission, and what is out of reach. */
+import { change, drawn, line, tell, tenth } from "./elements.mjs";
+import { inputText, kindText } from "./marks.mjs";
+import { ticks, unitFactor } from "./numbers.mjs";
+
+const SIDE = 22;
+const TRACK = 40;
+const THICK = 12;
+
+/**
+ * @param {SVGElement} svg
+ * @param {import("./model.mjs").Model} model
+ */
+export function createScrubber(svg, model) {
+  let width = 0;
+  const still = drawn("g", {}, svg);
+  const handle = drawn("g", { class: "handle" }, svg);
+  drawn("path", { d: `M0 ${TRACK - 12}V${TRACK + 12}`, class: "handle-line" }, handle);
+  drawn("circle", { cx: 0, cy: TRACK, r: 9, class: "handle-knob" }, handle);
+  const across = (x) => SIDE + ((x - model.from) / (model.to - model.from)) * (width - 2 * SIDE);
+
+  return {
+    /**
+     * @param {{width: number, sweep: import("./sweep.mjs").Sweep, marks: import("./sweep.mjs").Mark[], poor: [number, number][], degrees: boolean, amount: (margin: number) => string}} seen
+     */
+    draw({ width: whole, sweep, marks, poor, degrees, amount }) {
+      width = whole;
+      still.replaceChildren();
+      for (const { from, to, margin, lost } of sweep.gaps) {
+        const [left, right] = [across(from), across(to)];
+        const title = drawn("title", {}, drawn("rect", { x: left, width: Math.max(1, right - left), y: TRACK - THICK / 2, height: THICK, class: "gap" }, still));
+        const known = marks.some((mark) => !mark.own && Math.min(Math.abs(mark.x - from), Math.abs(mark.x - to)) < 1e-5 * (model.to - model.from));
+        const text = lost && !known ? "assembly lost" : margin < 0 && Number.isFinite(margin) ? `out of reach by ${amount(-margin)}` : "does not close";
+        title.textContent = text;
+        let d = "";
+        for (let x = left + 3; x < right - 2; x += 7) {
+          d += line([[x, TRACK + 5], [x + 5, TRACK - 5]]);
+        }
+        drawn("path", { d, class: "gap-hatch" }, still);
+        const short = right - left > 6.2 * text.length ? text : right - left > 80 && margin < 0 && !lost ? `short by ${amount(-margin)}` : "";
+        drawn("text", { x: tenth(0.5 * (left + right)), y: TRACK - 13, class: "quiet middle" }, still).textContent = short;
+      }
+      for (const { from, to } of sweep.spans) {
+        drawn("rect", { x: across(from), width: Math.max(1, across(to) - across(from)), y: TRACK - THICK / 2, height: THICK, class: "closes" }, still);
+      }
+      for (const [from, to] of poor) {
+        const band = { x: across(from), width: Math.max(1, across(to) - across(from)), y: TRACK - THICK / 2, height: THICK, class: "poor" };
+        drawn("title", {}, drawn("rect", band, still)).textContent = "transmission angle below 40°";
+      }
+      const factor = unitFactor(model.moving.dimension, degrees);
+      for (const place of ticks(model.from * factor, model.to * factor, (width - 2 * SIDE) / 90, factor !== 1)) {
+        const x = across(place / factor);
+        drawn("path", { d: `M${tenth(x)} ${TRACK + 8}v4`, class: "axis-line" }, still);
+        drawn("text", { x: tenth(x), y: TRACK + 25, class: "quiet middle" }, still).textContent = inputText(model, place / factor, degrees, 4);
+      }
+      drawMarks(still, marks, degrees);
+    },
+    /** @param {number} x @param {string} text the pose in words, short */
+    point(x, text) {
+      change(handle, { transform: `translate(${tenth(across(x))} 0)` });
+      const factor = unitFactor(model.moving.dimension, true);
+      change(svg, { "aria-valuenow": Math.round(x * factor * 1000) / 1000, "aria-valuetext": text });
+    },
+    /** The input at a place of the picture. @param {number} x */
+    inputAt: (x) => model.from + Math.min(1, Math.max(0, (x - SIDE) / (width - 2 * SIDE))) * (model.to - model.from),
+  };
+
+  function drawMarks(parent, marks, degrees) {
+    let last = -Infinity;
+    for (const mark of marks) {
+      const x = across(mark.x);
+      const tick = drawn("path", { d: `M${tenth(x)} ${TRACK - 12}V${TRACK + 10}`, class: mark.kind === "ChangePoint" ? "change-mark" : "limit-mark" }, parent);
+      const text = `${kindText(mark.kind)} ${inputText(model, mark.x, degrees)}`;
+      drawn("title", {}, tick).textContent = `${text}${mark.text ? `: ${mark.text}` : ""}${mark.own ? " (found by the page)" : ""}`;
+      const half = 3.4 * text.length;
+      const at = Math.min(width - half - 2, Math.max(half + 2, x));
+      if (at - half > last + 8) {
+        last = at + half;
+        const label = drawn("text", { x: tenth(at), y: 14, class: "mark-text middle" }, parent);
+        tell(label, text);
+      }
+    }
+  }
+}

@@ -1,0 +1,86 @@
+/** From the mechanism's coordinates to those of the picture: a scale, an offset, and for space a direction of view. */
+
+/** @typedef {{space: boolean, scale: number, x: number, y: number, yaw: number, pitch: number}} View */
+
+/**
+ * A view along the diagonal of space, or straight upon the plane.
+ * @param {boolean} space
+ * @returns {View}
+ */
+export function createView(space) {
+  return { space, scale: 1, x: 0, y: 0, yaw: Math.PI / 4, pitch: Math.PI / 6 };
+}
+
+/**
+ * A place or direction without scale and offset; y points down.
+ * @param {View} view
+ * @param {number[]} place
+ * @returns {[number, number]}
+ */
+export function flat(view, place) {
+  if (!view.space) {
+    return [place[0], -place[1]];
+  }
+  const [x, y, z] = place;
+  const [sine, cosine] = [Math.sin(view.yaw), Math.cos(view.yaw)];
+  const towards = x * cosine + y * sine;
+  return [y * cosine - x * sine, towards * Math.sin(view.pitch) - z * Math.cos(view.pitch)];
+}
+
+/**
+ * @param {View} view
+ * @param {number[]} place
+ * @returns {[number, number]}
+ */
+export function onPage(view, place) {
+  const [x, y] = flat(view, place);
+  return [x * view.scale + view.x, y * view.scale + view.y];
+}
+
+/**
+ * Shows some places as large as a rectangle allows.
+ * @param {View} view
+ * @param {number[][]} places
+ * @param {{left: number, right: number, top: number, bottom: number}} room
+ */
+export function fitView(view, places, room) {
+  const seen = places.map((place) => flat(view, place)).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
+  if (seen.length === 0) {
+    return;
+  }
+  const low = [0, 1].map((axis) => seen.reduce((least, place) => Math.min(least, place[axis]), Infinity));
+  const high = [0, 1].map((axis) => seen.reduce((most, place) => Math.max(most, place[axis]), -Infinity));
+  const size = Math.max(high[0] - low[0], high[1] - low[1], 1e-9);
+  const width = Math.max(high[0] - low[0], 0.05 * size);
+  const height = Math.max(high[1] - low[1], 0.05 * size);
+  view.scale = Math.max(1e-9, Math.min((room.right - room.left) / width, (room.bottom - room.top) / height));
+  view.x = 0.5 * (room.left + room.right) - 0.5 * (low[0] + high[0]) * view.scale;
+  view.y = 0.5 * (room.top + room.bottom) - 0.5 * (low[1] + high[1]) * view.scale;
+}
+
+/**
+ * Enlarges about a place of the picture.
+ * @param {View} view
+ * @param {[number, number]} at
+ * @param {number} factor
+ */
+export function zoomView(view, at, factor) {
+  view.scale *= factor;
+  view.x = at[0] + (view.x - at[0]) * factor;
+  view.y = at[1] + (view.y - at[1]) * factor;
+}
+
+/**
+ * Turns a view of space about a place of the picture.
+ * @param {View} view
+ * @param {[number, number]} by in pixels
+ * @param {number[]} centre what stays where it is
+ */
+export function orbitView(view, by, centre) {
+  const before = onPage(view, centre);
+  view.yaw -= by[0] / 150;
+  view.pitch = Math.min(Math.PI / 2, Math.max(-Math.PI / 2, view.pitch + by[1] / 150));
+  const after = onPage(view, centre);
+  view.x += before[0] - after[0];
+  view.y += before[1] - after[1];
+}

@@ -1,0 +1,380 @@
+//! What is asked of a mechanism: its dimensions, how its inputs move, and its assembly.
+
+use kin_core::{Description, Dimension, Quantity};
+
+use super::fault::{Fault, listed, similar};
+use super::motion::{InputMotion, LawName, checked};
+use super::subject::{Subject, Wanted};
+use super::value::{self, Lengths};
+
+/// What was typed, before it is compared with the mechanism.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Typed {
+    /// Names of dimensions or of inputs that stand, with their values.
+    pub(crate) set: Vec<String>,
+    /// Ranges of inputs, with a name in front if there are several inputs.
+    pub(crate) over: Vec<String>,
+    /// The speed.
+    pub(crate) speed: Option<String>,
+    /// The name of the motion law.
+    pub(crate) law: Option<String>,
+    /// The time that the motion law takes.
+    pub(crate) time: Option<String>,
+    /// The assembly.
+    pub(crate) assembly: Option<String>,
+    /// The unit of lengths.
+    pub(crate) units: Option<String>,
+    /// Whether angles are shown in radians.
+    pub(crate) radians: bool,
+}
+
+/// What is asked of a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Case {
+    /// A value for each scalar parameter.
+    pub(crate) parameters: Vec<f64>,
+    /// A motion for each input.
+    pub(crate) motions: Vec<InputMotion>,
+    /// The assembly.
+    pub(crate) assembly: Wanted,
+    /// The name of the unit of length, empty if there is none.
+    pub(crate) length: &'static str,
+    /// Whether angles are shown in degrees.
+    pub(crate) in_degrees: bool,
+}
+
+impl Typed {
+    /// Whether a range of an input was typed.
+    pub(crate) fn has_range(&self) -> bool {
+        !self.over.is_empty()
+    }
+
+    /// Compares what was typed with a mechanism.
+    pub(crate) fn case(&self, subject: &dyn Subject) -> Result<Case, Fault> {
+        let mut lengths = match &self.units {
+            Some(name) => Lengths::named(name).map_err(Fault::Wrong)?,
+            None => Lengths::default(),
+        };
+        let (parameters, standing) = self.values(subject, &mut lengths)?;
+        let assembly = self.assembly(subject, &mut lengths)?;
+        let motions = self.motions(subject, &standing, &mut lengths)?;
+        Ok(Case {
+            parameters,
+            motions,
+            assembly,
+            length: lengths.name(),
+            in_degrees: !self.radians,
+        })
+    }
+
+    /// A value for each dimension.
+    pub(crate) fn dimensions(&self, subject: &dyn Subject) -> Result<Vec<f64>, Fault> {
+        Ok(self.values(subject, &mut Lengths::default())?.0)
+    }
+
+    /// The dimensions, and the inputs that stand.
+    fn values(&self, subject: &dyn Subject, lengths: &mut Lengths) -> Result<(Vec<f64>, Vec<Option<f64>>), Fault> {
+        let description = subject.description();
+        let example = subject.example();
+        let mut parameters: Vec<Option<f64>> = match &example {
+            Some(example) => example.parameters.iter().copied().map(Some).collect(),
+            None => vec![None; description.parameters.len()],
+        };
+        let mut standing = vec![None; description.inputs.len()];
+        for text in &self.set {
+            let Some((name, value)) = text.split_once('=') else {
+                return Err(Fault::wrong(format!(
+                    "`{text}` is not a name with a value, as in `--set {text}=30`"
+                )));
+            };
+            for (name, value) in parts(name.trim(), value.trim())? {
+                let (quantity, place) = match place_of(description.parameters, &name) {
+                    Some(index) => (description.parameters[index], &mut parameters[index]),
+                    None => match place_of(description.inputs, &name) {
+                        Some(index) => (description.inputs[index], &mut standing[index]),
+                        None => return Err(no_dimension(&description, &name)),
+                    },
+                };
+                let value = value::quantity(quantity.dimension, value, lengths)
+                    .map_err(|message| Fault::wrong(format!("{name}: {message}")))?;
+                *place = Some(value);
+            }
+        }
+        let missing: Vec<&str> = description
+            .parameters
+            .iter()
+            .zip(&parameters)
+            .filter_map(|(quantity, value)| value.is_none().then_some(quantity.name))
+            .collect();
+        if let Some(first) = missing.first() {
+            return Err(Fault::wrong(format!(
+                "{} {} no value: write `--set {first}=…`",
+                listed(&missing),
+                if missing.len() == 1 { "has" } else { "have" }
+            )));
+        }
+        Ok((parameters.into_iter().flatten().collect(), standing))
+    }
+
+    fn assembly(&self, subject: &dyn Subject, lengths: &mut Lengths) -> Result<Wanted, Fault> {
+        let names = subject.assemblies();
+        let Some(text) = &self.assembly else {
+            return match (subject.example(), names.as_slice()) {
+                (Some(example), _) => Ok(example.assembly),
+                (None, []) => Ok(Wanted::Unknown),
+                (None, _) => Ok(Wanted::Named(0)),
+            };
+        };
+        let plain = |text: &str| text.replace([' ', '{', '}', '"'], "").replace(':', "=").to_lowercase();
+        if let Some(index) = names.iter().position(|name| plain(name) == plain(text)) {
+            return Ok(Wanted::Named(index));
+        }
+        // one word for all dyads
+        let all: Vec<usize> = (0..names.len())
+            .filter(|index| {
+                let mut words = names[*index].split(',').filter_map(|part| part.split_once('='));
+                names[*index].contains('=') && words.all(|(_, word)| word == plain(text))
+            })
+            .collect();
+        if let [index] = all[..] {
+            return Ok(Wanted::Named(index));
+        }
+        if text.contains('=') && (names.is_empty() || text.contains(|letter: char| letter.is_ascii_digit())) {
+            return near(subject, text, lengths);
+        }
+        if names.is_empty() {
+            let example: Vec<String> = subject
+                .description()
+                .unknowns
+                .iter()
+                .map(|unknown| format!("{}=…", unknown.name))
+                .collect();
+            return Err(Fault::wrong(format!(
+                "the positions of this mechanism have no names: give values of its unknowns near the one you mean, as in \
+                 `--assembly {}`",
+                example.join(",")
+            )));
+        }
+        if names.iter().all(String::is_empty) {
+            return Err(Fault::wrong(
+                "this mechanism has one assembly only: leave `--assembly` out",
+            ));
+        }
+        Err(Fault::wrong(format!(
+            "there is no assembly `{text}`; {}",
+            similar(text, names.iter().map(String::as_str))
+        )))
+    }
+
+    fn motions(
+        &self,
+        subject: &dyn Subject,
+        standing: &[Option<f64>],
+        lengths: &mut Lengths,
+    ) -> Result<Vec<InputMotion>, Fault> {
+        let inputs = subject.description().inputs;
+        let example = subject.example();
+        let mut motions: Vec<Option<InputMotion>> =
+            standing.iter().map(|value| value.map(InputMotion::Stands)).collect();
+        for text in &self.over {
+            let (index, text) = match text.split_once('=').filter(|(name, _)| !name.contains('.')) {
+                Some((name, text)) => {
+                    let index = place_of(inputs, name.trim()).ok_or_else(|| {
+                        let names = inputs.iter().map(|input| input.name);
+                        Fault::wrong(format!("there is no input `{}`; {}", name.trim(), similar(name, names)))
+                    })?;
+                    (index, text)
+                }
+                None if inputs.len() == 1 => (0, text.as_str()),
+                None => {
+                    let first = inputs.first().map_or("", |input| input.name);
+                    return Err(Fault::wrong(format!(
+                        "there are {} inputs: say which one moves, as in `--over {first}={text}`",
+                        inputs.len()
+                    )));
+                }
+            };
+            let motion = InputMotion::read(inputs[index].dimension, text, lengths)
+                .map_err(|message| Fault::wrong(format!("{}: {message}", inputs[index].name)))?;
+            motions[index] = Some(motion);
+        }
+        // the first input moves if none was said to
+        if !motions.iter().flatten().any(InputMotion::moves) {
+            let place = motions.iter().position(Option::is_none).unwrap_or(0);
+            motions[place] = Some(default_range(subject, place, motions[place])?);
+        }
+        let mut whole = Vec::new();
+        for (index, motion) in motions.into_iter().enumerate() {
+            let stands = || {
+                example
+                    .as_ref()
+                    .map(|example| InputMotion::Stands(example.inputs[index]))
+            };
+            let motion = motion.or_else(stands).ok_or_else(|| {
+                let name = inputs[index].name;
+                Fault::wrong(format!(
+                    "the input `{name}` has no value: write `--set {name}=…`, or `--over {name}=…` if it moves"
+                ))
+            })?;
+            whole.push(self.driven(motion, &inputs[index], lengths)?);
+        }
+        Ok(whole)
+    }
+
+    /// The motion with the speed, or under the law, of the other options.
+    fn driven(&self, motion: InputMotion, input: &Quantity, lengths: &mut Lengths) -> Result<InputMotion, Fault> {
+        let InputMotion::Moves { from, to, speed } = motion else {
+            return Ok(motion);
+        };
+        let at = |message| Fault::wrong(format!("{}: {message}", input.name));
+        if let Some(law) = &self.law {
+            let Some(time) = &self.time else {
+                return Err(Fault::wrong(format!(
+                    "a law takes a time: write `--law {law} --time 0.4s`"
+                )));
+            };
+            return Ok(InputMotion::Rises {
+                from,
+                to,
+                law: LawName::named(law).map_err(at)?,
+                time: value::time(time).map_err(at)?,
+            });
+        }
+        let typed = self
+            .speed
+            .as_ref()
+            .map(|speed| value::speed(input.dimension, speed, lengths).and_then(checked))
+            .transpose()
+            .map_err(at)?;
+        let by_time = self
+            .time
+            .as_ref()
+            .map(|time| value::time(time))
+            .transpose()
+            .map_err(at)?;
+        Ok(InputMotion::Moves {
+            from,
+            to,
+            speed: typed.or(by_time.map(|time| (to - from).abs() / time)).or(speed),
+        })
+    }
+}
+
+impl Case {
+    /// The input that the others follow: the first one that moves.
+    pub(crate) fn lead(&self) -> usize {
+        self.motions.iter().position(InputMotion::moves).unwrap_or(0)
+    }
+
+    /// The time of the motion, if an input moves under a law.
+    pub(crate) fn time_of_laws(&self) -> Option<f64> {
+        let has_law = |motion: &InputMotion| matches!(motion, InputMotion::Rises { .. });
+        let durations = || self.motions.iter().filter_map(InputMotion::duration);
+        self.motions
+            .iter()
+            .any(has_law)
+            .then(|| durations().fold(0.0, f64::max))
+    }
+
+    /// The speed of the leading input, without its sign.
+    pub(crate) fn speed(&self) -> f64 {
+        match self.motions.get(self.lead()) {
+            Some(InputMotion::Moves { speed: Some(speed), .. }) => *speed,
+            _ => 1.0,
+        }
+    }
+}
+
+/// The range of an input of which nothing is said: a turn.
+fn default_range(subject: &dyn Subject, index: usize, said: Option<InputMotion>) -> Result<InputMotion, Fault> {
+    let input = &subject.description().inputs[index];
+    if input.dimension != Dimension::Angle {
+        return Err(Fault::wrong(format!(
+            "the input `{}` is no angle, so it has no full turn: give its range, as in `--over {0}=10..60`",
+            input.name
+        )));
+    }
+    let start = match (said, subject.example()) {
+        (Some(motion), _) => motion.start(),
+        (None, Some(example)) if subject.assemblies().is_empty() => example.inputs[index],
+        _ => 0.0,
+    };
+    Ok(InputMotion::Moves {
+        from: start,
+        to: start + std::f64::consts::TAU,
+        speed: None,
+    })
+}
+
+/// A value, or the coordinates of a point, as in `(1.4, 1.5)`.
+fn parts<'v>(name: &str, value: &'v str) -> Result<Vec<(String, &'v str)>, Fault> {
+    let Some(inner) = value.strip_prefix('(') else {
+        return Ok(vec![(name.to_owned(), value)]);
+    };
+    let Some(inner) = inner.strip_suffix(')') else {
+        return Err(Fault::wrong(format!("`{value}` has no closing parenthesis")));
+    };
+    Ok(["x", "y", "z"]
+        .into_iter()
+        .zip(inner.split(','))
+        .map(|(part, value)| (format!("{name}.{part}"), value.trim()))
+        .collect())
+}
+
+fn place_of(quantities: &[Quantity], name: &str) -> Option<usize> {
+    quantities.iter().position(|quantity| quantity.name == name)
+}
+
+fn no_dimension(description: &Description, name: &str) -> Fault {
+    let point = format!("{name}.x");
+    if place_of(description.parameters, &point).is_some() {
+        return Fault::wrong(format!(
+            "`{name}` is a point: write `{name}=(1.4, 1.5)`, or `{name}.x=1.4`"
+        ));
+    }
+    let names = description
+        .parameters
+        .iter()
+        .chain(description.inputs)
+        .map(|one| one.name);
+    Fault::wrong(format!(
+        "there is no dimension and no input `{name}`; {}",
+        similar(name, names)
+    ))
+}
+
+/// Values of all unknowns near a position.
+fn near(subject: &dyn Subject, text: &str, lengths: &mut Lengths) -> Result<Wanted, Fault> {
+    let unknowns = subject.description().unknowns;
+    let mut values = vec![None; unknowns.len()];
+    for part in text.split(',').map(str::trim).filter(|part| !part.is_empty()) {
+        let Some((name, value)) = part.split_once('=') else {
+            return Err(Fault::wrong(format!(
+                "`{part}` is not an unknown with a value near its own"
+            )));
+        };
+        let name = name.trim();
+        let Some(index) = place_of(unknowns, name) else {
+            return Err(Fault::wrong(format!(
+                "there is no unknown `{name}`; {}",
+                similar(name, unknowns.iter().map(|unknown| unknown.name))
+            )));
+        };
+        let value = value::quantity(unknowns[index].dimension, value, lengths)
+            .map_err(|message| Fault::wrong(format!("{name}: {message}")))?;
+        values[index] = Some(value);
+    }
+    let missing: Vec<&str> = unknowns
+        .iter()
+        .zip(&values)
+        .filter_map(|(unknown, value)| value.is_none().then_some(unknown.name))
+        .collect();
+    if missing.is_empty() {
+        Ok(Wanted::Near(values.into_iter().flatten().collect()))
+    } else {
+        Err(Fault::wrong(format!(
+            "the assembly gives no value near {}",
+            listed(&missing)
+        )))
+    }
+}

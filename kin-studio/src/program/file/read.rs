@@ -1,0 +1,606 @@
+//! A `.kin` file, taken apart: the declaration, which becomes Rust, and the numbers, which never do.
+//!
+//! The declaration comes from anybody, and the macro passes attributes on. So everything is refused that is not a doc comment, a name, a
+//! number or an operator of the grammar.
+
+use std::ops::Range;
+
+use kin_core::Dimension;
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+use super::super::fault::similar;
+use super::super::motion::InputMotion;
+use super::super::value::{self, Lengths};
+use super::place::Mistake;
+
+/// The first line of every file.
+const FIRST_LINE: &str = "kin 1";
+
+/// A file that was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct KinFile {
+    /// The name of the mechanism.
+    pub(crate) name: String,
+    /// Its doc comment.
+    pub(crate) documentation: String,
+    /// The declaration as it was typed.
+    pub(crate) declaration: String,
+    /// The whole file with all that is not the declaration as blanks, so that every token keeps its place.
+    pub(crate) rust: String,
+    /// Dimensions and inputs that stand: `r1=90`.
+    pub(crate) set: Vec<String>,
+    /// Motions of inputs: `theta2=0deg..360deg at 60rpm`.
+    pub(crate) over: Vec<String>,
+    /// The assembly.
+    pub(crate) assembly: Option<String>,
+}
+
+/// A name with what stands behind its `=`.
+#[derive(Clone, Debug)]
+struct Entry {
+    name: String,
+    name_range: Range<usize>,
+    value: String,
+    value_range: Range<usize>,
+}
+
+/// A quantity of the declaration.
+#[derive(Clone, Debug)]
+struct Declared {
+    name: String,
+    dimension: Dimension,
+    /// One, or the number of coordinates of a point.
+    parts: usize,
+}
+
+impl KinFile {
+    /// Reads the text of a file.
+    pub(crate) fn read(text: &str) -> Result<Self, Mistake> {
+        let first = text.lines().next().unwrap_or("");
+        if first.trim_end() != FIRST_LINE {
+            return Err(wrong_first_line(first));
+        }
+        let blanked = format!("{:width$}{}", "", &text[first.len()..], width = first.len());
+        let stream: TokenStream = blanked.parse().map_err(|error: proc_macro2::LexError| {
+            let range = error.span().byte_range();
+            Mistake::new(
+                "this cannot be read: a bracket or a quotation mark has no partner, or a sign is none of the language",
+                range,
+            )
+        })?;
+        let tokens: Vec<TokenTree> = stream.into_iter().collect();
+        Reader { text, tokens: &tokens }.read(&blanked)
+    }
+}
+
+fn wrong_first_line(first: &str) -> Mistake {
+    let message = match first.trim().strip_prefix("kin ") {
+        Some(version) if version.trim().parse::<u32>().is_ok() => format!(
+            "the file has the format {}, and this version of kin reads the format 1: use a later version",
+            version.trim()
+        ),
+        _ => format!("the first line of a .kin file is `{FIRST_LINE}`"),
+    };
+    Mistake::new(message, 0..first.len().max(1))
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    tokens: &'t [TokenTree],
+}
+
+fn range_of(token: &TokenTree) -> Range<usize> {
+    token.span().byte_range()
+}
+
+fn is_ident(token: Option<&TokenTree>, name: &str) -> bool {
+    matches!(token, Some(TokenTree::Ident(ident)) if ident == name)
+}
+
+fn is_punct(token: Option<&TokenTree>, letter: char) -> bool {
+    matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == letter)
+}
+
+fn braces(token: Option<&TokenTree>) -> Option<&Group> {
+    match token {
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => Some(group),
+        _ => None,
+    }
+}
+
+impl Reader<'_> {
+    fn read(&self, blanked: &str) -> Result<KinFile, Mistake> {
+        let (mut dimensions, mut motion, mut assembly) = (None, None, None);
+        let mut declared: Vec<TokenTree> = Vec::new();
+        let mut blanks: Vec<Range<usize>> = Vec::new();
+        let mut place = 0;
+        while let Some(token) = self.tokens.get(place) {
+            let next = self.tokens.get(place + 1);
+            let section = [("dimensions", &mut dimensions), ("motion", &mut motion)]
+                .into_iter()
+                .find(|(name, _)| is_ident(Some(token), name));
+            if let (Some((name, slot)), Some(group)) = (section, braces(next)) {
+                let whole = range_of(token).start..group.span().byte_range().end;
+                if slot.is_some() {
+                    return Err(Mistake::new(
+                        format!("there are two sections `{name}`"),
+                        range_of(token),
+                    ));
+                }
+                *slot = Some((self.entries(group)?, range_of(token)));
+                blanks.push(whole);
+                place += 2;
+                continue;
+            }
+            let is_assembly =
+                is_ident(Some(token), "assembly") && is_punct(next, '=') && !is_punct(self.tokens.get(place + 2), '=');
+            if is_assembly {
+                let end = (place..self.tokens.len()).find(|index| is_punct(self.tokens.get(*index), ';'));
+                let Some(end) = end else {
+                    return Err(Mistake::new(
+                        "the assembly ends with `;`, as in `assembly = open;`",
+                        range_of(token),
+                    ));
+                };
+                let (from, to) = (range_of(&self.tokens[place + 1]).end, range_of(&self.tokens[end]).start);
+                assembly = Some((self.text[from..to].trim().to_owned(), from..to));
+                blanks.push(range_of(token).start..range_of(&self.tokens[end]).end);
+                place = end + 1;
+                continue;
+            }
+            declared.push(token.clone());
+            place += 1;
+        }
+        harmless(&declared, true)?;
+        let (name, fields) = structure(&declared, self.text)?;
+        let inputs = inputs(&declared);
+        let (dimensions, dimensions_at) = dimensions.unwrap_or_default();
+        let mut lengths = Lengths::default();
+        let mut set = numbers(&fields, &dimensions, &dimensions_at, self.text, &mut lengths)?;
+        let over = motions(&inputs, &motion.unwrap_or_default().0, &mut lengths, &mut set)?;
+        let mut rust = blanked.to_owned();
+        for range in &blanks {
+            let blank: String = rust[range.clone()]
+                .chars()
+                .map(|letter| {
+                    if letter == '\n' {
+                        "\n".to_owned()
+                    } else {
+                        " ".repeat(letter.len_utf8())
+                    }
+                })
+                .collect();
+            rust.replace_range(range.clone(), &blank);
+        }
+        let declaration = rust.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+        Ok(KinFile {
+            name,
+            documentation: documentation(&declared),
+            declaration: declaration.trim().to_owned(),
+            rust,
+            set,
+            over,
+            assembly: assembly.map(|(text, _)| text),
+        })
+    }
+
+    /// The entries of a section: `name = value;`.
+    fn entries(&self, group: &Group) -> Result<Vec<Entry>, Mistake> {
+        let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+        let mut entries = Vec::new();
+        for part in tokens.split(|token| is_punct(Some(token), ';')) {
+            let (Some(first), Some(last)) = (part.first(), part.last()) else {
+                continue;
+            };
+            let whole = range_of(first).start..range_of(last).end;
+            let Some(equals) = part.iter().position(|token| is_punct(Some(token), '=')) else {
+                return Err(Mistake::new("a name and a value are written as `r1 = 90;`", whole));
+            };
+            if part[equals + 1..].iter().any(|token| is_punct(Some(token), '='))
+                && !self.text[whole.clone()].contains("..=")
+            {
+                return Err(Mistake::new("two values without a `;` between them", whole));
+            }
+            let name_range = whole.start..range_of(&part[equals]).start;
+            let value_range = range_of(&part[equals]).end..whole.end;
+            let (name, value) = (&self.text[name_range.clone()], &self.text[value_range.clone()]);
+            if value.trim().is_empty() {
+                return Err(Mistake::new(format!("`{}` has no value", name.trim()), whole));
+            }
+            let value_start = value_range.start + (value.len() - value.trim_start().len());
+            entries.push(Entry {
+                name: name.trim().replace(' ', ""),
+                name_range: name_range.start..name_range.start + name.trim_end().len(),
+                value: value.trim().to_owned(),
+                value_range: value_start..value_range.end,
+            });
+        }
+        Ok(entries)
+    }
+}
+
+/// Refuses what could do more than declare.
+fn harmless(tokens: &[TokenTree], is_outside: bool) -> Result<(), Mistake> {
+    let mut braces_seen = 0;
+    let mut place = 0;
+    while let Some(token) = tokens.get(place) {
+        let range = range_of(token);
+        match token {
+            TokenTree::Punct(punct) => match punct.as_char() {
+                '#' => {
+                    let is_inner = is_punct(tokens.get(place + 1), '!');
+                    let attribute = tokens.get(place + 1 + usize::from(is_inner));
+                    if !is_documentation(attribute) {
+                        let end = attribute.map_or(range.end, |attribute| range_of(attribute).end);
+                        return Err(Mistake::new(
+                            "of attributes only doc comments are allowed in a .kin file: write `/// text`",
+                            range.start..end,
+                        ));
+                    }
+                    place += 1 + usize::from(is_inner);
+                }
+                ':' if is_punct(tokens.get(place + 1), ':') => {
+                    return Err(Mistake::new("a .kin file has no paths: write the name alone", range));
+                }
+                letter if "=;:,.+-*/<>".contains(letter) => {}
+                letter => {
+                    return Err(Mistake::new(format!("`{letter}` has no place in a declaration"), range));
+                }
+            },
+            TokenTree::Literal(literal) => {
+                if !literal.to_string().starts_with(|first: char| first.is_ascii_digit()) {
+                    return Err(Mistake::new("a declaration has numbers and no texts", range));
+                }
+            }
+            TokenTree::Ident(ident) => {
+                let name = ident.to_string();
+                if [
+                    "fn",
+                    "use",
+                    "mod",
+                    "impl",
+                    "unsafe",
+                    "extern",
+                    "const",
+                    "static",
+                    "macro_rules",
+                    "enum",
+                    "trait",
+                    "type",
+                ]
+                .contains(&name.as_str())
+                {
+                    return Err(Mistake::new(format!("`{name}` has no place in a declaration"), range));
+                }
+            }
+            TokenTree::Group(group) => {
+                match group.delimiter() {
+                    Delimiter::Parenthesis => {}
+                    Delimiter::Brace if is_outside && braces_seen == 0 => braces_seen += 1,
+                    Delimiter::Brace => {
+                        return Err(Mistake::new(
+                            "these braces have no place here: a file has one structure, `dimensions { .. }` and `motion { .. }`",
+                            group.span_open().byte_range(),
+                        ));
+                    }
+                    _ => {
+                        return Err(Mistake::new(
+                            "square brackets have no place in a declaration",
+                            group.span_open().byte_range(),
+                        ));
+                    }
+                }
+                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+                harmless(&inner, false)?;
+            }
+        }
+        place += 1;
+    }
+    Ok(())
+}
+
+/// Whether it is what a doc comment becomes: `[doc = "text"]`.
+fn is_documentation(attribute: Option<&TokenTree>) -> bool {
+    let Some(TokenTree::Group(group)) = attribute else {
+        return false;
+    };
+    let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+    let [doc, equals, TokenTree::Literal(text)] = inner.as_slice() else {
+        return false;
+    };
+    is_ident(Some(doc), "doc") && is_punct(Some(equals), '=') && text.to_string().starts_with(['"', 'r'])
+}
+
+/// The doc comment in front of the structure.
+fn documentation(declared: &[TokenTree]) -> String {
+    let before = declared.iter().take_while(|token| !is_ident(Some(token), "struct"));
+    let lines = before.filter_map(|token| match token {
+        TokenTree::Group(group) => group.stream().into_iter().find_map(|inner| match inner {
+            TokenTree::Literal(text) => serde_json::from_str::<String>(&text.to_string()).ok(),
+            _ => None,
+        }),
+        _ => None,
+    });
+    let lines: Vec<String> = lines.map(|line| line.trim().to_owned()).collect();
+    lines.join("\n")
+}
+
+/// The name of the structure and its fields.
+fn structure(declared: &[TokenTree], text: &str) -> Result<(String, Vec<Declared>), Mistake> {
+    let none = || {
+        let end = text.trim_end().len();
+        Mistake::new(
+            "there is no declaration: write `struct FourBar { r1: Length, .. }` and its inputs, unknowns and equations",
+            end..end,
+        )
+    };
+    let place = declared
+        .iter()
+        .position(|token| is_ident(Some(token), "struct"))
+        .ok_or_else(none)?;
+    let Some(TokenTree::Ident(name)) = declared.get(place + 1) else {
+        return Err(Mistake::new("the structure has no name", range_of(&declared[place])));
+    };
+    let Some(body) = braces(declared.get(place + 2)) else {
+        return Err(Mistake::new(
+            format!("the dimensions of `{name}` stand in braces: `struct {name} {{ r1: Length }}`"),
+            name.span().byte_range(),
+        ));
+    };
+    let tokens: Vec<TokenTree> = body.stream().into_iter().collect();
+    Ok((name.to_string(), quantities(&tokens)))
+}
+
+/// The inputs of all statements `input theta: Angle, s: Length;`.
+fn inputs(declared: &[TokenTree]) -> Vec<Declared> {
+    let body = declared
+        .iter()
+        .position(|token| braces(Some(token)).is_some())
+        .map_or(0, |place| place + 1);
+    let statements = declared[body..].split(|token| is_punct(Some(token), ';'));
+    statements
+        .filter_map(|statement| {
+            let start = statement
+                .iter()
+                .position(|token| matches!(token, TokenTree::Ident(_)))?;
+            is_ident(statement.get(start), "input").then(|| quantities(&statement[start + 1..]))
+        })
+        .flatten()
+        .collect()
+}
+
+/// What is declared as `name: Dimension` between commas. What is not declared so is a mistake that the macro finds.
+fn quantities(tokens: &[TokenTree]) -> Vec<Declared> {
+    let mut found = Vec::new();
+    for part in tokens.split(|token| is_punct(Some(token), ',')) {
+        let colon = part.iter().position(|token| is_punct(Some(token), ':'));
+        let Some(colon) = colon.filter(|colon| *colon > 0) else {
+            continue;
+        };
+        let (Some(TokenTree::Ident(name)), Some(TokenTree::Ident(dimension))) =
+            (part.get(colon - 1), part.get(colon + 1))
+        else {
+            continue;
+        };
+        let (dimension, parts) = match dimension.to_string().as_str() {
+            "Angle" => (Dimension::Angle, 1),
+            "Scalar" => (Dimension::Scalar, 1),
+            "Point" | "Vector" => (Dimension::Length, 2),
+            "Point3" | "Vector3" => (Dimension::Length, 3),
+            _ => (Dimension::Length, 1),
+        };
+        found.push(Declared {
+            name: name.to_string(),
+            dimension,
+            parts,
+        });
+    }
+    found
+}
+
+const COORDINATES: [&str; 3] = ["x", "y", "z"];
+
+/// The dimensions as they are typed behind `--set`.
+fn numbers(
+    fields: &[Declared],
+    entries: &[Entry],
+    section: &Range<usize>,
+    text: &str,
+    lengths: &mut Lengths,
+) -> Result<Vec<String>, Mistake> {
+    let mut set = Vec::new();
+    let mut given: Vec<String> = Vec::new();
+    for entry in entries {
+        let base = entry.name.split('.').next().unwrap_or("");
+        let Some(field) = fields.iter().find(|field| field.name == base) else {
+            let names = fields.iter().map(|field| field.name.as_str());
+            let message = format!(
+                "the structure has no dimension `{}`; {}",
+                entry.name,
+                similar(&entry.name, names)
+            );
+            return Err(Mistake::new(message, entry.name_range.clone()));
+        };
+        let pieces: Vec<(String, &str)> = match entry.value.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
+            Some(inner) => {
+                let parts: Vec<&str> = inner.split(',').map(str::trim).collect();
+                if field.parts == 1 || parts.len() != field.parts {
+                    let wanted = if field.parts == 1 {
+                        "one number".to_owned()
+                    } else {
+                        format!("{} coordinates", field.parts)
+                    };
+                    return Err(Mistake::new(
+                        format!("`{base}` takes {wanted}"),
+                        entry.value_range.clone(),
+                    ));
+                }
+                let names = COORDINATES.iter().map(|part| format!("{base}.{part}"));
+                names.zip(parts).collect()
+            }
+            None if field.parts > 1 && !entry.name.contains('.') => {
+                let example = vec!["1.5"; field.parts].join(", ");
+                return Err(Mistake::new(
+                    format!("`{base}` is a point: write `{base} = ({example});`"),
+                    entry.value_range.clone(),
+                ));
+            }
+            None => vec![(entry.name.clone(), entry.value.as_str())],
+        };
+        for (name, value) in pieces {
+            if given.contains(&name) {
+                return Err(Mistake::new(
+                    format!("`{name}` has two values"),
+                    entry.name_range.clone(),
+                ));
+            }
+            value::quantity(field.dimension, value, lengths)
+                .map_err(|message| Mistake::new(message, entry.value_range.clone()))?;
+            set.push(format!("{name}={value}"));
+            given.push(name);
+        }
+    }
+    let whole = |field: &Declared| -> Vec<String> {
+        if field.parts == 1 {
+            vec![field.name.clone()]
+        } else {
+            COORDINATES[..field.parts]
+                .iter()
+                .map(|part| format!("{}.{part}", field.name))
+                .collect()
+        }
+    };
+    let missing: Vec<String> = fields
+        .iter()
+        .flat_map(whole)
+        .filter(|name| !given.contains(name))
+        .collect();
+    if let Some(first) = missing.first() {
+        let names: Vec<String> = missing.iter().map(|name| format!("`{name}`")).collect();
+        let message = format!(
+            "no value for {}: write `dimensions {{ {first} = 45mm; }}`",
+            names.join(", ")
+        );
+        let range = if section.is_empty() {
+            let end = text.trim_end().len();
+            end..end
+        } else {
+            section.clone()
+        };
+        return Err(Mistake::new(message, range));
+    }
+    Ok(set)
+}
+
+/// The motions as they are typed behind `--over`; inputs that stand go to `set`.
+fn motions(
+    inputs: &[Declared],
+    entries: &[Entry],
+    lengths: &mut Lengths,
+    set: &mut Vec<String>,
+) -> Result<Vec<String>, Mistake> {
+    let mut over = Vec::new();
+    for entry in entries {
+        let Some(input) = inputs.iter().find(|input| input.name == entry.name) else {
+            let names = inputs.iter().map(|input| input.name.as_str());
+            let message = format!("there is no input `{}`; {}", entry.name, similar(&entry.name, names));
+            return Err(Mistake::new(message, entry.name_range.clone()));
+        };
+        let motion = InputMotion::read(input.dimension, &entry.value, lengths)
+            .map_err(|message| Mistake::new(message, entry.value_range.clone()))?;
+        let text = format!("{}={}", entry.name, entry.value);
+        if motion.moves() {
+            over.push(text);
+        } else {
+            set.push(text);
+        }
+    }
+    Ok(over)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = "kin 1
+/// A pump.
+struct Pump { crank: Length, rod: Length, tilt: Angle, pin: Vector }
+input s: Length;
+unknown theta: Angle, phi: Angle;
+crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
+dimensions { crank = 30mm; rod = 80mm; tilt = 5deg; pin = (1, 2cm); }
+motion { s = 60mm..100mm at 20mm/s; }
+assembly = open;
+";
+
+    #[test]
+    fn a_file_is_taken_apart() {
+        let file = KinFile::read(FILE).unwrap();
+        assert_eq!((file.name.as_str(), file.documentation.as_str()), ("Pump", "A pump."));
+        assert_eq!(
+            file.set,
+            ["crank=30mm", "rod=80mm", "tilt=5deg", "pin.x=1", "pin.y=2cm"]
+        );
+        assert_eq!(file.over, ["s=60mm..100mm at 20mm/s"]);
+        assert_eq!(file.assembly.as_deref(), Some("open"));
+        // every token of the declaration keeps its place, and nothing else is left
+        assert_eq!(file.rust.len(), FILE.len());
+        assert_eq!(file.rust.find("unknown"), FILE.find("unknown"));
+        assert!(!file.rust.contains("dimensions") && !file.rust.contains("kin 1"));
+        assert!(file.declaration.ends_with("vec2(s, 0);"));
+    }
+
+    /// Nothing but a declaration goes to the compiler.
+    #[test]
+    fn what_is_not_a_declaration_is_refused() {
+        for (harm, word) in [
+            ("#[doc = include_str!(\"/etc/passwd\")]", "only doc comments"),
+            ("#[derive(Debug)]", "only doc comments"),
+            ("#![feature(test)]", "only doc comments"),
+            ("#[doc(hidden)]", "only doc comments"),
+            ("let x = env!(\"HOME\");", "`!` has no place"),
+            ("let x = \"text\";", "no texts"),
+            ("let x = 'c';", "no texts"),
+            ("let x = std::f64::MAX;", "no paths"),
+            ("fn main() {}", "`fn` has no place"),
+            ("} fn main() { loop {} }", "cannot be read"),
+            ("let x = { 3 };", "braces have no place"),
+            ("let x = [1, 2];", "square brackets"),
+            ("let x = &crank;", "`&` has no place"),
+            ("let x = (std::f64::MAX);", "no paths"),
+        ] {
+            let text = FILE.replace("input s", &format!("{harm}\ninput s"));
+            let mistake = KinFile::read(&text).unwrap_err();
+            assert!(mistake.message.contains(word), "{harm}: {}", mistake.message);
+            let inside = FILE.replace("rod: Length", &format!("{harm} rod: Length"));
+            assert!(KinFile::read(&inside).is_err(), "{harm}");
+        }
+    }
+
+    #[test]
+    fn mistakes_have_places() {
+        for (right, wrong, at, word) in [
+            ("kin 1", "kin 2", "kin 2", "use a later version"),
+            ("kin 1", "struct", "struct", "first line"),
+            ("crank = 30mm", "crnk = 30mm", "crnk", "did you mean `crank`?"),
+            ("crank = 30mm", "crank = 30deg", "30deg", "unit of length"),
+            ("tilt = 5deg", "tilt = 5", "5;", "write `5deg`"),
+            ("pin = (1, 2cm)", "pin = 1", "1; }", "(1.5, 1.5)"),
+            ("pin = (1, 2cm)", "pin = (1, 2, 3)", "(1, 2, 3)", "2 coordinates"),
+            ("rod = 80mm; ", "", "dimensions", "no value for `rod`"),
+            ("rod = 80mm", "crank = 80mm", "crank = 80", "two values"),
+            ("s = 60mm", "x = 60mm", "x = 60", "there is `s`"),
+            ("20mm/s", "20rpm", "60mm..100mm at", "20mm/s"),
+            ("assembly = open;", "assembly = open", "assembly", "ends with `;`"),
+        ] {
+            let text = FILE.replacen(right, wrong, 1);
+            let mistake = KinFile::read(&text).unwrap_err();
+            assert!(mistake.message.contains(word), "{wrong}: {}", mistake.message);
+            assert!(
+                text[mistake.range.start..].starts_with(at),
+                "{wrong}: {}",
+                &text[mistake.range.start..]
+            );
+        }
+    }
+}

@@ -1,0 +1,292 @@
+//! The program: a mechanism's sweeps, cycles, peaks, code and pages from the command line.
+//!
+//! [`main`] makes a program of one's own mechanism, [`library`] is the binary `kin`.
+
+mod case;
+mod command;
+mod fault;
+mod file;
+mod motion;
+mod progress;
+mod server;
+mod subject;
+mod tasks;
+mod text;
+mod value;
+
+pub use subject::Entry;
+use subject::Subject;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{Arg, ArgAction, Command, FromArgMatches, Subcommand};
+use clap_complete::Shell;
+use kin_core::Mechanism;
+
+use command::Task;
+use fault::{Fault, similar};
+use file::{Run, Told, cache};
+
+use crate::names::in_small_letters;
+
+/// A program of one mechanism: reads the arguments, does what they say, and returns the code to end with.
+///
+/// ```no_run
+/// use kin_core::prelude::*;
+///
+/// mechanism! {
+///     /// A slider-crank, driven at its slider.
+///     pub struct Pump { pub crank: Length, pub rod: Length }
+///     input s: Length;
+///     unknown theta: Angle, phi: Angle;
+///     crank * cis(theta) + rod * cis(phi) == vec2(s, 0);
+/// }
+///
+/// fn main() -> std::process::ExitCode {
+///     kin_studio::main::<Pump>()
+/// }
+/// ```
+///
+/// Then `cargo run -- sweep --set crank=30mm --set rod=80mm --over 60..100mm` prints a table, and `cargo run -- --help` tells the rest.
+#[must_use]
+pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
+    let subject = subject::bare::<M>();
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    let name = program_name(&arguments);
+    ended(run_own(&subject, &name, arguments, &Told::default()))
+}
+
+/// The program that `kin run` builds from a file. Its first argument is what the file says besides the declaration.
+#[doc(hidden)]
+#[must_use]
+pub fn of_file<M: Mechanism<Scalar = f64>>() -> ExitCode {
+    let subject = subject::bare::<M>();
+    let mut arguments: Vec<OsString> = std::env::args_os().collect();
+    let told = arguments
+        .get(1)
+        .and_then(|told| serde_json::from_str::<Told>(told.to_str()?).ok());
+    let Some(told) = told else {
+        return ended(Err(Fault::wrong("this program is run by `kin run FILE.kin`")));
+    };
+    arguments.remove(1);
+    ended(run_own(&subject, &told.program, arguments, &told))
+}
+
+/// The program of many mechanisms. Each is called by its name in small letters, with or without underscores.
+#[must_use]
+pub fn library(all: &[Entry]) -> ExitCode {
+    ended(run_library(all, std::env::args_os().collect()))
+}
+
+/// Prints the reason why the program failed.
+fn ended(result: Result<ExitCode, Fault>) -> ExitCode {
+    match result {
+        Ok(code) => code,
+        Err(fault) => {
+            eprintln!(
+                "{} {fault}",
+                console::Style::new().for_stderr().red().bold().apply_to("error:")
+            );
+            fault.code()
+        }
+    }
+}
+
+/// What every program has.
+fn base(name: &str) -> Command {
+    Command::new(name.to_owned())
+        .version(env!("CARGO_PKG_VERSION"))
+        .after_help(command::EXIT_CODES)
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+        .max_term_width(100)
+}
+
+/// The command that writes completions, after all others.
+fn completed(command: Command, name: &str) -> Command {
+    command.subcommand(
+        Command::new("completions")
+            .about("Write the completions of a shell")
+            .arg(
+                Arg::new("shell")
+                    .required(true)
+                    .value_parser(clap::value_parser!(Shell)),
+            )
+            .after_help(format!("Example:\n  {name} completions bash > completions.bash")),
+    )
+}
+
+fn completions(command: &mut Command, name: &str, matches: &clap::ArgMatches) {
+    if let Some(shell) = matches.get_one::<Shell>("shell") {
+        clap_complete::generate(*shell, command, name, &mut std::io::stdout());
+    }
+}
+
+/// Help and the version go to the output and are no mistake.
+fn parsed(command: &Command, arguments: Vec<OsString>) -> Result<clap::ArgMatches, Fault> {
+    command.clone().try_get_matches_from(arguments).map_err(|error| {
+        let code = match error.kind() {
+            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => 0,
+            _ => 2,
+        };
+        // a closed output is no reason to fail
+        let _ = error.print();
+        std::process::exit(code)
+    })
+}
+
+/// The name under which the program was called.
+fn program_name(arguments: &[OsString]) -> String {
+    let path = arguments.first().map(std::path::Path::new);
+    let stem = path.and_then(|path| path.file_stem()).and_then(|stem| stem.to_str());
+    stem.unwrap_or("kin").to_owned()
+}
+
+fn run_own(subject: &dyn Subject, name: &str, arguments: Vec<OsString>, told: &Told) -> Result<ExitCode, Fault> {
+    let about = format!("The mechanism {}", subject.description().name);
+    let command = completed(Task::augment_subcommands(base(name)).about(about), name);
+    let mut command = command::with_examples(command, name, "").bin_name(name);
+    let matches = parsed(&command, arguments)?;
+    if let Some(("completions", matches)) = matches.subcommand() {
+        completions(&mut command, name, matches);
+        return Ok(ExitCode::SUCCESS);
+    }
+    let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
+    tasks::run(subject, &task, told).map(|()| ExitCode::SUCCESS)
+}
+
+fn run_library(all: &[Entry], arguments: Vec<OsString>) -> Result<ExitCode, Fault> {
+    let mut command = library_command();
+    let matches = parsed(&command, arguments)?;
+    match matches.subcommand() {
+        Some(("completions", matches)) => {
+            completions(&mut command, "kin", matches);
+            Ok(ExitCode::SUCCESS)
+        }
+        Some(("list", _)) => tasks::list(all).map(|()| ExitCode::SUCCESS),
+        Some(("run", own)) => run_file(own),
+        Some(("cache", _)) => {
+            let folder = cache::clear()?;
+            eprintln!("{} is empty", folder.display());
+            Ok(ExitCode::SUCCESS)
+        }
+        Some((_, own)) => {
+            let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
+            let subject = find(all, wanted)?;
+            let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
+            tasks::run(subject, &task, &Told::default()).map(|()| ExitCode::SUCCESS)
+        }
+        None => Ok(ExitCode::SUCCESS),
+    }
+}
+
+fn library_command() -> Command {
+    let about = "Sweeps, cycles, peaks, code and pages of mechanisms";
+    let command = base("kin").subcommand(
+        Command::new("list")
+            .about("List the mechanisms of the library")
+            .after_help("Example:\n  kin list"),
+    );
+    let mut command = completed(of_files(Task::augment_subcommands(command).about(about)), "kin");
+    for name in Task::NAMES {
+        command = command.mut_subcommand(name, |own| {
+            let own = own.arg(
+                Arg::new("mechanism")
+                    .required(true)
+                    .index(1)
+                    .help("The mechanism, as `kin list` names it"),
+            );
+            if name == "code" {
+                own.mut_arg("language", |language| language.index(2))
+            } else {
+                own
+            }
+        });
+    }
+    command::with_examples(command, "kin", "four_bar")
+}
+
+/// The commands that build `.kin` files.
+fn of_files(command: Command) -> Command {
+    command
+        .subcommand(
+            Command::new("run")
+                .about("Do any of this with a mechanism of one's own, from a .kin file")
+                .arg(Arg::new("fetch").long("fetch").action(ArgAction::SetTrue).help("Fetch crates that are not on this machine"))
+                .arg(
+                    Arg::new("source")
+                        .long("kin-source")
+                        .value_name("FOLDER")
+                        .value_parser(clap::value_parser!(PathBuf))
+                        .help("The folder of kin's source [default: where this program was built]"),
+                )
+                .arg(
+                    Arg::new("file")
+                        .required(true)
+                        .value_name("FILE.kin")
+                        .value_parser(clap::value_parser!(PathBuf))
+                        .help("The file: `kin 1`, the declaration, `dimensions { .. }`, `motion { .. }`, `assembly = ..;`"),
+                )
+                .arg(
+                    Arg::new("command")
+                        .required(true)
+                        .value_name("COMMAND")
+                        .num_args(1..)
+                        .trailing_var_arg(true)
+                        .allow_hyphen_values(true)
+                        .value_parser(clap::value_parser!(OsString))
+                        .help("A command for one mechanism with its options, such as `report` or `sweep --csv`"),
+                )
+                .after_help(
+                    "Examples:\n  kin run pump.kin report\n  kin run pump.kin serve\n  kin run pump.kin sweep --set rod=70mm --csv\n  \
+                     kin run --fetch pump.kin peaks",
+                ),
+        )
+        .subcommand(
+            Command::new("cache")
+                .about("Clear what was built from .kin files")
+                .subcommand_required(true)
+                .arg_required_else_help(true)
+                .subcommand(Command::new("clear").about("Take away all that was built"))
+                .after_help("Example:\n  kin cache clear"),
+        )
+}
+
+fn run_file(matches: &clap::ArgMatches) -> Result<ExitCode, Fault> {
+    let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
+    let source = matches.get_one::<PathBuf>("source");
+    let run = Run::new(&path, source.map(PathBuf::as_path), matches.get_flag("fetch"))?;
+    let arguments: Vec<OsString> = matches.get_many("command").into_iter().flatten().cloned().collect();
+    match arguments.split_first() {
+        Some((first, rest)) if first == "serve" && !rest.iter().any(|word| word == "--help" || word == "-h") => {
+            file::watch(&run, rest).map(|()| ExitCode::SUCCESS)
+        }
+        _ => run.run(&arguments),
+    }
+}
+
+/// `FourBar` as `four_bar`.
+fn snake(name: &str) -> String {
+    in_small_letters(name, '_')
+}
+
+fn find<'s>(all: &'s [Entry], wanted: &str) -> Result<&'s dyn Subject, Fault> {
+    let plain = |name: &str| name.replace(['_', '-', ' '], "").to_lowercase();
+    let found = all
+        .iter()
+        .find(|entry| plain(entry.0.description().name) == plain(wanted));
+    if let Some(found) = found {
+        return Ok(&*found.0);
+    }
+    let names: Vec<String> = all.iter().map(|entry| snake(entry.0.description().name)).collect();
+    let close = similar(wanted, names.iter().map(String::as_str));
+    let hint = if close.starts_with("did you mean") {
+        close
+    } else {
+        "`kin list` shows all names".to_owned()
+    };
+    Err(Fault::wrong(format!("the library has no mechanism `{wanted}`; {hint}")))
+}

@@ -1,0 +1,57 @@
+//! `kin code`: the solver in other languages.
+
+use std::fmt::Write as _;
+
+use kin_core::tape::Options;
+
+use super::super::case::Typed;
+use super::super::command::{Code, Language};
+use super::super::fault::Fault;
+use super::super::file::Told;
+use super::super::progress::watched;
+use super::super::subject::Subject;
+use super::print;
+
+pub(super) fn run(subject: &dyn Subject, code: &Code, told: &Told) -> Result<(), Fault> {
+    let mut options = Options::new();
+    if let Some(order) = code.order {
+        options = options.up_to(order);
+    }
+    if code.skeleton {
+        options = options.with_skeleton();
+    }
+    if code.constants || !code.set.is_empty() {
+        let typed = Typed {
+            set: told.set.iter().chain(&code.set).cloned().collect(),
+            ..Typed::default()
+        };
+        options = options.with_dimensions(&typed.dimensions(subject)?);
+    }
+    let tape = watched("recording", 1, |_| subject.tape(&options)).map_err(Fault::wrong)?;
+    let c = tape.c();
+    let files = match code.language {
+        Language::C => vec![
+            (format!("{}.h", c.name), c.header),
+            (format!("{}.c", c.name), c.source),
+            ("main.c".to_owned(), c.example),
+        ],
+        Language::JavaScript => vec![(format!("{}.mjs", c.name), tape.java_script())],
+        Language::Python => vec![(format!("{}.py", c.name), tape.python())],
+    };
+    let refused = |error: std::io::Error| Fault::wrong(format!("{} cannot be written: {error}", code.output.display()));
+    std::fs::create_dir_all(&code.output).map_err(refused)?;
+    let mut out = String::new();
+    for (file, text) in files {
+        let path = code.output.join(&file);
+        std::fs::write(&path, &text).map_err(refused)?;
+        let _ = writeln!(out, "{}: {} bytes", path.display(), text.len());
+    }
+    if code.language == Language::C {
+        let (folder, name) = (code.output.display(), c.name);
+        let _ = writeln!(
+            out,
+            "build it by: cc -O2 -std=c99 -ffp-contract=off {folder}/main.c {folder}/{name}.c -lm -o {folder}/{name}"
+        );
+    }
+    print(&out)
+}

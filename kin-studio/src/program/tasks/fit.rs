@@ -1,0 +1,585 @@
+//! `kin fit`: dimensions by least squares, from points of a path or from values of an unknown.
+//!
+//! The minimiser is basin's bounded Levenberg-Marquardt method. The derivatives by the dimensions come from the solver in numbers that carry
+//! them.
+
+use std::convert::Infallible;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write as _;
+
+use basin::{
+    BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, DenseMatrix, Executor,
+    Jacobian, PointState, Residual,
+};
+use kin_core::{Description, Dimension, Quantity};
+
+use super::super::case::Case;
+use super::super::command::Fit;
+use super::super::fault::{Fault, similar};
+use super::super::file::Told;
+use super::super::motion::InputMotion;
+use super::super::progress::watched;
+use super::super::subject::{Partial, Subject, Wanted};
+use super::super::text::{self, Column, Units};
+use super::super::value::{self, Lengths};
+use super::print;
+
+/// The deviation of a row that does not close, in units of the spread of the data: larger than any that does, so that the step is refused.
+const OPEN: f64 = 100.0;
+/// The places of the leading input among which the start of a row without an input is sought.
+const PLACES: u32 = 72;
+
+/// The numbers that are to be met.
+struct Data {
+    /// For each column its place among unknowns and outputs.
+    columns: Vec<usize>,
+    /// For each row the inputs, where they are given.
+    inputs: Vec<Vec<Option<f64>>>,
+    /// For each row the values, where they are given.
+    values: Vec<Vec<Option<f64>>>,
+}
+
+pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(), Fault> {
+    let typed = options.setup.typed(told);
+    let case = typed.case(subject)?;
+    let mut lengths = match case.length {
+        "" => Lengths::default(),
+        name => Lengths::named(name).map_err(Fault::Wrong)?,
+    };
+    let data = read(subject, options, &mut lengths)?;
+    let problem = Problem::new(subject, options, &case, data, &mut lengths)?;
+    let start = problem.start.clone();
+    if problem.values_given() < start.len() {
+        eprintln!(
+            "note: {} numbers are given for {} that may change, so many linkages fit alike: vary fewer dimensions",
+            problem.values_given(),
+            start.len()
+        );
+    }
+    let before = problem.deviations(&start);
+    if before.iter().all(Option::is_none) {
+        return Err(Fault::open(
+            "the mechanism closes in no row with the dimensions to start from: give better ones by `--set`",
+        ));
+    }
+    let minimiser = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(1e-12);
+    let result = watched("fitting", 1, |_| {
+        Executor::new(problem.clone_for_search(), minimiser, PointState::new(start.clone()))
+            .max_iter(500)
+            .run()
+    })
+    .map_err(|error| Fault::open(format!("the fit failed: {error}")))?;
+    let found = result.best_param().clone();
+    print(&problem.shown(&case, &start, &found))
+}
+
+/// Reads the file of numbers.
+fn read(subject: &dyn Subject, options: &Fit, lengths: &mut Lengths) -> Result<Data, Fault> {
+    let path = options.data.display();
+    let text = std::fs::read_to_string(&options.data)
+        .map_err(|error| Fault::wrong(format!("{path} cannot be read: {error}")))?;
+    let description = subject.description();
+    let names: Vec<&Quantity> = quantities(&description);
+    let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+    let Some((_, head)) = lines.next() else {
+        return Err(Fault::wrong(format!(
+            "{path} is empty: its first line names the columns"
+        )));
+    };
+    let mut columns = Vec::new();
+    for cell in head.trim_start_matches('\u{feff}').split(',') {
+        let cell = cell.trim().trim_matches('"');
+        let (name, unit) = match cell.split_once('[') {
+            Some((name, unit)) => (name.trim(), unit.trim_end_matches(']').trim()),
+            None => (cell, ""),
+        };
+        // a length without a unit, as a sweep writes it
+        let unit = if unit == "L" { "" } else { unit };
+        let input = description.inputs.iter().position(|input| input.name == name);
+        let value = names.iter().position(|quantity| quantity.name == name);
+        let role = match (input, value) {
+            (Some(index), _) => Some((true, index, description.inputs[index].dimension)),
+            (None, Some(index)) => Some((false, index, names[index].dimension)),
+            // rates and remarks of a table that this program wrote
+            _ if is_of_a_sweep(&description, name) => None,
+            _ => {
+                let all = description
+                    .inputs
+                    .iter()
+                    .chain(names.iter().copied())
+                    .map(|one| one.name);
+                return Err(Fault::wrong(format!(
+                    "{path}: no quantity is called `{name}`; {}",
+                    similar(name, all)
+                )));
+            }
+        };
+        if let Some((.., Dimension::Angle)) = role
+            && unit.is_empty()
+        {
+            return Err(Fault::wrong(format!(
+                "{path}: the angle `{name}` has no unit: name the column `{name} [deg]`"
+            )));
+        }
+        columns.push(role.map(|role| (role, unit)));
+    }
+    let mut data = Data {
+        columns: columns
+            .iter()
+            .filter_map(|column| {
+                column
+                    .as_ref()
+                    .and_then(|((is_input, index, _), _)| (!is_input).then_some(*index))
+            })
+            .collect(),
+        inputs: Vec::new(),
+        values: Vec::new(),
+    };
+    if data.columns.is_empty() {
+        let first = names.first().map_or("theta4", |quantity| quantity.name);
+        return Err(Fault::wrong(format!(
+            "{path} has no column of an unknown or an output, such as `{first}`"
+        )));
+    }
+    for (number, line) in lines {
+        let (mut inputs, mut values) = (vec![None; description.inputs.len()], Vec::new());
+        for (cell, column) in line.split(',').chain(std::iter::repeat("")).zip(&columns) {
+            let Some(((is_input, index, dimension), unit)) = column else {
+                continue;
+            };
+            let cell = cell.trim();
+            let number = if cell.is_empty() {
+                None
+            } else {
+                let value = value::quantity(*dimension, &format!("{cell}{unit}"), lengths)
+                    .map_err(|message| Fault::wrong(format!("{path}, line {}: {message}", number + 1)))?;
+                Some(value)
+            };
+            if *is_input {
+                inputs[*index] = number;
+            } else {
+                values.push(number);
+            }
+        }
+        if values.iter().any(Option::is_some) {
+            data.inputs.push(inputs);
+            data.values.push(values);
+        }
+    }
+    if data.values.is_empty() {
+        return Err(Fault::wrong(format!(
+            "{path} has no rows of numbers below the names of the columns"
+        )));
+    }
+    Ok(data)
+}
+
+/// Whether a sweep writes a column of this name.
+fn is_of_a_sweep(description: &Description, name: &str) -> bool {
+    let all = description
+        .inputs
+        .iter()
+        .chain(description.unknowns)
+        .chain(description.outputs);
+    let is_rate = |quantity: &Quantity| {
+        name.strip_prefix(quantity.name)
+            .is_some_and(|rest| rest.starts_with('_'))
+    };
+    ["outcome", "margin", "time", "row", ""].contains(&name) || all.into_iter().any(is_rate)
+}
+
+fn quantities(description: &Description) -> Vec<&'static Quantity> {
+    description.unknowns.iter().chain(description.outputs).collect()
+}
+
+/// The sum of squares that is to become small.
+struct Problem<'s> {
+    subject: &'s dyn Subject,
+    data: std::rc::Rc<Data>,
+    assembly: Wanted,
+    parameters: Vec<f64>,
+    /// The inputs that stand, and the first values of those that move.
+    standing: Vec<f64>,
+    /// The dimensions that change.
+    varied: Vec<usize>,
+    /// The rows whose leading input is sought.
+    free: Vec<usize>,
+    lead: usize,
+    start: Vec<f64>,
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    /// The spread of the values of each column.
+    scales: Vec<f64>,
+}
+
+impl<'s> Problem<'s> {
+    fn new(
+        subject: &'s dyn Subject,
+        options: &Fit,
+        case: &Case,
+        data: Data,
+        lengths: &mut Lengths,
+    ) -> Result<Self, Fault> {
+        let description = subject.description();
+        let varied = varied(&description, &options.vary)?;
+        let longest = description
+            .parameters
+            .iter()
+            .zip(&case.parameters)
+            .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
+            .fold(0.0_f64, |longest, (_, value)| longest.max(value.abs()));
+        let (mut start, mut lower, mut upper) = (Vec::new(), Vec::new(), Vec::new());
+        for &index in &varied {
+            let (quantity, value) = (&description.parameters[index], case.parameters[index]);
+            let (low, high) = match quantity.dimension {
+                Dimension::Angle => (value - PI, value + PI),
+                // a coordinate has a dot in its name
+                Dimension::Length if quantity.name.contains('.') || value == 0.0 => {
+                    (value - 4.0 * longest, value + 4.0 * longest)
+                }
+                Dimension::Length => ((value / 4.0).min(value * 4.0), (value / 4.0).max(value * 4.0)),
+                Dimension::Scalar => (value - value.abs().max(1.0), value + value.abs().max(1.0)),
+            };
+            start.push(value);
+            lower.push(low);
+            upper.push(high);
+        }
+        for text in &options.within {
+            let Some((name, range)) = text.split_once('=') else {
+                return Err(Fault::wrong(format!(
+                    "`{text}` is no name with a range, as in `--within r2=10..50`"
+                )));
+            };
+            let place = varied
+                .iter()
+                .position(|index| description.parameters[*index].name == name.trim());
+            let Some(place) = place else {
+                let names = varied.iter().map(|index| description.parameters[*index].name);
+                return Err(Fault::wrong(format!(
+                    "no dimension `{}` may change; {}",
+                    name.trim(),
+                    similar(name, names)
+                )));
+            };
+            let dimension = description.parameters[varied[place]].dimension;
+            let (low, high) = value::range(dimension, range, lengths)
+                .map_err(|message| Fault::wrong(format!("{}: {message}", name.trim())))?;
+            (lower[place], upper[place]) = (low.min(high), low.max(high));
+            start[place] = start[place].clamp(lower[place], upper[place]);
+        }
+        let lead = case.lead();
+        let standing: Vec<f64> = case.motions.iter().map(InputMotion::start).collect();
+        let free: Vec<usize> = (0..data.inputs.len())
+            .filter(|row| data.inputs[*row][lead].is_none())
+            .collect();
+        let scales = scales(&description, &data);
+        let mut problem = Self {
+            subject,
+            data: data.into(),
+            assembly: case.assembly.clone(),
+            parameters: case.parameters.clone(),
+            standing,
+            varied,
+            free,
+            lead,
+            start,
+            lower,
+            upper,
+            scales,
+        };
+        let (from, to) = (case.motions[lead].start(), case.motions[lead].end());
+        for row in problem.free.clone() {
+            let best = problem.nearest(row, from, to)?;
+            problem.start.push(best);
+            problem.lower.push(from.min(to));
+            problem.upper.push(from.max(to));
+        }
+        Ok(problem)
+    }
+
+    fn clone_for_search(&self) -> Self {
+        Self {
+            subject: self.subject,
+            data: self.data.clone(),
+            assembly: self.assembly.clone(),
+            parameters: self.parameters.clone(),
+            standing: self.standing.clone(),
+            varied: self.varied.clone(),
+            free: self.free.clone(),
+            lead: self.lead,
+            start: self.start.clone(),
+            lower: self.lower.clone(),
+            upper: self.upper.clone(),
+            scales: self.scales.clone(),
+        }
+    }
+
+    fn values_given(&self) -> usize {
+        self.data.values.iter().flatten().flatten().count()
+    }
+
+    /// The place of the leading input whose values are nearest to those of a row.
+    fn nearest(&self, row: usize, from: f64, to: f64) -> Result<f64, Fault> {
+        let mut best: Option<(f64, f64)> = None;
+        for place in 0..=PLACES {
+            let at = from + (to - from) * f64::from(place) / f64::from(PLACES);
+            let mut inputs = self.inputs(row, &self.start);
+            inputs[self.lead] = at;
+            let Ok(pose) = self.subject.partial(&self.parameters, &inputs, &self.assembly) else {
+                continue;
+            };
+            let sum: f64 = self.differences(row, &pose).iter().flatten().map(|one| one * one).sum();
+            if best.is_none_or(|(least, _)| sum < least) {
+                best = Some((sum, at));
+            }
+        }
+        best.map(|(_, at)| at)
+            .ok_or_else(|| Fault::open("the mechanism closes nowhere in the range of its input"))
+    }
+
+    fn parameters(&self, point: &[f64]) -> Vec<f64> {
+        let mut parameters = self.parameters.clone();
+        for (index, value) in self.varied.iter().zip(point) {
+            parameters[*index] = *value;
+        }
+        parameters
+    }
+
+    fn inputs(&self, row: usize, point: &[f64]) -> Vec<f64> {
+        let given = &self.data.inputs[row];
+        let mut inputs: Vec<f64> = given
+            .iter()
+            .zip(&self.standing)
+            .map(|(own, standing)| own.unwrap_or(*standing))
+            .collect();
+        let free = self.free.iter().position(|free| *free == row);
+        if let Some(value) = free.and_then(|free| point.get(self.varied.len() + free)) {
+            inputs[self.lead] = *value;
+        }
+        inputs
+    }
+
+    /// The scaled differences of a row from its numbers.
+    fn differences(&self, row: usize, pose: &Partial) -> Vec<Option<f64>> {
+        let description = self.subject.description();
+        let quantities = quantities(&description);
+        let columns = self.data.columns.iter().zip(&self.data.values[row]).zip(&self.scales);
+        columns
+            .map(|((column, wanted), scale)| {
+                let mut difference = pose.values[*column] - (*wanted)?;
+                if quantities[*column].dimension == Dimension::Angle {
+                    difference -= TAU * (difference / TAU).round();
+                }
+                Some(difference / scale)
+            })
+            .collect()
+    }
+
+    /// The pose of each row.
+    fn poses(&self, point: &[f64]) -> Vec<Option<Partial>> {
+        let parameters = self.parameters(point);
+        (0..self.data.values.len())
+            .map(|row| {
+                self.subject
+                    .partial(&parameters, &self.inputs(row, point), &self.assembly)
+                    .ok()
+            })
+            .collect()
+    }
+
+    /// The root of the mean square of each column, in its own unit, if every row closes.
+    fn deviations(&self, point: &[f64]) -> Vec<Option<f64>> {
+        let poses = self.poses(point);
+        (0..self.data.columns.len())
+            .map(|column| {
+                let (mut sum, mut count) = (0.0, 0_u32);
+                for (row, pose) in poses.iter().enumerate() {
+                    if self.data.values[row][column].is_some() {
+                        let one = self.differences(row, pose.as_ref()?)[column]? * self.scales[column];
+                        sum += one * one;
+                        count += 1;
+                    }
+                }
+                Some((sum / f64::from(count.max(1))).sqrt())
+            })
+            .collect()
+    }
+
+    fn shown(&self, case: &Case, start: &[f64], found: &[f64]) -> String {
+        let description = self.subject.description();
+        let quantities = quantities(&description);
+        let units = Units {
+            in_degrees: case.in_degrees,
+            length: case.length,
+        };
+        let parameters: Vec<&Quantity> = self
+            .varied
+            .iter()
+            .map(|index| &description.parameters[*index])
+            .collect();
+        let column = |values: &[f64]| {
+            let texts = parameters
+                .iter()
+                .zip(values)
+                .map(|(one, value)| units.text(one.dimension, 0, *value));
+            texts.collect::<Vec<_>>()
+        };
+        let remarks = self
+            .lower
+            .iter()
+            .zip(&self.upper)
+            .zip(found)
+            .map(|((low, high), value)| {
+                let is_at_bound = (value - low).min(high - value) < 1e-3 * (high - low);
+                if is_at_bound {
+                    "at its bound".to_owned()
+                } else {
+                    String::new()
+                }
+            });
+        let mut out = text::table(&[
+            Column::words("dimension", parameters.iter().map(|one| one.name.to_owned()).collect()),
+            Column::numbers("lowest", column(&self.lower)),
+            Column::numbers("start", column(start)),
+            Column::numbers("found", column(found)),
+            Column::numbers("highest", column(&self.upper)),
+            Column::words("", remarks.take(parameters.len()).collect()),
+        ]);
+        out.push('\n');
+        let (before, after) = (self.deviations(start), self.deviations(found));
+        for (place, column) in self.data.columns.iter().enumerate() {
+            let quantity = quantities[*column];
+            let deviation = |value: Option<f64>| match value {
+                Some(value) => units.text(quantity.dimension, 0, value),
+                None => "not closed".to_owned(),
+            };
+            let _ = writeln!(
+                out,
+                "{}: deviates by {} in the mean of {} rows; at the start by {}",
+                quantity.name,
+                deviation(after[place]),
+                self.data.values.iter().filter(|row| row[place].is_some()).count(),
+                deviation(before[place])
+            );
+        }
+        let set: Vec<String> = parameters
+            .iter()
+            .zip(found)
+            .map(|(one, value)| match one.dimension {
+                Dimension::Angle => format!("--set {}={:?}deg", one.name, value.to_degrees()),
+                _ => format!(
+                    "--set {}={value:?}{}",
+                    one.name,
+                    if one.dimension == Dimension::Length {
+                        case.length
+                    } else {
+                        ""
+                    }
+                ),
+            })
+            .collect();
+        let _ = writeln!(out, "\n{}", set.join(" "));
+        out
+    }
+}
+
+/// The dimensions of these names; the name of a point stands for its coordinates.
+fn varied(description: &Description, names: &[String]) -> Result<Vec<usize>, Fault> {
+    let all = description.parameters.iter().enumerate();
+    if names.is_empty() {
+        return Ok(all.map(|(index, _)| index).collect());
+    }
+    let mut varied = Vec::new();
+    for name in names {
+        let point = format!("{name}.");
+        let own = all
+            .clone()
+            .filter(|(_, quantity)| quantity.name == name || quantity.name.starts_with(&point));
+        let before = varied.len();
+        varied.extend(own.map(|(index, _)| index));
+        if varied.len() == before {
+            let names = description.parameters.iter().map(|quantity| quantity.name);
+            return Err(Fault::wrong(format!(
+                "there is no dimension `{name}`; {}",
+                similar(name, names)
+            )));
+        }
+    }
+    varied.sort_unstable();
+    varied.dedup();
+    Ok(varied)
+}
+
+/// The spread of the lengths together, since the coordinates of a point count alike; one radian and one for the others.
+fn scales(description: &Description, data: &Data) -> Vec<f64> {
+    let quantities = quantities(description);
+    let spread = |column: usize| {
+        let values = || data.values.iter().filter_map(move |row| row[column]);
+        let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(value), high.max(value))
+        });
+        high - low
+    };
+    let is_length = |column: usize| quantities[data.columns[column]].dimension == Dimension::Length;
+    let lengths = (0..data.columns.len()).filter(|column| is_length(*column)).map(spread);
+    let of_lengths = lengths.fold(0.0, f64::max);
+    let of_lengths = if of_lengths > 0.0 { of_lengths } else { 1.0 };
+    (0..data.columns.len())
+        .map(|column| if is_length(column) { of_lengths } else { 1.0 })
+        .collect()
+}
+
+impl Constraints for Problem<'_> {
+    type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
+
+    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
+        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.lower), Some(&self.upper)))
+    }
+}
+
+impl Residual for Problem<'_> {
+    type Param = Vec<f64>;
+    type Output = Vec<f64>;
+    type Error = Infallible;
+
+    fn residual(&self, point: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
+        let poses = self.poses(point);
+        let rows = poses.iter().enumerate().flat_map(|(row, pose)| match pose {
+            Some(pose) => self
+                .differences(row, pose)
+                .into_iter()
+                .map(|one| one.unwrap_or(0.0))
+                .collect(),
+            None => vec![OPEN; self.data.columns.len()],
+        });
+        Ok(rows.collect())
+    }
+}
+
+impl Jacobian for Problem<'_> {
+    type Jacobian = DenseMatrix<f64>;
+
+    fn jacobian(&self, point: &Vec<f64>) -> Result<DenseMatrix<f64>, Infallible> {
+        let poses = self.poses(point);
+        let (width, columns) = (point.len(), self.data.columns.len());
+        let mut jacobian = vec![0.0; poses.len() * columns * width];
+        for (row, pose) in poses.iter().enumerate() {
+            // a row that does not close has a constant deviation
+            let Some(pose) = pose else { continue };
+            for (place, column) in self.data.columns.iter().enumerate() {
+                if self.data.values[row][place].is_none() {
+                    continue;
+                }
+                let line = &mut jacobian[(row * columns + place) * width..][..width];
+                for (cell, index) in line.iter_mut().zip(&self.varied) {
+                    *cell = pose.by[*column][*index] / self.scales[place];
+                }
+                if let Some(free) = self.free.iter().position(|free| *free == row) {
+                    line[self.varied.len() + free] =
+                        pose.by[*column][self.parameters.len() + self.lead] / self.scales[place];
+                }
+            }
+        }
+        Ok(DenseMatrix::from_row_slice(poses.len() * columns, width, &jacobian))
+    }
+}

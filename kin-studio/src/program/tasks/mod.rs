@@ -1,0 +1,62 @@
+//! What the program does, one file for each command.
+
+mod code;
+mod cycle;
+mod fit;
+mod list;
+mod peaks;
+mod report;
+mod serve;
+mod show;
+mod sweep;
+mod table;
+mod verify;
+
+pub(super) use list::list;
+
+use std::path::Path;
+
+use super::command::Task;
+use super::fault::Fault;
+use super::file::Told;
+use super::subject::Subject;
+
+/// Does what a command says.
+pub(super) fn run(subject: &dyn Subject, task: &Task, told: &Told) -> Result<(), Fault> {
+    match task {
+        Task::Show => show::run(subject, told),
+        Task::Sweep(options) => sweep::run(subject, options, told),
+        Task::Cycle(setup) => cycle::run(subject, setup, told),
+        Task::Peaks(options) => peaks::run(subject, options, told),
+        Task::Verify(setup) => verify::run(subject, setup, told),
+        Task::Code(options) => code::run(subject, options, told),
+        Task::Fit(options) => fit::run(subject, options, told),
+        Task::Table(options) => table::run(subject, options, told),
+        Task::Report(options) => report::run(subject, options, told),
+        Task::Serve(options) => serve::run(subject, options, told),
+    }
+}
+
+/// Writes to the output. A reader that has closed it, such as `head`, is no mistake.
+fn print(text: &str) -> Result<(), Fault> {
+    use std::io::{ErrorKind, Write as _};
+    let mut output = std::io::stdout().lock();
+    let written = output.write_all(text.as_bytes()).and_then(|()| output.flush());
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Fault::wrong(format!("the output cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file, or to the output if its name is `-`.
+fn write(path: &Path, text: &str) -> Result<(), Fault> {
+    if path == Path::new("-") {
+        return print(text);
+    }
+    std::fs::write(path, text)
+        .map_err(|error| Fault::wrong(format!("{} cannot be written: {error}", path.display())))?;
+    eprintln!("{}: {} bytes", path.display(), text.len());
+    Ok(())
+}

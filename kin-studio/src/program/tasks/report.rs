@@ -1,0 +1,41 @@
+//! `kin report`: the page of a mechanism.
+
+use super::super::command::Report;
+use super::super::fault::Fault;
+use super::super::file::Told;
+use super::super::progress::watched;
+use super::super::snake;
+use super::super::subject::{PageWishes, Subject};
+use super::write;
+
+pub(super) fn run(subject: &dyn Subject, options: &Report, told: &Told) -> Result<(), Fault> {
+    let page = page(subject, options, told)?;
+    let path = options.output.clone().unwrap_or_else(|| {
+        let name = snake(subject.description().name);
+        format!("{name}.html").into()
+    });
+    write(&path, &page)?;
+    if path.as_os_str() != "-" {
+        eprintln!("open it in a browser");
+    }
+    Ok(())
+}
+
+/// The page as one text.
+pub(super) fn page(subject: &dyn Subject, options: &Report, told: &Told) -> Result<String, Fault> {
+    let typed = options.setup.typed(told);
+    let case = typed.case(subject)?;
+    if case.time_of_laws().is_some() {
+        return Err(Fault::wrong(
+            "a page shows a range at a speed: leave the motion law out",
+        ));
+    }
+    let wishes = PageWishes {
+        title: options.title.clone(),
+        plots: options.plots.clone(),
+        documentation: told.documentation.clone(),
+        declaration: Some(told.declaration.clone()).filter(|text| !text.is_empty()),
+        has_range: typed.has_range(),
+    };
+    watched("making the page", 1, |_| subject.page(&case, &wishes))
+}

@@ -1,0 +1,27 @@
+//! `kin serve`: the page of a mechanism in a browser of this machine.
+
+use std::sync::OnceLock;
+
+use super::super::command::Serve;
+use super::super::fault::Fault;
+use super::super::file::Told;
+use super::super::server::{Answer, serve};
+use super::super::subject::Subject;
+use super::report::page;
+
+static PAGE: OnceLock<String> = OnceLock::new();
+
+pub(super) fn run(subject: &dyn Subject, options: &Serve, told: &Told) -> Result<(), Fault> {
+    let page = page(subject, &options.page(), told)?;
+    PAGE.get_or_init(|| page);
+    serve(subject.description().name, options.port, &answer)
+}
+
+fn answer(path: &str) -> Option<Answer> {
+    (path == "/").then(|| Answer {
+        kind: "text/html; charset=utf-8",
+        body: PAGE.get().cloned().unwrap_or_default(),
+        // the page carries its own
+        policy: None,
+    })
+}

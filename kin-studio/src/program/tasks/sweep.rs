@@ -1,0 +1,129 @@
+//! `kin sweep`: many poses as a table, CSV or JSON.
+
+use std::fmt::Write as _;
+
+use kin_core::batch::Outcome;
+use kin_core::sweep::{ColumnOf, Table};
+
+use super::super::case::Case;
+use super::super::command::Sweep;
+use super::super::fault::Fault;
+use super::super::file::Told;
+use super::super::progress::watched;
+use super::super::subject::Subject;
+use super::super::text::{self, Column};
+use super::{print, write};
+use crate::tables::Export as _;
+
+const ROWS_AS_TEXT: u32 = 13;
+const ROWS_IN_A_FILE: u32 = 361;
+
+pub(super) fn run(subject: &dyn Subject, options: &Sweep, told: &Told) -> Result<(), Fault> {
+    let case = options.setup.typed(told).case(subject)?;
+    let is_text = options.csv.is_none() && options.json.is_none();
+    let rows = options
+        .rows
+        .unwrap_or(if is_text { ROWS_AS_TEXT } else { ROWS_IN_A_FILE });
+    let table = watched("solving", 1, |_| subject.table(&case, rows as usize))?;
+    let table = in_units(table, &case);
+    if let Some(path) = &options.csv {
+        write(path, &table.to_csv())?;
+    } else if let Some(path) = &options.json {
+        write(path, &table.to_json())?;
+    } else {
+        print(&shown(&table, &options.columns)?)?;
+    }
+    closes(&table)
+}
+
+/// The table in the units that are shown.
+pub(super) fn in_units(table: Table, case: &Case) -> Table {
+    let table = table.units(if case.length.is_empty() { "L" } else { case.length }, "s");
+    if case.in_degrees { table.in_degrees() } else { table }
+}
+
+/// Rows that do not close are shown, and tell by the code of the program that they are there.
+fn closes(table: &Table) -> Result<(), Fault> {
+    let open = table.rows().filter(|row| !row.outcome().is_solved()).count();
+    if open == 0 {
+        return Ok(());
+    }
+    Err(Fault::open(format!(
+        "the mechanism does not close in {open} of {} rows",
+        table.count()
+    )))
+}
+
+fn shown(table: &Table, names: &[String]) -> Result<String, Fault> {
+    let variable = table.variable().label.to_string();
+    let mut columns = vec![column(&table.variable())];
+    let all = || table.columns().filter(|column| column.label.to_string() != variable);
+    if names.is_empty() {
+        for order in 0..=1 {
+            columns.extend(
+                all()
+                    .filter(|column| column.label.order == order)
+                    .map(|column_of| column(&column_of)),
+            );
+        }
+    } else {
+        for name in names {
+            table.column(name).map_err(Fault::wrong)?;
+            columns.extend(
+                all()
+                    .filter(|one| one.label.to_string() == *name)
+                    .map(|column_of| column(&column_of)),
+            );
+        }
+    }
+    let outcomes: Vec<String> = table.rows().map(|row| outcome(table, row.index())).collect();
+    let has_outcomes = outcomes.iter().any(|text| !text.is_empty());
+    let outcomes = Column::words("", outcomes);
+    let reserved = if has_outcomes { outcomes.width() + 2 } else { 0 };
+    let count = columns.len();
+    if names.is_empty() {
+        columns.truncate(text::fitting(&columns, text::width().saturating_sub(reserved)));
+    }
+    let hidden = table.columns().count().saturating_sub(columns.len());
+    let is_cut = columns.len() < count || names.is_empty();
+    if has_outcomes {
+        columns.push(outcomes);
+    }
+    let mut out = text::table(&columns);
+    for limit in table.limits() {
+        let unit = table.variable().unit.to_string();
+        let side = if limit.closes_before { "up to" } else { "from" };
+        let kind = crate::tables::kind(limit.kind);
+        let _ = writeln!(
+            out,
+            "closes {side} {variable} = {} {unit}: {kind} of {}",
+            text::digits(limit.at),
+            limit.block
+        );
+    }
+    if hidden > 0 && is_cut {
+        let _ = writeln!(
+            out,
+            "{hidden} more columns: `--columns NAMES` shows others, `--csv FILE` writes all"
+        );
+    }
+    Ok(out)
+}
+
+fn column(column: &ColumnOf<'_>) -> Column {
+    Column {
+        head: vec![column.label.to_string(), column.unit.to_string()],
+        cells: text::aligned(column.values),
+        is_number: true,
+    }
+}
+
+/// The reason why a row does not close; empty if it does.
+fn outcome(table: &Table, row: usize) -> String {
+    match (table.outcome(row), table.margin(row)) {
+        (Some(outcome), _) if outcome.is_solved() => String::new(),
+        (Some(Outcome::OutOfReach { .. }), Some(margin)) => format!("out of reach by {}", text::digits(-margin)),
+        (Some(Outcome::Singular), _) => "singular".to_owned(),
+        _ => "does not close".to_owned(),
+    }
+}

@@ -1,0 +1,19 @@
+//! `kin verify`: the solver beside two oracles.
+
+use super::super::command::Setup;
+use super::super::fault::Fault;
+use super::super::file::Told;
+use super::super::progress::watched;
+use super::super::subject::Subject;
+use super::print;
+
+pub(super) fn run(subject: &dyn Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
+    let case = setup.typed(told).case(subject)?;
+    let report = watched("verifying", 1, |_| subject.verify(&case))?;
+    print(&format!("{report}\n"))?;
+    if report.passed() {
+        Ok(())
+    } else {
+        Err(Fault::open("the verification did not pass"))
+    }
+}

@@ -1,0 +1,242 @@
+//! Numbers with units, as people type them.
+
+use std::f64::consts::{PI, TAU};
+
+use kin_core::Dimension;
+
+/// A unit of length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LengthUnit {
+    /// Its name.
+    pub(crate) name: &'static str,
+    metres: f64,
+}
+
+/// The units of length that are understood.
+const LENGTHS: [LengthUnit; 7] = [
+    LengthUnit {
+        name: "mm",
+        metres: 1e-3,
+    },
+    LengthUnit {
+        name: "cm",
+        metres: 1e-2,
+    },
+    LengthUnit { name: "m", metres: 1.0 },
+    LengthUnit {
+        name: "um",
+        metres: 1e-6,
+    },
+    LengthUnit {
+        name: "µm",
+        metres: 1e-6,
+    },
+    LengthUnit {
+        name: "in",
+        metres: 0.0254,
+    },
+    LengthUnit {
+        name: "ft",
+        metres: 0.3048,
+    },
+];
+
+/// The unit of the lengths of one run: the first one that is typed. Numbers without a unit are in it, too.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Lengths {
+    /// The unit, if one was typed.
+    pub(crate) unit: Option<LengthUnit>,
+}
+
+impl Lengths {
+    /// The unit of a name.
+    pub(crate) fn named(name: &str) -> Result<Self, String> {
+        Ok(Self {
+            unit: Some(length_unit(name)?),
+        })
+    }
+
+    /// The name of the unit, empty if none was typed.
+    pub(crate) fn name(&self) -> &'static str {
+        self.unit.map_or("", |unit| unit.name)
+    }
+
+    fn converted(&mut self, number: f64, unit: LengthUnit) -> f64 {
+        let own = *self.unit.get_or_insert(unit);
+        if own == unit {
+            number
+        } else {
+            number * (unit.metres / own.metres)
+        }
+    }
+}
+
+fn length_unit(name: &str) -> Result<LengthUnit, String> {
+    LENGTHS
+        .into_iter()
+        .find(|unit| unit.name == name)
+        .ok_or_else(|| format!("`{name}` is not a unit of length; write `mm`, `cm`, `m`, `um`, `in` or `ft`"))
+}
+
+/// A number and the text behind it.
+fn split(text: &str) -> Result<(f64, &str), String> {
+    let text = text.trim();
+    let is_number = |end: &usize| text.is_char_boundary(*end) && text[..*end].trim_end().parse::<f64>().is_ok();
+    let begins = |text: &str| text.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter));
+    let end = (1..=text.len()).rev().find(is_number);
+    let (number, unit) = match end {
+        Some(end) if begins(text) => text.split_at(end),
+        _ => {
+            return Err(format!(
+                "`{text}` does not begin with a number, as in `45`, `0.5` or `30deg`"
+            ));
+        }
+    };
+    let number: f64 = number
+        .trim_end()
+        .parse()
+        .map_err(|_| format!("`{text}` is not a number"))?;
+    if number.is_finite() {
+        Ok((number, unit.trim()))
+    } else {
+        Err(format!("`{text}` is too large a number"))
+    }
+}
+
+/// A value of a dimension: an angle in radians, a length in the unit of the run, or a plain number.
+pub(crate) fn quantity(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<f64, String> {
+    let (number, unit) = split(text)?;
+    with_unit(dimension, number, unit, lengths)
+}
+
+fn with_unit(dimension: Dimension, number: f64, unit: &str, lengths: &mut Lengths) -> Result<f64, String> {
+    match dimension {
+        Dimension::Angle => angle(number, unit),
+        Dimension::Length if unit.is_empty() => Ok(number),
+        Dimension::Length => Ok(lengths.converted(number, length_unit(unit)?)),
+        Dimension::Scalar if unit.is_empty() => Ok(number),
+        Dimension::Scalar => Err(format!("this is a plain number: write `{number}`, without `{unit}`")),
+    }
+}
+
+fn angle(number: f64, unit: &str) -> Result<f64, String> {
+    match unit {
+        "deg" | "°" => Ok(number.to_radians()),
+        "rad" => Ok(number),
+        "turn" | "turns" => Ok(number * TAU),
+        "" if number == 0.0 => Ok(0.0),
+        "" => Err(format!("an angle has a unit: write `{number}deg` or `{number}rad`")),
+        _ => Err(format!("`{unit}` is not a unit of angle; write `deg`, `rad` or `turn`")),
+    }
+}
+
+/// A range, as in `0..360deg`. A start without a unit has that of the end.
+pub(crate) fn range(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<(f64, f64), String> {
+    let Some((from, to)) = text.split_once("..") else {
+        return Err(format!("`{}` is not a range, as in `0..360deg`", text.trim()));
+    };
+    let to = to.strip_prefix('=').unwrap_or(to);
+    let ((from, from_unit), (to, to_unit)) = (split(from)?, split(to)?);
+    let from_unit = if from_unit.is_empty() { to_unit } else { from_unit };
+    let to = with_unit(dimension, to, to_unit, lengths)?;
+    let from = with_unit(dimension, from, from_unit, lengths)?;
+    if from == to {
+        return Err(format!("the range `{}` has no length", text.trim()));
+    }
+    Ok((from, to))
+}
+
+/// The speed of an input, by second.
+pub(crate) fn speed(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<f64, String> {
+    let (number, unit) = split(text)?;
+    let unit = unit.replace(' ', "");
+    if dimension == Dimension::Angle {
+        return match unit.as_str() {
+            "rpm" | "1/min" | "turn/min" => Ok(number * TAU / 60.0),
+            "Hz" | "1/s" | "turn/s" => Ok(number * TAU),
+            "rad/s" => Ok(number),
+            "deg/s" | "°/s" => Ok(number * PI / 180.0),
+            _ => Err(format!(
+                "`{}` is not the speed of an angle: write `{number}rpm`, `{number}rad/s`, `{number}deg/s` or `{number}Hz`",
+                text.trim()
+            )),
+        };
+    }
+    match unit.strip_suffix("/s") {
+        None if unit.is_empty() => Ok(number),
+        Some("" | "1") if dimension == Dimension::Scalar => Ok(number),
+        Some(unit) if dimension == Dimension::Length => Ok(lengths.converted(number, length_unit(unit)?)),
+        _ => Err(format!(
+            "`{}` is not the speed of this input: write `{number}` or `{number}{}`, per second",
+            text.trim(),
+            if dimension == Dimension::Length { "mm/s" } else { "/s" }
+        )),
+    }
+}
+
+/// A time in seconds.
+pub(crate) fn time(text: &str) -> Result<f64, String> {
+    let (number, unit) = split(text)?;
+    let seconds = match unit {
+        "s" | "" => number,
+        "ms" => number / 1e3,
+        "min" => number * 60.0,
+        _ => return Err(format!("`{unit}` is not a unit of time; write `s`, `ms` or `min`")),
+    };
+    if seconds > 0.0 {
+        Ok(seconds)
+    } else {
+        Err(format!("a time is positive, and `{}` is not", text.trim()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_converted() {
+        let mut lengths = Lengths::default();
+        assert_eq!(quantity(Dimension::Angle, "180deg", &mut lengths), Ok(PI));
+        assert_eq!(quantity(Dimension::Angle, " -0.5 turn ", &mut lengths), Ok(-PI));
+        assert_eq!(quantity(Dimension::Length, "45mm", &mut lengths), Ok(45.0));
+        assert_eq!(quantity(Dimension::Length, "1e-1m", &mut lengths), Ok(100.0));
+        assert_eq!(quantity(Dimension::Length, "7", &mut lengths), Ok(7.0));
+        assert_eq!(lengths.name(), "mm");
+        assert_eq!(range(Dimension::Angle, "0..360deg", &mut lengths), Ok((0.0, TAU)));
+        assert_eq!(
+            range(Dimension::Angle, "-90..=90deg", &mut lengths),
+            Ok((-PI / 2.0, PI / 2.0))
+        );
+        assert_eq!(speed(Dimension::Angle, "1500rpm", &mut lengths), Ok(50.0 * PI));
+        assert_eq!(speed(Dimension::Length, "0.2 m/s", &mut lengths), Ok(200.0));
+        assert_eq!(time("400ms"), Ok(0.4));
+    }
+
+    #[test]
+    fn mistakes_say_what_to_write() {
+        let mut lengths = Lengths::default();
+        for (dimension, text, word) in [
+            (Dimension::Angle, "30", "write `30deg` or `30rad`"),
+            (Dimension::Angle, "30mm", "write `deg`, `rad` or `turn`"),
+            (Dimension::Length, "30deg", "write `mm`"),
+            (Dimension::Scalar, "2mm", "write `2`, without `mm`"),
+            (Dimension::Length, "long", "does not begin with a number"),
+            (Dimension::Length, "inf", "does not begin with a number"),
+            (Dimension::Length, "1e400", "too large"),
+        ] {
+            let message = quantity(dimension, text, &mut lengths).unwrap_err();
+            assert!(message.contains(word), "{message}");
+        }
+        assert!(
+            range(Dimension::Angle, "90deg", &mut lengths)
+                .unwrap_err()
+                .contains("`0..360deg`")
+        );
+        assert!(
+            speed(Dimension::Angle, "10", &mut lengths)
+                .unwrap_err()
+                .contains("`10rpm`")
+        );
+    }
+}

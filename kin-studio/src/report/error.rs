@@ -1,0 +1,116 @@
+//! The reasons why there is no report, or no page.
+
+use std::error::Error;
+use std::fmt;
+use std::io;
+use std::path::PathBuf;
+
+use kin_core::SolveError;
+
+/// The reason why there is no report, or why it cannot be read or written.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// The mechanism closes nowhere: at no place of the moving input, or not where it was asked for.
+    ClosesNowhere {
+        /// The error at the place that was tried last.
+        error: SolveError,
+    },
+    /// A parameter or an input is not finite.
+    NotFinite {
+        /// The quantity, in a few words.
+        quantity: String,
+    },
+    /// The mechanism has no input with this name.
+    NoSuchInput {
+        /// The name that was given.
+        name: String,
+        /// The names of the inputs.
+        inputs: Vec<String>,
+    },
+    /// The mechanism has no unknown or output with this name.
+    NoSuchQuantity {
+        /// The name that was given.
+        name: String,
+        /// The names of the unknowns and outputs.
+        quantities: Vec<String>,
+    },
+    /// The range of the moving input is empty.
+    NoRange {
+        /// Its start.
+        from: f64,
+        /// Its end.
+        to: f64,
+    },
+    /// A report that was written by a later version.
+    NewerFormat {
+        /// The version of its format.
+        found: u32,
+        /// The version that this crate reads.
+        known: u32,
+    },
+    /// A text that is no report.
+    Json(serde_json::Error),
+    /// A file that cannot be written.
+    File {
+        /// Its path.
+        path: PathBuf,
+        /// The error of the file system.
+        error: io::Error,
+    },
+}
+
+impl fmt::Display for ReportError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ClosesNowhere { error } => write!(formatter, "the mechanism does not close: {error}"),
+            Self::NotFinite { quantity } => write!(formatter, "{quantity} is not finite: give a number"),
+            Self::NoSuchInput { name, inputs } => {
+                write!(formatter, "no input is called `{name}`: there is {}", listed(inputs))
+            }
+            Self::NoSuchQuantity { name, quantities } => {
+                write!(
+                    formatter,
+                    "no unknown or output is called `{name}`: there is {}",
+                    listed(quantities)
+                )
+            }
+            Self::NoRange { from, to } => write!(
+                formatter,
+                "the moving input would go from {from} to {to}: give a range with the smaller number first"
+            ),
+            Self::NewerFormat { found, known } => write!(
+                formatter,
+                "the report has the format {found}, and this version of kin reads formats up to {known}: use a later version"
+            ),
+            Self::Json(error) => write!(formatter, "this is no report: {error}"),
+            Self::File { path, error } => write!(formatter, "{} cannot be written: {error}", path.display()),
+        }
+    }
+}
+
+fn listed(names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match quoted.as_slice() {
+        [] => "none".to_owned(),
+        [only] => only.clone(),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
+}
+
+impl Error for ReportError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::ClosesNowhere { error } => Some(error),
+            Self::Json(error) => Some(error),
+            Self::File { error, .. } => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<serde_json::Error> for ReportError {
+    fn from(error: serde_json::Error) -> Self {
+        Self::Json(error)
+    }
+}

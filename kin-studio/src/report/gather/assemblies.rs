@@ -1,0 +1,143 @@
+//! The list of assemblies, and what the solver is given for each.
+
+use std::collections::BTreeMap;
+
+use kin_core::Mechanism;
+use kin_core::cycle::Cycle;
+
+use super::place::{self, Own};
+use super::solver::Solver;
+use crate::names::symbol;
+use crate::report::model::{Argument, Assembly};
+
+/// All assemblies that close somewhere, and the index of the report's own.
+pub(super) fn list<M: Mechanism<Scalar = f64>>(
+    solver: &Solver,
+    cycle: &Cycle<M>,
+    own: &Own<M>,
+) -> (Vec<Assembly>, usize) {
+    if M::ASSEMBLY_COUNT > 0 {
+        let numbers = numbers(cycle, own);
+        let entry = |number: &usize| {
+            let assembly = M::assembly(*number);
+            let mut branches = cycle.branches().iter();
+            Assembly {
+                name: name(&solver.assemblies, *number),
+                argument: argument(&solver.assemblies, *number),
+                at: None,
+                circuit: branches
+                    .find(|branch| branch.assembly() == assembly)
+                    .map(kin_core::cycle::Branch::circuit),
+            }
+        };
+        let index = numbers
+            .iter()
+            .position(|number| M::assembly(*number) == Some(own.assembly));
+        return (numbers.iter().map(entry).collect(), index.unwrap_or(0));
+    }
+    let near = |place: f64, unknowns: &[f64], number: usize, circuit: Option<usize>| Assembly {
+        name: format!("assembly {number}"),
+        argument: Argument::Several(solver.near.iter().cloned().zip(unknowns.iter().copied()).collect()),
+        at: Some(place),
+        circuit,
+    };
+    let mut all: Vec<Assembly> = Vec::new();
+    for (index, branch) in cycle.branches().iter().enumerate() {
+        let place = place::between(branch);
+        // a branch is at least known by its samples
+        let found = cycle.position_on(index, place);
+        let (place, unknowns) = found.map_or(branch.samples()[branch.samples().len() / 2], |unknowns| {
+            (place, unknowns)
+        });
+        all.push(near(place, unknowns.as_ref(), index + 1, Some(branch.circuit())));
+    }
+    let index = own.branches.first().copied().unwrap_or_else(|| {
+        let (place, unknowns) = &own.start;
+        all.push(near(*place, unknowns.as_ref(), all.len() + 1, None));
+        all.len() - 1
+    });
+    (all, index)
+}
+
+/// The index of the assembly to which a branch belongs.
+pub(super) fn of_branch<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, branch: usize) -> usize {
+    if M::ASSEMBLY_COUNT == 0 {
+        return branch;
+    }
+    let assembly = cycle.branches()[branch].assembly();
+    let mut numbers = numbers(cycle, own).into_iter();
+    numbers.position(|number| M::assembly(number) == assembly).unwrap_or(0)
+}
+
+/// The numbers of the assemblies that close somewhere, and of the report's own.
+fn numbers<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>) -> Vec<usize> {
+    let closes = |number: &usize| {
+        let assembly = M::assembly(*number);
+        assembly == Some(own.assembly) || cycle.branches().iter().any(|branch| branch.assembly() == assembly)
+    };
+    (0..M::ASSEMBLY_COUNT).filter(closes).collect()
+}
+
+/// Whether each choice of the assembly with this number is crossed: the bits of the number, the first choice first.
+fn crossed(choices: &[String], number: usize) -> impl Iterator<Item = (&String, bool)> {
+    let last = choices.len();
+    let own = choices.iter().enumerate();
+    own.map(move |(choice, name)| (name, (number >> (last - 1 - choice)) & 1 == 1))
+}
+
+fn argument(choices: &[String], number: usize) -> Argument {
+    let sign = |is_crossed: bool| if is_crossed { -1.0 } else { 1.0 };
+    match choices {
+        [] => Argument::One(1.0),
+        [_] => Argument::One(sign(number == 1)),
+        several => {
+            let signs = crossed(several, number).map(|(name, is_crossed)| (name.clone(), sign(is_crossed)));
+            Argument::Several(signs.collect::<BTreeMap<_, _>>())
+        }
+    }
+}
+
+fn name(choices: &[String], number: usize) -> String {
+    let blocks = |wanted: bool| {
+        let own = crossed(choices, number).filter(move |(_, is_crossed)| *is_crossed == wanted);
+        own.map(|(name, _)| {
+            let unknowns: Vec<String> = name.split('_').map(symbol).collect();
+            unknowns.join(" ")
+        })
+        .collect::<Vec<_>>()
+    };
+    let (open, closed) = (blocks(false), blocks(true));
+    match (choices, open.as_slice(), closed.as_slice()) {
+        ([], ..) => "the only assembly".to_owned(),
+        ([_], [_], _) => "open".to_owned(),
+        ([_], ..) => "crossed".to_owned(),
+        (_, _, []) => "all open".to_owned(),
+        (_, [], _) => "all crossed".to_owned(),
+        (_, open, crossed) if crossed.len() <= open.len() => format!("open but {}", crossed.join(", ")),
+        (_, open, _) => format!("crossed but {}", open.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{argument, name};
+    use crate::report::model::Argument;
+
+    #[test]
+    fn choices_are_the_bits_of_the_number() {
+        let choices = ["theta3_theta4", "phi", "x"].map(String::from);
+        let Argument::Several(signs) = argument(&choices, 0b011) else {
+            panic!("there are three choices");
+        };
+        assert_eq!((signs["theta3_theta4"], signs["phi"], signs["x"]), (1.0, -1.0, -1.0));
+        for (number, text) in [
+            (0, "all open"),
+            (7, "all crossed"),
+            (0b100, "open but θ₃ θ₄"),
+            (0b011, "crossed but θ₃ θ₄"),
+        ] {
+            assert_eq!(name(&choices, number), text);
+        }
+        assert_eq!(argument(&choices[..1], 1), Argument::One(-1.0));
+    }
+}

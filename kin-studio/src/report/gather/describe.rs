@@ -1,0 +1,119 @@
+//! What the declaration tells: names, equations, blocks, costs and the outline.
+
+use kin_core::{Dimension, Mechanism, Operations};
+
+use crate::names::symbol;
+use crate::report::model::{self, Block, Body, Cost, Outline, Point, Slide};
+
+/// Quantities with their names in the solver, and with values if there are any.
+pub(super) fn quantities(
+    quantities: &[kin_core::Quantity],
+    keys: &[String],
+    values: Option<&[f64]>,
+) -> Vec<model::Quantity> {
+    let entry = |(index, quantity): (usize, &kin_core::Quantity)| model::Quantity {
+        name: quantity.name.to_owned(),
+        key: keys
+            .get(index)
+            .cloned()
+            .unwrap_or_else(|| quantity.name.replace('.', "_")),
+        text: symbol(quantity.name),
+        documentation: quantity.description.trim().to_owned(),
+        dimension: match quantity.dimension {
+            Dimension::Length => model::Dimension::Length,
+            Dimension::Angle => model::Dimension::Angle,
+            Dimension::Scalar => model::Dimension::Number,
+        },
+        value: values.and_then(|values| values.get(index).copied()),
+    };
+    quantities.iter().enumerate().map(entry).collect()
+}
+
+/// The equations and their solution.
+pub(super) fn formulas<M: Mechanism>() -> model::Formulas {
+    let own = M::FORMULAS;
+    let formula = |formula: &kin_core::Formula| model::Formula {
+        text: formula.text.to_owned(),
+        mathml: formula.mathml.to_owned(),
+    };
+    model::Formulas {
+        closure: formula(&own.closure),
+        position: own.position.iter().map(formula).collect(),
+        velocity: own.velocity.iter().map(formula).collect(),
+        rates: formula(&own.rates),
+        outputs: formula(&own.outputs),
+    }
+}
+
+/// How the blocks are solved.
+pub(super) fn blocks<M: Mechanism>() -> Vec<Block> {
+    let blocks = M::DESCRIPTION.blocks.iter();
+    let block = |block: &kin_core::Block| Block {
+        unknowns: block.unknowns.to_owned(),
+        solution: block.solution.to_owned(),
+    };
+    blocks.map(block).collect()
+}
+
+/// The cost of each order.
+pub(super) fn operations<M: Mechanism>() -> Vec<Cost> {
+    let orders = M::DESCRIPTION.operations.iter().enumerate();
+    orders
+        .map(|(order, cost)| Cost {
+            order,
+            total: cost.arithmetic(),
+            text: in_words(cost),
+        })
+        .collect()
+}
+
+fn in_words(cost: &Operations) -> String {
+    let kinds = [
+        (cost.arithmetic(), "operation", "operations"),
+        (cost.square_roots, "square root", "square roots"),
+        (cost.sine_cosines, "sine-cosine pair", "sine-cosine pairs"),
+        (cost.arc_tangents, "arctangent", "arctangents"),
+        (cost.others, "other function", "other functions"),
+    ];
+    let there = kinds.iter().filter(|(count, ..)| *count > 0);
+    let words: Vec<String> = there
+        .map(|(count, one, more)| format!("{count} {}", if *count == 1 { one } else { more }))
+        .collect();
+    if words.is_empty() {
+        "nothing".to_owned()
+    } else {
+        words.join(", ")
+    }
+}
+
+/// Which joints belong together.
+pub(super) fn outline<M: Mechanism>() -> Outline {
+    let own = M::OUTLINE;
+    Outline {
+        ground: own.ground.to_vec(),
+        bodies: own
+            .bodies
+            .iter()
+            .map(|body| Body {
+                name: body.name.to_owned(),
+                joints: body.joints.to_vec(),
+            })
+            .collect(),
+        slides: own
+            .slides
+            .iter()
+            .map(|slide| Slide {
+                joint: slide.joint,
+                guide: slide.guide,
+            })
+            .collect(),
+        points: own
+            .points
+            .iter()
+            .map(|&(name, joint)| Point {
+                name: name.to_owned(),
+                joint,
+            })
+            .collect(),
+    }
+}

@@ -1,0 +1,228 @@
+//! Extremes, means and sensitivities over the range.
+
+use kin_core::extremes::{self, At, ExtremesError, Kind, Over};
+use kin_core::sweep::Local;
+use kin_core::{Mechanism, Number as _};
+
+use super::way::Way;
+use crate::names::symbol;
+use crate::report::model::{Extreme, Place, RootMeanSquare, Sensitivity, Side, Unanswered};
+
+/// The names of the derivatives.
+const ORDERS: [&str; 13] = [
+    "",
+    " velocity",
+    " acceleration",
+    " jerk",
+    " snap",
+    " crackle",
+    " pop",
+    " derivative 7",
+    " derivative 8",
+    " derivative 9",
+    " derivative 10",
+    " derivative 11",
+    " derivative 12",
+];
+
+/// The answers.
+#[derive(Default)]
+pub(super) struct Found {
+    pub(super) extremes: Vec<Extreme>,
+    pub(super) rms: Vec<RootMeanSquare>,
+    pub(super) sensitivities: Vec<Sensitivity>,
+    pub(super) unanswered: Vec<Unanswered>,
+}
+
+/// The answers for every derivative of every unknown and output.
+pub(super) fn find<M: Mechanism<Scalar = f64>>(way: &Way<M>) -> Found {
+    let description = M::DESCRIPTION;
+    let mut found = Found::default();
+    let unknowns = description
+        .unknowns
+        .iter()
+        .enumerate()
+        .map(|(index, own)| (index, own, false));
+    let outputs = description
+        .outputs
+        .iter()
+        .enumerate()
+        .map(|(index, own)| (index, own, true));
+    for (index, quantity, is_output) in unknowns.chain(outputs) {
+        for order in 0..=description.order {
+            let value = move |at: &At<M>| {
+                let value = if is_output {
+                    at.output(index, order)
+                } else {
+                    at.unknown(index, order)
+                };
+                value.unwrap_or(Local::constant(f64::NAN))
+            };
+            let text = format!(
+                "{}{}",
+                symbol(quantity.name),
+                ORDERS.get(order).copied().unwrap_or_default()
+            );
+            let question = Question {
+                name: quantity.name,
+                text,
+                order,
+            };
+            question.answer(way, &value, &mut found);
+        }
+    }
+    found
+}
+
+/// A derivative of a quantity.
+struct Question {
+    name: &'static str,
+    text: String,
+    order: usize,
+}
+
+impl Question {
+    fn answer<M: Mechanism<Scalar = f64>>(&self, way: &Way<M>, value: &impl Fn(&At<M>) -> Local, found: &mut Found) {
+        match extremes(way, value) {
+            Ok(all) => {
+                let highest = all
+                    .iter()
+                    .filter(|one| one.is_maximum)
+                    .max_by(|one, other| rank(one).total_cmp(&rank(other)));
+                let lowest = all
+                    .iter()
+                    .filter(|one| !one.is_maximum)
+                    .min_by(|one, other| rank(one).total_cmp(&rank(other)));
+                let both = [(highest, Side::Highest), (lowest, Side::Lowest)];
+                let both = both.into_iter().filter_map(|(extreme, side)| Some((extreme?, side)));
+                found.extremes.extend(both.map(|(extreme, kind)| Extreme {
+                    quantity: self.name.to_owned(),
+                    text: self.text.clone(),
+                    order: self.order,
+                    kind,
+                    value: extreme.value,
+                    at: extreme.at,
+                    place: place(extreme.kind),
+                }));
+            }
+            Err(error) => found.unanswered.push(self.unanswered(&error)),
+        }
+        match rms(way, value) {
+            Ok(value) => found.rms.push(RootMeanSquare {
+                quantity: self.name.to_owned(),
+                order: self.order,
+                value,
+            }),
+            Err(error) => found.unanswered.push(self.unanswered(&error)),
+        }
+        // where there is no peak, or where it moves with a limit, there is no sensitivity
+        if let Some(own) = sensitivity(way, value) {
+            let values = own.by.as_ref().iter().map(|by| by.value).collect();
+            found.sensitivities.push(Sensitivity {
+                quantity: self.name.to_owned(),
+                text: format!("peak of {}", self.text),
+                order: self.order,
+                peak: own.peak.value,
+                at: own.peak.at,
+                values,
+            });
+        }
+    }
+
+    fn unanswered(&self, error: &ExtremesError) -> Unanswered {
+        Unanswered {
+            quantity: self.name.to_owned(),
+            order: self.order,
+            text: error.to_string(),
+        }
+    }
+}
+
+/// The size by which extremes are compared: what is unbounded is larger than all others.
+fn rank(extreme: &extremes::Extreme) -> f64 {
+    extreme.value.unwrap_or(if extreme.is_maximum {
+        f64::INFINITY
+    } else {
+        f64::NEG_INFINITY
+    })
+}
+
+fn place(kind: Kind) -> Place {
+    match kind {
+        Kind::Inner => Place::Inner,
+        Kind::Limit => Place::Limit,
+        Kind::Kink => Place::Kink,
+        Kind::End => Place::End,
+        Kind::Unbounded => Place::Unbounded,
+    }
+}
+
+/// All extremes over the range.
+fn extremes<M: Mechanism<Scalar = f64>>(
+    way: &Way<M>,
+    value: &impl Fn(&At<M>) -> Local,
+) -> Result<Vec<extremes::Extreme>, ExtremesError> {
+    let mut all = Vec::new();
+    for course in &way.courses {
+        all.extend(course.extremes_by(value)?);
+    }
+    let Some(start) = way.start() else { return Ok(all) };
+    // Two sweeps begin at one place, which is no end of the range. It is an extreme only if it is one for both.
+    let is_start = |extreme: &extremes::Extreme| extreme.at == start && extreme.kind == Kind::End;
+    let maxima: Vec<bool> = all
+        .iter()
+        .filter(|extreme| is_start(extreme))
+        .map(|extreme| extreme.is_maximum)
+        .collect();
+    let is_extreme = matches!(maxima.as_slice(), [one, other] if one == other);
+    let mut kept = is_extreme;
+    all.retain_mut(|extreme| {
+        if !is_start(extreme) {
+            return true;
+        }
+        extreme.kind = Kind::Inner;
+        std::mem::take(&mut kept)
+    });
+    Ok(all)
+}
+
+/// The root mean square over time, or nothing if it grows beyond all bounds.
+fn rms<M: Mechanism<Scalar = f64>>(
+    way: &Way<M>,
+    value: &impl Fn(&At<M>) -> Local,
+) -> Result<Option<f64>, ExtremesError> {
+    let mut own = Vec::new();
+    for course in &way.courses {
+        match course.rms_by(value, Over::Time) {
+            Ok(mean) => own.push(mean.value),
+            Err(ExtremesError::Diverges { .. } | ExtremesError::Unbounded { .. }) => return Ok(None),
+            Err(error) => return Err(error),
+        }
+    }
+    if let [only] = own.as_slice() {
+        return Ok(Some(*only));
+    }
+    // at constant speed the times are as the ways
+    let Some(lengths) = way.lengths() else { return Ok(None) };
+    let squares = own.iter().zip(&lengths).map(|(value, length)| value * value * length);
+    Ok(Some((squares.sum::<f64>() / lengths.iter().sum::<f64>()).sqrt()))
+}
+
+/// The peak that is largest in size, with its dependence on the dimensions.
+fn sensitivity<M: Mechanism<Scalar = f64>>(
+    way: &Way<M>,
+    value: &impl Fn(&At<M>) -> Local,
+) -> Option<extremes::PeakSensitivities<M>> {
+    let mut best: Option<extremes::PeakSensitivities<M>> = None;
+    for course in &way.courses {
+        let own = course.peak_sensitivities_by(value).ok()?;
+        if best
+            .as_ref()
+            .is_none_or(|best| own.peak.value.abs() > best.peak.value.abs())
+        {
+            best = Some(own);
+        }
+    }
+    // the place where two sweeps begin is no peak of the range
+    best.filter(|best| way.start() != Some(best.peak.at))
+}

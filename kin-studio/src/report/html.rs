@@ -1,0 +1,162 @@
+//! The page as one file.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use data_encoding::BASE64;
+use hmac_sha256::Hash;
+
+use super::page::{MARKUP, MODULES, STYLE};
+use super::{Report, ReportError};
+
+impl Report {
+    /// The page: one HTML file that needs no other and no network. The same report gives the same bytes.
+    ///
+    /// Texts of the report are data in JSON, which the page's script sets as text. A content security policy admits the page's own script
+    /// and style by their hashes, and nothing else.
+    #[must_use]
+    pub fn html(&self) -> String {
+        let script = script(self.solver.as_deref());
+        let style = plain(STYLE);
+        let data = data(self);
+        let policy = format!(
+            "default-src 'none'; script-src '{}'; style-src '{}'; img-src data: blob:; base-uri 'none'; form-action 'none'",
+            source(&script),
+            source(&style)
+        );
+        let title = escaped(&self.title);
+        let mut page = String::new();
+        // a String never refuses what is written to it
+        let _ = write!(
+            page,
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <meta name=\"generator\" content=\"kin {}\">\n\
+             <title>{title}</title>\n<style>{style}</style>\n</head>\n<body>\n{MARKUP}\n\
+             <script type=\"application/json\" id=\"report\">{data}</script>\n\
+             <script type=\"module\">{script}</script>\n</body>\n</html>\n",
+            escaped(&self.kin),
+        );
+        page
+    }
+
+    /// Writes the page to a file.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] with the path.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), ReportError> {
+        let path = path.as_ref();
+        std::fs::write(path, self.html()).map_err(|error| ReportError::File {
+            path: path.to_owned(),
+            error,
+        })
+    }
+}
+
+/// A source of the content security policy: the hash of what stands between the tags.
+fn source(content: &str) -> String {
+    format!("sha256-{}", BASE64.encode(&Hash::hash(content.as_bytes())))
+}
+
+/// The data as JSON that ends no element: `<` and the line separators of Unicode are escaped. The solver is a script of its own.
+fn data(report: &Report) -> String {
+    let mut report = report.clone();
+    report.solver = None;
+    let mut escaped = String::new();
+    for letter in report.to_json().chars() {
+        match letter {
+            '<' => escaped.push_str("\\u003c"),
+            '>' => escaped.push_str("\\u003e"),
+            '\u{2028}' => escaped.push_str("\\u2028"),
+            '\u{2029}' => escaped.push_str("\\u2029"),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+/// Text between tags or in an attribute.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+/// The script: the solver in a scope of its own, the modules one after the other, and the call that starts the page.
+fn script(solver: Option<&str>) -> String {
+    let mut script = String::from("\n");
+    match solver {
+        Some(text) => {
+            let mut names = Vec::new();
+            let own = without_exports(text, &mut names);
+            let _ = write!(
+                script,
+                "const kinSolver = (() => {{\n{own}return {{ {} }};\n}})();\n",
+                names.join(", ")
+            );
+        }
+        None => script.push_str("const kinSolver = null;\n"),
+    }
+    for (_, text) in MODULES {
+        script.push_str(&without_exports(&plain(text), &mut Vec::new()));
+    }
+    script.push_str("start(JSON.parse(document.getElementById(\"report\").textContent), kinSolver);\n");
+    closed(&script)
+}
+
+/// A file of the page without comments that fill lines, without empty lines, and without the blanks at the beginning of lines. No text of
+/// the page's files goes over several lines.
+fn plain(file: &str) -> String {
+    let mut text = String::new();
+    let mut is_comment = false;
+    for line in file.lines().map(str::trim) {
+        is_comment |= line.starts_with("/*");
+        if !(is_comment || line.is_empty() || line.starts_with("//")) {
+            text.push_str(line);
+            text.push('\n');
+        }
+        is_comment &= !line.ends_with("*/");
+    }
+    text
+}
+
+/// A module without its lines of imports, and without the word `export`; the names that it exports are added to a list.
+fn without_exports(module: &str, names: &mut Vec<String>) -> String {
+    let mut text = String::new();
+    for line in module.lines() {
+        if line.starts_with("import ") || line.starts_with("export {") {
+            continue;
+        }
+        let own = match line.strip_prefix("export ") {
+            Some(item) => {
+                let words = item.split(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == '$'));
+                let mut words =
+                    words.filter(|word| !matches!(*word, "" | "async" | "function" | "const" | "let" | "class"));
+                names.extend(words.next().map(str::to_owned));
+                item
+            }
+            None => line,
+        };
+        text.push_str(own);
+        text.push('\n');
+    }
+    text
+}
+
+/// A script that ends no element, whatever its texts and comments say.
+///
+/// In a script `<!--`, `<script` and `</script` mean something to HTML. They occur in the solver alone, in texts of the declaration. Within
+/// quotes a backslash before the sign changes nothing, and in comments it does no harm.
+fn closed(script: &str) -> String {
+    let script = script.replace("<!", "<\\!").replace("</", "<\\/");
+    script.replace("<script", "<\\script")
+}

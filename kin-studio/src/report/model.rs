@@ -1,0 +1,431 @@
+//! What a page shows, as data.
+//!
+//! Angles are in radians, lengths in the mechanism's own unit, rates per unit of time.
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The version of the format that this crate writes.
+pub const FORMAT: u32 = 1;
+
+/// A mechanism with its motion, its limits, its peaks and its equations: all that a page shows.
+///
+/// [`Draft`](super::Draft) makes it, and [`Report::html`] writes the page. It holds numbers and texts alone, so that it can be stored and
+/// read again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Report {
+    /// The version of this format, [`FORMAT`].
+    pub format: u32,
+    /// The version of kin that made the report.
+    pub kin: String,
+    /// The title of the page.
+    pub title: String,
+    /// The name of the mechanism's structure.
+    pub name: String,
+    /// The same in small letters, for files: `four_bar`.
+    pub module: String,
+    /// What the mechanism is; may be empty.
+    pub documentation: String,
+    /// The declaration as it was typed, if it is known.
+    pub declaration: Option<String>,
+    /// The SHA-256 of version, equations, declaration and dimensions, in hexadecimal digits.
+    pub hash: String,
+    /// The names of the units.
+    pub units: Units,
+    /// Whether angles are shown in degrees at first.
+    pub degrees: bool,
+    /// The highest time derivative.
+    pub order: usize,
+    /// The scalar parameters with their values.
+    pub parameters: Vec<Quantity>,
+    /// The inputs, each with the value at which it stands unless it moves.
+    pub inputs: Vec<Quantity>,
+    /// The unknowns.
+    pub unknowns: Vec<Quantity>,
+    /// The scalar outputs; a point is its coordinates.
+    pub outputs: Vec<Quantity>,
+    /// The names of the unknowns and outputs that are plotted at first.
+    pub plots: Vec<String>,
+    /// The index of the input that moves.
+    pub moving: usize,
+    /// The range of the moving input.
+    pub range: [f64; 2],
+    /// The way of the moving input after which all positions repeat themselves, if the range closes.
+    pub period: Option<f64>,
+    /// The speed of the moving input.
+    pub speed: f64,
+    /// The assemblies.
+    pub assemblies: Vec<Assembly>,
+    /// The index of the assembly that the page shows, and for which the numbers below hold.
+    pub assembly: usize,
+    /// Whether a block has no closed form, so that assemblies are chosen by values nearby.
+    pub coupled: bool,
+    /// Whether joints have three coordinates.
+    pub space: bool,
+    /// All circuits and branches over the moving input.
+    pub cycle: Option<Cycle>,
+    /// The highest and the lowest value of each derivative of each unknown and output, over the range.
+    pub extremes: Vec<Extreme>,
+    /// The root mean squares over time, over the range.
+    pub rms: Vec<RootMeanSquare>,
+    /// The extremes and means that could not be found, with the reason.
+    pub unanswered: Vec<Unanswered>,
+    /// The transmission angles, if there is a dyad.
+    pub transmission: Option<Transmission>,
+    /// How the peaks depend on the dimensions.
+    pub sensitivities: Vec<Sensitivity>,
+    /// The equations.
+    pub formulas: Formulas,
+    /// How the blocks are solved.
+    pub blocks: Vec<Block>,
+    /// The cost of each order.
+    pub operations: Vec<Cost>,
+    /// The place of the range where the mechanism is furthest from closing, if it does not close everywhere.
+    pub not_closed: Option<NotClosed>,
+    /// Which joints belong together.
+    pub outline: Outline,
+    /// The poses of the range, for a mechanism whose solver cannot be recorded.
+    pub frames: Option<Vec<Frame>>,
+    /// The solver as a JavaScript module, if it can be recorded. The page has it as a script, and not among its data.
+    pub solver: Option<String>,
+    /// The reason why there is no solver.
+    pub unrecorded: Option<String>,
+}
+
+/// The names of the units.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Units {
+    /// The unit of length; empty if it has no name.
+    pub length: String,
+    /// The unit of time.
+    pub time: String,
+}
+
+/// A quantity by its names.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Quantity {
+    /// The name as declared.
+    pub name: String,
+    /// The name in the solver.
+    pub key: String,
+    /// The name as it is printed: θ₂.
+    pub text: String,
+    /// The first paragraph of the documentation.
+    pub documentation: String,
+    /// `length`, `angle` or `number`.
+    pub dimension: Dimension,
+    /// The value of a parameter, or of an input that stands still.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub value: Option<f64>,
+}
+
+/// A dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Dimension {
+    /// A length.
+    Length,
+    /// An angle.
+    Angle,
+    /// A plain number.
+    Number,
+}
+
+/// An assembly: what the solver is given to choose it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Assembly {
+    /// Its name.
+    pub name: String,
+    /// The argument of the solver.
+    pub argument: Argument,
+    /// The value of the moving input at which the argument holds, for values nearby.
+    pub at: Option<f64>,
+    /// The index of its first circuit.
+    pub circuit: Option<usize>,
+}
+
+/// The argument of the solver that chooses an assembly.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Argument {
+    /// One choice: 1 for open, -1 for crossed; also for a mechanism without a choice.
+    One(f64),
+    /// Several choices, or values near the unknowns, by their names in the solver.
+    Several(BTreeMap<String, f64>),
+}
+
+/// All circuits and branches.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cycle {
+    /// Whether it is proved that there is no other branch.
+    pub complete: bool,
+    /// The circuits.
+    pub circuits: Vec<Circuit>,
+    /// The branches.
+    pub branches: Vec<Branch>,
+}
+
+/// A circuit: branches that are connected by limits.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Circuit {
+    /// The indices of its branches.
+    pub branches: Vec<usize>,
+    /// Whether the mechanism comes back to its start along the circuit.
+    pub closed: bool,
+    /// The turns of the input, once around a closed circuit.
+    pub input_turns: Option<i32>,
+}
+
+/// A branch: a part of a circuit over which the input moves in one direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Branch {
+    /// The index of its circuit.
+    pub circuit: usize,
+    /// The index of its assembly.
+    pub assembly: usize,
+    /// The smallest and the largest input.
+    pub range: [f64; 2],
+    /// Whether the input turns without an end.
+    pub full_turn: bool,
+    /// Its two ends.
+    pub ends: [End; 2],
+    /// Some positions: the input, then the unknowns, to nine figures.
+    pub samples: Vec<Vec<f64>>,
+}
+
+/// An end of a branch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct End {
+    /// `Limit`, `ChangePoint`, `Domain`, `Range`, `Lost` or `FullTurn`.
+    pub kind: String,
+    /// The input there.
+    pub input: f64,
+    /// The unknowns of the block that is singular there.
+    pub block: String,
+    /// The end in a few words.
+    pub text: String,
+}
+
+/// A highest or a lowest value.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Extreme {
+    /// The name of the unknown or output.
+    pub quantity: String,
+    /// The quantity and its order in words.
+    pub text: String,
+    /// The order of the derivative.
+    pub order: usize,
+    /// Whether it is the highest or the lowest value.
+    pub kind: Side,
+    /// The value, or nothing if the quantity grows beyond all bounds there.
+    pub value: Option<f64>,
+    /// The value of the moving input.
+    pub at: f64,
+    /// What is at that place.
+    pub place: Place,
+}
+
+/// Which extreme it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Side {
+    /// The highest value.
+    Highest,
+    /// The lowest value.
+    Lowest,
+}
+
+/// What is at the place of an extreme.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Place {
+    /// The slope vanishes.
+    Inner,
+    /// The mechanism closes no further.
+    Limit,
+    /// The quantity has a kink.
+    Kink,
+    /// The range ends.
+    End,
+    /// The quantity grows beyond all bounds.
+    Unbounded,
+}
+
+/// A root mean square over time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RootMeanSquare {
+    /// The name of the unknown or output.
+    pub quantity: String,
+    /// The order of the derivative.
+    pub order: usize,
+    /// The value, or nothing if the integral diverges at a limit.
+    pub value: Option<f64>,
+}
+
+/// An extreme or a mean that could not be found.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Unanswered {
+    /// The name of the unknown or output.
+    pub quantity: String,
+    /// The order of the derivative.
+    pub order: usize,
+    /// The reason.
+    pub text: String,
+}
+
+/// Transmission angles over the range, each the smaller of the angle and its supplement.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Transmission {
+    /// The unknowns of each dyad.
+    pub dyads: Vec<String>,
+    /// The smallest angle of each dyad, and the input there.
+    pub worst: Vec<WorstAngle>,
+    /// The angles of all dyads over the range, to nine figures.
+    pub samples: Vec<Angles>,
+}
+
+/// The smallest transmission angle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WorstAngle {
+    /// The angle, 0 at a limit.
+    pub angle: f64,
+    /// The input there.
+    pub at: f64,
+}
+
+/// The transmission angles at one place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Angles {
+    /// The moving input.
+    pub input: f64,
+    /// An angle for each dyad.
+    pub angles: Vec<f64>,
+}
+
+/// How a peak depends on the dimensions.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sensitivity {
+    /// The name of the unknown or output.
+    pub quantity: String,
+    /// The peak in words.
+    pub text: String,
+    /// The order of the derivative.
+    pub order: usize,
+    /// The value that is largest in size, with its sign.
+    pub peak: f64,
+    /// The moving input there.
+    pub at: f64,
+    /// The derivative of the peak with respect to each parameter.
+    pub values: Vec<f64>,
+}
+
+/// The equations and their solution.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Formulas {
+    /// The equations.
+    pub closure: Formula,
+    /// The solution of each block.
+    pub position: Vec<Formula>,
+    /// The linear equations of each block's velocities.
+    pub velocity: Vec<Formula>,
+    /// The linear equations of all higher orders.
+    pub rates: Formula,
+    /// The outputs.
+    pub outputs: Formula,
+}
+
+/// A formula in two forms.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Formula {
+    /// As text.
+    pub text: String,
+    /// As MathML.
+    pub mathml: String,
+}
+
+/// How a block is solved.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Block {
+    /// Its unknowns.
+    pub unknowns: String,
+    /// The method.
+    pub solution: String,
+}
+
+/// The cost of an order.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Cost {
+    /// The order.
+    pub order: usize,
+    /// Additions, multiplications, divisions and changes of sign.
+    pub total: usize,
+    /// The cost in words.
+    pub text: String,
+}
+
+/// A place where the mechanism does not close.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NotClosed {
+    /// The reason in words.
+    pub text: String,
+    /// The unknowns of the block at fault.
+    pub unknowns: String,
+    /// The missing length as a negative number, if the links do not reach.
+    pub margin: Option<f64>,
+    /// The moving input there.
+    pub at: f64,
+}
+
+/// Which joints belong together, by their places.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Outline {
+    /// The joints that stand still.
+    pub ground: Vec<usize>,
+    /// The bodies that move.
+    pub bodies: Vec<Body>,
+    /// The joints that slide along a line.
+    pub slides: Vec<Slide>,
+    /// The marked points.
+    pub points: Vec<Point>,
+}
+
+/// A body that moves.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// Its joints.
+    pub joints: Vec<usize>,
+}
+
+/// A joint that slides along a line.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Slide {
+    /// The joint.
+    pub joint: usize,
+    /// The body that carries the line; nothing if the line stands still.
+    pub guide: Option<usize>,
+}
+
+/// A marked point.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Point {
+    /// Its name.
+    pub name: String,
+    /// Its joint.
+    pub joint: usize,
+}
+
+/// A pose, as the solver would find it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Frame {
+    /// The moving input.
+    pub input: f64,
+    /// The unknowns and then the outputs, each with its rates. It is empty where the mechanism does not close.
+    pub values: Vec<Vec<f64>>,
+    /// The joints.
+    pub joints: Vec<Vec<f64>>,
+    /// The directions of the slides.
+    pub slides: Vec<Vec<f64>>,
+}

@@ -1,0 +1,7 @@
+//! The program, as a person types it.
+
+mod commands;
+mod files;
+mod mistakes;
+mod serving;
+mod typed;

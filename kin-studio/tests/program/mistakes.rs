@@ -1,0 +1,96 @@
+//! What is typed wrong, with what the program says.
+
+use insta::assert_snapshot;
+
+use crate::typed::{Folder, typed, typed_in};
+
+#[test]
+fn messages_say_what_to_do() {
+    let lines = [
+        "kin",
+        "kin swep four_bar",
+        "kin sweep",
+        "kin sweep for_bar",
+        "kin sweep thing",
+        "kin sweep four_bar --set r7=3",
+        "kin sweep four_bar --set r2",
+        "kin sweep four_bar --set r2=30deg",
+        "kin sweep four_bar --set theta2=30",
+        "kin sweep watt_i --set p=3",
+        "kin sweep four_bar --over 0..90",
+        "kin sweep four_bar --over 90deg..90deg",
+        "kin sweep four_bar --over theta3=0..90deg",
+        "kin sweep four_bar --speed 10",
+        "kin sweep four_bar --law cyclodial --time 1s",
+        "kin sweep four_bar --law cycloidal",
+        "kin sweep four_bar --assembly opn",
+        "kin sweep watt_i --assembly opn",
+        "kin sweep scotch_yoke --assembly open",
+        "kin sweep stephenson_ii --assembly open",
+        "kin sweep stephenson_ii --assembly theta3=10deg",
+        "kin sweep four_bar --columns theta4_jek",
+        "kin sweep four_bar --rows 0",
+        "kin sweep four_bar --units parsec",
+        "kin sweep five_bar --over 0..90deg",
+        "kin sweep stewart_gough_leg",
+        "kin cycle four_bar --set r1=900",
+        "kin peaks four_bar --of theta5",
+        "kin peaks four_bar --set r1=900",
+        "kin report four_bar --set r1=900",
+        "kin report four_bar -o no/such/folder/page.html",
+        "kin code four_bar fortran",
+        "kin fit four_bar --data none.csv",
+        "kin completions tcsh",
+        "kin run none.kin report",
+        "kin run --kin-source nowhere none.kin report",
+    ];
+    let all: Vec<String> = lines.iter().map(|line| short(&typed("mistakes", line))).collect();
+    assert_snapshot!("mistakes", all.join("\n"));
+}
+
+/// Help that is printed instead of a message is not repeated here.
+fn short(text: &str) -> String {
+    match text.split_once("\nUsage:") {
+        Some((before, rest)) if rest.contains("Commands:") => {
+            format!("{before}\n[help]\n{}", text.lines().last().unwrap_or(""))
+        }
+        _ => text.to_owned(),
+    }
+}
+
+#[test]
+fn files_of_numbers_are_checked() {
+    let folder = Folder::new("numbers");
+    folder.write("no_unit.csv", "theta2,theta4\n0,1\n");
+    folder.write("name.csv", "theta2 [deg],theta5 [deg]\n0,1\n");
+    folder.write("word.csv", "theta2 [deg],theta4 [deg]\n0,much\n");
+    folder.write("empty.csv", "theta2 [deg],theta4 [deg]\n");
+    folder.write("inputs.csv", "theta2 [deg]\n1\n");
+    let all = ["no_unit", "name", "word", "empty", "inputs"]
+        .map(|name| typed_in(&folder, &format!("kin fit four_bar --data {name}.csv")));
+    assert_snapshot!("mistakes in files of numbers", all.join("\n"));
+}
+
+#[test]
+fn mistakes_in_kin_files_have_places() {
+    let folder = Folder::new("kin-files");
+    let right = include_str!("wiper.kin");
+    let all = [
+        ("kin 1", "kin 2"),
+        ("crank = 40mm", "crnk = 40mm"),
+        ("crank = 40mm", "crank = 40deg"),
+        ("blade = 450mm;", ""),
+        ("0deg..360deg at 45rpm", "0..360 at 45rpm"),
+        (
+            "/// A windscreen",
+            "#[doc = include_str!(\"/etc/passwd\")]\n/// A windscreen",
+        ),
+        ("rod * cis(phi)", "rod * cis(phi"),
+        ("motion {", "movement {"),
+    ]
+    .map(|(own, other)| {
+        folder.write("wiper.kin", &right.replacen(own, other, 1));
+        typed_in(&folder, "kin run wiper.kin report")
+    });
+    assert_snapshot!("mistakes in kin files", all.join("\n"));
+}

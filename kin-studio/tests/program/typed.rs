@@ -1,0 +1,69 @@
+//! What is typed, and what comes back.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A folder of a test's own, which is taken away at the end.
+pub(crate) struct Folder(PathBuf);
+
+impl Folder {
+    pub(crate) fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("kin-program-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+
+    pub(crate) fn write(&self, name: &str, text: &str) -> PathBuf {
+        let path = self.0.join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // what is left does no harm
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The program in a folder, with a cache of its own.
+pub(crate) fn kin(folder: &Folder) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_kin"));
+    command
+        .current_dir(folder.path())
+        .env("COLUMNS", "100")
+        .env("NO_COLOR", "1")
+        .env("KIN_CACHE", folder.path().join("cache"));
+    command
+}
+
+/// Everything that comes back from a line that is typed: the output, the messages and the code. Single quotes hold words together.
+pub(crate) fn typed_in(folder: &Folder, line: &str) -> String {
+    let mut words: Vec<String> = Vec::new();
+    for (index, part) in line.split('\'').enumerate() {
+        if index % 2 == 1 {
+            words.push(part.to_owned());
+        } else {
+            words.extend(part.split_whitespace().map(str::to_owned));
+        }
+    }
+    let output = kin(folder).args(words.iter().skip(1)).output().unwrap();
+    let mut text = format!("$ {line}\n{}", String::from_utf8(output.stdout).unwrap());
+    let told = String::from_utf8(output.stderr).unwrap();
+    if !told.is_empty() {
+        let _ = write!(text, "-- messages\n{told}");
+    }
+    let _ = writeln!(text, "-- code {}", output.status.code().unwrap());
+    text.replace(&*folder.path().to_string_lossy(), "FOLDER")
+}
+
+/// The same in a folder of its own.
+pub(crate) fn typed(name: &str, line: &str) -> String {
+    typed_in(&Folder::new(name), line)
+}

@@ -1,0 +1,31 @@
+"""The closed form of a linkage through CasADi, as C."""
+
+import sys
+
+import casadi
+from closed_forms import LINKAGES, symbols
+
+
+def write(linkage, file):
+    """Writes a kernel for turns.c."""
+    dimensions, crank = symbols(linkage, casadi.SX.sym)
+    found = casadi.vertcat(*LINKAGES[linkage][0](casadi, dimensions, crank))
+    arguments = casadi.vertcat(*dimensions, *crank)
+    function = casadi.Function("found", [arguments], [casadi.cse(found)])
+    function.generate(file)
+    with open(file, "a") as text:
+        text.write(
+            """
+int kernel(const double *in, double *out);
+int kernel(const double *in, double *out)
+{
+    const double *arguments[1] = {in};
+    double *results[1] = {out};
+    return found(arguments, results, 0, 0, 0);
+}
+"""
+        )
+
+
+if __name__ == "__main__":
+    write(*sys.argv[1:])
