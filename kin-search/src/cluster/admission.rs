@@ -1,0 +1,112 @@
+//! Executors are admitted only with the identity of their scheduler.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use ballista_core::JobId;
+use ballista_core::error::{BallistaError, Result};
+use ballista_core::serde::protobuf::ExecutorHeartbeat;
+use ballista_core::serde::scheduler::{ExecutorData, ExecutorMetadata};
+use ballista_scheduler::cluster::memory::InMemoryClusterState;
+use ballista_scheduler::cluster::{BoundTask, ClusterState, ClusterStateEventStream, ExecutorSlot};
+use ballista_scheduler::config::TaskDistributionPolicy;
+use ballista_scheduler::state::task_manager::JobInfoCache;
+
+use super::identity::{Identity, tag_of};
+
+/// The state of the cluster in memory, behind a door.
+///
+/// The test is made where executors enter the state, so no way leads around it: neither the first registration nor a
+/// heartbeat that registers again with a scheduler that was restarted.
+pub(super) struct Admission {
+    state: InMemoryClusterState,
+    identity: Identity,
+}
+
+impl Admission {
+    pub(super) fn new(identity: Identity) -> Self {
+        Self {
+            state: InMemoryClusterState::default(),
+            identity,
+        }
+    }
+
+    fn admit(&self, executor: &str) -> Result<()> {
+        if tag_of(executor) == self.identity.tag() {
+            return Ok(());
+        }
+        let refusal = format!(
+            "refused: the executor is {}, and the scheduler is {} = {}",
+            tag_of(executor),
+            self.identity.tag(),
+            self.identity
+        );
+        eprintln!("executor {executor} {refusal}");
+        Err(BallistaError::Configuration(refusal))
+    }
+}
+
+#[async_trait::async_trait]
+impl ClusterState for Admission {
+    async fn init(&self) -> Result<()> {
+        self.state.init().await
+    }
+
+    async fn bind_schedulable_tasks(
+        &self,
+        distribution: TaskDistributionPolicy,
+        active_jobs: Arc<HashMap<JobId, JobInfoCache>>,
+        executors: Option<HashSet<String>>,
+    ) -> Result<Vec<BoundTask>> {
+        self.state
+            .bind_schedulable_tasks(distribution, active_jobs, executors)
+            .await
+    }
+
+    async fn unbind_tasks(&self, slots: Vec<ExecutorSlot>) -> Result<()> {
+        self.state.unbind_tasks(slots).await
+    }
+
+    async fn register_executor(&self, metadata: ExecutorMetadata, data: ExecutorData) -> Result<()> {
+        self.admit(&metadata.id)?;
+        let (name, cores) = (metadata.id.clone(), data.total_vcores);
+        self.state.register_executor(metadata, data).await?;
+        eprintln!("executor {name} joined with {cores} cores");
+        Ok(())
+    }
+
+    async fn save_executor_metadata(&self, metadata: ExecutorMetadata) -> Result<()> {
+        self.admit(&metadata.id)?;
+        self.state.save_executor_metadata(metadata).await
+    }
+
+    async fn get_executor_metadata(&self, executor: &str) -> Result<ExecutorMetadata> {
+        self.state.get_executor_metadata(executor).await
+    }
+
+    async fn registered_executor_metadata(&self) -> Vec<ExecutorMetadata> {
+        self.state.registered_executor_metadata().await
+    }
+
+    async fn save_executor_heartbeat(&self, heartbeat: ExecutorHeartbeat) -> Result<()> {
+        self.state.save_executor_heartbeat(heartbeat).await
+    }
+
+    async fn remove_executor(&self, executor: &str) -> Result<()> {
+        self.state.remove_executor(executor).await?;
+        eprintln!("executor {executor} left");
+        Ok(())
+    }
+
+    fn executor_heartbeats(&self) -> HashMap<String, ExecutorHeartbeat> {
+        self.state.executor_heartbeats()
+    }
+
+    fn get_executor_heartbeat(&self, executor: &str) -> Option<ExecutorHeartbeat> {
+        self.state.get_executor_heartbeat(executor)
+    }
+
+    async fn cluster_state_events(&self) -> Result<ClusterStateEventStream> {
+        self.state.cluster_state_events().await
+    }
+}

@@ -1,0 +1,92 @@
+//! What can go wrong in a cluster.
+
+use std::path::PathBuf;
+use std::{error, fmt, io};
+
+use ballista_core::error::BallistaError;
+use datafusion::error::DataFusionError;
+
+use super::address::Listen;
+
+/// Why a process of a cluster ended, or a search did not finish.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Fault {
+    /// The address cannot be listened on.
+    Address(Listen, io::Error),
+    /// The scheduler listens on all addresses of the machine, and executors need one of them.
+    Nameless(Listen),
+    /// The system grants no handlers of signals.
+    Signals(io::Error),
+    /// The scheduler refuses this process: it has another version, other functions or other vectors.
+    Refused {
+        /// What this process is.
+        here: String,
+        /// What the scheduler said.
+        there: String,
+    },
+    /// The scheduler cannot be reached, or was lost while it worked.
+    Lost {
+        /// Its address.
+        scheduler: String,
+        /// What the connection reported.
+        report: String,
+        /// What is left of the search, and how it goes on.
+        advice: String,
+    },
+    /// The search was interrupted, and its work on executors has been called off.
+    Interrupted {
+        /// What is left of the search, and how it goes on.
+        advice: String,
+    },
+    /// A folder or file cannot be read or written.
+    File(PathBuf, io::Error),
+    /// The engine reports an error.
+    Engine(Box<DataFusionError>),
+    /// Ballista reports an error.
+    Cluster(Box<BallistaError>),
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Address(address, error) => write!(f, "cannot listen on {}: {error}", address.0),
+            Self::Nameless(address) => write!(
+                f,
+                "{} is no address that executors can call back; give one with --host",
+                address.0.ip()
+            ),
+            Self::Signals(error) => write!(f, "cannot listen for signals: {error}"),
+            Self::Refused { here, there } => write!(
+                f,
+                "the scheduler refuses this process.\n  here:  {here}\n  there: {there}"
+            ),
+            Self::Lost {
+                scheduler,
+                report,
+                advice,
+            } => write!(f, "the scheduler at {scheduler} does not answer ({report}). {advice}"),
+            Self::Interrupted { advice } => write!(
+                f,
+                "interrupted; executors end the ranges that they have begun. {advice}"
+            ),
+            Self::File(path, error) => write!(f, "{}: {error}", path.display()),
+            Self::Engine(error) => error.fmt(f),
+            Self::Cluster(error) => error.fmt(f),
+        }
+    }
+}
+
+impl error::Error for Fault {}
+
+impl From<DataFusionError> for Fault {
+    fn from(error: DataFusionError) -> Self {
+        Self::Engine(Box::new(error))
+    }
+}
+
+impl From<BallistaError> for Fault {
+    fn from(error: BallistaError) -> Self {
+        Self::Cluster(Box::new(error))
+    }
+}

@@ -1,0 +1,28 @@
+//! The same queries on several machines.
+//!
+//! A [`Scheduler`] distributes, [`Executor`]s work, and a [`Client`] asks: three kinds of processes, which run the same
+//! program and hold the same functions.
+
+mod address;
+mod admission;
+mod client;
+mod codec;
+mod cut;
+mod executor;
+mod fault;
+mod identity;
+mod ids;
+mod job;
+mod options;
+mod parts;
+mod progress;
+mod scheduler;
+mod signals;
+mod tables;
+
+pub use address::Listen;
+pub use client::{Client, Connection};
+pub use executor::Executor;
+pub use fault::Fault;
+pub use identity::Identity;
+pub use scheduler::Scheduler;

@@ -1,0 +1,69 @@
+//! How far a search is, on the standard error stream.
+
+use std::io::{IsTerminal, Write};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicI64, Ordering};
+use std::time::Instant;
+
+/// How far a search is. On a terminal one line changes; elsewhere each message is a line.
+#[derive(Debug)]
+pub(super) struct Progress {
+    since: Instant,
+    /// Ids of ranges that this search has to do, and those that are done.
+    all: i64,
+    done: AtomicI64,
+    terminal: bool,
+    open: Mutex<bool>,
+}
+
+impl Progress {
+    pub(super) fn new(all: i64) -> Self {
+        Self {
+            since: Instant::now(),
+            all,
+            done: AtomicI64::new(0),
+            terminal: std::io::stderr().is_terminal(),
+            open: Mutex::new(false),
+        }
+    }
+
+    /// A stage of a job is finished.
+    pub(super) fn stage(&self, job: &str, stages: usize, rows: u64) {
+        self.say(&format!("{job}: {stages} stages finished, the last with {rows} rows"));
+    }
+
+    /// All ids of a job are searched.
+    pub(super) fn finished(&self, job: &str, ids: i64) {
+        let done = self.done.fetch_add(ids, Ordering::Relaxed) + ids;
+        self.say(&format!(
+            "{job}: finished; {done} of {} ids, {:.0} ids/s",
+            self.all,
+            rate(done, self.since.elapsed().as_secs_f64())
+        ));
+    }
+
+    fn say(&self, text: &str) {
+        let mut open = self.open.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if self.terminal {
+            // The rest of a longer line is cleared.
+            eprint!("\r\x1b[K{text}");
+            let _ = std::io::stderr().flush();
+            *open = true;
+        } else {
+            eprintln!("{text}");
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if *self.open.lock().unwrap_or_else(std::sync::PoisonError::into_inner) {
+            eprintln!();
+        }
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "it is printed in whole numbers")]
+fn rate(ids: i64, seconds: f64) -> f64 {
+    if seconds > 0.0 { ids as f64 / seconds } else { 0.0 }
+}

@@ -1,0 +1,125 @@
+//! The process that distributes a search.
+
+use std::sync::Arc;
+
+use ballista_core::extension::SessionConfigExt;
+use ballista_scheduler::cluster::BallistaCluster;
+use ballista_scheduler::cluster::memory::InMemoryJobState;
+use ballista_scheduler::config::SchedulerConfig;
+use ballista_scheduler::scheduler_process::{create_scheduler, start_grpc_service_with_listener};
+use datafusion::common::plan_err;
+use datafusion::execution::SessionStateBuilder;
+use datafusion::prelude::SessionConfig;
+use datafusion_proto::protobuf::{LogicalPlanNode, PhysicalPlanNode};
+
+use crate::function::{Functions, Settings};
+
+use super::address::{Listen, announce};
+use super::admission::Admission;
+use super::codec::Codec;
+use super::fault::Fault;
+use super::identity::Identity;
+use super::options::Caller;
+use super::signals::Signals;
+
+/// How a scheduler runs.
+#[derive(Clone, Debug)]
+pub struct Scheduler {
+    /// Where it listens.
+    pub listen: Listen,
+    /// The host name or address by which executors reach it, if it is not that on which it listens.
+    pub host: Option<String>,
+    /// After how many seconds without a sign of life an executor is given up, and its work is done by others.
+    pub patience: u64,
+}
+
+impl Default for Scheduler {
+    fn default() -> Self {
+        Self {
+            listen: Listen::default(),
+            host: None,
+            patience: 10,
+        }
+    }
+}
+
+impl Scheduler {
+    /// Runs the scheduler until SIGINT or SIGTERM, and prints `listening on ADDRESS` when executors and clients can come.
+    ///
+    /// # Errors
+    ///
+    /// [`Fault`], if the address cannot be had, or if Ballista reports an error.
+    pub async fn run(self, functions: &Functions) -> Result<(), Fault> {
+        if let Some(warning) = self.listen.warning() {
+            eprintln!("{warning}");
+        }
+        if self.host.is_none() && self.listen.ip().is_unspecified() {
+            return Err(Fault::Nameless(self.listen));
+        }
+        let mut signals = Signals::listen().map_err(Fault::Signals)?;
+        let identity = Identity::of(functions);
+        let listener = self
+            .listen
+            .bind()
+            .await
+            .map_err(|error| Fault::Address(self.listen, error))?;
+        let address = listener
+            .local_addr()
+            .map_err(|error| Fault::Address(self.listen, error))?;
+        let config_producer: ballista_core::ConfigProducer = Arc::new(settings);
+        let session_builder = sessions(identity.clone(), functions.clone());
+        let config = SchedulerConfig {
+            external_host: self.host.unwrap_or_else(|| address.ip().to_string()),
+            bind_host: address.ip().to_string(),
+            bind_port: address.port(),
+            executor_timeout_seconds: self.patience,
+            no_executors_grace_period_seconds: self.patience.max(60),
+            expire_dead_executor_interval_seconds: 1,
+            finished_job_data_clean_up_interval_seconds: 60,
+            override_config_producer: Some(Arc::clone(&config_producer)),
+            override_session_builder: Some(Arc::clone(&session_builder)),
+            override_logical_codec: Some(Arc::new(Codec::default())),
+            ..SchedulerConfig::default()
+        };
+        config.validate()?;
+        let jobs = InMemoryJobState::new(&config.scheduler_id, session_builder, config_producer);
+        let cluster = BallistaCluster::new(Arc::new(Admission::new(identity.clone())), Arc::new(jobs));
+        let scheduler = create_scheduler::<LogicalPlanNode, PhysicalPlanNode>(cluster, Arc::new(config)).await?;
+        eprintln!("{identity}");
+        announce(address);
+        tokio::select! {
+            () = signals.come() => Ok(()),
+            served = start_grpc_service_with_listener(listener, scheduler) => Ok(served?),
+        }
+    }
+}
+
+/// The settings from which a session begins, on the scheduler and on executors.
+pub(super) fn settings() -> SessionConfig {
+    SessionConfig::new_with_ballista()
+        .with_option_extension(Settings::default())
+        .with_option_extension(Caller::default())
+}
+
+/// Sessions with the functions, for clients with the same identity.
+fn sessions(identity: Identity, functions: Functions) -> ballista_scheduler::SessionBuilder {
+    Arc::new(move |config| {
+        let caller = config
+            .options()
+            .extensions
+            .get::<Caller>()
+            .map_or("", |caller| caller.identity.as_str());
+        if caller != identity.tag() {
+            return plan_err!(
+                "refused: the client is {caller}, and the scheduler is {} = {identity}",
+                identity.tag()
+            );
+        }
+        let mut state = SessionStateBuilder::new()
+            .with_config(config)
+            .with_default_features()
+            .build();
+        functions.register(&mut state)?;
+        Ok(state)
+    })
+}

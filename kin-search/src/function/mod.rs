@@ -1,0 +1,36 @@
+//! kin's solvers as functions of SQL.
+//!
+//! Every mechanism becomes some functions, made from its description. They have the name of its type in small letters:
+//!
+//! | function | gives, for each row |
+//! |---|---|
+//! | `four_bar(…)` | a pose: unknowns and outputs with their rates, `outcome`, `margin` |
+//! | `four_bar_turn(…)` | a turn: whether it closes, transmission, swings, peaks and where they are |
+//! | `hoeken_linkage_line(…)` | how straight and how evenly a point moves over a part of a turn |
+//! | `hoeken_linkage_path_error(…)` | the distances of wanted points from the path of a point |
+//!
+//! A mechanism has a turn if its first input is an angle and every block has a closed form; its other inputs stand. One with coupled
+//! blocks has only poses, because its position is known from values nearby. Paths are those of the first output in the plane.
+//!
+//! [`Functions`] is a list of them. The library's are there from the beginning, and a program adds its own mechanisms.
+
+mod arguments;
+mod assembly;
+mod line;
+mod list;
+mod names;
+mod path;
+mod points;
+mod pose;
+mod search;
+mod settings;
+mod solver;
+mod trace;
+mod turn;
+
+pub use list::{Functions, functions, register};
+pub(crate) use path::ENDING;
+pub(crate) use points::{Points, text_of};
+#[cfg(feature = "cluster")]
+pub(crate) use pose::is_own;
+pub use settings::Settings;

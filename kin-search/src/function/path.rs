@@ -1,0 +1,171 @@
+//! The function of a mechanism that tells for each row how far the path of a point is from wanted points.
+
+use std::sync::Arc;
+
+use datafusion::arrow::array::{ArrayRef, Float64Builder, StructArray};
+use datafusion::arrow::datatypes::{DataType, Field, Fields};
+use datafusion::common::{Result, exec_err};
+
+use super::arguments::Argument;
+use super::points::Points;
+use super::search::{Call, Search, function_of_a_search};
+use super::solver::Solver;
+use super::trace::{Trace, point_of, share};
+
+/// A function such as `hoeken_linkage_path_error('points', ground, crank, coupler, …)`.
+#[derive(Debug)]
+pub(crate) struct PathFunction {
+    search: Search,
+    point: usize,
+    fields: Fields,
+}
+
+/// The ending of the names of these functions.
+pub(crate) const ENDING: &str = "path_error";
+
+const FIELDS: [&str; 3] = ["closed", "rms", "largest"];
+
+const TEXT: &str = "How far the path of a point is from wanted points. rms is the root mean square of their distances from the path, \
+and largest the largest distance; closed is the share of the poses that close. The path is the line through the poses that close. \
+With timing, a distance is that of the wanted point from the point at its own value of the input. The point is the first output in the \
+plane.";
+
+const POINTS: &str = "The wanted points: the name of a table with the columns x and y, or input, x and y for prescribed timing; or the \
+points themselves, as in '0 1; 0.5 1.2'";
+
+impl PathFunction {
+    /// The function, if the mechanism has a point in the plane.
+    pub(crate) fn new(solver: Arc<dyn Solver>) -> Option<Self> {
+        let point = point_of(solver.description())?;
+        Some(Self {
+            search: Search::new(solver, ENDING, vec![Argument::text("points", POINTS)], TEXT),
+            point,
+            fields: FIELDS
+                .map(|name| Field::new(name, DataType::Float64, true))
+                .to_vec()
+                .into(),
+        })
+    }
+
+    fn evaluate(&self, call: &Call<'_>) -> Result<StructArray> {
+        let mut trace = Trace::default();
+        let mut builders = FIELDS.map(|_| Float64Builder::with_capacity(call.rows));
+        let mut points: Option<(String, Points)> = None;
+        for row in 0..call.rows {
+            let candidate = call.candidate(row)?;
+            let values = match (candidate, call.texts[0].at(row)) {
+                (Some(candidate), Some(text)) => {
+                    if points.as_ref().is_none_or(|(known, _)| known != text) {
+                        points = Some((text.to_owned(), Points::parse(text)?));
+                    }
+                    let Some((_, points)) = &points else {
+                        return exec_err!("{} has no points", self.search.name);
+                    };
+                    let turn = candidate.turn;
+                    let solver = &*self.search.solver;
+                    match points {
+                        Points::Free(_) => {
+                            let inputs = (0..turn.poses).map(|pose| turn.value(pose));
+                            trace.solve(solver, &candidate, inputs, self.point, call.vectors)?;
+                        }
+                        Points::Timed(timed) => {
+                            let inputs = timed.iter().map(|[input, _, _]| *input);
+                            trace.solve(solver, &candidate, inputs, self.point, call.vectors)?;
+                        }
+                    }
+                    let squares = match points {
+                        Points::Free(free) => distances(&trace, free, candidate.is_whole),
+                        Points::Timed(timed) => timed_distances(&trace, timed),
+                    };
+                    let closed = Some(share(trace.closed(), trace.poses()));
+                    match squares {
+                        None => [closed, None, None],
+                        Some((sum, largest)) => {
+                            let mean = sum / share(points.len(), 1);
+                            [closed, Some(mean.sqrt()), Some(largest.sqrt())]
+                        }
+                    }
+                }
+                _ => [None; 3],
+            };
+            for (builder, value) in builders.iter_mut().zip(values) {
+                builder.append_option(value);
+            }
+        }
+        let arrays = builders
+            .iter_mut()
+            .map(|builder| Arc::new(builder.finish()) as ArrayRef)
+            .collect();
+        Ok(StructArray::try_new_with_length(
+            self.fields.clone(),
+            arrays,
+            call.valid.clone(),
+            call.rows,
+        )?)
+    }
+}
+
+function_of_a_search!(PathFunction);
+
+/// The sum and the largest of the squared distances of points from a path; `None` if no pose closes.
+fn distances(trace: &Trace, points: &[[f64; 2]], is_round: bool) -> Option<(f64, f64)> {
+    let poses = trace.poses();
+    let (mut sum, mut largest) = (0.0, 0.0_f64);
+    for point in points {
+        let mut nearest = f64::INFINITY;
+        for pose in (0..poses).filter(|pose| trace.is_closed(*pose)) {
+            let next = if pose + 1 < poses { pose + 1 } else { 0 };
+            let goes_on = (next > pose || is_round) && trace.is_closed(next);
+            let end = if goes_on { trace.place(next) } else { trace.place(pose) };
+            nearest = nearest.min(from_segment(*point, trace.place(pose), end));
+        }
+        if nearest == f64::INFINITY {
+            return None;
+        }
+        sum += nearest;
+        largest = largest.max(nearest);
+    }
+    Some((sum, largest))
+}
+
+/// The sum and the largest of the squared distances of points from those of the same poses; `None` if a pose does not close.
+fn timed_distances(trace: &Trace, points: &[[f64; 3]]) -> Option<(f64, f64)> {
+    let (mut sum, mut largest) = (0.0, 0.0_f64);
+    for (pose, [_, x, y]) in points.iter().enumerate() {
+        if !trace.is_closed(pose) {
+            return None;
+        }
+        let [own_x, own_y] = trace.place(pose);
+        let square = (own_x - x).powi(2) + (own_y - y).powi(2);
+        sum += square;
+        largest = largest.max(square);
+    }
+    Some((sum, largest))
+}
+
+/// The squared distance of a point from a segment.
+fn from_segment([x, y]: [f64; 2], [from_x, from_y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> f64 {
+    let (way_x, way_y) = (to_x - from_x, to_y - from_y);
+    let (own_x, own_y) = (x - from_x, y - from_y);
+    let square = way_x * way_x + way_y * way_y;
+    let part = if square > 0.0 {
+        ((own_x * way_x + own_y * way_y) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (own_x - part * way_x).powi(2) + (own_y - part * way_y).powi(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::from_segment;
+
+    #[test]
+    fn the_nearest_point_of_a_segment_is_inside_or_an_end() {
+        let from = |point| from_segment(point, [0.0, 0.0], [2.0, 0.0]);
+        assert_eq!(from([1.0, 3.0]), 9.0);
+        assert_eq!(from([-3.0, 4.0]), 25.0);
+        assert_eq!(from([5.0, 4.0]), 25.0);
+        assert_eq!(from_segment([3.0, 4.0], [0.0, 0.0], [0.0, 0.0]), 25.0);
+    }
+}

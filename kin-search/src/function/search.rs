@@ -1,0 +1,277 @@
+//! The part that the functions of whole turns have in common: their arguments, and the rows of a call.
+
+use std::sync::Arc;
+
+use datafusion::arrow::buffer::NullBuffer;
+use datafusion::arrow::datatypes::DataType;
+use datafusion::common::{Result, exec_err, plan_err};
+use datafusion::logical_expr::{ColumnarValue, Documentation, ScalarFunctionArgs, Signature, Volatility};
+use kin_core::Dimension;
+use kin_core::batch::{Column, Turn, Vectors};
+
+use super::arguments::{Argument, Numbers, Texts, coerced, signature, valid_rows};
+use super::assembly;
+use super::names::{plain, snake, unit};
+use super::pose::{choice, dimensions, documented};
+use super::settings;
+use super::solver::{Choice, Given, Solver};
+
+/// The number of poses of a turn, unless it is given.
+const POSES: f64 = 360.0;
+/// The largest number of poses of a turn.
+const MOST_POSES: f64 = 1e6;
+
+/// A function of the poses of a turn, or of a part of it: its name and its arguments.
+#[derive(Debug)]
+pub(crate) struct Search {
+    pub(crate) name: String,
+    pub(crate) solver: Arc<dyn Solver>,
+    assemblies: Vec<String>,
+    arguments: Vec<Argument>,
+    /// The number of texts that come first.
+    texts: usize,
+    /// The number of arguments that cannot be left out.
+    required: usize,
+    pub(crate) signature: Signature,
+    pub(crate) documentation: Documentation,
+}
+
+/// The arguments of a call.
+pub(crate) struct Call<'s> {
+    search: &'s Search,
+    /// The texts that come first.
+    pub(crate) texts: Vec<Texts>,
+    numbers: Vec<Numbers>,
+    assembly: Texts,
+    /// The number of poses, the speed, and the range.
+    options: Vec<Numbers>,
+    /// The rows in which no argument is null.
+    pub(crate) valid: Option<NullBuffer>,
+    pub(crate) rows: usize,
+    pub(crate) vectors: Vectors,
+}
+
+/// A candidate of a call: the poses of a row.
+pub(crate) struct Candidate<'s> {
+    parameters: Vec<Column<'s>>,
+    assembly: usize,
+    /// The positions of the inputs that stand.
+    standing: Vec<f64>,
+    /// The speed of the input that turns.
+    speed: f64,
+    /// The poses.
+    pub(crate) turn: Turn,
+    /// Whether the poses are a whole turn, so that the first follows the last.
+    pub(crate) is_whole: bool,
+}
+
+impl Search {
+    /// Whether a mechanism has a turn: its first input is an angle, and every block has a closed form.
+    pub(crate) fn is_possible(solver: &dyn Solver) -> bool {
+        let first = solver.description().inputs.first();
+        first.is_some_and(|input| input.dimension == Dimension::Angle) && !solver.assemblies().is_empty()
+    }
+
+    /// A function with this ending of its name. The texts come before the dimensions.
+    pub(crate) fn new(solver: Arc<dyn Solver>, ending: &str, texts: Vec<Argument>, result: &str) -> Self {
+        let description = solver.description();
+        let name = format!("{}_{ending}", snake(description.name));
+        let assemblies = solver.assemblies();
+        let text_count = texts.len();
+        let mut arguments = texts;
+        arguments.extend(dimensions(&*solver));
+        for input in description.inputs.iter().skip(1) {
+            let meaning = format!("{}, which stands ({})", input.description, unit(input.dimension, 0));
+            arguments.push(Argument::number(plain(input), meaning));
+        }
+        let required = arguments.len();
+        arguments.extend(choice(&*solver, &assemblies));
+        let turning = description.inputs.first().map_or("", |input| input.name);
+        arguments.extend([
+            Argument::number("poses", "The number of poses; 360 if it is left out"),
+            Argument::number("speed", format!("The speed of {turning}; 1 if it is left out (rad/s)")),
+            Argument::number(
+                "from",
+                format!("The first value of {turning}, for a part of a turn (rad)"),
+            ),
+            Argument::number("to", format!("The last value of {turning}, for a part of a turn (rad)")),
+        ]);
+        // A condition on a result would be moved below the call, and the call made twice, once for the condition. The engine
+        // leaves it where it is if the function is volatile.
+        let signature = signature(&arguments, Volatility::Volatile);
+        let text = format!(
+            "{result} The mechanism is {}: {}. Its input {turning} turns, by default once round. Arguments: {}. Numbers are null \
+             where they do not exist.",
+            description.name,
+            description.equations.join("; "),
+            super::pose::told(&arguments),
+        );
+        let documentation = documented(&name, text, &arguments);
+        Self {
+            name,
+            solver,
+            assemblies,
+            arguments,
+            texts: text_count,
+            required,
+            signature,
+            documentation,
+        }
+    }
+
+    pub(crate) fn coerce_types(&self, types: &[DataType]) -> Result<Vec<DataType>> {
+        let types = coerced(&self.name, &self.arguments, self.required, types)?;
+        self.places(&types)?;
+        Ok(types)
+    }
+
+    /// The place of the assembly, and those of the options.
+    fn places(&self, types: &[DataType]) -> Result<(Option<usize>, Vec<usize>)> {
+        let is_text = |place: &usize| types[*place] != DataType::Float64;
+        let (texts, options): (Vec<usize>, Vec<usize>) = (self.required..types.len()).partition(is_text);
+        if texts.len() > usize::from(self.assemblies.len() > 1) {
+            return plan_err!(
+                "{} takes {} as texts",
+                self.name,
+                if self.assemblies.len() > 1 {
+                    "only the assembly"
+                } else {
+                    "no assembly"
+                }
+            );
+        }
+        match options.len() {
+            0..=4 => Ok((texts.first().copied(), options)),
+            many => plan_err!("{} takes four options at most, and {many} are given", self.name),
+        }
+    }
+
+    /// Reads the arguments of a call.
+    pub(crate) fn call(&self, args: &ScalarFunctionArgs) -> Result<Call<'_>> {
+        let types: Vec<DataType> = args.args.iter().map(ColumnarValue::data_type).collect();
+        let (assembly, options) = self.places(&types)?;
+        if options.len() == 3 {
+            return exec_err!("{} takes `from` together with `to`", self.name);
+        }
+        let number = |place: usize| Numbers::new(&args.args[place]);
+        Ok(Call {
+            search: self,
+            texts: args.args[..self.texts].iter().map(Texts::new).collect::<Result<_>>()?,
+            numbers: (self.texts..self.required).map(number).collect::<Result<_>>()?,
+            assembly: assembly.map_or(Ok(Texts::Same(None)), |place| Texts::new(&args.args[place]))?,
+            options: options.into_iter().map(number).collect::<Result<_>>()?,
+            valid: valid_rows(&args.args, args.number_rows),
+            rows: args.number_rows,
+            vectors: settings::vectors(&args.config_options)?,
+        })
+    }
+}
+
+impl<'s> Call<'s> {
+    /// The candidate of a row, `None` if an argument is null.
+    pub(crate) fn candidate(&self, row: usize) -> Result<Option<Candidate<'s>>> {
+        if self.valid.as_ref().is_some_and(|valid| valid.is_null(row)) {
+            return Ok(None);
+        }
+        let name = &self.search.name;
+        let option = |index: usize| self.options.get(index).map(|numbers| numbers.at(row));
+        let poses = option(0).unwrap_or(POSES);
+        if !(1.0..=MOST_POSES).contains(&poses) {
+            return exec_err!("{name} takes 1 to {MOST_POSES} poses, and not {poses}");
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "it lies between 1 and a million"
+        )]
+        let poses = poses as usize;
+        let (turn, is_whole) = match (option(2), option(3)) {
+            (Some(from), Some(to)) => (Turn::between(0, from, to, poses), false),
+            _ => (Turn::whole(0, poses), true),
+        };
+        let parameters = self.search.solver.description().parameters.len();
+        let assembly = match self.assembly.at(row) {
+            Some(text) => assembly::index_of(&self.search.assemblies, text)?,
+            None => 0,
+        };
+        let (dimensions, standing) = self.numbers.split_at(parameters);
+        Ok(Some(Candidate {
+            parameters: dimensions.iter().map(|numbers| Column::Same(numbers.at(row))).collect(),
+            assembly,
+            standing: standing.iter().map(|numbers| numbers.at(row)).collect(),
+            speed: option(1).unwrap_or(1.0),
+            turn,
+            is_whole,
+        }))
+    }
+}
+
+impl Candidate<'_> {
+    /// Calls `then` with the columns of the candidate. The input that turns has these positions.
+    pub(crate) fn given<R>(&self, positions: Column<'_>, then: impl FnOnce(Given<'_>) -> R) -> R {
+        let turning = [positions, Column::Same(self.speed)];
+        let given = |inputs: &[&[Column<'_>]]| {
+            then(Given {
+                parameters: &self.parameters,
+                inputs,
+                choice: Choice::Assembly(self.assembly),
+            })
+        };
+        if self.standing.is_empty() {
+            return given(&[&turning]);
+        }
+        let standing: Vec<Column<'_>> = self.standing.iter().map(|position| Column::Same(*position)).collect();
+        let inputs: Vec<&[Column<'_>]> = [turning.as_slice()].into_iter().chain(standing.chunks(1)).collect();
+        given(&inputs)
+    }
+}
+
+/// The traits that make a function of SQL from a structure with a field `search`.
+macro_rules! function_of_a_search {
+    ($function:ident) => {
+        impl PartialEq for $function {
+            fn eq(&self, other: &Self) -> bool {
+                self.search.name == other.search.name
+            }
+        }
+
+        impl Eq for $function {}
+
+        impl std::hash::Hash for $function {
+            fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+                self.search.name.hash(state);
+            }
+        }
+
+        impl datafusion::logical_expr::ScalarUDFImpl for $function {
+            fn name(&self) -> &str {
+                &self.search.name
+            }
+
+            fn signature(&self) -> &datafusion::logical_expr::Signature {
+                &self.search.signature
+            }
+
+            fn coerce_types(&self, types: &[DataType]) -> Result<Vec<DataType>> {
+                self.search.coerce_types(types)
+            }
+
+            fn return_type(&self, _: &[DataType]) -> Result<DataType> {
+                Ok(DataType::Struct(self.fields.clone()))
+            }
+
+            fn invoke_with_args(
+                &self,
+                args: datafusion::logical_expr::ScalarFunctionArgs,
+            ) -> Result<datafusion::logical_expr::ColumnarValue> {
+                let array = self.evaluate(&self.search.call(&args)?)?;
+                super::pose::constant_or_column(&args.args, std::sync::Arc::new(array))
+            }
+
+            fn documentation(&self) -> Option<&datafusion::logical_expr::Documentation> {
+                Some(&self.search.documentation)
+            }
+        }
+    };
+}
+pub(crate) use function_of_a_search;

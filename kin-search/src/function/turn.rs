@@ -1,0 +1,137 @@
+//! The function of a mechanism that summarises a whole turn for each row.
+
+use std::sync::Arc;
+
+use datafusion::arrow::array::{ArrayRef, BooleanArray, Float64Builder, StructArray};
+use datafusion::arrow::datatypes::{DataType, Field, Fields};
+use datafusion::common::{Result, exec_datafusion_err};
+use kin_core::batch::{Column, Fold, FoldedNumber, Place, Turn};
+
+use super::names::{RATES, plain};
+use super::search::{Call, Search, function_of_a_search};
+use super::solver::Solver;
+
+/// A function such as `four_bar_turn(r1, r2, r3, r4, …)`.
+#[derive(Debug)]
+pub(crate) struct TurnFunction {
+    search: Search,
+    /// The numbers that are summarised, each with the fields that it gives.
+    numbers: Vec<(FoldedNumber, Summarised)>,
+    fields: Fields,
+}
+
+/// The fields of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Summarised {
+    /// The least value, and where.
+    Least,
+    /// The least and the greatest value, and their difference.
+    Range,
+    /// The largest absolute value, and where.
+    Peak,
+}
+
+impl Summarised {
+    /// The number of fields.
+    fn fields(self) -> usize {
+        match self {
+            Self::Least | Self::Peak => 2,
+            Self::Range => 3,
+        }
+    }
+}
+
+const TEXT: &str = "A turn of a mechanism in one row. closed is the share of the poses that close, and rotates whether all do; \
+min_transmission is the smallest transmission angle of all dyads, at most a right angle (rad). Each unknown and each output q has \
+q_least, q_greatest and their difference q_swing; and the largest absolute values of its rates, as in q_peak_velocity. A name that \
+begins with where_ or contains _where_ is the value of the input there.";
+
+impl TurnFunction {
+    pub(crate) fn new(solver: Arc<dyn Solver>) -> Self {
+        let description = solver.description();
+        let number = |name: &str| Field::new(name, DataType::Float64, true);
+        let mut fields = vec![number("closed"), Field::new("rotates", DataType::Boolean, true)];
+        let mut numbers = Vec::new();
+        if solver.dyads() > 0 {
+            numbers.push((FoldedNumber::SmallestTransmissionAngle, Summarised::Least));
+            fields.extend([number("min_transmission"), number("where_min_transmission")]);
+        }
+        let unknowns = description.unknowns.iter().enumerate();
+        let unknowns = unknowns.map(|(index, quantity)| (quantity, Place::Unknown as fn(usize, usize) -> Place, index));
+        let outputs = description.outputs.iter().enumerate();
+        let outputs = outputs.map(|(index, quantity)| (quantity, Place::Output as fn(usize, usize) -> Place, index));
+        for (quantity, place, index) in unknowns.chain(outputs) {
+            let name = plain(quantity);
+            numbers.push((place(index, 0).into(), Summarised::Range));
+            fields.extend(["least", "greatest", "swing"].map(|word| number(&format!("{name}_{word}"))));
+            for (rate, order) in RATES.iter().zip(1..=description.order) {
+                numbers.push((place(index, order).into(), Summarised::Peak));
+                fields.extend(["peak", "where_peak"].map(|word| number(&format!("{name}_{word}_{rate}"))));
+            }
+        }
+        Self {
+            search: Search::new(solver, "turn", Vec::new(), TEXT),
+            numbers,
+            fields: fields.into(),
+        }
+    }
+
+    fn evaluate(&self, call: &Call<'_>) -> Result<StructArray> {
+        let mut folds: Vec<Fold> = self.numbers.iter().map(|(number, _)| Fold::of(*number)).collect();
+        let columns: usize = self.numbers.iter().map(|(_, summarised)| summarised.fields()).sum();
+        let mut closed = Float64Builder::with_capacity(call.rows);
+        let mut rotates = Vec::with_capacity(call.rows);
+        let mut numbers: Vec<Float64Builder> = (0..columns).map(|_| Float64Builder::with_capacity(call.rows)).collect();
+        for row in 0..call.rows {
+            let Some(candidate) = call.candidate(row)? else {
+                closed.append_null();
+                rotates.push(None);
+                numbers.iter_mut().for_each(Float64Builder::append_null);
+                continue;
+            };
+            let solver = &self.search.solver;
+            let summary = candidate
+                .given(Column::Same(0.0), |given| {
+                    solver.fold(candidate.turn, given, &mut folds, call.vectors)
+                })
+                .map_err(|error| exec_datafusion_err!("{}: {error}", self.search.name))?;
+            let count = |poses: usize| f64::from(u32::try_from(poses).unwrap_or(u32::MAX));
+            closed.append_value(count(summary.solved) / count(candidate.turn.poses));
+            rotates.push(Some(summary.failed == 0));
+            let mut builders = numbers.iter_mut();
+            for (fold, (_, summarised)) in folds.iter().zip(&self.numbers) {
+                let values = Self::values(fold, *summarised, &candidate.turn);
+                for (value, builder) in values.into_iter().take(summarised.fields()).zip(&mut builders) {
+                    builder.append_option(value);
+                }
+            }
+        }
+        let mut arrays: Vec<ArrayRef> = vec![Arc::new(closed.finish()), Arc::new(BooleanArray::from(rotates))];
+        arrays.extend(numbers.iter_mut().map(|builder| Arc::new(builder.finish()) as ArrayRef));
+        let arrays = StructArray::try_new_with_length(self.fields.clone(), arrays, call.valid.clone(), call.rows)?;
+        Ok(arrays)
+    }
+
+    /// The fields of a number, as many as it has.
+    fn values(fold: &Fold, summarised: Summarised, turn: &Turn) -> [Option<f64>; 3] {
+        let folded = fold.folded();
+        let found = |found: Option<(usize, f64)>| (found.map(|found| found.1), found.map(|found| turn.value(found.0)));
+        match summarised {
+            Summarised::Least => {
+                let (least, place) = found(folded.least);
+                [least, place, None]
+            }
+            Summarised::Range => [
+                folded.least.map(|found| found.1),
+                folded.greatest.map(|found| found.1),
+                folded.range(),
+            ],
+            Summarised::Peak => {
+                let (peak, place) = found(folded.peak());
+                [peak.map(f64::abs), place, None]
+            }
+        }
+    }
+}
+
+function_of_a_search!(TurnFunction);

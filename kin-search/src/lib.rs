@@ -1,0 +1,31 @@
+//! Searches of mechanisms by their dimensions.
+//!
+//! | Room | Holds |
+//! |---|---|
+//! | `candidates` | dimensions from an id, by a low-discrepancy sequence |
+//! | `function` | kin's solvers as functions of SQL |
+//! | `session` | a session of queries: its functions, its memory, its end |
+//! | `cluster` | the same queries on several machines |
+//! | `objective` | path, function and motion generation as sums of squares |
+//! | `refine` | the best candidates polished, and checked over the full cycle |
+//! | `problem` | published problems, with what the literature reached |
+//! | `program` | what is typed in a terminal |
+
+#[cfg(feature = "sql")]
+pub mod candidates;
+#[cfg(feature = "cluster")]
+pub mod cluster;
+#[cfg(feature = "sql")]
+pub mod function;
+pub mod objective;
+#[cfg(feature = "problem")]
+pub mod problem;
+#[cfg(feature = "refine")]
+pub mod refine;
+#[cfg(feature = "sql")]
+pub mod session;
+
+#[cfg(feature = "sql")]
+pub use function::{Functions, functions, register};
+#[cfg(feature = "sql")]
+pub use session::{Options, session};

@@ -1,0 +1,199 @@
+//! `query`: the statements of a file, one after the other.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use datafusion::arrow::util::pretty::pretty_format_batches;
+use datafusion::dataframe::{DataFrame, DataFrameWriteOptions};
+use kin_search::session::{plan, statements};
+use kin_search::{Functions, Options, session};
+
+use super::fault::{Fault, INTERRUPTED};
+
+/// What `query` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct QueryArguments {
+    /// The file of SQL; several statements are separated by semicolons
+    file: PathBuf,
+    /// Write the rows of the last statement to this file, by its ending: .parquet, .csv or .json
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// The memory that a query may take, as in 512MB or 4GB
+    #[arg(long, value_parser = bytes)]
+    memory: Option<usize>,
+    /// How many cores work; all if not given
+    #[arg(long)]
+    cores: Option<usize>,
+    #[cfg(feature = "refine")]
+    #[command(flatten)]
+    pages: super::pages::PagesArguments,
+    #[cfg(feature = "cluster")]
+    #[command(flatten)]
+    cluster: super::cluster::ClusterArguments,
+}
+
+/// The form of a file of rows.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    Parquet,
+    Csv,
+    Json,
+}
+
+impl Form {
+    fn of(path: &Path) -> Result<Self, Fault> {
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("parquet") => Ok(Self::Parquet),
+            Some("csv") => Ok(Self::Csv),
+            Some("json") => Ok(Self::Json),
+            _ => Err(Fault::Wrong(format!(
+                "{} does not end with .parquet, .csv or .json, so its form is not known",
+                path.display()
+            ))),
+        }
+    }
+}
+
+/// Answers the queries, unless Ctrl-C is pressed before.
+pub(crate) async fn run(arguments: QueryArguments, functions: &Functions) -> Result<(), Fault> {
+    // A search on a cluster hears Ctrl-C itself, and calls the work of the executors off.
+    #[cfg(feature = "cluster")]
+    if arguments.cluster.is_given() {
+        return answer(&arguments, functions).await;
+    }
+    let partial = arguments.output.as_deref().map(partial_of);
+    // A task of its own hears Ctrl-C while the query keeps this thread busy. The process ends at once: nobody waits for rows that are
+    // not wanted any more.
+    tokio::spawn(async move {
+        if tokio::signal::ctrl_c().await.is_ok() {
+            eprintln!("{}", Fault::Interrupted);
+            if let Some(partial) = partial {
+                // It may not be there yet.
+                let _ = fs::remove_file(partial);
+            }
+            std::process::exit(INTERRUPTED);
+        }
+    });
+    answer(&arguments, functions).await
+}
+
+/// The file beside the wanted one in which rows are collected.
+fn partial_of(path: &Path) -> PathBuf {
+    let mut partial = path.as_os_str().to_owned();
+    partial.push(".partial");
+    PathBuf::from(partial)
+}
+
+async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(), Fault> {
+    let form = arguments.output.as_deref().map(Form::of).transpose()?;
+    let sql = fs::read_to_string(&arguments.file)
+        .map_err(|error| Fault::Wrong(format!("{} cannot be read: {error}", arguments.file.display())))?;
+    let options = Options {
+        memory: arguments.memory,
+        partitions: arguments.cores,
+    };
+    let session = session(functions, &options)?;
+    #[cfg(feature = "cluster")]
+    let cluster = arguments.cluster.connect(functions).await?;
+    let mut statements = statements(&sql)?;
+    while let Some(statement) = statements.pop_front() {
+        let plan = plan(&session, statement).await?;
+        #[cfg(feature = "cluster")]
+        let plan = match &cluster {
+            Some(cluster) => cluster.plan(&session, plan).await?,
+            None => plan,
+        };
+        let frame = session.execute_logical_plan(plan).await?;
+        #[cfg(feature = "refine")]
+        let (frame, rows) = if arguments.pages.are_wanted() && statements.is_empty() {
+            let frame = frame.cache().await?;
+            (frame.clone(), frame.collect().await?)
+        } else {
+            (frame, Vec::new())
+        };
+        let output = arguments.output.as_deref().zip(form).filter(|_| statements.is_empty());
+        show(frame, output).await?;
+        #[cfg(feature = "refine")]
+        if arguments.pages.are_wanted() && statements.is_empty() {
+            arguments.pages.write(&rows)?;
+        }
+    }
+    Ok(())
+}
+
+/// Prints the rows of a statement, or writes them to a file.
+async fn show(frame: DataFrame, output: Option<(&Path, Form)>) -> Result<(), Fault> {
+    let start = Instant::now();
+    if let Some((path, form)) = output {
+        write(frame, path, form).await?;
+        eprintln!(
+            "{} is written in {:.2} s",
+            path.display(),
+            start.elapsed().as_secs_f64()
+        );
+        return Ok(());
+    }
+    let has_columns = !frame.schema().fields().is_empty();
+    let rows = frame.collect().await?;
+    if has_columns {
+        let table = pretty_format_batches(&rows).map_err(|error| Fault::Wrong(error.to_string()))?;
+        println!("{table}");
+        let count: usize = rows.iter().map(datafusion::arrow::array::RecordBatch::num_rows).sum();
+        eprintln!("{count} rows in {:.2} s", start.elapsed().as_secs_f64());
+    }
+    Ok(())
+}
+
+/// Writes rows to a file beside the wanted one, which takes its place when all are there.
+async fn write(frame: DataFrame, path: &Path, form: Form) -> Result<(), Fault> {
+    let partial = partial_of(path);
+    let Some(name) = partial.to_str() else {
+        return Err(Fault::Wrong(format!("{} is no text", path.display())));
+    };
+    let options = DataFrameWriteOptions::new().with_single_file_output(true);
+    let written = match form {
+        Form::Parquet => frame.write_parquet(name, options, None).await,
+        Form::Csv => frame.write_csv(name, options, None).await,
+        Form::Json => frame.write_json(name, options, None).await,
+    };
+    if let Err(error) = written {
+        // It may not be there yet.
+        let _ = fs::remove_file(&partial);
+        return Err(error.into());
+    }
+    fs::rename(&partial, path).map_err(|error| Fault::Wrong(format!("{} cannot be written: {error}", path.display())))
+}
+
+/// A number of bytes, as in `512MB` or `2GiB`.
+fn bytes(text: &str) -> Result<usize, String> {
+    let wrong = || format!("`{text}` is no amount of memory; write it as 512MB or 4GB");
+    let digits = text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
+    let unit: usize = match text[digits.len()..].to_ascii_uppercase().as_str() {
+        "" | "B" => 1,
+        "KB" => 1_000,
+        "MB" => 1_000_000,
+        "GB" => 1_000_000_000,
+        "KIB" => 1 << 10,
+        "MIB" => 1 << 20,
+        "GIB" => 1 << 30,
+        _ => return Err(wrong()),
+    };
+    let count: usize = digits.trim().parse().map_err(|_| wrong())?;
+    count.checked_mul(unit).filter(|bytes| *bytes > 0).ok_or_else(wrong)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bytes;
+
+    #[test]
+    fn amounts_of_memory() {
+        assert_eq!(bytes("512MB"), Ok(512_000_000));
+        assert_eq!(bytes("2 GiB"), Ok(2 << 30));
+        assert_eq!(bytes("7"), Ok(7));
+        for wrong in ["", "MB", "0", "3 apples", "99999999999GB"] {
+            assert!(bytes(wrong).is_err(), "{wrong}");
+        }
+    }
+}

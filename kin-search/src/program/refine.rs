@@ -1,0 +1,67 @@
+//! `refine`: the best candidates of a query, polished and checked.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use kin_core::Mechanism;
+use kin_search::refine::{Job, polish};
+
+use super::fault::Fault;
+use super::mechanisms::of_mechanism;
+
+/// What `refine` takes.
+#[derive(Debug, clap::Args)]
+pub(crate) struct RefineArguments {
+    /// What is to be generated, and what may change: a file of JSON
+    job: PathBuf,
+    /// The candidates: a file .csv that `query --output` has written, the best ones first
+    #[arg(long, value_name = "FILE")]
+    candidates: PathBuf,
+    /// Refine this many of the first candidates; all if not given
+    #[arg(long, value_name = "COUNT")]
+    best: Option<usize>,
+    /// Write a page for each result into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pages: Option<PathBuf>,
+    /// How many threads work, which has no influence on the results; all cores if not given
+    #[arg(long, value_name = "COUNT", default_value_t = 0)]
+    threads: usize,
+}
+
+/// Prints the results as comma-separated values, and what was dropped to the standard error.
+pub(crate) fn run(arguments: &RefineArguments) -> Result<(), Fault> {
+    let job = Job::read(&text(&arguments.job)?).map_err(wrong)?;
+    let candidates = text(&arguments.candidates)?;
+    of_mechanism!(&job.mechanism, |M| refined::<M>(arguments, &job, &candidates))
+}
+
+fn text(path: &Path) -> Result<String, Fault> {
+    fs::read_to_string(path).map_err(|error| Fault::Wrong(format!("{} cannot be read: {error}", path.display())))
+}
+
+fn wrong(error: impl std::fmt::Display) -> Fault {
+    Fault::Wrong(error.to_string())
+}
+
+fn refined<M>(arguments: &RefineArguments, job: &Job, candidates: &str) -> Result<(), Fault>
+where
+    M: Mechanism<Scalar = f64> + Send + Sync,
+    M::Assembly: Send + Sync,
+    M::Unknowns<f64>: Send + Sync,
+{
+    let objective = job.objective::<M>().map_err(wrong)?;
+    let mut candidates = job.candidates::<M>(candidates).map_err(wrong)?;
+    candidates.truncate(arguments.best.unwrap_or(usize::MAX));
+    let found = polish(&objective, &candidates, &job.settings(arguments.threads)).map_err(wrong)?;
+    print!("{}", found.table());
+    eprintln!("{} candidates, {} kept", candidates.len(), found.results.len());
+    for (kind, count) in found.counts() {
+        eprintln!("{count} dropped: {kind}");
+    }
+    if let Some(folder) = &arguments.pages {
+        for path in found.write_pages(&objective, folder).map_err(wrong)? {
+            eprintln!("{}", path.display());
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,203 @@
+//! The best candidates of a search, polished and checked.
+//!
+//! [`polish`] takes each candidate through a bounded evolution strategy (CMA-ES) and through bounded least squares
+//! (Levenberg-Marquardt, then a reflective trust region) with exact derivatives. Then the full cycle of the result decides: a result stays in one circuit and one branch, passes its
+//! targets in order, and closes between them. Results that fail are dropped, each with its [`Defect`].
+//!
+//! Candidates are refined on several threads. Each has random numbers of its own, from the seed and its place in the list, so the results
+//! are the same to the last bit whatever the number of threads.
+//!
+//! ```
+//! use kin_core::prelude::*;
+//! use kin_search::objective::{Candidate, Objective};
+//! use kin_search::refine::{Settings, polish};
+//!
+//! mechanism! {
+//!     /// A four-bar linkage.
+//!     struct Rocker { r1: Length, r2: Length, r3: Length, r4: Length }
+//!     input theta2: Angle;
+//!     unknown theta3: Angle, theta4: Angle;
+//!     r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+//! }
+//!
+//! // the rocker of a known linkage, at six inputs
+//! let known = Rocker { r1: 2.0, r2: 0.5, r3: 1.8, r4: 1.5 };
+//! let pairs: Vec<[f64; 2]> = (0..6)
+//!     .map(|step| 0.3 * f64::from(step))
+//!     .map(|input| Ok([input, known.position(input, Assembly::Open)?.theta4.position()]))
+//!     .collect::<Result<_, SolveError>>()?;
+//! let objective = Objective::<Rocker>::function("theta4", pairs)?
+//!     .bounds("r2", 0.2..=0.8)?
+//!     .bounds("r3", 1.5..=2.5)?
+//!     .bounds("r4", 1.0..=2.0)?;
+//! let near = Candidate::new(Rocker { r1: 2.0, r2: 0.4, r3: 1.9, r4: 1.4 }, Assembly::Open);
+//! let refinement = polish(&objective, &[near], &Settings::default())?;
+//! let best = &refinement.results[0];
+//! assert!(best.polished.largest < 1e-12);
+//! assert!((best.design.mechanism().r3 - 1.8).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod check;
+mod defect;
+mod evolution;
+mod figures;
+mod job;
+mod least_squares;
+mod page;
+mod refined;
+mod scaled;
+mod table;
+mod threads;
+
+pub use defect::{Defect, DefectKind};
+pub use figures::{Figures, Least, Range};
+pub use job::{Job, JobError};
+pub use page::{PageError, write_pages_of};
+pub use refined::{Dropped, Refined, Refinement};
+
+use kin_core::Mechanism;
+
+use crate::objective::{Candidate, Design, Objective, ObjectiveError};
+
+/// How candidates are polished.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// The seed of all random numbers.
+    pub seed: u64,
+    /// The evolution strategy; `None` leaves it out.
+    pub evolution: Option<Evolution>,
+    /// The largest number of steps of each of the two methods of least squares; the second one takes 50 at most.
+    pub steps: u64,
+    /// The number of threads; 0 stands for all that the machine has. It has no influence on the results.
+    pub threads: usize,
+}
+
+/// The evolution strategy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evolution {
+    /// The largest number of designs that are evaluated for each candidate.
+    pub evaluations: u64,
+    /// The standard deviation at the beginning, as a share of the distance between the bounds.
+    pub spread: f64,
+    /// The designs of a generation; `None` stands for 4 + 3 ln n of n numbers that are sought.
+    pub population: Option<usize>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            seed: 1,
+            evolution: Some(Evolution::default()),
+            steps: 200,
+            threads: 0,
+        }
+    }
+}
+
+impl Default for Evolution {
+    fn default() -> Self {
+        Self {
+            evaluations: 4000,
+            spread: 0.05,
+            population: None,
+        }
+    }
+}
+
+/// Polishes candidates, and drops those that fail. Results are in ascending order of their sum of squares.
+///
+/// # Errors
+/// [`ObjectiveError`], if a candidate does not fit the objective, or if nothing is sought. A result that fails is no error: it is listed
+/// under [`dropped`](Refinement::dropped).
+pub fn polish<M>(
+    objective: &Objective<M>,
+    candidates: &[Candidate<M>],
+    settings: &Settings,
+) -> Result<Refinement<M>, ObjectiveError>
+where
+    M: Mechanism<Scalar = f64> + Send + Sync,
+    M::Assembly: Send + Sync,
+    M::Unknowns<f64>: Send + Sync,
+{
+    if objective.sought().is_empty() && objective.input_place(0).is_none() {
+        return Err(ObjectiveError::NothingToSeek);
+    }
+    let designs = candidates.iter().map(|candidate| objective.design(candidate));
+    let designs: Vec<Design<M>> = designs.collect::<Result<_, _>>()?;
+    let refined = threads::each(designs.len(), settings.threads, |index| {
+        one(objective, candidates[index].id, index, &designs[index], settings)
+    });
+    Ok(Refinement::sorted(refined))
+}
+
+/// Checks a design as it stands: circuit, branch, order, closure and the margins of the terms over the full cycle.
+///
+/// # Errors
+/// The [`Defect`] that is found first.
+pub fn check<M: Mechanism<Scalar = f64>>(objective: &Objective<M>, design: &Design<M>) -> Result<Figures, Defect> {
+    check::check(objective, design)
+}
+
+/// Random numbers of a candidate: the finaliser of `SplitMix64` (G. L. Steele, D. Lea and C. H. Flood, *Fast splittable pseudorandom number
+/// generators*, OOPSLA 2014), so that neighbouring places have unrelated seeds.
+fn seed_of(seed: u64, index: usize) -> u64 {
+    let mut mixed = seed.wrapping_add((index as u64).wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    mixed ^ (mixed >> 31)
+}
+
+fn one<M: Mechanism<Scalar = f64>>(
+    objective: &Objective<M>,
+    id: u64,
+    index: usize,
+    start: &Design<M>,
+    settings: &Settings,
+) -> Result<Refined<M>, Dropped<M>> {
+    let mut evolved = start.clone();
+    // The design takes its inputs before errors are compared.
+    let _ = objective.penalised_cost(&mut evolved);
+    let begun = if objective.residuals(start).is_some() {
+        start.clone()
+    } else {
+        evolved.clone()
+    };
+    if let Some(evolution) = settings.evolution {
+        evolved = evolution::evolve(objective, &evolved, evolution, seed_of(settings.seed, index));
+    }
+    // The better one of the start, with its own inputs, and of the result.
+    let cost = |design: &Design<M>| least_squares::cost(objective, design);
+    if cost(&begun) < cost(&evolved) {
+        evolved = begun.clone();
+    }
+    let (polished, steps) = least_squares::polish(objective, &evolved, settings.steps);
+    let misfits = [&begun, &evolved, &polished].map(|design| objective.misfit(design));
+    let [at_start, at_evolved, Some(at_polished)] = misfits else {
+        return Err(Dropped {
+            id,
+            defect: check::first_open(objective, &polished),
+            design: polished,
+            misfit: None,
+        });
+    };
+    match check::check(objective, &polished) {
+        Ok(figures) => Ok(Refined {
+            id,
+            start: at_start,
+            evolved: at_evolved,
+            polished: at_polished,
+            cost: cost(&polished),
+            steps,
+            inputs: objective.inputs_of(&polished),
+            design: polished,
+            figures,
+        }),
+        Err(defect) => Err(Dropped {
+            id,
+            defect,
+            design: polished,
+            misfit: Some(at_polished),
+        }),
+    }
+}

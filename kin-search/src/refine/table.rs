@@ -1,0 +1,188 @@
+//! Tables of comma-separated values: candidates in, results out.
+
+use std::fmt::Write as _;
+
+use kin_core::{Mechanism, Row};
+
+use super::Refinement;
+use super::job::JobError;
+use crate::objective::Candidate;
+
+/// The cells of a line. A cell in quotes may hold commas, and a quote is written twice in it.
+fn cells(line: &str) -> Vec<String> {
+    let mut cells = vec![String::new()];
+    let mut is_quoted = false;
+    let mut letters = line.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let last = cells.len() - 1;
+        match letter {
+            '"' if is_quoted && letters.peek() == Some(&'"') => {
+                letters.next();
+                cells[last].push('"');
+            }
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => cells.push(String::new()),
+            _ => cells[last].push(letter),
+        }
+    }
+    for cell in &mut cells {
+        *cell = cell.trim().to_owned();
+    }
+    cells
+}
+
+/// The name of an assembly: `open`, or `theta3_theta4=open,theta5_theta6=crossed`.
+pub(crate) fn assembly_name<M: Mechanism>(assembly: M::Assembly) -> String {
+    let shown = format!("{assembly:?}").to_lowercase();
+    let inner = shown.split_once('{').map_or(shown.as_str(), |(_, inner)| inner);
+    inner.replace([' ', '}'], "").replace(':', "=")
+}
+
+/// The assembly that a text names: in full, or by one word for all dyads.
+fn assembly<M: Mechanism>(text: &str) -> Option<M::Assembly> {
+    let plain = text.to_lowercase().replace(' ', "").replace(':', "=");
+    let is_meant = |name: &str| {
+        name == plain
+            || name
+                .split(',')
+                .all(|part| part.rsplit('=').next() == Some(plain.as_str()))
+    };
+    M::assemblies().find(|assembly| is_meant(&assembly_name::<M>(*assembly)))
+}
+
+pub(super) fn candidates<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<Candidate<M>>, JobError> {
+    let read = read::<M>(table)?;
+    Ok(read.into_iter().map(|(candidate, _)| candidate).collect())
+}
+
+/// The candidates of a table, each with what the other columns of its line say.
+pub(super) fn read<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<(Candidate<M>, String)>, JobError> {
+    let wrong = |line: usize, message: String| JobError::Candidate { line, message };
+    let mut lines = table.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
+    let (head, line) = lines
+        .next()
+        .ok_or_else(|| wrong(1, "the table is empty: its first line names the columns".to_owned()))?;
+    let names = cells(head.trim_start_matches('\u{feff}'));
+    let column = |wanted: &str| {
+        let plain = wanted.replace('.', "_").to_lowercase();
+        names
+            .iter()
+            .position(|name| name == wanted || name.to_lowercase() == plain)
+    };
+    let mut places = Vec::new();
+    for quantity in M::DESCRIPTION.parameters {
+        let place = column(quantity.name);
+        places.push(place.ok_or_else(|| wrong(line, format!("no column is called `{}`", quantity.name)))?);
+    }
+    let [id_place, own_assembly, phase, mechanism] = ["id", "assembly", "input_phase", "mechanism"].map(column);
+    let placement = ["placed_x", "placed_y", "placed_turn"].map(column);
+    let mut candidates = Vec::new();
+    for (text, line) in lines {
+        let cells = cells(text);
+        let cell = |place: usize| cells.get(place).map_or("", String::as_str);
+        let number = |place: usize| {
+            let value = cell(place).parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or_else(|| {
+                wrong(
+                    line,
+                    format!("`{}` in the column `{}` is no number", cell(place), names[place]),
+                )
+            })
+        };
+        let mut parameters = M::parameters(&M::from_parameters(Row::from_fn(|_| 0.0)));
+        for (parameter, place) in parameters.as_mut().iter_mut().zip(&places) {
+            *parameter = number(*place)?;
+        }
+        let id = match id_place {
+            Some(place) => {
+                let id = cell(place).parse::<u64>();
+                id.map_err(|_| wrong(line, format!("`{}` in the column `id` is no whole number", cell(place))))?
+            }
+            None => candidates.len() as u64,
+        };
+        let placement = match placement {
+            [Some(x), Some(y), Some(turn)] => Some([number(x)?, number(y)?, number(turn)?]),
+            _ => None,
+        };
+        let phase = phase.map(number).transpose()?;
+        let known = [id_place, own_assembly, mechanism];
+        let other = (0..names.len()).filter(|place| !places.contains(place) && !known.contains(&Some(*place)));
+        let said: Vec<String> = other
+            .map(|place| format!("{}: {}", names[place], cell(place)))
+            .collect();
+        let said = said.join("; ");
+        let assemblies: Vec<M::Assembly> = match own_assembly {
+            Some(place) => {
+                let found = assembly::<M>(cell(place));
+                let known = || M::assemblies().map(assembly_name::<M>).collect::<Vec<_>>().join("`, `");
+                vec![found.ok_or_else(|| {
+                    wrong(
+                        line,
+                        format!("`{}` is no assembly; there are `{}`", cell(place), known()),
+                    )
+                })?]
+            }
+            None => M::assemblies().collect(),
+        };
+        for assembly in assemblies {
+            let candidate = Candidate::new(M::from_parameters(parameters), assembly).numbered(id);
+            let candidate = Candidate {
+                placement,
+                phase,
+                ..candidate
+            };
+            candidates.push((candidate, said.clone()));
+        }
+    }
+    Ok(candidates)
+}
+
+impl<M: Mechanism<Scalar = f64>> Refinement<M> {
+    /// All results as comma-separated values, those that were dropped with their defect. Errors are roots of mean squares, the largest error
+    /// is that of one target, and the transmission angle is the smallest one over the travel, in degrees.
+    #[must_use]
+    pub fn table(&self) -> String {
+        let mut table = "id,defect,start,evolved,polished,largest,transmission".to_owned();
+        let named = |design: &crate::objective::Design<M>| -> Vec<(&'static str, f64)> { design.named().collect() };
+        let first = self.results.first().map(|result| &result.design);
+        if let Some(design) = first.or(self.dropped.first().map(|dropped| &dropped.design)) {
+            for (name, _) in named(design) {
+                let _ = write!(table, ",{}", name.replace('.', "_"));
+            }
+        }
+        table.push_str(",assembly\n");
+        let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value}"));
+        let mut line = |id: u64, defect: &str, figures: [Option<f64>; 5], design: &crate::objective::Design<M>| {
+            let _ = write!(table, "{id},{defect}");
+            for value in figures
+                .into_iter()
+                .chain(named(design).into_iter().map(|(_, value)| Some(value)))
+            {
+                let _ = write!(table, ",{}", number(value));
+            }
+            let _ = writeln!(table, ",\"{}\"", assembly_name::<M>(design.assembly()));
+        };
+        for result in &self.results {
+            let figures = [
+                result.start.map(|misfit| misfit.root_mean_square),
+                result.evolved.map(|misfit| misfit.root_mean_square),
+                Some(result.polished.root_mean_square),
+                Some(result.polished.largest),
+                result.figures.transmission.map(|least| least.value.to_degrees()),
+            ];
+            line(result.id, "", figures, &result.design);
+        }
+        for dropped in &self.dropped {
+            let misfit = dropped.misfit;
+            let figures = [
+                None,
+                None,
+                misfit.map(|misfit| misfit.root_mean_square),
+                misfit.map(|misfit| misfit.largest),
+                None,
+            ];
+            line(dropped.id, &dropped.defect.kind().to_string(), figures, &dropped.design);
+        }
+        table
+    }
+}

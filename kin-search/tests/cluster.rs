@@ -1,0 +1,403 @@
+//! Searches on a cluster: real processes on this machine, each executor with one core.
+#![cfg(feature = "cluster")]
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+use datafusion::arrow::datatypes::DataType;
+use datafusion::logical_expr::{ColumnarValue, Volatility, create_udf};
+use kin_search::Functions;
+use kin_search::cluster::Executor;
+
+/// How long a line may take. It is long enough for a machine that does many other things.
+const LIMIT: Duration = Duration::from_mins(2);
+
+/// A process that ends with the test, whether the test passes or not.
+struct Process {
+    child: Child,
+    lines: Receiver<String>,
+    seen: Vec<String>,
+}
+
+impl Process {
+    fn start(command: &mut Command) -> Self {
+        let mut child = command
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let (sender, lines) = channel();
+        let streams: [Option<Box<dyn Read + Send>>; 2] = [
+            child.stdout.take().map(|stream| Box::new(stream) as _),
+            child.stderr.take().map(|stream| Box::new(stream) as _),
+        ];
+        for stream in streams.into_iter().flatten() {
+            let sender = sender.clone();
+            std::thread::spawn(move || {
+                for line in BufReader::new(stream).lines().map_while(Result::ok) {
+                    // Nobody listens after the test.
+                    let _ = sender.send(line);
+                }
+            });
+        }
+        Self {
+            child,
+            lines,
+            seen: Vec::new(),
+        }
+    }
+
+    fn program(arguments: &[&str]) -> Self {
+        Self::start(Command::new(env!("CARGO_BIN_EXE_kin-search")).args(arguments))
+    }
+
+    /// Waits for a line that contains a text, and gives the rest of the line.
+    fn wait_for(&mut self, text: &str) -> String {
+        let until = Instant::now() + LIMIT;
+        while let Ok(line) = self.lines.recv_timeout(until.saturating_duration_since(Instant::now())) {
+            self.seen.push(line);
+            let line = &self.seen[self.seen.len() - 1];
+            if let Some(at) = line.find(text) {
+                return line[at + text.len()..].to_owned();
+            }
+        }
+        panic!("no line with {text:?}, but:\n{}", self.seen.join("\n"));
+    }
+
+    /// Waits for the end, and gives all lines.
+    fn end(mut self) -> (ExitStatus, String) {
+        let until = Instant::now() + LIMIT;
+        // Both streams are closed at the end.
+        while let Ok(line) = self.lines.recv_timeout(until.saturating_duration_since(Instant::now())) {
+            self.seen.push(line);
+        }
+        let status = loop {
+            match self.child.try_wait().expect("the process can be waited for") {
+                Some(status) => break status,
+                None if Instant::now() < until => std::thread::sleep(Duration::from_millis(20)),
+                None => panic!("the process does not end, after:\n{}", self.seen.join("\n")),
+            }
+        };
+        (status, self.seen.join("\n"))
+    }
+
+    fn signal(&self, signal: &str) {
+        let sent = Command::new("kill")
+            .args([&format!("-{signal}"), &self.child.id().to_string()])
+            .status();
+        assert!(sent.expect("kill is a program").success());
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A folder that ends with the test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cluster-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(&folder).expect("the folder can be made");
+        Self(folder)
+    }
+
+    fn file(&self, name: &str, text: &str) -> String {
+        let path = self.0.join(name);
+        fs::write(&path, text).expect("the file can be written");
+        path.display().to_string()
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).display().to_string()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn scheduler(arguments: &[&str]) -> (Process, String) {
+    let mut scheduler = Process::program(&[&["scheduler"], arguments].concat());
+    let address = scheduler.wait_for("listening on ");
+    (scheduler, address)
+}
+
+fn executor(scheduler: &str) -> Process {
+    let mut executor = Process::program(&["executor", "--scheduler", scheduler, "--cores", "1"]);
+    executor.wait_for("listening on ");
+    executor
+}
+
+/// Poses of four-bars whose dimensions follow from an id by residues. Most of them close.
+fn poses(ids: u64) -> String {
+    format!(
+        "(select value as id, four_bar(1.0, 0.1 + 0.4 * (value % 1009) / 1009.0, 0.7 + 0.7 * (value % 997) / 997.0,
+            0.6 + 0.8 * (value % 991) / 991.0, 1.134, -10.0)['theta4_velocity'] as velocity from range(0, {ids}))"
+    )
+}
+
+/// The fastest rockers, by value and then by id.
+fn fastest(ids: u64) -> String {
+    format!(
+        "set kin.vectors = 'compiled';
+         select id, velocity from {} where velocity is not null order by velocity desc, id limit 5;",
+        poses(ids)
+    )
+}
+
+/// The table in the output of a query: its lines that begin with a bar.
+fn table(output: &str) -> Vec<&str> {
+    output.lines().filter(|line| line.starts_with('|')).collect()
+}
+
+fn answer(arguments: &[&str]) -> String {
+    let (status, output) = Process::program(&[&["query"], arguments].concat()).end();
+    assert!(status.success(), "{output}");
+    output
+}
+
+#[test]
+fn the_cluster_answers_as_one_process() {
+    let folder = Folder::new("same");
+    let query = folder.file("fastest.sql", &fastest(200_000));
+    let (mut scheduler, address) = scheduler(&[]);
+    let executors = [executor(&address), executor(&address)];
+    scheduler.wait_for("joined");
+    scheduler.wait_for("joined");
+
+    let here = answer(&[&query]);
+    let there = answer(&[&query, "--cluster", &address, "--range", "50000"]);
+    assert!(table(&here).len() >= 6, "{here}");
+    assert_eq!(table(&here), table(&there));
+    assert!(there.contains("range 4 of 4: finished"), "{there}");
+    assert!(there.contains("200000 of 200000 ids"), "{there}");
+
+    // Sums are added in another order on several processes: each of the 200 000 terms is below 100, and rounds once.
+    let sum = folder.file(
+        "sum.sql",
+        &format!(
+            "select count(velocity) as rows, sum(velocity) as sum from {};",
+            poses(200_000)
+        ),
+    );
+    let numbers = |output: &str| -> (u64, f64) {
+        let row = table(output)[1].split('|').map(str::trim).collect::<Vec<_>>();
+        (row[1].parse().expect("a count"), row[2].parse().expect("a sum"))
+    };
+    let (here, there) = (answer(&[&sum]), answer(&[&sum, "--cluster", &address]));
+    let ((rows_here, here), (rows_there, there)) = (numbers(&here), numbers(&there));
+    assert_eq!(rows_here, rows_there);
+    assert!(rows_here > 100_000);
+    assert!((here - there).abs() <= 1e-12 * here.abs(), "{here} and {there}");
+
+    for process in executors.into_iter().chain([scheduler]) {
+        process.signal("TERM");
+        let (status, output) = process.end();
+        assert!(status.success(), "{output}");
+    }
+}
+
+#[test]
+fn a_killed_executor_changes_nothing() {
+    let folder = Folder::new("killed");
+    let query = folder.file("fastest.sql", &fastest(400_000));
+    let (_scheduler, address) = scheduler(&["--patience", "5"]);
+    let (_one, other) = (executor(&address), executor(&address));
+
+    let mut there = Process::program(&["query", &query, "--cluster", &address, "--range", "50000"]);
+    there.wait_for("range 1 of 8: finished");
+    other.signal("KILL");
+    let (status, output) = there.end();
+    assert!(status.success(), "{output}");
+    assert_eq!(table(&answer(&[&query])), table(&output));
+}
+
+/// The search of the book for a straight line, in which each round begins with the rows of the one before. One of two executors is killed
+/// while a round is searched.
+fn straight_line(sql: &str) {
+    let folder = Folder::new("straight");
+    let query = folder.file("straight_line.sql", sql);
+    let (_scheduler, address) = scheduler(&["--patience", "5"]);
+    let (_one, other) = (executor(&address), executor(&address));
+    let mut there = Process::program(&["query", &query, "--cluster", &address]);
+    for _ in 0..3 {
+        there.wait_for("ids in one query");
+    }
+    other.signal("KILL");
+    let (status, output) = there.end();
+    assert!(status.success(), "{output}");
+    assert!(table(&output).len() >= 6, "{output}");
+    assert_eq!(table(&answer(&[&query])), table(&output));
+}
+
+const STRAIGHT_LINE: &str = include_str!("../examples/straight_line.sql");
+
+#[test]
+fn rounds_go_on_where_an_executor_is_killed() {
+    let part = STRAIGHT_LINE
+        .replace("range(0, 200000)", "range(0, 4000)")
+        .replace("range(0, 20000)", "range(0, 500)")
+        .replace("limit 20", "limit 10")
+        .replace("'open', 61,", "'open', 25,");
+    assert_eq!(part.matches("range(0, 500)").count(), 8);
+    straight_line(&part);
+}
+
+#[test]
+#[ignore = "takes an hour without optimisation, and a minute with it"]
+fn all_rounds_go_on_where_an_executor_is_killed() {
+    straight_line(STRAIGHT_LINE);
+}
+
+#[test]
+fn a_search_goes_on_with_a_scheduler_that_was_restarted() {
+    let folder = Folder::new("restarted");
+    let query = folder.file("fastest.sql", &fastest(400_000));
+    let parts = folder.path("parts");
+    let (first, address) = scheduler(&[]);
+    let mut executor = executor(&address);
+
+    let search = [
+        "query",
+        &query,
+        "--cluster",
+        &address,
+        "--range",
+        "50000",
+        "--parts",
+        &parts,
+    ];
+    let mut interrupted = Process::program(&search);
+    interrupted.wait_for("range 2 of 8: finished");
+    first.signal("KILL");
+    let (status, output) = interrupted.end();
+    assert!(!status.success(), "{output}");
+    assert!(
+        output.contains(&format!("the scheduler at {address} does not answer")),
+        "{output}"
+    );
+    assert!(output.contains("the same command goes on from there"), "{output}");
+
+    drop(first);
+    let (mut second, _) = scheduler(&["--listen", &address]);
+    // The executor comes back by itself, with its next heartbeat or after it has given up the first scheduler.
+    second.wait_for("joined");
+    let (status, output) = Process::program(&search).end();
+    assert!(status.success(), "{output}");
+    let before = output
+        .lines()
+        .find_map(|line| line.split_once(" of 8 ranges were finished before"))
+        .and_then(|(before, _)| before.parse::<usize>().ok());
+    assert!(before.is_some_and(|before| before >= 1), "{output}");
+    assert_eq!(before, Some(8 - output.matches(" of 8: finished").count()), "{output}");
+    assert_eq!(table(&answer(&[&query])), table(&output));
+    assert!(executor.child.try_wait().expect("the process can be asked").is_none());
+}
+
+#[test]
+fn an_interrupted_query_leaves_no_work() {
+    let folder = Folder::new("interrupted");
+    // It would take hours.
+    let long = folder.file("long.sql", &fastest(10_000_000_000));
+    let short = folder.file("short.sql", &fastest(20_000));
+    let (mut scheduler, address) = scheduler(&[]);
+    let _executor = executor(&address);
+    scheduler.wait_for("joined");
+
+    let mut interrupted = Process::program(&["query", &long, "--cluster", &address, "--range", "20000"]);
+    interrupted.wait_for("finished");
+    interrupted.signal("INT");
+    let (status, output) = interrupted.end();
+    assert!(!status.success(), "{output}");
+    assert!(output.contains("interrupted"), "{output}");
+    // The only core is free.
+    let output = answer(&[&short, "--cluster", &address]);
+    assert_eq!(table(&answer(&[&short])), table(&output));
+}
+
+#[test]
+fn another_list_of_functions_is_refused() {
+    let (mut scheduler, address) = scheduler(&[]);
+    let mut other = Command::new(std::env::current_exe().expect("a test has a file"));
+    other
+        .args(["--exact", "executor_of_another_list", "--ignored", "--nocapture"])
+        .env("KIN_TEST_SCHEDULER", &address);
+    let refused = Process::start(&mut other);
+    scheduler.wait_for("refused");
+    let (_, output) = refused.end();
+    let (here, there) = (other_functions().fingerprint(), Functions::library().fingerprint());
+    assert!(output.contains("the scheduler refuses this process"), "{output}");
+    assert!(output.contains(&here) && output.contains(&there), "{output}");
+    assert!(output.contains(" seven "), "{output}");
+}
+
+/// The library's functions, and one more.
+fn other_functions() -> Functions {
+    let seven = create_udf(
+        "seven",
+        vec![DataType::Float64],
+        DataType::Float64,
+        Volatility::Immutable,
+        std::sync::Arc::new(|_| Ok(ColumnarValue::Scalar(7.0.into()))),
+    );
+    Functions::library().with_function(seven)
+}
+
+/// A process of the test above. An executor that is refused ends, and says why.
+#[test]
+#[ignore = "a process of another test"]
+fn executor_of_another_list() {
+    let Ok(address) = std::env::var("KIN_TEST_SCHEDULER") else {
+        return;
+    };
+    let (host, port) = address.rsplit_once(':').expect("a host and a port");
+    let executor = Executor {
+        scheduler: (host.to_owned(), port.parse().expect("a port")),
+        listen: kin_search::cluster::Listen::default(),
+        cores: 1,
+        folder: None,
+    };
+    let runtime = tokio::runtime::Runtime::new().expect("a runtime");
+    let fault = runtime
+        .block_on(executor.run(&other_functions()))
+        .expect_err("it is refused");
+    println!("{fault}");
+}
+
+#[test]
+fn processes_start_in_any_order() {
+    let folder = Folder::new("order");
+    let query = folder.file("fastest.sql", &fastest(20_000));
+    let free = std::net::TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr());
+    let address = free.expect("a free port").to_string();
+    let mut client = Process::program(&["query", &query, "--cluster", &address]);
+    client.wait_for("waiting for the scheduler");
+    let mut executor = Process::program(&["executor", "--scheduler", &address, "--cores", "1"]);
+    executor.wait_for("waiting for the scheduler");
+    let (_scheduler, listening) = scheduler(&["--listen", &address]);
+    assert_eq!(listening, address);
+    let (status, output) = client.end();
+    assert!(status.success(), "{output}");
+    assert_eq!(table(&answer(&[&query])), table(&output));
+}
+
+#[test]
+fn an_address_that_others_reach_is_warned_of() {
+    let mut open = Process::program(&["scheduler", "--listen", "0.0.0.0"]);
+    open.wait_for("warning: 0.0.0.0 can be reached from other machines");
+    // Executors could not call it back.
+    open.wait_for("give one with --host");
+}

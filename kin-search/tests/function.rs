@@ -1,0 +1,370 @@
+//! The functions of SQL give what the solvers give.
+
+use std::f64::consts::TAU;
+
+use datafusion::arrow::array::{Array, AsArray, RecordBatch};
+use datafusion::arrow::datatypes::Float64Type;
+use datafusion::prelude::SessionContext;
+use kin_core::library::{FiveBar, FourBar, HoekenLinkage};
+use kin_core::prelude::*;
+use kin_search::session::{plan, statements};
+use kin_search::{Functions, Options, session};
+
+fn new() -> SessionContext {
+    session(&Functions::library(), &Options::default()).unwrap()
+}
+
+async fn ask(session: &SessionContext, sql: &str) -> Result<RecordBatch, String> {
+    let mut last = None;
+    for statement in statements(sql).map_err(|error| error.to_string())? {
+        let plan = plan(session, statement).await.map_err(|error| error.to_string())?;
+        let frame = session
+            .execute_logical_plan(plan)
+            .await
+            .map_err(|error| error.to_string())?;
+        let schema = frame.schema().as_arrow().clone();
+        let rows = frame.collect().await.map_err(|error| error.to_string())?;
+        let schema = rows.first().map_or_else(|| schema.into(), RecordBatch::schema);
+        last = Some(datafusion::arrow::compute::concat_batches(&schema, &rows).unwrap());
+    }
+    Ok(last.unwrap())
+}
+
+/// The numbers of a column; `None` where it is null.
+fn numbers(rows: &RecordBatch, column: usize) -> Vec<Option<f64>> {
+    rows.column(column).as_primitive::<Float64Type>().iter().collect()
+}
+
+async fn one(sql: &str) -> f64 {
+    numbers(&ask(&new(), sql).await.unwrap(), 0)[0].unwrap()
+}
+
+/// Vectors round differently from single numbers. This is more than both can lose in these well-conditioned poses.
+fn is_near(found: f64, wanted: f64) -> bool {
+    (found - wanted).abs() <= 1e-12 * wanted.abs().max(1.0)
+}
+
+const LINKAGE: FourBar = FourBar {
+    r1: 90.0,
+    r2: 30.0,
+    r3: 60.0,
+    r4: 45.0,
+};
+
+#[tokio::test]
+async fn a_pose_has_the_rates_of_its_arguments() {
+    let rows = ask(
+        &new(),
+        "select p.* from (select unnest(p) from (select four_bar(90, 30, 60, 45, 1.1, -10, 2, -0.5, 0.3) as p)) p",
+    )
+    .await
+    .unwrap();
+    let pose = LINKAGE.solve([1.1, -10.0, 2.0, -0.5, 0.3], Assembly::Open).unwrap();
+    for order in 0..5 {
+        for (first, motion) in [(0, pose.theta3), (5, pose.theta4)] {
+            let found = numbers(&rows, first + order)[0].unwrap();
+            let wanted = motion.derivative(order).unwrap();
+            assert!(is_near(found, wanted), "{order}: {found} {wanted}");
+        }
+    }
+    // with less, there is less
+    let message = ask(&new(), "select four_bar(90, 30, 60, 45, 1.1)['theta4_velocity']")
+        .await
+        .unwrap_err();
+    assert!(message.contains("theta4_velocity"), "{message}");
+}
+
+#[tokio::test]
+async fn arguments_have_names_and_assemblies_are_texts() {
+    let crossed = LINKAGE
+        .solve(Motion::at_constant_speed(1.1, -10.0), Assembly::Crossed)
+        .unwrap()
+        .theta4;
+    for call in [
+        "four_bar(r4 => 45, r3 => 60, r2 => 30, r1 => 90, assembly => 'crossed', theta2 => 1.1, theta2_velocity => -10)",
+        "four_bar(90, 30, 60, 45, 1.1, 'Crossed', -10)",
+        "four_bar(90, 30, 60, 45, 1.1, -10, 'crossed')",
+    ] {
+        assert!(
+            is_near(one(&format!("select {call}['theta4']")).await, crossed.position()),
+            "{call}"
+        );
+        assert!(
+            is_near(
+                one(&format!("select {call}['theta4_velocity']")).await,
+                crossed.velocity()
+            ),
+            "{call}"
+        );
+    }
+    let message = ask(&new(), "select four_bar(90, 30, 60, 45, 1.1, 'left')['theta4']")
+        .await
+        .unwrap_err();
+    assert!(message.contains("'open', 'crossed'"), "{message}");
+}
+
+#[tokio::test]
+async fn a_column_of_assemblies_chooses_row_by_row() {
+    let rows = ask(
+        &new(),
+        "select four_bar(90, 30, 60, 45, 1.1, a)['theta4'] from (values (1, 'crossed'), (2, 'open'), (3, 'crossed'), (4, null)) as t(i, a) order by i",
+    )
+    .await
+    .unwrap();
+    let of = |assembly| LINKAGE.position(1.1, assembly).unwrap().theta4.position();
+    let found = numbers(&rows, 0);
+    for (row, assembly) in [Assembly::Crossed, Assembly::Open, Assembly::Crossed]
+        .into_iter()
+        .enumerate()
+    {
+        assert!(is_near(found[row].unwrap(), of(assembly)));
+    }
+    assert_eq!(found[3], None);
+}
+
+#[tokio::test]
+async fn a_loop_that_does_not_close_has_no_numbers_but_a_margin() {
+    let rows = ask(
+        &new(),
+        "select p['theta4'], p['margin'], p['outcome'] = 'out_of_reach' from \
+         (select i, four_bar(1, r2, 1.5, 1.5, 2.0) as p from (values (1, 0.5), (2, 4.0), (3, null)) as t(i, r2)) order by i",
+    )
+    .await
+    .unwrap();
+    let (angle, margin) = (numbers(&rows, 0), numbers(&rows, 1));
+    assert!(angle[0].is_some() && margin[0].is_none());
+    let alone = FourBar {
+        r1: 1.0,
+        r2: 4.0,
+        r3: 1.5,
+        r4: 1.5,
+    }
+    .position(2.0, Assembly::Open)
+    .unwrap_err();
+    let kin_core::Failure::OutOfReach { margin: missing } = alone.failure else {
+        panic!("{alone}")
+    };
+    assert!(angle[1].is_none() && is_near(margin[1].unwrap(), missing));
+    assert!(rows.column(2).as_boolean().value(1) && !rows.column(2).as_boolean().value(0));
+    assert!(angle[2].is_none() && margin[2].is_none() && rows.column(2).is_null(2));
+}
+
+#[tokio::test]
+async fn a_turn_is_what_a_loop_over_poses_finds() {
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 80.0,
+        r4: 60.0,
+    };
+    let (mut low, mut high, mut peak, mut place) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64, 0.0);
+    let mut transmission = f64::INFINITY;
+    for step in 0..90 {
+        let angle = TAU * f64::from(step) / 90.0;
+        let pose = linkage
+            .solve(Motion::at_constant_speed(angle, 2.0), Assembly::Open)
+            .unwrap();
+        (low, high) = (low.min(pose.theta4.position()), high.max(pose.theta4.position()));
+        let snap = pose.theta4.snap().abs();
+        if snap > peak {
+            (peak, place) = (snap, angle);
+        }
+        let between = (pose.theta4.position() - pose.theta3.position()).sin().abs().asin();
+        transmission = transmission.min(between);
+    }
+    let rows = ask(
+        &new(),
+        "select t['closed'], t['theta4_swing'], t['theta4_peak_snap'], t['theta4_where_peak_snap'], t['min_transmission'], t['rotates'] \
+         from (select four_bar_turn(90, 30, 80, 60, 'open', 90, 2) as t)",
+    )
+    .await
+    .unwrap();
+    for (column, wanted) in [1.0, high - low, peak, place, transmission].into_iter().enumerate() {
+        let found = numbers(&rows, column)[0].unwrap();
+        assert!(is_near(found, wanted), "{column}: {found} {wanted}");
+    }
+    assert!(rows.column(5).as_boolean().value(0));
+}
+
+#[tokio::test]
+async fn part_of_a_turn_closes_where_the_whole_does_not() {
+    let sql = "select four_bar_turn(90, 30, 60, 45)['closed'], four_bar_turn(90, 30, 60, 45, 91, 1, -1, 1)['closed'], \
+               four_bar_turn(90, null, 60, 45)['closed']";
+    let rows = ask(&new(), sql).await.unwrap();
+    // the crank stops at 112.024° on both sides
+    let whole = numbers(&rows, 0)[0].unwrap();
+    assert!((whole - 225.0 / 360.0).abs() < 1e-12, "{whole}");
+    assert_eq!(numbers(&rows, 1)[0], Some(1.0));
+    assert_eq!(numbers(&rows, 2)[0], None);
+    let message = ask(&new(), "select four_bar_turn(90, 30, 60, 45, 0)")
+        .await
+        .unwrap_err();
+    assert!(message.contains("poses"), "{message}");
+    let message = ask(&new(), "select four_bar_turn(90, 30, 60, 45, 9, 1, 0)")
+        .await
+        .unwrap_err();
+    assert!(message.contains("together with `to`"), "{message}");
+}
+
+#[tokio::test]
+async fn the_first_of_several_inputs_turns_and_the_others_stand() {
+    let linkage = FiveBar {
+        ground: 3.0,
+        left: 1.0,
+        left_rod: 3.0,
+        right_rod: 3.0,
+        right: 1.0,
+    };
+    let mut high = f64::NEG_INFINITY;
+    for step in 0..360 {
+        let angle = TAU * f64::from(step) / 360.0;
+        high = high.max(linkage.position(angle, 0.4, Assembly::Open).unwrap().hand.value().y);
+    }
+    let found = one("select five_bar_turn(3, 1, 3, 3, 1, beta => 0.4)['hand_y_greatest']").await;
+    assert!(is_near(found, high), "{found} {high}");
+}
+
+#[tokio::test]
+async fn a_published_straight_line_is_as_straight_as_published() {
+    let line = "hoeken_linkage_line(2.2, 1, 2.8, 'open', 361, 1, pi() / 2, 3 * pi() / 2)";
+    // R. L. Norton's table, the row of 180°: 4.181 cranks and 0.096 %
+    assert!((one(&format!("select {line}['length']")).await - 4.181).abs() < 5e-4);
+    assert!((one(&format!("select {line}['deviation']")).await - 0.000_96).abs() < 5e-6);
+    assert!((one(&format!("select {line}['unevenness']")).await - 0.352).abs() < 5e-5);
+}
+
+#[tokio::test]
+async fn a_path_misses_its_own_points_by_rounding_and_others_by_their_distance() {
+    let linkage = HoekenLinkage::PUBLISHED;
+    let session = new();
+    let mut free = Vec::new();
+    let mut timed = Vec::new();
+    for degrees in [90, 135, 180, 260] {
+        let angle = f64::from(degrees).to_radians();
+        let tracer = linkage.position(angle, Assembly::Open).unwrap().tracer.value();
+        free.push(format!("({:?}, {:?})", tracer.x, tracer.y));
+        timed.push(format!("({angle:?}, {:?}, {:?})", tracer.x, tracer.y + 0.25));
+    }
+    let tables = format!(
+        "create table free as select * from (values {}) as t(x, y); create table timed as select * from (values {}) as t(input, x, y)",
+        free.join(", "),
+        timed.join(", ")
+    );
+    ask(&session, &tables).await.unwrap();
+    let error =
+        |points: &str, field: &str| format!("select hoeken_linkage_path_error('{points}', 2, 1, 2.5)['{field}']");
+    let of = async |sql: String| numbers(&ask(&session, &sql).await.unwrap(), 0)[0].unwrap();
+    assert!(of(error("free", "largest")).await < 1e-13);
+    assert!(is_near(of(error("timed", "rms")).await, 0.25));
+    // below the straight line
+    let largest = of(error("2 4; 2 3.5", "largest")).await;
+    assert!((0.49..0.500_001).contains(&largest), "{largest}");
+    let message = ask(&session, &error("nothing", "rms")).await.unwrap_err();
+    assert!(message.contains("name of a table"), "{message}");
+}
+
+#[tokio::test]
+async fn a_coupled_mechanism_takes_values_nearby_and_has_no_turn() {
+    let functions = Functions::library();
+    let names: Vec<&str> = functions.iter().map(|function| function.name()).collect();
+    assert!(names.contains(&"watt_ii") && names.contains(&"watt_ii_turn"));
+    let coupled = functions.list().into_iter().find(|line| line.contains("near_"));
+    let coupled = coupled.expect("the library has coupled mechanisms");
+    let name = coupled.split('(').next().unwrap();
+    assert!(!names.contains(&format!("{name}_turn").as_str()), "{name}");
+}
+
+#[tokio::test]
+async fn the_information_schema_names_arguments_and_units() {
+    let rows = ask(
+        &new(),
+        "select parameter_name from information_schema.parameters where specific_name = 'four_bar' and parameter_mode = 'IN' \
+         order by ordinal_position",
+    )
+    .await
+    .unwrap();
+    let names =
+        datafusion::arrow::compute::cast(rows.column(0), &datafusion::arrow::datatypes::DataType::Utf8).unwrap();
+    let names: Vec<&str> = names.as_string::<i32>().iter().flatten().collect();
+    assert_eq!(
+        names[..7],
+        ["r1", "r2", "r3", "r4", "theta2", "assembly", "theta2_velocity"]
+    );
+    let rows = ask(
+        &new(),
+        "select description from information_schema.routines where routine_name = 'four_bar' and description like '%rad/s^4%'",
+    )
+    .await
+    .unwrap();
+    assert_eq!(rows.num_rows(), 1);
+}
+
+mechanism! {
+    /// A point on a wheel.
+    struct Wheel { radius: Length }
+    input theta: Angle;
+    unknown height: Length;
+    height == radius * sin(theta);
+}
+
+#[tokio::test]
+async fn anybody_adds_a_mechanism() {
+    let session = new();
+    kin_search::register::<Wheel>(&session);
+    let found = numbers(
+        &ask(&session, "select wheel(2, 0.5, 3)['height_velocity']")
+            .await
+            .unwrap(),
+        0,
+    )[0]
+    .unwrap();
+    assert!(is_near(found, 6.0 * 0.5_f64.cos()));
+    let own = Functions::library().with::<Wheel>();
+    assert_ne!(own.fingerprint(), Functions::library().fingerprint());
+    assert_eq!(own.fingerprint(), Functions::library().with::<Wheel>().fingerprint());
+}
+
+#[tokio::test]
+async fn candidates_lie_within_their_limits_and_do_not_depend_on_the_parts_of_a_query() {
+    let sql = "select min(x), max(x), sum(y), min(y), max(y) from (select candidate(value, 1, 2, -3, 5) as x, \
+               candidate_log(value, 2, 2, 0.01, 100) as y from range(0, 20000))";
+    let rows = ask(&new(), sql).await.unwrap();
+    let at = |column| numbers(&rows, column)[0].unwrap();
+    assert!(-3.0 < at(0) && at(0) < -2.99 && 4.99 < at(1) && at(1) < 5.0);
+    assert!(0.01 < at(3) && at(3) < 0.0101 && 99.0 < at(4) && at(4) < 100.0);
+    // columns as limits give the same
+    let same = "select sum(candidate_log(value, 2, 2, 0.01 + 0 * value, 100 + 0 * value)) from range(0, 20000)";
+    assert!(is_near(one(same).await, at(2)));
+    for wrong in [
+        "candidate(1, 3, 2, 0, 1)",
+        "candidate(1, 0, 2, 0, 1)",
+        "candidate(1, 1, 65, 0, 1)",
+        "candidate_log(1, 1, 1, -1, 1)",
+    ] {
+        assert!(ask(&new(), &format!("select {wrong}")).await.is_err(), "{wrong}");
+    }
+}
+
+#[tokio::test]
+async fn the_kind_of_vectors_is_a_setting() {
+    let sql = "set kin.vectors = 'compiled'; select four_bar(90, 30, 60, 45, 1.1)['theta4']";
+    let found = numbers(&ask(&new(), sql).await.unwrap(), 0)[0].unwrap();
+    assert!(is_near(
+        found,
+        LINKAGE.position(1.1, Assembly::Open).unwrap().theta4.position()
+    ));
+    let message = ask(&new(), &sql.replace("compiled", "wide")).await.unwrap_err();
+    assert!(message.contains("'avx512'"), "{message}");
+}
+
+#[tokio::test]
+async fn a_query_that_needs_more_memory_than_it_may_take_ends_with_an_error() {
+    let options = Options {
+        memory: Some(1_000_000),
+        partitions: Some(1),
+    };
+    let session = session(&Functions::library(), &options).unwrap();
+    let sql = "select count(*) from range(0, 3000000) a join range(0, 3000000) b on a.value = b.value";
+    let message = ask(&session, sql).await.unwrap_err();
+    assert!(message.contains("Resources exhausted"), "{message}");
+}
