@@ -290,7 +290,7 @@ groups! {
         RangedCircular [1.2, 0.8] at [-0.1, 1.1];
         RangedTwice [90.0, 30.0, 60.0, 45.0] at [-1.9, 1.9];
         RangedIncline [1.0, 3.0, 0.4] at [-3.1, 3.1];
-        RangedBetween [90.0, 30.0, 60.0, 45.0, 70.0, 40.0] at [-1.9, 1.9];
+        RangedBetween [60.0, 45.0, 75.0, 95.0, 60.0, 100.0] at [-1.9, 1.9];
     }
     + besides {
         RangedAngleBelow [2.0, 3.0] at [1.2, 4.8];

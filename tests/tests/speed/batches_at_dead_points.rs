@@ -305,8 +305,13 @@ fn compare<M: Mechanism<Scalar: Element>>(poses: &[Given], assembly: Option<M::A
         };
         let summary = summary.expect("all columns are of one length");
         assert_eq!(summary.solved + summary.failed, count, "{name}");
+        let mut in_doubt = 0;
         for (index, (outcome, alone)) in outcomes.iter().zip(&alone).enumerate() {
-            let Given { parameters, input, .. } = &poses[index];
+            let Given {
+                parameters,
+                input,
+                near,
+            } = &poses[index];
             let place = format!("{name}, {vectors:?}, {assembly:?}, {parameters:?}, {input:?}");
             match alone {
                 Ok(alone) => {
@@ -334,10 +339,22 @@ fn compare<M: Mechanism<Scalar: Element>>(poses: &[Given], assembly: Option<M::A
                             "{place}: {found:e} for {margin:e}"
                         );
                     }
+                    // Rounding decides whether two roots coincide, and vectors round differently.
+                    _ if assembly.is_none() && outcome.is_solved() && Outcome::from(error) == Outcome::Singular => {
+                        in_doubt += 1;
+                        for (column, near) in table.unknowns.iter().zip(near) {
+                            let error = column[0][index].real() - near;
+                            assert!(error.abs() <= 0.01, "{place}: {error:e} from the double root");
+                        }
+                    }
                     _ => assert_eq!(*outcome, Outcome::from(error), "{place}"),
                 },
             }
         }
+        assert!(
+            in_doubt <= count / 100,
+            "{name}, {vectors:?}: {in_doubt} of {count} poses in doubt"
+        );
     }
     let closed = alone.iter().filter(|alone| alone.is_ok()).count();
     println!("{name}, {assembly:?}: {closed} of {count} closed");

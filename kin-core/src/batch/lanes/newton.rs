@@ -33,6 +33,8 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element
     let mut point = guess;
     let mut root = [Lanes([E::nan(); W]); N];
     let mut pending = [true; W];
+    // The change of the determinant, as a part of itself, for each unit of length of a step.
+    let mut rate = [E::zero(); W];
     let mut last: Option<NewtonStep<W, FUSED, N, E>> = None;
     for _ in 0..ITERATIONS {
         // Called in one place only: with two calls it would not be inlined into this function, and so not compiled for
@@ -65,11 +67,13 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element
             forecast = [previous * fall, largest(&difference) * length];
             ratio = factors.determinant_relative_to(&step.factors);
             for lane in 0..W {
+                let change = (ratio.0[lane] - E::one()).size() / previous.0[lane];
+                rate[lane] = Float::max(rate[lane], change);
                 let (previous, fall) = (previous.0[lane], fall.0[lane]);
                 let falls = fall < E::of(0.75) * previous;
                 // A small correction that does not fall is rounding.
                 let ends = !falls && previous * previous <= E::of(LINEAR_STEP * E::EPSILON);
-                if pending[lane] && ends && is_distinct(ratio.0[lane]) {
+                if pending[lane] && ends && is_distinct(ratio.0[lane], rate[lane] * previous) {
                     arrive(&mut root, if fall < previous { &point } else { &step.from }, lane);
                 }
                 pending[lane] &= falls;
@@ -84,7 +88,7 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element
             let stalled = length >= E::of(0.5) * previous && length * length <= E::of(LINEAR_STEP * E::EPSILON);
             if pending[lane] && (lost || stalled) {
                 pending[lane] = false;
-                if is_distinct(ratio.0[lane]) {
+                if is_distinct(ratio.0[lane], rate[lane] * length) {
                     arrive(&mut root, if lost { &end } else { &point }, lane);
                 }
             }
@@ -117,10 +121,14 @@ pub(super) fn root<const W: usize, const FUSED: bool, const N: usize, E: Element
 }
 
 /// Whether rounding errors change the determinant too little for a second root. The ordinary method allows a change of
-/// a quarter. Its last step differs from the one here, so half of that would already be in doubt.
+/// a quarter. Its last step differs from the one here, so an eighth of that would already be in doubt.
+///
+/// The last step shows the change by its `ratio`. Where this step is itself a rounding error, the ratio may be close to one
+/// by chance, so the fastest change of all steps over the length of the last one counts as well.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn is_distinct<E: Element>(ratio: E) -> bool {
-    ratio >= E::of(0.97) && ratio <= E::of(1.03)
+fn is_distinct<E: Element>(ratio: E, change: E) -> bool {
+    let allowed = E::of(0.03);
+    (ratio - E::one()).size() <= allowed && change <= allowed
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
