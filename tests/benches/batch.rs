@@ -158,6 +158,64 @@ fn four_bar() {
     times.ratio("four_bar.batch.varying", "four_bar.notes");
 }
 
+/// A batch of the four-bar linkage in one precision.
+macro_rules! enter_in_precision {
+    ($race:ident, $float:ty, $columns:ident, $vectors:ident, $name:expr) => {{
+        let columns: [Vec<$float>; 5] = $columns
+            .each_ref()
+            .map(|column| column.iter().map(|value| *value as $float).collect());
+        let parameters = linkage().parameters().map(|length| length as $float);
+        let mut poses = FourBarBatch::filled(|| Some(vec![0.0; POSES]));
+        poses.theta2.as_mut().fill(None);
+        let mut outcomes = vec![Outcome::Unsolved; POSES];
+        $race.enter_batch($name, move || {
+            let parameters = black_box(parameters).map(Column::Same);
+            let theta2 = Motion::new([0, 1, 2, 3, 4].map(|order| Column::Each(black_box(&columns[order]))));
+            let summary = batch::solve::<FourBar<$float>, _, _>(
+                parameters,
+                [theta2],
+                Assembly::Open,
+                &mut poses,
+                &mut outcomes,
+                $vectors,
+            )
+            .expect("the columns are of one length");
+            assert_eq!((summary.solved, summary.alone), (POSES, 0));
+            black_box((&mut poses, &mut outcomes));
+        });
+    }};
+}
+
+/// Single precision against double, in which there are half as many lanes: in batches, and of one pose.
+#[allow(clippy::cast_possible_truncation, reason = "that is single precision")]
+#[allow(clippy::cast_lossless, reason = "one macro writes both precisions")]
+fn single_precision() {
+    let motions = motions(-1.8, 1.8, POSES);
+    let columns = columns(&motions);
+    let mut race = Race::new(POSES);
+    for (vectors, name) in kinds() {
+        enter_in_precision!(race, f64, columns, vectors, format!("four_bar.double.{name}"));
+        enter_in_precision!(race, f32, columns, vectors, format!("four_bar.single.{name}"));
+    }
+    let linkage = linkage();
+    let typed = motions.iter().map(|motion| Motion::new(*motion)).collect::<Vec<_>>();
+    race.enter("four_bar.double.one", typed, |motion| {
+        black_box(linkage).solve(motion, Assembly::Open)
+    });
+    let linkage = FourBar::<f32>::from_parameters(linkage.parameters().map(|length| length as f32));
+    let typed = motions
+        .iter()
+        .map(|motion| Motion::new(motion.map(|value| value as f32)))
+        .collect::<Vec<_>>();
+    race.enter("four_bar.single.one", typed, |motion| {
+        black_box(linkage).solve(motion, Assembly::Open)
+    });
+    let times = race.run();
+    for name in kinds().map(|(_, name)| name).chain(["one"]) {
+        times.ratio(&format!("four_bar.single.{name}"), &format!("four_bar.double.{name}"));
+    }
+}
+
 /// Shares of poses that are out of reach, in percent.
 const SHARES: [u16; 5] = [0, 5, 38, 90, 100];
 
@@ -355,6 +413,7 @@ fn all_cores() {
 
 fn main() {
     four_bar();
+    single_precision();
     out_of_reach();
     slider_crank();
     coupled();
