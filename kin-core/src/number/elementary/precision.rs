@@ -164,7 +164,7 @@ mod tests {
     }
 
     /// Every 997th number, and all numbers next to multiples of π/2. With `KIN_ALL_SINGLES` every number is tested, which
-    /// takes minutes in a release build.
+    /// takes half an hour in a release build.
     #[test]
     fn errors_in_single_precision() {
         let step = if std::env::var_os("KIN_ALL_SINGLES").is_some() {
