@@ -13,6 +13,10 @@ use super::lanes::Element;
 pub(super) const MOST_LANES: usize = 16;
 
 /// The number of lanes of the widest vectors, in single precision.
+#[cfg_attr(
+    not(feature = "std"),
+    expect(dead_code, reason = "verdicts need a place for each lane, and threads")
+)]
 pub(super) const MOST_SINGLES: usize = 16;
 
 /// The vector instructions for a batch.

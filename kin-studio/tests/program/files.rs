@@ -28,7 +28,7 @@ fn a_file_is_built_and_run() {
         "theta moves at 270 deg/s\n",
     );
     let warm = warm.elapsed();
-    assert!(warm < Duration::from_secs(10), "{warm:?}");
+    assert!(3 * warm < cold, "{warm:?} after {cold:?}");
     says(
         &typed_in(&folder, "kin run wiper.kin show"),
         "  crank * cis(theta) + rod * cis(phi)",
