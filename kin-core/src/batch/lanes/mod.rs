@@ -34,8 +34,10 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn from_fn(mut function: impl FnMut(usize) -> E) -> Self {
         let mut lanes = [E::zero(); W];
-        for (lane, entry) in lanes.iter_mut().enumerate() {
-            *entry = function(lane);
+        // A kernel has thousands of these loops. Over the entries themselves they take LLVM more than twice as long.
+        #[expect(clippy::needless_range_loop, reason = "the compiler is faster")]
+        for lane in 0..W {
+            lanes[lane] = function(lane);
         }
         Self(lanes)
     }
