@@ -275,7 +275,7 @@ impl Connection {
             .with_option_extension(caller)
             .with_ballista_logical_extension_codec(Arc::new(Codec::default()))
             .with_target_partitions(self.client.tasks.max(1));
-        // Ballista makes a catalog anew, in the list of catalogs of its state. The tables of this session stay in a list of their own.
+        // Ballista replaces a catalog in the list that its state holds. It gets a list of its own, so that the local tables stay.
         let state = SessionStateBuilder::new_from_existing(state)
             .with_config(config)
             .with_catalog_list(Arc::new(MemoryCatalogProviderList::new()))
