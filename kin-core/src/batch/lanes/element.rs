@@ -17,10 +17,6 @@ pub trait Element: Scalar + Real<Truth = bool> + Elementary + Judged + Send + Sy
     #[doc(hidden)]
     const LARGEST: Self;
 
-    /// The largest count for which all smaller ones are exact.
-    #[doc(hidden)]
-    const LARGEST_COUNT: usize;
-
     /// Runs a kernel in `DOUBLES` lanes of double precision, or in `SINGLES` lanes of single precision.
     #[doc(hidden)]
     fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result;
@@ -30,7 +26,6 @@ impl Element for f64 {
     const DOUBT_IN_LANES: f64 = 1e-12;
     /// 2⁴⁸⁰.
     const LARGEST: Self = f64::from_bits((1023 + 480) << 52);
-    const LARGEST_COUNT: usize = 1 << 53;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result {
@@ -42,7 +37,6 @@ impl Element for f32 {
     const DOUBT_IN_LANES: f64 = 4500.0 * f32::EPSILON as f64;
     /// 2⁶⁰.
     const LARGEST: Self = f32::from_bits((127 + 60) << 23);
-    const LARGEST_COUNT: usize = 1 << 24;
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<K: Kernel, const DOUBLES: usize, const SINGLES: usize, const FUSED: bool>(kernel: K) -> K::Result {
