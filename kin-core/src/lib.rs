@@ -141,6 +141,9 @@ mod track;
 pub mod verify;
 
 pub use assemblies::{Assemblies, Choices, Positions, continuation};
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub use assembly::assembly_named;
 pub use assembly::{Assembly, Guess, IntoAssembly, Near};
 pub use failure::{Failure, InputValues, SolveError};
 pub use geometry::{Plane, Rotation, Space};
@@ -155,7 +158,10 @@ pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 pub use number::count;
 pub use number::{Changing, Number, Operations, Row, series};
 pub use picture::{Body, Outline, Place, Places, Skeleton, Slide, TransmissionAngle};
-pub use quantity::{Dimension, Quantity};
+#[cfg(feature = "alloc")]
+#[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+pub use quantity::in_small_letters;
+pub use quantity::{Dimension, Quantity, RATES};
 pub use solve::Scalar;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 

@@ -82,25 +82,9 @@ fn below_the_line(digit: char) -> char {
         .unwrap_or(digit)
 }
 
-/// A type's name in small letters, with a sign between its words: `FourBar` becomes `four_bar`.
-pub(crate) fn in_small_letters(name: &str, between: char) -> String {
-    let letters: Vec<char> = name.chars().collect();
-    let mut own = String::new();
-    for (place, letter) in letters.iter().enumerate() {
-        let begins = letter.is_uppercase()
-            && place > 0
-            && (!letters[place - 1].is_uppercase() || letters.get(place + 1).is_some_and(|next| next.is_lowercase()));
-        if begins {
-            own.push(between);
-        }
-        own.extend(letter.to_lowercase());
-    }
-    own
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{in_small_letters, symbol};
+    use super::symbol;
 
     #[test]
     fn names_are_letters_with_indices() {
@@ -117,11 +101,5 @@ mod tests {
         ] {
             assert_eq!(symbol(name), text);
         }
-    }
-
-    #[test]
-    fn names_of_files() {
-        assert_eq!(in_small_letters("FourBar", '_'), "four_bar");
-        assert_eq!(in_small_letters("StephensonIIIByDyad", '-'), "stephenson-iii-by-dyad");
     }
 }

@@ -1,9 +1,15 @@
 //! The two assemblies of a dyad.
 
 mod given;
+#[cfg(feature = "alloc")]
+mod name;
 mod near;
 
 pub use given::IntoAssembly;
+#[cfg(feature = "alloc")]
+pub(crate) use name::assembly_name;
+#[cfg(feature = "alloc")]
+pub use name::assembly_named;
 pub use near::{Guess, Near};
 
 use core::fmt;

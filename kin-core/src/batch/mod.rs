@@ -31,7 +31,6 @@
 //! # Ok::<(), kin_core::batch::LengthMismatch>(())
 //! ```
 
-mod besides;
 mod column;
 #[cfg(test)]
 mod comparison_tests;
@@ -47,6 +46,7 @@ mod sweep;
 mod target;
 #[cfg(test)]
 mod tests;
+mod transmission;
 mod view;
 
 pub use column::{Column, Parameter};

@@ -5,11 +5,11 @@ use core::ops::Range;
 use num_traits::{Float, Zero};
 
 use super::Column;
-use super::besides::Besides;
 use super::destination::Destination;
 use super::dispatch::{Kernel, Vectors};
 use super::outcome::{LengthMismatch, Outcome, Summary};
 use super::target::{Columns, Target};
+use super::transmission::TransmissionEntries;
 use super::view::{View, gather, look, repeat};
 use crate::batch::lanes::{Element, Lanes, verdicts};
 use crate::failure::SolveError;
@@ -182,14 +182,14 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
     ) -> Result<Summary, LengthMismatch> {
         let mut destination = Destination::nowhere();
         destination.find(poses, outcomes.len())?;
-        Ok(self.store(&destination, (), outcomes, vectors))
+        Ok(self.store(&destination, &TransmissionEntries::nowhere(), outcomes, vectors))
     }
 
-    /// Solves poses and stores their numbers, and what is wanted besides them.
-    pub(super) fn store<B: Besides<M::Scalar>>(
+    /// Solves poses and stores their numbers and their transmission angles.
+    pub(super) fn store<'d>(
         &self,
-        destination: &Destination<'_, M>,
-        besides: B,
+        destination: &Destination<'d, M>,
+        angles: &TransmissionEntries<'d, M>,
         outcomes: &mut [Outcome],
         vectors: Vectors,
     ) -> Summary {
@@ -197,7 +197,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
             problem: self,
             near: &self.guide.near(),
             destination,
-            besides,
+            angles,
             outcomes,
         })
     }
@@ -246,15 +246,15 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
 }
 
 /// A problem with the places for its results.
-struct Sweep<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G, B> {
+struct Sweep<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     problem: &'p Problem<'a, M, G>,
     near: &'p M::Unknowns<Column<'a, M::Scalar>>,
     destination: &'p Destination<'d, M>,
-    besides: B,
+    angles: &'p TransmissionEntries<'d, M>,
     outcomes: &'p mut [Outcome],
 }
 
-impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> Sweep<'_, '_, 'a, M, G, B> {
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Sweep<'_, '_, 'a, M, G> {
     /// Solves a pose alone and stores it.
     #[cold]
     #[inline(never)]
@@ -266,7 +266,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> 
         let nothing = |_| M::Motion::from_fn(|_| M::Scalar::nan());
         let (unknowns, sines, outputs, result) = match self.problem.guide.solve(&mechanism, inputs, near) {
             Ok(pose) => {
-                let _ = self.besides.store(index, &mechanism, &inputs, &pose);
+                let _ = self.angles.store(index, &mechanism, &inputs, &pose);
                 (
                     pose.unknown_columns(),
                     pose.unknown_sines(),
@@ -275,7 +275,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> 
                 )
             }
             Err(error) => {
-                self.besides.leave_out(index);
+                self.angles.leave_out(index);
                 (
                     Row::from_fn(nothing),
                     Row::from_fn(|_| Some(M::Scalar::nan())),
@@ -364,7 +364,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> 
     }
 }
 
-impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> Kernel for Sweep<'_, '_, 'a, M, G, B> {
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for Sweep<'_, '_, 'a, M, G> {
     type Result = Summary;
     type Element = M::Scalar;
 
@@ -425,7 +425,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> 
             let mut sum = Lanes([M::Scalar::nan(); W]);
             verdicts::forget::<M::Scalar>();
             if let Ok(pose) = problem.guide.solve(&mechanism, motions, guess) {
-                let besides = self.besides.store(start, &mechanism, &motions, &pose);
+                let angles = self.angles.store(start, &mechanism, &motions, &pose);
                 let (unknowns, outputs) = (pose.unknown_columns(), pose.output_motions());
                 let sines = pose.unknown_sines();
                 // The sum is finite if and only if all numbers are, unless the sum itself overflows. Start with a
@@ -444,7 +444,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> 
                         sum = sum + *entry;
                     }
                 }
-                sum = sum + besides;
+                sum = sum + angles;
                 let (motions, unknowns, sines) = (motions.as_ref(), unknowns.as_ref(), sines.as_ref());
                 let (destination, outputs) = (self.destination, outputs.as_ref());
                 if sum.is_finite_throughout() {
@@ -456,7 +456,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>, B: Besides<M::Scalar>> 
             } else {
                 self.destination.fill(start, motions.as_ref(), sum);
             }
-            self.besides.clear(start, sum.gaps());
+            self.angles.clear(start, sum.gaps());
             // A margin counts only if no other number of its pose can be the cause.
             let mut squares = Lanes::constant(0.0);
             for entry in dimensions.as_ref() {

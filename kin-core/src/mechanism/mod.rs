@@ -30,6 +30,8 @@ pub use shown::{Shown, fmt_pose};
 
 use core::fmt::Debug;
 
+#[cfg(feature = "alloc")]
+use crate::assembly::assembly_name;
 use crate::failure::SolveError;
 use crate::number::Row;
 use crate::picture::{Outline, Place, Places, Skeleton, TransmissionAngle};
@@ -251,6 +253,22 @@ pub trait Mechanism: Copy + Debug {
     /// All assemblies; none if their number depends on the dimensions.
     fn assemblies() -> impl Iterator<Item = Self::Assembly> {
         (0..Self::ASSEMBLY_COUNT).filter_map(Self::assembly)
+    }
+
+    /// The name of an assembly, as programs and tables write it: `open`, or `knee=open,foot=crossed` where several dyads
+    /// have one each. It is empty if there is no choice.
+    ///
+    /// ```
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// assert_eq!(FourBar::<f64>::assembly_name(Assembly::Crossed), "crossed");
+    /// ```
+    #[cfg(feature = "alloc")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
+    #[must_use]
+    fn assembly_name(assembly: Self::Assembly) -> alloc::string::String {
+        assembly_name(&assembly)
     }
 }
 

@@ -1,13 +1,17 @@
 //! Named quantities, and their values in messages.
 
 mod digits;
+#[cfg(feature = "alloc")]
+mod small_letters;
 mod told;
 
 pub(crate) use digits::Digits;
+#[cfg(feature = "alloc")]
+pub use small_letters::in_small_letters;
 pub(crate) use told::Told;
 
 /// The names of the derivatives with respect to time, from the first on.
-pub(crate) const RATES: [&str; 12] = [
+pub const RATES: [&str; 12] = [
     "velocity",
     "acceleration",
     "jerk",

@@ -5,6 +5,8 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
+use crate::quantity::in_small_letters;
+
 /// Names that are told apart, none of which is a word of the language.
 pub(crate) struct Names {
     keywords: &'static [&'static str],
@@ -103,23 +105,9 @@ pub(crate) fn identifier(declared: &str) -> String {
     }
 }
 
-/// A type's name in small letters with underscores: `FourBar` becomes `four_bar`.
+/// A type's name as an identifier in small letters, with underscores: `FourBar` becomes `four_bar`.
 pub(crate) fn snake(name: &str) -> String {
-    let mut own = String::new();
-    let letters: Vec<char> = identifier(name).chars().collect();
-    for (place, letter) in letters.iter().enumerate() {
-        let before = place.checked_sub(1).and_then(|place| letters.get(place));
-        let after = letters.get(place + 1);
-        let starts = letter.is_ascii_uppercase()
-            && before.is_some_and(|before| *before != '_')
-            && (before.is_some_and(|before| !before.is_ascii_uppercase())
-                || after.is_some_and(char::is_ascii_lowercase));
-        if starts {
-            own.push('_');
-        }
-        own.push(letter.to_ascii_lowercase());
-    }
-    own
+    in_small_letters(&identifier(name), '_')
 }
 
 /// The words of a text in lines of at most `width` letters. Control letters become blanks, so that a text has no line

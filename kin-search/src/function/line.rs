@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use datafusion::arrow::array::{ArrayRef, Float64Builder, StructArray};
-use datafusion::arrow::datatypes::{DataType, Field, Fields};
+use datafusion::arrow::array::StructArray;
+use datafusion::arrow::datatypes::{DataType, Fields};
 use datafusion::common::Result;
 
+use super::numbers;
 use super::search::{Call, Search, function_of_a_search};
 use super::solver::Solver;
 use super::trace::{Trace, point_of, share};
@@ -32,46 +33,23 @@ impl LineFunction {
         Some(Self {
             search: Search::new(solver, "line", Vec::new(), TEXT),
             point,
-            fields: FIELDS
-                .map(|name| Field::new(name, DataType::Float64, true))
-                .to_vec()
-                .into(),
+            fields: numbers::fields(FIELDS),
         })
     }
 
     fn evaluate(&self, call: &Call<'_>) -> Result<StructArray> {
         let mut trace = Trace::default();
-        let mut builders = FIELDS.map(|_| Float64Builder::with_capacity(call.rows));
-        for row in 0..call.rows {
-            let values = match call.candidate(row)? {
-                None => [None; 4],
-                Some(candidate) => {
-                    let turn = candidate.turn;
-                    let inputs = (0..turn.poses).map(|pose| turn.value(pose));
-                    trace.solve(&*self.search.solver, &candidate, inputs, self.point, call.vectors)?;
-                    let [length, deviation, unevenness] = stroke(&trace).map_or([None; 3], |stroke| stroke.map(Some));
-                    [
-                        Some(share(trace.closed(), trace.poses())),
-                        length,
-                        deviation,
-                        unevenness,
-                    ]
-                }
+        numbers::rows(&self.fields, call, |row| {
+            let Some(candidate) = call.candidate(row)? else {
+                return Ok([None; 4]);
             };
-            for (builder, value) in builders.iter_mut().zip(values) {
-                builder.append_option(value);
-            }
-        }
-        let arrays = builders
-            .iter_mut()
-            .map(|builder| Arc::new(builder.finish()) as ArrayRef)
-            .collect();
-        Ok(StructArray::try_new_with_length(
-            self.fields.clone(),
-            arrays,
-            call.valid.clone(),
-            call.rows,
-        )?)
+            let turn = candidate.turn;
+            let inputs = (0..turn.poses).map(|pose| turn.value(pose));
+            trace.solve(&*self.search.solver, &candidate, inputs, self.point, call.vectors)?;
+            let closed = share(trace.closed(), trace.poses());
+            let [length, deviation, unevenness] = stroke(&trace).map_or([None; 3], |stroke| stroke.map(Some));
+            Ok([Some(closed), length, deviation, unevenness])
+        })
     }
 }
 

@@ -19,6 +19,7 @@ mod assembly;
 mod line;
 mod list;
 mod names;
+mod numbers;
 mod path;
 mod points;
 mod pose;

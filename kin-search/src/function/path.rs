@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use datafusion::arrow::array::{ArrayRef, Float64Builder, StructArray};
-use datafusion::arrow::datatypes::{DataType, Field, Fields};
+use datafusion::arrow::array::StructArray;
+use datafusion::arrow::datatypes::{DataType, Fields};
 use datafusion::common::{Result, exec_err};
 
 use super::arguments::Argument;
+use super::numbers;
 use super::points::Points;
 use super::search::{Call, Search, function_of_a_search};
 use super::solver::Solver;
@@ -40,68 +41,41 @@ impl PathFunction {
         Some(Self {
             search: Search::new(solver, ENDING, vec![Argument::text("points", POINTS)], TEXT),
             point,
-            fields: FIELDS
-                .map(|name| Field::new(name, DataType::Float64, true))
-                .to_vec()
-                .into(),
+            fields: numbers::fields(FIELDS),
         })
     }
 
     fn evaluate(&self, call: &Call<'_>) -> Result<StructArray> {
         let mut trace = Trace::default();
-        let mut builders = FIELDS.map(|_| Float64Builder::with_capacity(call.rows));
-        let mut points: Option<(String, Points)> = None;
-        for row in 0..call.rows {
-            let candidate = call.candidate(row)?;
-            let values = match (candidate, call.texts[0].at(row)) {
-                (Some(candidate), Some(text)) => {
-                    if points.as_ref().is_none_or(|(known, _)| known != text) {
-                        points = Some((text.to_owned(), Points::parse(text)?));
-                    }
-                    let Some((_, points)) = &points else {
-                        return exec_err!("{} has no points", self.search.name);
-                    };
-                    let turn = candidate.turn;
-                    let solver = &*self.search.solver;
-                    match points {
-                        Points::Free(_) => {
-                            let inputs = (0..turn.poses).map(|pose| turn.value(pose));
-                            trace.solve(solver, &candidate, inputs, self.point, call.vectors)?;
-                        }
-                        Points::Timed(timed) => {
-                            let inputs = timed.iter().map(|[input, _, _]| *input);
-                            trace.solve(solver, &candidate, inputs, self.point, call.vectors)?;
-                        }
-                    }
-                    let squares = match points {
-                        Points::Free(free) => distances(&trace, free, candidate.is_whole),
-                        Points::Timed(timed) => timed_distances(&trace, timed),
-                    };
-                    let closed = Some(share(trace.closed(), trace.poses()));
-                    match squares {
-                        None => [closed, None, None],
-                        Some((sum, largest)) => {
-                            let mean = sum / share(points.len(), 1);
-                            [closed, Some(mean.sqrt()), Some(largest.sqrt())]
-                        }
-                    }
-                }
-                _ => [None; 3],
+        let mut known: Option<(String, Points)> = None;
+        numbers::rows(&self.fields, call, |row| {
+            let (Some(candidate), Some(text)) = (call.candidate(row)?, call.texts[0].at(row)) else {
+                return Ok([None; 3]);
             };
-            for (builder, value) in builders.iter_mut().zip(values) {
-                builder.append_option(value);
+            if known.as_ref().is_none_or(|(own, _)| own != text) {
+                known = Some((text.to_owned(), Points::parse(text)?));
             }
-        }
-        let arrays = builders
-            .iter_mut()
-            .map(|builder| Arc::new(builder.finish()) as ArrayRef)
-            .collect();
-        Ok(StructArray::try_new_with_length(
-            self.fields.clone(),
-            arrays,
-            call.valid.clone(),
-            call.rows,
-        )?)
+            let Some((_, points)) = &known else {
+                return exec_err!("{} has no points", self.search.name);
+            };
+            let (turn, solver) = (candidate.turn, &*self.search.solver);
+            let squares = match points {
+                Points::Free(free) => {
+                    let inputs = (0..turn.poses).map(|pose| turn.value(pose));
+                    trace.solve(solver, &candidate, inputs, self.point, call.vectors)?;
+                    distances(&trace, free, candidate.is_whole)
+                }
+                Points::Timed(timed) => {
+                    let inputs = timed.iter().map(|[input, _, _]| *input);
+                    trace.solve(solver, &candidate, inputs, self.point, call.vectors)?;
+                    timed_distances(&trace, timed)
+                }
+            };
+            let (sum, largest) = squares.unzip();
+            let mean = sum.map(|sum| sum / share(points.len(), 1));
+            let closed = share(trace.closed(), trace.poses());
+            Ok([Some(closed), mean.map(f64::sqrt), largest.map(f64::sqrt)])
+        })
     }
 }
 

@@ -10,12 +10,12 @@ use datafusion::common::{Result, ScalarValue, exec_datafusion_err, plan_err};
 use datafusion::logical_expr::{
     ColumnarValue, DocSection, Documentation, ReturnFieldArgs, ScalarFunctionArgs, ScalarUDFImpl, Signature, Volatility,
 };
-use kin_core::Dimension;
 use kin_core::batch::{Column, Outcome, Place, Vectors};
+use kin_core::{Dimension, in_small_letters};
 
 use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, coerced, signature, valid_rows};
 use super::assembly;
-use super::names::{of_order, plain, snake, unit};
+use super::names::{of_order, plain, unit};
 use super::settings;
 use super::solver::{Choice, Given, Solver, Wanted};
 
@@ -108,7 +108,7 @@ pub(crate) fn choice(solver: &dyn Solver, assemblies: &[String]) -> Vec<Argument
 impl PoseFunction {
     pub(crate) fn new(solver: Arc<dyn Solver>) -> Self {
         let description = solver.description();
-        let name = snake(description.name);
+        let name = in_small_letters(description.name, '_');
         let assemblies = solver.assemblies();
         let mut arguments = dimensions(&*solver);
         for input in description.inputs {

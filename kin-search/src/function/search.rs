@@ -6,12 +6,12 @@ use datafusion::arrow::buffer::NullBuffer;
 use datafusion::arrow::datatypes::DataType;
 use datafusion::common::{Result, exec_err, plan_err};
 use datafusion::logical_expr::{ColumnarValue, Documentation, ScalarFunctionArgs, Signature, Volatility};
-use kin_core::Dimension;
 use kin_core::batch::{Column, Turn, Vectors};
+use kin_core::{Dimension, in_small_letters};
 
 use super::arguments::{Argument, Numbers, Texts, coerced, signature, valid_rows};
 use super::assembly;
-use super::names::{plain, snake, unit};
+use super::names::{plain, unit};
 use super::pose::{choice, dimensions, documented};
 use super::settings;
 use super::solver::{Choice, Given, Solver};
@@ -75,7 +75,7 @@ impl Search {
     /// A function with this ending of its name. The texts come before the dimensions.
     pub(crate) fn new(solver: Arc<dyn Solver>, ending: &str, texts: Vec<Argument>, result: &str) -> Self {
         let description = solver.description();
-        let name = format!("{}_{ending}", snake(description.name));
+        let name = format!("{}_{ending}", in_small_letters(description.name, '_'));
         let assemblies = solver.assemblies();
         let text_count = texts.len();
         let mut arguments = texts;

@@ -107,9 +107,7 @@ impl<M: Mechanism<Scalar = f64> + 'static> Solver for Of<M> {
     }
 
     fn assemblies(&self) -> Vec<String> {
-        M::assemblies()
-            .map(|assembly| name_of(&format!("{assembly:?}")))
-            .collect()
+        M::assemblies().map(M::assembly_name).collect()
     }
 
     fn solve(
@@ -162,23 +160,5 @@ fn rows<M: Mechanism>(given: Given<'_>) -> (M::Parameters<Column<'_>>, M::Inputs
 impl fmt::Debug for dyn Solver {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.description().name)
-    }
-}
-
-/// The name of an assembly from its debug form: `Open`, or `TypeAssembly { knee: Open, foot: Crossed }`.
-fn name_of(shown: &str) -> String {
-    let inner = shown.split_once('{').map_or(shown, |(_, fields)| fields);
-    inner.replace([' ', '}', '(', ')'], "").replace(':', "=").to_lowercase()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::name_of;
-
-    #[test]
-    fn assemblies_have_names() {
-        assert_eq!(name_of("Open"), "open");
-        assert_eq!(name_of("()"), "");
-        assert_eq!(name_of("A { knee: Open, foot: Crossed }"), "knee=open,foot=crossed");
     }
 }

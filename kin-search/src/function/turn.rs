@@ -5,9 +5,10 @@ use std::sync::Arc;
 use datafusion::arrow::array::{ArrayRef, BooleanArray, Float64Builder, StructArray};
 use datafusion::arrow::datatypes::{DataType, Field, Fields};
 use datafusion::common::{Result, exec_datafusion_err};
+use kin_core::RATES;
 use kin_core::batch::{Column, Fold, FoldedNumber, Place, Turn};
 
-use super::names::{RATES, plain};
+use super::names::plain;
 use super::search::{Call, Search, function_of_a_search};
 use super::solver::Solver;
 

@@ -2,13 +2,13 @@
 
 use kin_core::cycle::Cycle;
 use kin_core::sweep::{Local, Sweep as _};
-use kin_core::{Mechanism, Number as _, Row};
+use kin_core::{Mechanism, Number as _, RATES, Row};
 
 use super::check::Way;
 use crate::objective::{Design, Objective, Place, Traced, Travel};
 
-/// The names of the rates of which peaks are given.
-const RATES: [&str; 4] = ["velocity", "acceleration", "jerk", "snap"];
+/// The highest order of which peaks are given.
+const HIGHEST: usize = 4;
 /// The rows between which extremes are sought.
 const ROWS: usize = 181;
 
@@ -126,7 +126,7 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
             high: least(high.map_err(|error| error.to_string())?),
         });
     }
-    for (order, rate) in (1..=M::DESCRIPTION.order).zip(RATES) {
+    for (order, rate) in (1..=M::DESCRIPTION.order.min(HIGHEST)).zip(RATES) {
         let first = objective.traced[0];
         if let [x, y, ..] = objective.traced[..] {
             // The square of the length has derivatives where the point stands still.

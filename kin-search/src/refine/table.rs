@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kin_core::{Mechanism, Row};
+use kin_core::{Mechanism, Row, assembly_named};
 
 use super::Refinement;
 use super::job::JobError;
@@ -29,25 +29,6 @@ fn cells(line: &str) -> Vec<String> {
         *cell = cell.trim().to_owned();
     }
     cells
-}
-
-/// The name of an assembly: `open`, or `theta3_theta4=open,theta5_theta6=crossed`.
-pub(crate) fn assembly_name<M: Mechanism>(assembly: M::Assembly) -> String {
-    let shown = format!("{assembly:?}").to_lowercase();
-    let inner = shown.split_once('{').map_or(shown.as_str(), |(_, inner)| inner);
-    inner.replace([' ', '}'], "").replace(':', "=")
-}
-
-/// The assembly that a text names: in full, or by one word for all dyads.
-fn assembly<M: Mechanism>(text: &str) -> Option<M::Assembly> {
-    let plain = text.to_lowercase().replace(' ', "").replace(':', "=");
-    let is_meant = |name: &str| {
-        name == plain
-            || name
-                .split(',')
-                .all(|part| part.rsplit('=').next() == Some(plain.as_str()))
-    };
-    M::assemblies().find(|assembly| is_meant(&assembly_name::<M>(*assembly)))
 }
 
 pub(super) fn candidates<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<Candidate<M>>, JobError> {
@@ -113,13 +94,11 @@ pub(super) fn read<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<(Candi
         let said = said.join("; ");
         let assemblies: Vec<M::Assembly> = match own_assembly {
             Some(place) => {
-                let found = assembly::<M>(cell(place));
-                let known = || M::assemblies().map(assembly_name::<M>).collect::<Vec<_>>().join("`, `");
+                let names: Vec<String> = M::assemblies().map(M::assembly_name).collect();
+                let found = assembly_named(&names, cell(place)).and_then(M::assembly);
                 vec![found.ok_or_else(|| {
-                    wrong(
-                        line,
-                        format!("`{}` is no assembly; there are `{}`", cell(place), known()),
-                    )
+                    let known = names.join("`, `");
+                    wrong(line, format!("`{}` is no assembly; there are `{known}`", cell(place)))
                 })?]
             }
             None => M::assemblies().collect(),
@@ -160,7 +139,7 @@ impl<M: Mechanism<Scalar = f64>> Refinement<M> {
             {
                 let _ = write!(table, ",{}", number(value));
             }
-            let _ = writeln!(table, ",\"{}\"", assembly_name::<M>(design.assembly()));
+            let _ = writeln!(table, ",\"{}\"", M::assembly_name(design.assembly()));
         };
         for result in &self.results {
             let figures = [

@@ -1,11 +1,11 @@
 //! One small drawing for each mechanism of the library.
 
+use kin_core::in_small_letters;
 use kin_core::prelude::*;
 
 use super::Figure;
 use crate::drawing::{Scene, Style, draw};
 use crate::library::{self, Visitor};
-use crate::names::in_small_letters;
 
 /// All mechanisms of the library, in the order of the book's table.
 ///

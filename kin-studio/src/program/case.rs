@@ -1,6 +1,6 @@
 //! What is asked of a mechanism: its dimensions, how its inputs move, and its assembly.
 
-use kin_core::{Description, Dimension, Quantity};
+use kin_core::{Description, Dimension, Quantity, assembly_named};
 
 use super::fault::{Fault, listed, similar};
 use super::motion::{InputMotion, LawName, checked};
@@ -125,18 +125,7 @@ impl Typed {
                 (None, _) => Ok(Wanted::Named(0)),
             };
         };
-        let plain = |text: &str| text.replace([' ', '{', '}', '"'], "").replace(':', "=").to_lowercase();
-        if let Some(index) = names.iter().position(|name| plain(name) == plain(text)) {
-            return Ok(Wanted::Named(index));
-        }
-        // one word for all dyads
-        let all: Vec<usize> = (0..names.len())
-            .filter(|index| {
-                let mut words = names[*index].split(',').filter_map(|part| part.split_once('='));
-                names[*index].contains('=') && words.all(|(_, word)| word == plain(text))
-            })
-            .collect();
-        if let [index] = all[..] {
+        if let Some(index) = assembly_named(&names, text) {
             return Ok(Wanted::Named(index));
         }
         if text.contains('=') && (names.is_empty() || text.contains(|letter: char| letter.is_ascii_digit())) {

@@ -24,13 +24,11 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, Command, FromArgMatches, Subcommand};
 use clap_complete::Shell;
-use kin_core::Mechanism;
+use kin_core::{Mechanism, in_small_letters};
 
 use command::Task;
 use fault::{Fault, similar};
 use file::{Run, Told, cache};
-
-use crate::names::in_small_letters;
 
 /// A program of one mechanism: reads the arguments, does what they say, and returns the code to end with.
 ///

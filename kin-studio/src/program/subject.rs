@@ -336,15 +336,6 @@ where
     })
 }
 
-/// `Open` as `open`, `WattIAssembly { knee: Open, foot: Crossed }` as `knee=open,foot=crossed`, `()` as an empty name.
-fn name_of(debug: &str) -> String {
-    let inner = match debug.split_once('{') {
-        Some((_, inner)) => inner.trim_end().trim_end_matches('}'),
-        None => debug.trim_matches(|letter| letter == '(' || letter == ')'),
-    };
-    inner.replace(' ', "").replace(':', "=").to_lowercase()
-}
-
 impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
     fn description(&self) -> Description {
         M::DESCRIPTION
@@ -368,9 +359,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
     }
 
     fn assemblies(&self) -> Vec<String> {
-        M::assemblies()
-            .map(|assembly| name_of(&format!("{assembly:?}")))
-            .collect()
+        M::assemblies().map(M::assembly_name).collect()
     }
 
     fn table(&self, case: &Case, rows: usize) -> Result<Table, Fault> {
@@ -408,7 +397,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
                 .iter()
                 .map(|branch| {
                     let branch = &cycle.branches()[*branch];
-                    let assembly = branch.assembly().map(|assembly| name_of(&format!("{assembly:?}")));
+                    let assembly = branch.assembly().map(M::assembly_name);
                     BranchOf {
                         assembly: assembly.filter(|_| M::ASSEMBLY_COUNT > 0).unwrap_or_default(),
                         range: branch.ends().map(|end| end.input),
@@ -526,17 +515,5 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
 impl From<LengthMismatch> for Fault {
     fn from(mismatch: LengthMismatch) -> Self {
         Self::wrong(mismatch)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::name_of;
-
-    #[test]
-    fn assemblies_have_names() {
-        assert_eq!(name_of("Open"), "open");
-        assert_eq!(name_of("()"), "");
-        assert_eq!(name_of("A { knee: Open, foot: Crossed }"), "knee=open,foot=crossed");
     }
 }

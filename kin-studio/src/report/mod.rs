@@ -25,9 +25,7 @@ pub use draft::Draft;
 pub use error::ReportError;
 pub use model::*;
 
-use kin_core::Mechanism;
-
-use crate::names::in_small_letters;
+use kin_core::{Mechanism, in_small_letters};
 
 /// A report of a mechanism, to which wishes are added: its assembly, the motion of its inputs, units.
 ///

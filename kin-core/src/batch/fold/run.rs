@@ -8,12 +8,12 @@ use super::number::{FoldError, FoldedNumber};
 use super::poses::{Poses, Turn};
 use super::reduce::{Fold, PIECE, ROOM, Reduction, Room};
 use crate::batch::Column;
-use crate::batch::besides::TransmissionEntries;
 use crate::batch::destination::Destination;
 use crate::batch::dispatch::{MOST_LANES, Vectors};
 use crate::batch::outcome::{Outcome, Summary};
 use crate::batch::sweep::{Guide, InAssembly, Nearest, Problem};
 use crate::batch::target::Place;
+use crate::batch::transmission::TransmissionEntries;
 use crate::mechanism::Mechanism;
 
 /// Solves many poses, as [`solve`](crate::batch::solve) does, and summarises numbers of them instead of storing them.
@@ -144,19 +144,16 @@ impl<'a, M: Mechanism<Scalar = f64>, G: Guide<'a, M>> Problem<'a, M, G> {
             problem.inputs[turn.input][0] = Column::Each(turning);
         }
         let mut destination = Destination::nowhere();
-        let mut angles = None::<TransmissionEntries<'_, M>>;
+        let mut angles = TransmissionEntries::<M>::nowhere();
         for fold in folds.iter_mut() {
             let entries = Cell::from_mut(&mut fold.room.0[..count]).as_slice_of_cells();
             match fold.number {
                 FoldedNumber::At(place) => *destination.entries(place) = entries,
-                FoldedNumber::TransmissionAngle(dyad) => angles.get_or_insert_default().of_dyads[dyad] = entries,
-                FoldedNumber::SmallestTransmissionAngle => angles.get_or_insert_default().smallest = entries,
+                FoldedNumber::TransmissionAngle(dyad) => angles.of_dyads[dyad] = entries,
+                FoldedNumber::SmallestTransmissionAngle => angles.smallest = entries,
             }
         }
-        let mut summary = match &angles {
-            None => problem.store(&destination, (), outcomes, vectors),
-            Some(angles) => problem.store(&destination, angles, outcomes, vectors),
-        };
+        let mut summary = problem.store(&destination, &angles, outcomes, vectors);
         if let Some((index, _)) = &mut summary.first_failure {
             *index += first;
         }

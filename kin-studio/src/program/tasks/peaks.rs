@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use kin_core::{Dimension, Quantity};
+use kin_core::{Dimension, Quantity, RATES};
 
 use super::super::case::Case;
 use super::super::command::Peaks;
@@ -13,14 +13,14 @@ use super::super::subject::{Extent, Reached, Subject};
 use super::super::text::{self, Column, Units};
 use super::print;
 
-/// The names of the rates, as columns have them.
-const RATES: [&str; 4] = ["velocity", "acceleration", "jerk", "snap"];
+/// The highest order of a rate that is shown.
+const HIGHEST: usize = 4;
 
 pub(super) fn run(subject: &dyn Subject, options: &Peaks, told: &Told) -> Result<(), Fault> {
     let case = options.setup.typed(told).case(subject)?;
     let description = subject.description();
     let quantities: Vec<&Quantity> = description.unknowns.iter().chain(description.outputs).collect();
-    let highest = description.order.min(RATES.len());
+    let highest = description.order.min(HIGHEST);
     let whole: Vec<(String, Dimension, usize)> = quantities
         .iter()
         .flat_map(|quantity| (0..=highest).map(move |order| (label(quantity, order), quantity.dimension, order)))

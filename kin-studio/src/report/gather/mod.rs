@@ -12,14 +12,13 @@ mod way;
 use data_encoding::HEXLOWER;
 use hmac_sha256::Hash;
 use kin_core::cycle::FullCycle as _;
-use kin_core::{Mechanism, Place, Places, Row as _};
+use kin_core::{Mechanism, Place, Places, Row as _, in_small_letters};
 
 use self::place::Own;
 use self::solver::Solver;
 use self::way::Way;
 use super::model::{FORMAT, NotClosed, Report, Units};
 use super::{Draft, ReportError};
-use crate::names::in_small_letters;
 
 /// The report that a draft wishes for.
 pub(super) fn report<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<Report, ReportError> {

@@ -1,47 +1,11 @@
-//! What a batch may calculate besides the numbers of a pose.
+//! The transmission angles of a batch, which are calculated where they are wanted.
+
+use num_traits::Float;
 
 use super::destination::{Entries, Stored};
 use super::lanes::{Element, Lanes};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
-
-/// What is calculated from a pose, one or several, as soon as it is found.
-pub(super) trait Besides<E>: Copy {
-    /// Calculates it and stores it, starting at a given pose. Returns a number that is finite if it could be calculated.
-    fn store<T: Mechanism<Scalar: Angle<Element = E>>>(
-        self,
-        start: usize,
-        mechanism: &T,
-        inputs: &T::Inputs<T::Motion<T::Scalar>>,
-        pose: &T::Pose,
-    ) -> T::Scalar;
-
-    /// Stores NaN for a pose that fails.
-    fn leave_out(self, index: usize);
-
-    /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is zero for the others.
-    fn clear<const W: usize, const FUSED: bool>(self, start: usize, gone: Lanes<W, FUSED, E>);
-}
-
-/// Nothing.
-impl<E: Element> Besides<E> for () {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn store<T: Mechanism<Scalar: Angle<Element = E>>>(
-        self,
-        _: usize,
-        _: &T,
-        _: &T::Inputs<T::Motion<T::Scalar>>,
-        _: &T::Pose,
-    ) -> T::Scalar {
-        // Adding it changes nothing, which the compiler knows.
-        T::Scalar::constant(-0.0)
-    }
-
-    fn leave_out(self, _: usize) {}
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn clear<const W: usize, const FUSED: bool>(self, _: usize, _: Lanes<W, FUSED, E>) {}
-}
 
 /// The places of the transmission angles, each folded to at most a right angle.
 pub(super) struct TransmissionEntries<'t, M: Mechanism> {
@@ -50,31 +14,40 @@ pub(super) struct TransmissionEntries<'t, M: Mechanism> {
     pub(super) smallest: Entries<'t, M::Scalar>,
 }
 
-impl<M: Mechanism> Default for TransmissionEntries<'_, M> {
-    fn default() -> Self {
+impl<'t, M: Mechanism<Scalar: Element>> TransmissionEntries<'t, M> {
+    /// The places of a batch in which no transmission angle is wanted.
+    pub(super) fn nowhere() -> Self {
         Self {
-            of_dyads: Row::from_fn(|_| -> Entries<'_, M::Scalar> { &[] }),
+            of_dyads: Row::from_fn(|_| -> Entries<'t, M::Scalar> { &[] }),
             smallest: &[],
         }
     }
-}
 
-impl<E: Element, M: Mechanism<Scalar = E>> Besides<E> for &TransmissionEntries<'_, M> {
+    fn are_wanted(&self) -> bool {
+        !self.smallest.is_empty() || self.of_dyads.as_ref().iter().any(|entries| !entries.is_empty())
+    }
+
+    /// Calculates and stores the angles of one pose or several, starting at a given pose, where they are wanted. Returns a number
+    /// that is finite if all of them are.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn store<T: Mechanism<Scalar: Angle<Element = E>>>(
-        self,
+    pub(super) fn store<T: Mechanism<Scalar: Angle<Element = M::Scalar>>>(
+        &self,
         start: usize,
         mechanism: &T,
         inputs: &T::Inputs<T::Motion<T::Scalar>>,
         pose: &T::Pose,
     ) -> T::Scalar {
+        // Adding negative zero changes nothing, which the compiler knows.
+        let mut sum = T::Scalar::constant(-0.0);
+        if !self.are_wanted() {
+            return sum;
+        }
         let (inputs, unknowns) = (inputs.as_ref(), pose.unknown_motions());
         let unknowns = unknowns.as_ref();
         let angles = mechanism.transmission_angles_at(
             Row::from_fn(|input| inputs[input].as_ref()[0]),
             Row::from_fn(|unknown| unknowns[unknown].as_ref()[0]),
         );
-        let mut sum = T::Scalar::constant(0.0);
         let mut smallest = T::Scalar::constant(core::f64::consts::FRAC_PI_2);
         for (transmission, entries) in angles.as_ref().iter().zip(self.of_dyads.as_ref()) {
             let folded = transmission.angle.folded();
@@ -86,15 +59,17 @@ impl<E: Element, M: Mechanism<Scalar = E>> Besides<E> for &TransmissionEntries<'
         sum
     }
 
-    fn leave_out(self, index: usize) {
+    /// Stores NaN for a pose that fails.
+    pub(super) fn leave_out(&self, index: usize) {
         for entries in self.of_dyads.as_ref() {
-            E::nan().store(entries, index);
+            M::Scalar::nan().store(entries, index);
         }
-        E::nan().store(self.smallest, index);
+        M::Scalar::nan().store(self.smallest, index);
     }
 
+    /// Stores NaN for several poses, starting at a given pose: where `gone` is NaN. It is zero for the others.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn clear<const W: usize, const FUSED: bool>(self, start: usize, gone: Lanes<W, FUSED, E>) {
+    pub(super) fn clear<const W: usize, const FUSED: bool>(&self, start: usize, gone: Lanes<W, FUSED, M::Scalar>) {
         for entries in self.of_dyads.as_ref() {
             take_away(gone, entries, start);
         }
@@ -128,7 +103,7 @@ pub(super) trait Angle: Number + Stored {
 impl<E: Element> Angle for E {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn folded(self) -> Self {
-        let angle = num_traits::Float::abs(self);
+        let angle = Float::abs(self);
         angle.or_smaller(E::of(core::f64::consts::PI) - angle)
     }
 
