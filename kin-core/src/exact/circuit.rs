@@ -19,8 +19,8 @@ use super::precision::Precision;
 use super::refine::{Frame, Source, Station, refined};
 use crate::failure::Failure;
 use crate::law::Side;
-use crate::mechanism::Mechanism;
-use crate::number::{Number, Row};
+use crate::mechanism::{Mechanism, Sizes};
+use crate::number::{GAUSS, Number, Row};
 use crate::quantity::{Dimension, Quantity};
 use crate::sweep::{Course, Drive, Line, Local, SmoothDrive, Variable, Walk};
 
@@ -46,16 +46,6 @@ const NOISE: f64 = 1e-9;
 const CORRECTIONS: usize = 16;
 /// The longest piece over which the length of the arc is integrated at once.
 const PIECE: f64 = 0.2;
-
-/// The places and the weights of Gauss's rule of ten points, on one half of -1 to 1. (M. Abramowitz and I. A. Stegun, *Handbook of
-/// Mathematical Functions*, table 25.4.)
-const GAUSS: [(f64, f64); 5] = [
-    (0.148_874_338_981_631_22, 0.295_524_224_714_752_87),
-    (0.433_395_394_129_247_2, 0.269_266_719_309_996_35),
-    (0.679_409_568_299_024_4, 0.219_086_362_515_982_04),
-    (0.865_063_366_688_984_5, 0.149_451_349_150_580_6),
-    (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
-];
 
 /// A point of the curve. Its coordinates are the moving input and the unknowns, in their sizes.
 #[derive(Clone)]
@@ -170,20 +160,9 @@ impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
             _ => 0,
         };
         let slopes = course.drive.derivatives(course.from, Side::Right);
-        let parameters = course.mechanism.parameters();
-        let lengths = description.parameters.iter().zip(parameters.as_ref());
-        let longest = lengths
-            .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
-            .fold(0.0, |longest: f64, (_, value)| longest.max(value.abs()));
+        let own = Sizes::of(&course.mechanism);
         let quantities = core::iter::once(description.inputs[lead]).chain(description.unknowns.iter().copied());
         let values = core::iter::once(course.from).chain(unknowns.as_ref().iter().copied());
-        let size = |dimension: Dimension, value: f64| match dimension {
-            Dimension::Angle => 1.0,
-            Dimension::Length if longest > 0.0 => longest.max(value),
-            Dimension::Length if value > 0.0 => value,
-            Dimension::Length => 1.0,
-            Dimension::Scalar => value.max(1.0),
-        };
         Self {
             course,
             mechanism: course.mechanism.convert(Local::constant),
@@ -194,7 +173,7 @@ impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
             sizes: quantities
                 .clone()
                 .zip(values)
-                .map(|(quantity, value)| size(quantity.dimension, value.abs()))
+                .map(|(quantity, value)| own.size(quantity.dimension, value))
                 .collect(),
             angles: quantities
                 .map(|quantity| quantity.dimension == Dimension::Angle)

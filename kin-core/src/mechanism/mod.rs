@@ -13,6 +13,7 @@ mod position_search;
 mod sensitive;
 mod sensitivities;
 mod shown;
+mod sizes;
 
 pub use block_form::BlockForm;
 #[doc(hidden)]
@@ -27,6 +28,7 @@ pub use sensitive::{Partials, Sensitive};
 pub use sensitivities::{PartialMotions, sensitivities_of};
 #[doc(hidden)]
 pub use shown::{Shown, fmt_pose};
+pub(crate) use sizes::Sizes;
 
 use core::fmt::Debug;
 

@@ -4,6 +4,8 @@ mod changing;
 #[cfg(feature = "std")]
 pub mod count;
 pub(crate) mod elementary;
+#[cfg(feature = "alloc")]
+mod gauss;
 mod hyperbolic;
 mod operations;
 mod primitive;
@@ -13,6 +15,8 @@ pub mod series;
 mod single;
 
 pub use changing::Changing;
+#[cfg(feature = "alloc")]
+pub(crate) use gauss::GAUSS;
 pub use operations::Operations;
 pub use row::Row;
 pub(crate) use single::single;

@@ -1,7 +1,7 @@
 //! The line along which the inputs move, and the closure on it.
 
 use super::SHORTEST;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, Sizes};
 use crate::number::{Row, series::Series};
 use crate::quantity::Dimension;
 
@@ -45,24 +45,13 @@ pub(super) struct Linear<M: Mechanism> {
 impl<M: Mechanism<Scalar = f64>> Way<M> {
     pub(super) fn new(mechanism: M, from: M::Inputs<f64>, near: &M::Unknowns<f64>, to: M::Inputs<f64>) -> Self {
         let description = M::DESCRIPTION;
-        let parameters = mechanism.parameters();
-        let lengths = description.parameters.iter().zip(parameters.as_ref());
-        let longest = lengths
-            .filter(|(quantity, _)| quantity.dimension == Dimension::Length)
-            .fold(0.0, |longest: f64, (_, value)| longest.max(value.abs()));
-        let size = |dimension: Dimension, value: f64| match dimension {
-            Dimension::Angle => 1.0,
-            Dimension::Length if longest > 0.0 => longest.max(value),
-            Dimension::Length if value > 0.0 => value,
-            Dimension::Length => 1.0,
-            Dimension::Scalar => value.max(1.0),
-        };
-        let sizes = M::Unknowns::from_fn(|index| size(description.unknowns[index].dimension, near[index].abs()));
+        let own = Sizes::of(&mechanism);
+        let sizes = M::Unknowns::from_fn(|index| own.size(description.unknowns[index].dimension, near[index]));
         let ends = from.as_ref().iter().zip(to.as_ref());
         let length = ends
             .zip(description.inputs)
             .fold(0.0, |length: f64, ((from, to), quantity)| {
-                let travel = (to - from).abs() / size(quantity.dimension, from.abs().max(to.abs()));
+                let travel = (to - from).abs() / own.size(quantity.dimension, from.abs().max(to.abs()));
                 if travel <= length { length } else { travel }
             });
         Self {
