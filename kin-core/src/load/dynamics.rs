@@ -67,7 +67,8 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
     /// order must be 2 or higher.
     ///
     /// # Errors
-    /// Returns the errors of [`at`](Self::at), and [`LoadError::NoInertia`] if the matrix is not positive definite up to rounding.
+    /// Returns the errors of [`at`](Self::at), [`LoadError::NoInertia`] if the matrix is not positive definite up to rounding, and
+    /// [`LoadError::NotFinite`] if an effort or an acceleration is not finite.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
@@ -101,7 +102,12 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
         let (resisting, inertias) = (balance.efforts(), balance.inertias());
         let matrix = entries_of::<M>(&inertias, 0);
         let right = M::Inputs::from_fn(|input| efforts[input] - resisting[input].value());
-        solve::<M>(matrix, right)
+        let accelerations = solve::<M>(matrix, right)?;
+        let is_finite = accelerations
+            .as_ref()
+            .iter()
+            .all(|acceleration| acceleration.is_finite());
+        is_finite.then_some(accelerations).ok_or(LoadError::NotFinite)
     }
 }
 

@@ -40,7 +40,7 @@ pub enum LoadError {
         /// The place of the input, from 0 on.
         input: usize,
     },
-    /// A result is not finite: a mass, a force or another number of a load is not, or is too large.
+    /// A result is not finite: a mass, a force, the effort of a drive or another number of a load is not, or is too large.
     NotFinite,
 }
 
@@ -78,7 +78,7 @@ impl fmt::Display for LoadError {
             ),
             Self::NotFinite => write!(
                 formatter,
-                "the result is not finite: a mass, force or other number of a load is not finite or too large"
+                "the result is not finite: a mass, force, effort or other number of a load is not finite or too large"
             ),
         }
     }

@@ -57,6 +57,16 @@ fn an_input_without_inertia_has_no_acceleration() {
 }
 
 #[test]
+fn efforts_that_are_not_finite_have_no_accelerations() {
+    let loads = Loads::<FourBar>::new().inertia(0.3, |pose| pose.theta2);
+    let under = |effort: f64| loads.accelerations(&FOUR_BAR, [0.5], [1.0], [effort], Assembly::Open);
+    assert!(under(1.0).is_ok());
+    for effort in [f64::NAN, f64::INFINITY] {
+        assert_eq!(under(effort), Err(LoadError::NotFinite));
+    }
+}
+
+#[test]
 fn numbers_that_are_not_finite_and_poses_that_do_not_close() {
     let loads = Loads::<FourBar>::new().force(Plane::new(f64::NAN, 0.0), |pose| pose.pin);
     let at = |theta2: f64| {
