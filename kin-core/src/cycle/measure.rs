@@ -13,10 +13,15 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::series::Series;
 use crate::number::{Number, Row};
+use crate::quantity::{Digits, Dimension};
 use crate::track::track;
 
 /// The number of places of a branch between which extremes are sought.
 const PLACES: u32 = 96;
+/// The distance by which an input may lie outside of its branch because of rounding, as a part of the largest input.
+const BESIDE: f64 = 64.0 * f64::EPSILON;
+/// The smallest stroke of a quantity that moves, as a part of its largest value, and the shortest way between its ends, as a part of a turn.
+const STILL: f64 = 1e-12;
 /// The largest number of iterations of an extreme.
 const ITERATIONS: usize = 100;
 
@@ -71,6 +76,13 @@ pub enum MeasureError {
     NoSuchCircuit,
     /// The input does not turn fully along the circuit.
     NoFullTurn,
+    /// The quantity does not go to and fro: it turns fully with the input, or stays where it is.
+    NoReturn {
+        /// The smallest value.
+        low: f64,
+        /// The largest value.
+        high: f64,
+    },
     /// The mechanism has no dyad.
     NoDyad,
     /// A position could not be solved again.
@@ -85,6 +97,13 @@ impl fmt::Display for MeasureError {
             Self::NoSuchCircuit => formatter.write_str("there is no circuit with this index"),
             Self::NoFullTurn => formatter.write_str(
                 "the input does not turn fully along this circuit, so there is no advance and return of one turn",
+            ),
+            Self::NoReturn { low, high } => write!(
+                formatter,
+                "the quantity does not go to and fro: it turns fully or stays where it is, from {} to {}, so there is no advance and \
+                 return",
+                Digits(*low),
+                Digits(*high)
             ),
             Self::NoDyad => formatter.write_str("the mechanism has no dyad, and so no transmission angle"),
             Self::Unsolved(error) => error.fmt(formatter),
@@ -114,17 +133,22 @@ fn named<M: Mechanism>(name: &str) -> Option<Which> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    /// The unknowns of a branch at an input of its range, with angles on the turns they have along the branch.
+    /// The unknowns of a branch at an input of its range, with angles on the turns they have along the branch. An input may be whole
+    /// [periods](Self::period) beside the range.
     ///
     /// # Errors
-    /// The errors of the solver: the input lies outside the branch, or at its end.
+    /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of the solver: the input
+    /// lies at an end of the branch.
     pub fn position_on(&self, branch: usize, input: f64) -> Result<M::Unknowns<f64>, SolveError> {
-        let inputs = self.line.inputs(input);
-        let none = || {
-            let names = InputValues::new(M::DESCRIPTION.inputs, inputs.as_ref());
-            Failure::NotFinite { quantity: "branch" }.at("", names)
+        let failed = |failure: Failure| {
+            let names = InputValues::new(M::DESCRIPTION.inputs, self.line.inputs(input).as_ref());
+            let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
+            failure.at(block, names)
         };
+        let none = || failed(Failure::NotFinite { quantity: "branch" });
         let own = self.branches.get(branch).ok_or_else(none)?;
+        let input = self.place_on(own, input).map_err(failed)?;
+        let inputs = self.line.inputs(input);
         let inner = own.samples.iter().filter(|(s, _)| {
             let is_end = [0, 1].map(|end| own.ends[end].kind != EndKind::FullTurn && own.ends[end].input == *s);
             is_end == [false, false]
@@ -141,6 +165,30 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 _ => none(),
             }),
         }
+    }
+
+    /// The place of an input in the range of a branch, which may be whole periods away from it.
+    fn place_on(&self, branch: &Branch<M>, input: f64) -> Result<f64, Failure> {
+        let [low, high] = branch.ends.each_ref().map(|end| end.input);
+        let slack = BESIDE * low.abs().max(high.abs());
+        let contains = |place: &f64| *place >= low - slack && *place <= high + slack;
+        if branch.is_full_turn() || contains(&input) {
+            return Ok(input);
+        }
+        let turned = self.line.period().map(|period| {
+            let periods = Float::ceil((low - slack - input) / period);
+            input + periods * period
+        });
+        turned.filter(contains).ok_or(Failure::OutOfRange {
+            unknown: "the input of the branch",
+            value: input,
+            low,
+            high,
+            is_angle: M::DESCRIPTION
+                .inputs
+                .iter()
+                .all(|input| input.dimension == Dimension::Angle),
+        })
     }
 
     /// The pose of a branch at an input, with all derivatives with respect to the input.
@@ -237,7 +285,8 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// largest value of a quantity, divided by the shorter one. It is 1 or more.
     ///
     /// # Errors
-    /// [`MeasureError::NoFullTurn`], if the input does not turn once along the circuit; otherwise as for [`stroke`](Self::stroke).
+    /// [`MeasureError::NoFullTurn`], if the input does not turn once along the circuit, [`MeasureError::NoReturn`], if the quantity turns
+    /// fully or stays where it is; otherwise as for [`stroke`](Self::stroke).
     ///
     /// ```
     /// use kin_core::cycle::FullCycle;
@@ -253,8 +302,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn time_ratio(&self, circuit: usize, name: &str) -> Result<f64, MeasureError> {
-        let branches = self.circuit(circuit)?;
-        let [branch] = branches else {
+        let [branch] = self.circuit(circuit)? else {
             return Err(MeasureError::NoFullTurn);
         };
         let branch = &self.branches[*branch];
@@ -265,6 +313,15 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         let stroke = self.stroke(circuit, name)?;
         let way = (stroke.high.input - stroke.low.input).abs();
         let [short, long] = [way.min(turn - way), way.max(turn - way)];
+        let (low, high) = (stroke.low.value, stroke.high.value);
+        let turns = match named::<M>(name) {
+            Some(Which::Unknown(index)) => self.circuits[circuit].turns.is_some_and(|turns| turns[index] != 0),
+            _ => false,
+        };
+        let is_still = stroke.length() <= STILL * low.abs().max(high.abs()) || short <= STILL * turn;
+        if turns || is_still {
+            return Err(MeasureError::NoReturn { low, high });
+        }
         Ok(long / short)
     }
 

@@ -92,7 +92,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// All circuits and branches over a range of the only input. Branches that leave the range end there.
     ///
     /// # Errors
-    /// An error if a parameter or the range is not finite.
+    /// An error if a parameter or the range is not finite, or if the range has no length.
     fn cycle_over(&self, range: RangeInclusive<f64>) -> Result<Cycle<Self>, SolveError>
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
@@ -277,11 +277,16 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
         let parameters = mechanism.parameters();
         let [low, high] = [line.low, line.high];
-        let is_line = is_finite(line.from.as_ref()) && is_finite(line.direction.as_ref()) && high - low > 0.0;
-        if !is_finite(parameters.as_ref()) || !is_line || !(high - low).is_finite() {
-            let failure = Failure::NotFinite {
-                quantity: "parameters or range of the inputs",
+        let is_line = is_finite(line.from.as_ref()) && is_finite(line.direction.as_ref());
+        let is_known = is_finite(parameters.as_ref()) && is_line && (high - low).is_finite();
+        if !is_known || high <= low {
+            let quantity = if is_known {
+                // what a search over the range would divide by
+                "reciprocal of the length of the range, which is zero"
+            } else {
+                "parameters or range of the inputs"
             };
+            let failure = Failure::NotFinite { quantity };
             let names = InputValues::new(M::DESCRIPTION.inputs, line.from.as_ref());
             return Err(failure.at(M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns), names));
         }

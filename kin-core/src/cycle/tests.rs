@@ -5,7 +5,8 @@ use std::string::String;
 use std::vec::Vec;
 use std::{format, println};
 
-use super::{BarkerClass, Branch, Cycle, EndKind, FullCycle, GrashofType};
+use super::{BarkerClass, Branch, Cycle, EndKind, FullCycle, GrashofType, MeasureError};
+use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::library::*;
 use crate::mechanism::Mechanism;
@@ -387,4 +388,68 @@ fn labels_agree_with_the_cycle() {
         assert_eq!(turns(&cycle), expected, "{name} {cycle:?}");
     }
     assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+}
+
+/// An input outside of a branch has no position on it, even if the assembly closes there on another branch.
+#[test]
+fn a_position_on_a_branch_is_inside_of_it() {
+    let cycle = four_bar(60.0, 50.0, 20.0, 45.0);
+    let degrees = f64::to_radians;
+    let mut seen = 0;
+    for (index, branch) in cycle.branches().iter().enumerate() {
+        let [low, high] = branch.ends().map(|end| end.input);
+        let middle = f64::midpoint(low, high);
+        let there = cycle.position_on(index, middle).unwrap();
+        for turns in [-1.0, 1.0] {
+            let turned = cycle.position_on(index, middle + turns * 2.0 * PI).unwrap();
+            assert!(
+                (0..2).all(|unknown| (turned[unknown] - there[unknown]).abs() < 1e-12),
+                "{turned:?}"
+            );
+        }
+        if branch.range().contains(&degrees(45.0)) {
+            seen += 1;
+            let beyond = cycle.position_on(index, degrees(-45.0)).unwrap_err();
+            let Failure::OutOfRange {
+                value,
+                low: from,
+                high: to,
+                is_angle: true,
+                ..
+            } = beyond.failure
+            else {
+                panic!("{beyond}")
+            };
+            assert_eq!([value, from, to], [degrees(-45.0), low, high]);
+            assert!(cycle.pose_on(index, degrees(-45.0)).is_err());
+        }
+    }
+    assert!(seen > 0, "{cycle:?}");
+    // over a part of the angles, a turn leads to no other place
+    let part = SAMPLE.cycle_over(-1.0..=1.0).unwrap();
+    assert!(part.position_on(0, 0.5).is_ok() && part.position_on(0, 0.5 + 2.0 * PI).is_err());
+}
+
+/// A quantity that turns with the input, or stays, has no advance and return.
+#[test]
+fn a_time_ratio_needs_a_return() {
+    let no_return = |cycle: Cycle<FourBar>, name: &str| {
+        let ratio = cycle.time_ratio(0, name);
+        assert!(matches!(ratio, Err(MeasureError::NoReturn { .. })), "{name}: {ratio:?}");
+    };
+    // a double crank: coupler and rocker turn
+    no_return(four_bar(30.0, 60.0, 70.0, 80.0), "theta4");
+    no_return(four_bar(30.0, 60.0, 70.0, 80.0), "theta3");
+    assert!(four_bar(90.0, 30.0, 70.0, 60.0).time_ratio(0, "theta4").unwrap() > 1.0);
+}
+
+#[test]
+fn a_range_without_a_length_is_told() {
+    let Err(error) = SAMPLE.cycle_over(1.0..=1.0) else {
+        panic!("there is no length")
+    };
+    assert!(
+        std::string::ToString::to_string(&error).contains("length of the range, which is zero"),
+        "{error}"
+    );
 }
