@@ -16,6 +16,9 @@ use crate::mechanism::Mechanism;
 /// A step between rows is not halved beyond this part of the range. There the curves have an edge: the end of a circuit or a kink.
 const SHORTEST: f64 = 1e-6;
 
+/// The fewest places between the rows of a sweep at which the ranges of its columns are looked for.
+const PROBES: usize = 16;
+
 /// A row that has been solved.
 #[derive(Clone, Copy)]
 struct Sample<M: Mechanism> {
@@ -47,7 +50,8 @@ struct Samples<'c, M: Mechanism<Scalar = f64>, D> {
 
 impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// The poses as a table with rows where they are needed: the straight lines between them deviate from the curves of all unknowns and
-    /// outputs by no more than `tolerance`, as a part of the range of each column.
+    /// outputs by no more than `tolerance`, as a part of the range of each column. The range is that of the rows of the sweep and of places
+    /// between them.
     ///
     /// The rows of the sweep are there, and others between them. Derivatives above the `order` are not looked at. Each step is
     /// tested at a quarter, at the middle and at three quarters. Steps at the end of a circuit are halved down to 10⁻⁶ of the range.
@@ -66,7 +70,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// ```
     ///
     /// # Errors
-    /// [`SweepError::TooManyRows`] if more rows than `most_rows` were needed, [`SweepError::MoreRows`] if the sweep itself has more, and the
+    /// [`SweepError::TooManyRows`] and, towards a limit, [`SweepError::TooManyRowsAtLimit`] if more rows than `most_rows` were needed,
+    /// [`SweepError::MoreRows`] if the sweep itself has more, [`SweepError::Tolerance`] if the tolerance is not a positive number, and the
     /// errors of [`table`](Self::table).
     pub fn adaptive_table(&self, tolerance: f64, order: usize, most_rows: usize) -> Result<Table, SweepError> {
         self.adaptive_table_with_progress(tolerance, order, most_rows, |_| {})
@@ -92,11 +97,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             });
         }
         if !(tolerance.is_finite() && tolerance > 0.0) {
-            let quantity = "tolerance";
-            return Err(SweepError::NotFinite {
-                quantity,
-                value: tolerance,
-            });
+            return Err(SweepError::Tolerance { value: tolerance });
         }
         let empty = self.empty(0);
         let mut samples = Samples {
@@ -112,13 +113,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             .map(|row| samples.solve(&mut walk, self.at(row)))
             .collect();
         let first = usize::from(empty.labels[0].is_variable) + M::DESCRIPTION.inputs.len() * (M::DESCRIPTION.order + 1);
-        let ranges: Vec<[f64; 2]> = (0..samples.width)
-            .map(|column| {
-                let values = samples.data.iter().skip(column).step_by(samples.width);
-                let ends = [f64::INFINITY, f64::NEG_INFINITY];
-                values.fold(ends, |[low, high], value| [low.min(*value), high.max(*value)])
-            })
-            .collect();
+        let ranges = samples.ranges(&given);
         // The rounding errors of a column that stays the same are no curve. They count against the largest number of its kind, as a column
         // that stays at zero has nothing else.
         let size = |label: &Label| {
@@ -179,6 +174,32 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
         }
     }
 
+    /// The lowest and the highest value of each column, at the rows of the sweep and at places between them: a few rows may all lie where a
+    /// column has the same value.
+    fn ranges(&mut self, given: &[Sample<M>]) -> Vec<[f64; 2]> {
+        let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.width];
+        // numbers of rows that do not close are NaN, which both leave out
+        let see = |ranges: &mut [[f64; 2]], row: &[f64]| {
+            for ([low, high], value) in ranges.iter_mut().zip(row) {
+                (*low, *high) = (low.min(*value), high.max(*value));
+            }
+        };
+        for row in self.data.chunks(self.width) {
+            see(&mut ranges, row);
+        }
+        let steps = given.len().saturating_sub(1).max(1);
+        let probes = PROBES.div_ceil(steps).max(3);
+        let start = self.data.len();
+        for pair in given.windows(2).filter(|pair| pair[0].outcome.is_solved()) {
+            for probe in 1..=probes {
+                self.middle(pair[0], part(probe, probes + 1), pair[1]);
+                see(&mut ranges, &self.data[start..]);
+                self.data.truncate(start);
+            }
+        }
+        ranges
+    }
+
     /// A sample between two others, found from the left one.
     fn middle(&mut self, left: Sample<M>, part: f64, right: Sample<M>) -> Sample<M> {
         self.solve(&mut left.walk.clone(), left.at + part * (right.at - left.at))
@@ -201,11 +222,9 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
             return Ok(());
         }
         let middle = self.middle(left, 0.5, right);
+        // towards a limit there is no straight line to deviate from
         let worst = if is_edge || !middle.outcome.is_solved() {
-            Deviation {
-                part: f64::INFINITY,
-                column: 0,
-            }
+            None
         } else {
             let mut worst = self.deviation(left, 0.5, middle, right);
             for part in [0.25, 0.75] {
@@ -217,27 +236,35 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
                     }
                 }
             }
-            worst
+            Some(worst)
         };
-        if worst.part <= tolerance {
+        if worst.as_ref().is_some_and(|worst| worst.part <= tolerance) {
             self.data.truncate(start);
             return Ok(());
         }
         if self.rows >= self.most {
-            let label = table.labels[worst.column];
-            return Err(SweepError::TooManyRows {
-                most: self.most,
-                at: middle.at,
-                column: label.quantity.name,
-                order: label.order,
-                deviation: worst.part,
-            });
+            return Err(self.too_many_rows(middle.at, worst, table));
         }
         self.rows += 1;
         self.data.truncate((middle.place + 1) * self.width);
         self.refine(left, middle, tolerance, kept, table)?;
         kept.push(middle);
         self.refine(middle, right, tolerance, kept, table)
+    }
+
+    fn too_many_rows(&self, at: f64, worst: Option<Deviation>, table: &Table) -> SweepError {
+        let most = self.most;
+        let Some(worst) = worst else {
+            return SweepError::TooManyRowsAtLimit { most, at };
+        };
+        let label = table.labels[worst.column];
+        SweepError::TooManyRows {
+            most,
+            at,
+            column: label.quantity.name,
+            order: label.order,
+            deviation: worst.part,
+        }
     }
 
     fn deviation(&self, left: Sample<M>, part: f64, between: Sample<M>, right: Sample<M>) -> Deviation {

@@ -12,10 +12,15 @@ use crate::quantity::Digits;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// An end of the range is not finite, or the tolerance is not a positive number.
+    /// An end of the range is not finite.
     NotFinite {
         /// The quantity at fault, in a few words.
         quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The tolerance of an adaptive table is not a positive, finite number.
+    Tolerance {
         /// Its value.
         value: f64,
     },
@@ -29,6 +34,13 @@ pub enum SweepError {
         most: usize,
         /// The number of rows of the sweep.
         rows: usize,
+    },
+    /// The rows towards a place where the mechanism begins or ceases to close are not as dense as they shall be, and there may be no more.
+    TooManyRowsAtLimit {
+        /// The largest number of rows allowed.
+        most: usize,
+        /// The place where the next row was needed.
+        at: f64,
     },
     /// The straight lines between the rows are not within the tolerance, and there may be no more rows.
     TooManyRows {
@@ -60,12 +72,22 @@ impl fmt::Display for SweepError {
                     "the {quantity} of the sweep is {value}: give a finite number"
                 )
             }
+            Self::Tolerance { value } => write!(
+                formatter,
+                "the tolerance of the adaptive table is {value}: give a positive, finite number"
+            ),
             Self::NoRows => formatter.write_str("the sweep has no rows: give two or more"),
             Self::MoreRows { most, rows } => write!(
                 formatter,
                 "the sweep has {rows} rows, and its adaptive table may have {most}: allow more rows, or give the sweep fewer"
             ),
             Self::Columns(mismatch) => write!(formatter, "{mismatch}"),
+            Self::TooManyRowsAtLimit { most, at } => write!(
+                formatter,
+                "{most} rows are not enough: the mechanism begins or ceases to close near {}, and the rows are to be denser there; \
+                 allow more rows, or end the sweep short of it",
+                Digits(*at)
+            ),
             Self::TooManyRows {
                 most,
                 at,

@@ -228,7 +228,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         let way = self.to - self.from;
         let last = self.count.saturating_sub(1).max(1) as f64;
         // Without a branch, and with numbers of 32 bits that vectors can convert, so that several are calculated at once. The rest is there
-        // for columns of 34 gigabytes and more.
+        // for columns of 17 gigabytes and more.
         let (short, long) = column.split_at_mut(column.len().min(1 << 31));
         for (row, place) in (0_i32..).zip(short.iter_mut()) {
             *place = self.from + way * (f64::from(row) / last);
@@ -327,7 +327,7 @@ pub(super) fn continue_turns(angles: &mut [f64]) {
     let mut last = f64::NAN;
     for angle in angles {
         let change = *angle - last;
-        // a comparison with NaN fails: the first angle, and those behind a gap, are taken as they are
+        // a comparison with NaN fails: the first angle is taken as it is, and one behind a gap is compared with the last in front of it
         if change.abs() > core::f64::consts::PI {
             turns -= Float::round(change / TAU);
         }

@@ -39,7 +39,8 @@ pub struct Limit {
     pub block: &'static str,
     /// The inputs there.
     pub inputs: Vec<f64>,
-    /// The unknowns there, with angles on the turns they have reached.
+    /// The unknowns there, with angles on the turns they have reached. At an end of a range they are those just inside of it, by a part of
+    /// up to 10⁻⁶ of the way from the row that closes; they are NaN if the mechanism does not close there.
     pub unknowns: Vec<f64>,
     /// The name of the variable.
     pub(super) variable: &'static str,
@@ -94,7 +95,7 @@ pub(crate) fn between<M: Mechanism<Scalar = f64>, D: Drive<M>>(
                 closes_before: closed < open,
                 block: failure.block,
                 inputs: place.as_ref().to_vec(),
-                unknowns: unknowns.as_ref().to_vec(),
+                unknowns: inside(course, from, unknowns, place).as_ref().to_vec(),
                 variable: course.drive.variable().quantity::<M>().name,
             });
         }
@@ -116,6 +117,25 @@ pub(crate) fn between<M: Mechanism<Scalar = f64>, D: Drive<M>>(
         unknowns: obstacle.unknowns.as_ref().to_vec(),
         variable: course.drive.variable().quantity::<M>().name,
     })
+}
+
+/// The distances from an end of a range at which the unknowns are sought, as parts of the way to it.
+const INSIDE: [f64; 3] = [1e-12, 1e-9, 1e-6];
+
+/// The unknowns as close to an end of a range as the mechanism closes, from a place that closes.
+fn inside<M: Mechanism<Scalar = f64>, D>(
+    course: &Course<M, D>,
+    from: M::Inputs<f64>,
+    unknowns: M::Unknowns<f64>,
+    end: M::Inputs<f64>,
+) -> M::Unknowns<f64> {
+    let at = |part: f64| M::Inputs::from_fn(|input| end[input] - part * (end[input] - from[input]));
+    let mut found = INSIDE
+        .iter()
+        .map(|part| track(&course.mechanism, from, unknowns, at(*part)));
+    found
+        .find_map(Result::ok)
+        .unwrap_or_else(|| M::Unknowns::from_fn(|_| f64::NAN))
 }
 
 /// The number of halvings after which neighbouring numbers are left.

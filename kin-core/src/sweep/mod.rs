@@ -58,6 +58,8 @@ mod rows;
 #[cfg(test)]
 pub(crate) mod samples;
 #[cfg(feature = "alloc")]
+mod smooth;
+#[cfg(feature = "alloc")]
 mod table;
 #[cfg(test)]
 mod tests;
@@ -77,6 +79,8 @@ pub use limits::{Limit, LimitKind};
 #[cfg(feature = "alloc")]
 pub use names::NoSuchColumn;
 pub use rows::Rows;
+#[cfg(feature = "alloc")]
+pub(crate) use smooth::composed;
 #[cfg(feature = "alloc")]
 pub use table::{RowOf, Table};
 #[cfg(feature = "alloc")]

@@ -539,6 +539,75 @@ fn adaptive_rows_are_within_the_tolerance() {
         .unwrap();
     let limit = &table.limits()[0];
     assert!(limit.at - table.variable().values[limit.row] < 3e-6);
+    let few = LIMITED
+        .sweep(Assembly::Open)
+        .over(0.0..=3.0, 5)
+        .adaptive_table(0.5, 0, 8)
+        .unwrap_err();
+    let SweepError::TooManyRowsAtLimit { most: 8, at } = few else {
+        panic!("{few}")
+    };
+    assert!((at - limit.at).abs() < 0.2, "{few}");
+}
+
+/// Two rows of a full turn hold the same pose, and say nothing of the range of a column.
+#[test]
+fn a_turn_in_two_rows_becomes_dense() {
+    let turn = |rows| CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, rows).speed(10.0);
+    let [few, many] = [2, 25].map(|rows| turn(rows).adaptive_table(1e-3, 2, 10_000).unwrap());
+    assert!(
+        few.count() > many.count() / 2 && few.count() < 2 * many.count(),
+        "{} {}",
+        few.count(),
+        many.count()
+    );
+    // one row is all that one row can become
+    assert_eq!(turn(1).adaptive_table(1e-3, 2, 10_000).unwrap().count(), 1);
+}
+
+crate::mechanism! {
+    /// An angle by its sine, up to one radian.
+    struct Inverse { pub factor: Scalar }
+    input u: Scalar;
+    unknown x: Angle in -1..1;
+    sin(x) == factor * u;
+}
+
+/// The unknowns of a limit are those at the limit, also where it is the end of a range.
+#[test]
+fn an_end_of_a_range_has_its_own_unknowns() {
+    let inverse: Inverse = Inverse { factor: 1.0 };
+    let table = inverse.sweep(()).over(0.0..=1.5, 4).table().unwrap();
+    let [limit] = table.limits() else {
+        panic!("{:?}", table.limits())
+    };
+    assert_eq!(limit.kind, LimitKind::End);
+    assert!((limit.at - 1_f64.sin()).abs() < 1e-14, "{limit:?}");
+    assert!((limit.unknowns[0] - 1.0).abs() < 1e-10, "{limit:?}");
+}
+
+crate::mechanism! {
+    /// Kepler's equation, which has no closed form.
+    struct Orbit { pub eccentricity: Scalar }
+    input mean: Angle;
+    unknown eccentric: Angle;
+    eccentric - eccentricity * sin(eccentric) == mean;
+}
+
+/// A way that is too long for the tracker is no limit of the mechanism.
+#[test]
+fn a_way_that_is_too_long_is_not_out_of_reach() {
+    let orbit: Orbit = Orbit { eccentricity: 0.5 };
+    let sweep = orbit.sweep(Near([0.0])).over(0.0..=1e5, 3);
+    let table = sweep.table().unwrap();
+    assert_eq!(table.outcome(0), Some(Outcome::Solved));
+    assert_eq!([1, 2].map(|row| table.outcome(row)), [Some(Outcome::Failed); 2]);
+    assert!(table.limits().is_empty());
+    let error = sweep.rows().find_map(Result::err).unwrap();
+    assert!(
+        matches!(error.failure, crate::failure::Failure::NotConverged { iterations, .. } if iterations > 1000),
+        "{error}"
+    );
 }
 
 #[test]
@@ -548,13 +617,7 @@ fn mistakes_are_told() {
     let endless = start.over(0.0..=f64::INFINITY, 3).table().unwrap_err();
     assert!(matches!(endless, SweepError::NotFinite { quantity: "end", .. }));
     let tolerance = start.over(0.0..=1.0, 3).adaptive_table(0.0, 1, 10).unwrap_err();
-    assert!(matches!(
-        tolerance,
-        SweepError::NotFinite {
-            quantity: "tolerance",
-            ..
-        }
-    ));
+    assert_eq!(tolerance, SweepError::Tolerance { value: 0.0 });
     let table = start.over(0.0..=1.0, 3).table().unwrap();
     let error = table.column("theta4_velocty").unwrap_err();
     assert_eq!(error.near[0], "theta4_velocity");

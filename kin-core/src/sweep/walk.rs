@@ -11,11 +11,13 @@ use crate::number::Row;
 use crate::quantity::Dimension;
 use crate::track::{TrackError, TrackErrorOf, track};
 
-/// The end of a circuit of a coupled block.
+/// The end of a circuit of a coupled block, or the place where it was lost.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gap<M: Mechanism> {
-    pub(crate) block: &'static str,
-    pub(crate) inputs: M::Inputs<f64>,
+    block: &'static str,
+    inputs: M::Inputs<f64>,
+    /// The failure of the rows beyond, if the block may close there: the tracker gave up, and its place is no limit.
+    lost: Option<Failure>,
 }
 
 /// A place on the way: the last pose, and the end of the circuit if it has been passed.
@@ -54,7 +56,7 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
                     return Err(beyond::<M>(gap, inputs));
                 }
                 let unknowns = track(mechanism, last.0, last.1, inputs).map_err(|error| {
-                    let (gap, failure) = stopped::<M>(&error, last.0, inputs);
+                    let (gap, failure) = stopped(mechanism, &error, last.0, inputs);
                     self.gap = Some(gap);
                     failure
                 })?;
@@ -115,6 +117,7 @@ pub(super) fn nearest_turn(angle: f64, near: f64) -> f64 {
 
 /// The place where a track has stopped, and the error of the row behind it.
 fn stopped<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
     error: &TrackErrorOf<M>,
     from: M::Inputs<f64>,
     inputs: M::Inputs<f64>,
@@ -125,13 +128,22 @@ fn stopped<M: Mechanism<Scalar = f64>>(
             let gap = Gap {
                 block: obstacle.block,
                 inputs: obstacle.inputs,
+                lost: None,
             };
             (gap, beyond::<M>(gap, inputs))
         }
         TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
+            let residuals = mechanism.residuals(inputs, halt.unknowns);
+            let largest = |largest: f64, residual: &f64| largest.max(residual.abs());
             let gap = Gap {
                 block: coupled,
                 inputs: halt.inputs,
+                lost: Some(Failure::NotConverged {
+                    residual: residuals.as_ref().iter().fold(0.0, largest),
+                    iterations: halt.steps,
+                    // a tracker has many Jacobians
+                    condition: f64::NAN,
+                }),
             };
             (gap, beyond::<M>(gap, inputs))
         }
@@ -143,16 +155,17 @@ fn stopped<M: Mechanism<Scalar = f64>>(
             let gap = Gap {
                 block: failure.block,
                 inputs: place,
+                lost: None,
             };
             (gap, *failure)
         }
     }
 }
 
-/// The error of a row beyond the end of its circuit. Its margin is the distance of the inputs to that end.
+/// The error of a row beyond the end of its circuit. Its margin is the distance of the inputs to that end, unless the end is not known.
 fn beyond<M: Mechanism<Scalar = f64>>(gap: Gap<M>, inputs: M::Inputs<f64>) -> SolveError {
     let ways = inputs.as_ref().iter().zip(gap.inputs.as_ref());
     let distance = ways.fold(0.0, |distance: f64, (input, end)| distance.max((input - end).abs()));
-    let failure = Failure::OutOfReach { margin: -distance };
+    let failure = gap.lost.unwrap_or(Failure::OutOfReach { margin: -distance });
     failure.at(gap.block, InputValues::new(M::DESCRIPTION.inputs, inputs.as_ref()))
 }
