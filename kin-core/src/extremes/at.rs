@@ -3,14 +3,13 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::Deref;
 
-use super::curve::composed;
 use crate::load::{Balance, Load, LoadError, Loads};
 use crate::mechanism::{Block, BlockForm, Mechanism, Pose, PoseOf};
 use crate::motion::Motion;
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, RATES};
-use crate::sweep::{Instant, Local, READ, by_time};
+use crate::sweep::{Instant, Local, READ, by_time, composed};
 
 /// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
 /// them carries its own.

@@ -11,7 +11,7 @@ use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 use crate::quantity::Dimension;
-use crate::sweep::{Course, Instant, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, limit_between};
+use crate::sweep::{Course, Instant, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, composed, limit_between};
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
 /// the poses to be exact.
@@ -145,13 +145,15 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         }
     }
 
-    /// The rows, and between them the gaps, in the order of the sweep.
+    /// The rows, the end of the sweep if there is only one, and between them the gaps, in the order of the sweep.
     fn places(&self) -> Vec<f64> {
-        let rows = (0..self.course.count).map(|row| self.course.at(row));
-        let mut places: Vec<f64> = rows.chain(self.gaps.iter().copied()).collect();
+        let course = self.course;
+        let rows = (0..course.count).map(|row| course.at(row));
+        let end = (course.count == 1).then_some(course.to);
+        let mut places: Vec<f64> = rows.chain(end).chain(self.gaps.iter().copied()).collect();
         if !self.gaps.is_empty() {
             places.sort_by(f64::total_cmp);
-            if self.course.to < self.course.from {
+            if course.to < course.from {
                 places.reverse();
             }
         }
@@ -281,34 +283,22 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             }
             before = Some((at, walk, is_closed));
         }
-        if circuits.is_empty() {
+        let Some(&([first, _], ..)) = circuits.first() else {
             return Err(first_error.map_or(ExtremesError::Gap { at: course.from }, ExtremesError::NothingCloses));
-        }
+        };
         let mut stretches = Vec::new();
         for (ends, kinds, walk) in circuits {
             let mut start = (ends[0], kinds[0]);
-            for joint in self.joints(ends) {
+            for joint in course.joints(ends) {
                 add(&mut stretches, [start, (joint, End::Joint)], walk, runs_up);
                 start = (joint, End::Joint);
             }
             add(&mut stretches, [start, (ends[1], kinds[1])], walk, runs_up);
         }
+        if stretches.is_empty() {
+            return Err(ExtremesError::NoLength { at: first });
+        }
         Ok(stretches)
-    }
-
-    /// The joints of laws between two places, in the order of the sweep.
-    fn joints(&self, ends: [f64; 2]) -> Vec<f64> {
-        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let mut joints = Vec::new();
-        let mut after = low;
-        while let Some(joint) = self.course.drive.next_joint(after).filter(|joint| *joint < high) {
-            joints.push(joint);
-            after = joint;
-        }
-        if ends[0] > ends[1] {
-            joints.reverse();
-        }
-        joints
     }
 
     fn limit(&self, closed: f64, walk: &Walk<M>, open: f64) -> Result<Limit, ExtremesError> {
@@ -357,15 +347,4 @@ fn add<M: Mechanism<Scalar = f64>>(
             runs_up,
         }),
     }
-}
-
-/// A series in the variable as a series in the parameter, by Horner's scheme.
-pub(super) fn composed(outer: Local, inner: Local) -> Local {
-    let change = inner - Local::constant(inner.real());
-    let coefficients = outer.coefficients();
-    let sum = Local::constant(0.0);
-    coefficients
-        .into_iter()
-        .rev()
-        .fold(sum, |sum, coefficient| sum * change + Local::constant(coefficient))
 }

@@ -20,7 +20,26 @@ pub enum ExtremesError {
     Sweep(SweepError),
     /// The mechanism closes nowhere on the sweep. The error is that of the first row.
     NothingCloses(SolveError),
-    /// The mechanism closes in two neighbouring rows and not between them.
+    /// The sweep begins where it ends, or closes at a single place, so that there is no curve.
+    NoLength {
+        /// The place.
+        at: f64,
+    },
+    /// A level or a tolerance of the question is not finite.
+    Argument {
+        /// The number at fault, in a few words.
+        argument: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The curve is not found within its divisions: it has too many kinks or jumps, or waves that are too short.
+    Unresolved {
+        /// A place where it is not found.
+        at: f64,
+        /// The difference there between the curve and the poses, in the unit of the quantity.
+        difference: f64,
+    },
+    /// The mechanism does not close at a place next to those where it does, and no limit was found between them.
     Gap {
         /// A place where it does not close.
         at: f64,
@@ -77,9 +96,22 @@ impl fmt::Display for ExtremesError {
             Self::NoSuchColumn(error) => write!(formatter, "{error}"),
             Self::Sweep(error) => write!(formatter, "{error}"),
             Self::NothingCloses(error) => write!(formatter, "the mechanism closes in no row; in the first: {error}"),
+            Self::NoLength { at } => write!(
+                formatter,
+                "the sweep closes at {} alone, and a curve needs a way: give it a range with a length",
+                Digits(*at)
+            ),
+            Self::Argument { argument, value } => write!(formatter, "the {argument} is {value}: give a finite number"),
+            Self::Unresolved { at, difference } => write!(
+                formatter,
+                "the quantity is too rough to be searched: at {} the pieces of its curve still deviate from the poses by {}; divide \
+                 the sweep, or ask for a smoother quantity",
+                Digits(*at),
+                Digits(*difference)
+            ),
             Self::Gap { at } => write!(
                 formatter,
-                "the mechanism closes in two neighbouring rows but not at {} between them: give the sweep more rows",
+                "the mechanism does not close at {}, and the limit next to it was not found: give the sweep more rows",
                 Digits(*at)
             ),
             Self::NotFinite { at } => write!(formatter, "the quantity is not finite at {}", Digits(*at)),

@@ -294,7 +294,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// ```
     ///
     /// # Errors
-    /// [`ExtremesError`] if there is no such name, or if nothing closes.
+    /// [`ExtremesError`] if there is no such name, if nothing closes, if the sweep has no length, or if the curve of the quantity is too
+    /// rough to be searched.
     pub fn extremes(&self, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
         self.extremes_by(|at| named.of(at))
@@ -341,10 +342,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         Ok(Curve::new(self, &answer).across_gaps(Curve::extremes)?.extremes)
     }
 
-    /// The places where a quantity crosses a level, in the order of the sweep: zero for its changes of sign.
+    /// The places where a quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level, where
+    /// two pieces of a law meet, counts as well.
     ///
     /// # Errors
-    /// As for [`extremes`](Self::extremes).
+    /// [`ExtremesError::Argument`] if the level is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn crossings(&self, name: &str, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
         let named = Named::find::<M>(name)?;
         self.crossings_by(|at| named.of(at), level)
@@ -353,7 +355,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`crossings`](Self::crossings) of an expression.
     ///
     /// # Errors
-    /// As for [`extremes`](Self::extremes).
+    /// As for [`crossings`](Self::crossings).
     pub fn crossings_by<A: Answer>(
         &self,
         quantity: impl Fn(&At<M>) -> A,
@@ -366,7 +368,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// The parts of the sweep on which a quantity stays within a tolerance of a level.
     ///
     /// # Errors
-    /// As for [`extremes`](Self::extremes).
+    /// [`ExtremesError::Argument`] if the level or the tolerance is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn dwells(&self, name: &str, level: f64, tolerance: f64) -> Result<Vec<Dwell>, ExtremesError> {
         let named = Named::find::<M>(name)?;
         self.dwells_by(|at| named.of(at), level, tolerance)
@@ -375,7 +377,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`dwells`](Self::dwells) of an expression.
     ///
     /// # Errors
-    /// As for [`extremes`](Self::extremes).
+    /// As for [`dwells`](Self::dwells).
     pub fn dwells_by<A: Answer>(
         &self,
         quantity: impl Fn(&At<M>) -> A,

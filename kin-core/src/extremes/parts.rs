@@ -15,8 +15,8 @@ const AGREEMENT: f64 = 1e-8;
 /// The largest difference by rounding, as a part of the size of the quantity: its terms may be this many times larger than itself,
 /// in units of ε.
 pub(super) const ROUNDING: f64 = 1e4 * f64::EPSILON;
-/// The largest number of divisions of one stretch.
-const MOST: usize = 20_000;
+/// The largest number of divisions of one stretch, and those that each of its first pieces adds.
+const MOST: [usize; 2] = [20_000, 8];
 /// The number of halvings after which the rounding errors of the poses are measured.
 const DEEP: usize = 4;
 /// The distance between places that differ by rounding errors alone, as a part of the piece.
@@ -55,7 +55,12 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         let count = num_traits::Float::ceil(FIRST * way / unit).max(4.0);
         let first = self.node(stretch, from, stretch.walk)?;
         let mut left = first;
-        let mut budget = MOST;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count from 4 on, and the conversion ends at the largest number"
+        )]
+        let mut budget = MOST[0].saturating_add(MOST[1].saturating_mul(count as usize));
         let mut size: f64 = 0.0;
         let mut index = 0.0;
         while index < count {
@@ -118,7 +123,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 apart_most = apart_most.max(apart(&self.node(stretch, at(part), left.walk)?));
             }
         }
-        if apart_most <= tolerance || *budget == 0 {
+        if apart_most <= tolerance {
             let is_flat = high - low <= ROUNDING * own.max(size);
             let part = if is_flat { Part::Flat } else { Part::Piece(piece) };
             return visit(&part, [left, right]);
@@ -133,7 +138,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 return visit(&Part::Piece(piece), [left, right]);
             }
         }
-        *budget = budget.saturating_sub(1);
+        *budget = budget.checked_sub(1).ok_or(ExtremesError::Unresolved {
+            at: middle.at,
+            difference: apart_most,
+        })?;
         self.divide(stretch, [left, &middle], depth + 1, size, budget, visit)?;
         self.divide(stretch, [&middle, right], depth + 1, size, budget, visit)
     }

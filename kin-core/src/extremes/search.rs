@@ -18,10 +18,10 @@ const GROWTH: f64 = 1.05;
 /// A slope, as a part of those at the ends of a piece, above which Newton's method has not found its zero.
 const KINK: f64 = 1e-3;
 
-/// All extremes, and the value where the sweep begins to close.
+/// All extremes, and the place where the sweep begins to close: a quantity that is constant over a full turn has no other.
 pub(super) struct Found {
     pub(super) extremes: Vec<Extreme>,
-    pub(super) first: f64,
+    first: Option<Extreme>,
 }
 
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
@@ -49,11 +49,14 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 }
             })?;
             let [rises_first, rises_last] = [&begin, &end].map(|node| rises(stretch, node));
-            first.get_or_insert(begin.value.real());
+            let beginning = match stretch.ends[0] {
+                End::Limit(_) => self.at_limit(stretch, &begin)?,
+                _ => edge(&begin, Kind::End, !rises_first),
+            };
+            first.get_or_insert(beginning);
             match stretch.ends[0] {
                 End::Sweep if is_turn => {}
-                End::Sweep => extremes.push(edge(&begin, Kind::End, !rises_first)),
-                End::Limit(_) => extremes.push(self.at_limit(stretch, &begin)?),
+                End::Sweep | End::Limit(_) => extremes.push(beginning),
                 end @ (End::Joint | End::Inside) => {
                     if let Some((node, rose)) = before {
                         let kind = if end == End::Joint { Kind::Kink } else { Kind::Inner };
@@ -71,36 +74,29 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             }
             before = Some((end, rises_last));
         }
-        Ok(Found {
-            extremes,
-            first: first.unwrap_or(f64::NAN),
-        })
+        Ok(Found { extremes, first })
     }
 
     /// The value of the highest rank. It has none if the quantity has no bound there.
     pub(super) fn best(&self, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
         let found = self.extremes()?;
-        let mut best = Peak {
-            at: self.course.from,
-            value: found.first,
-            kind: Kind::End,
-        };
-        for extreme in found.extremes {
+        let mut best: Option<Peak> = None;
+        for extreme in found.first.into_iter().chain(found.extremes) {
             let Some(value) = extreme.value else {
                 if rank(if extreme.is_maximum { 1.0 } else { -1.0 }) > 0.0 {
                     return Err(ExtremesError::Unbounded { at: extreme.at });
                 }
                 continue;
             };
-            if rank(value) > rank(best.value) {
-                best = Peak {
+            if best.is_none_or(|best| rank(value) > rank(best.value)) {
+                best = Some(Peak {
                     at: extreme.at,
                     value,
                     kind: extreme.kind,
-                };
+                });
             }
         }
-        Ok(best)
+        best.ok_or(ExtremesError::NoLength { at: self.course.from })
     }
 
     /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.
@@ -179,24 +175,41 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
 
     /// The places where the quantity crosses a level.
     pub(super) fn crossings(&self, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
+        finite("level", level)?;
         let mut crossings = Vec::new();
+        // the end of the stretch before
+        let mut before: Option<Node<M>> = None;
         for stretch in &self.stretches()? {
-            self.crossings_of(stretch, level, &mut |node| {
-                crossings.push(Crossing {
+            let mut inner = Vec::new();
+            let [begin, end] = self.crossings_of(stretch, level, &mut |node| {
+                inner.push(Crossing {
                     at: node.at,
                     is_rising: rises(stretch, node),
                 });
             })?;
+            // a quantity that jumps where two stretches meet is on the level in neither
+            if let (Some(left), End::Joint | End::Inside) = (before, stretch.ends[0]) {
+                let [left, right] = [left, begin].map(|node| node.value.real() < level);
+                if left != right {
+                    crossings.push(Crossing {
+                        at: begin.at,
+                        is_rising: left,
+                    });
+                }
+            }
+            crossings.append(&mut inner);
+            before = Some(end);
         }
         Ok(crossings)
     }
 
+    /// Passes on the places inside of a stretch where the quantity crosses a level, and returns the nodes at both ends of the stretch.
     fn crossings_of(
         &self,
         stretch: &Stretch<M>,
         level: f64,
         found: &mut impl FnMut(&Node<M>),
-    ) -> Result<(), ExtremesError> {
+    ) -> Result<[Node<M>; 2], ExtremesError> {
         self.parts(stretch, false, &mut |part, nodes| {
             match part {
                 Part::Piece(piece) => {
@@ -216,12 +229,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 }
             }
             Ok(())
-        })?;
-        Ok(())
+        })
     }
 
     /// The parts of the sweep on which the quantity keeps to a level.
     pub(super) fn dwells(&self, level: f64, tolerance: f64) -> Result<Vec<Dwell>, ExtremesError> {
+        finite("level", level)?;
+        finite("tolerance", tolerance)?;
         let mut dwells: Vec<[f64; 2]> = Vec::new();
         let stretches = self.stretches()?;
         for stretch in &stretches {
@@ -241,7 +255,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 let middle = self.node(stretch, f64::midpoint(pair[0], pair[1]), stretch.walk)?;
                 // where the quantity only touches a border, rounding errors cross it
                 let rounding = ROUNDING * (level.abs() + tolerance);
-                if (middle.value.real() - level).abs() > tolerance + rounding {
+                let is_near = (middle.value.real() - level).abs() <= tolerance + rounding;
+                if !is_near {
                     continue;
                 }
                 // next to a turning point the quantity goes on to the limit
@@ -274,6 +289,15 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 duration: (to - from).abs() * time,
             })
             .collect())
+    }
+}
+
+/// The mistake of a question whose level or tolerance is not a finite number.
+fn finite(argument: &'static str, value: f64) -> Result<(), ExtremesError> {
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(ExtremesError::Argument { argument, value })
     }
 }
 

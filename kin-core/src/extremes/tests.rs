@@ -676,3 +676,95 @@ fn rounding_errors_have_no_extremes() {
         assert!(along.len() <= 3, "{suffix}: {}", along.len());
     }
 }
+
+/// A sweep of one row runs to its end all the same, and one without a length has no curve.
+#[test]
+fn a_peak_needs_a_way_and_no_rows() {
+    let name = "theta4_acceleration";
+    let start = CRANK_ROCKER.sweep(Assembly::Open);
+    let expected = start.over(0.0..=TAU, 361).peak(name).unwrap();
+    let found = start.over(0.0..=TAU, 1).peak(name).unwrap();
+    assert!((found.at - expected.at).abs() < 1e-9, "{found} {expected}");
+    assert!(
+        (found.value - expected.value).abs() < 1e-12 * expected.value.abs(),
+        "{found} {expected}"
+    );
+    for rows in [1, 2] {
+        let nothing = start.over(1.0..=1.0, rows);
+        let no_length = ExtremesError::NoLength { at: 1.0 };
+        assert_eq!(nothing.peak(name), Err(no_length.clone()));
+        assert_eq!(nothing.lowest(name), Err(no_length.clone()));
+        assert_eq!(nothing.extremes(name), Err(no_length.clone()));
+        assert_eq!(nothing.mean(name, Over::Time), Err(no_length));
+    }
+}
+
+/// A constant is largest where the mechanism begins to close, and not where the sweep begins.
+#[test]
+fn a_constant_is_largest_where_it_closes() {
+    let limit = LIMITED.crank_range().unwrap().high;
+    let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(2.0);
+    for peak in [sweep.peak("theta2_velocity"), sweep.lowest("theta2_velocity")] {
+        let peak = peak.unwrap();
+        assert_eq!(peak.kind, Kind::Limit);
+        assert!(
+            (peak.at.abs() - limit).abs() < 1e-14 && (peak.value - 2.0).abs() < 1e-13,
+            "{peak}"
+        );
+    }
+    let turning = turn(CRANK_ROCKER, Assembly::Open).peak("theta2_velocity").unwrap();
+    assert_eq!((turning.at, turning.value, turning.kind), (0.0, 10.0, Kind::End));
+}
+
+/// At a joint of a law a quantity may jump across a level, upwards as well as downwards, and in both directions of the sweep.
+#[test]
+fn jumps_at_joints_cross_levels() {
+    let crank = SliderCrank { r: 0.1, l: 0.3 };
+    let up = Rise::new(Shape::ConstantSpeed, 0.0, 1.0, 0.5).unwrap();
+    let down = Rise::new(Shape::ConstantSpeed, 1.0, 0.0, 0.25).unwrap();
+    let there_and_back = Sequence::new([&up, &down, &up]).unwrap();
+    let start = crank.sweep(Assembly::Open);
+    let crossings = |range, level| {
+        let sweep = start.under_laws([&there_and_back], range, 40);
+        let found = sweep.crossings("theta_velocity", level).unwrap();
+        found
+            .iter()
+            .map(|crossing| (crossing.at, crossing.is_rising))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(crossings(0.0..=1.25, 0.0), [(0.5, false), (0.75, true)]);
+    assert_eq!(crossings(1.25..=0.0, 0.0), [(0.75, false), (0.5, true)]);
+    assert_eq!(crossings(0.0..=1.25, 2.5), []);
+    // a position that is on the level at a joint crosses it once
+    let further = Rise::new(Shape::ConstantSpeed, 1.0, 2.0, 0.5).unwrap();
+    let on = Sequence::new([&up, &further]).unwrap();
+    let sweep = start.under_laws([&on], 0.0..=1.0, 40);
+    let found = sweep.crossings("theta", 1.0).unwrap();
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!((found[0].at - 0.5).abs() < 1e-14 && found[0].is_rising);
+}
+
+#[test]
+fn levels_and_tolerances_are_finite() {
+    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let name = "theta4";
+    for wrong in [f64::NAN, f64::INFINITY] {
+        let is = |error: ExtremesError, expected: &str| matches!(error, ExtremesError::Argument { argument, value } if argument == expected && !value.is_finite());
+        assert!(is(sweep.crossings(name, wrong).unwrap_err(), "level"));
+        assert!(is(sweep.dwells(name, wrong, 0.1).unwrap_err(), "level"));
+        assert!(is(sweep.dwells(name, 1.0, wrong).unwrap_err(), "tolerance"));
+    }
+}
+
+/// Waves that are too short for the divisions are no extremes of anything.
+#[test]
+fn a_rough_quantity_is_refused() {
+    let sweep = turn(CRANK_ROCKER, Assembly::Open);
+    let waves = |count: f64| sweep.crossings_by(|at| (at.theta2.position() * Local::constant(count)).sin_cos().0, 0.5);
+    assert_eq!(waves(50.0).unwrap().len(), 100);
+    let error = waves(1e6).unwrap_err();
+    assert!(
+        matches!(error, ExtremesError::Unresolved { difference, .. } if difference > 1e-9),
+        "{error}"
+    );
+}
