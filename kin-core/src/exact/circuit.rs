@@ -22,7 +22,7 @@ use crate::law::Side;
 use crate::mechanism::{Mechanism, Sizes};
 use crate::number::{GAUSS, Number, Row};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Drive, Line, Local, SmoothDrive, Variable, Walk};
+use crate::sweep::{Course, Drive, Line, Local, SmoothDrive, Variable, Walk, composed};
 
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
@@ -127,16 +127,6 @@ fn value(series: &Local, change: f64) -> f64 {
         .iter()
         .rev()
         .fold(0.0, |sum, coefficient| sum * change + coefficient)
-}
-
-/// A series whose variable is a series without a constant term.
-fn composed(outer: &Local, inner: Local) -> Local {
-    let sum = Local::constant(0.0);
-    outer
-        .coefficients()
-        .iter()
-        .rev()
-        .fold(sum, |sum, coefficient| sum * inner + Local::constant(*coefficient))
 }
 
 /// The curve of all positions on which a pose lies.
@@ -334,7 +324,7 @@ impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
     fn station(&self, at: f64, point: Point) -> Station<Point> {
         let parameter = point.by_arc();
         let derivatives = |index: usize| {
-            let series = composed(&point.series[index], parameter) * Local::constant(self.sizes[index]);
+            let series = composed(point.series[index], parameter) * Local::constant(self.sizes[index]);
             series.derivatives()
         };
         let mut numbers = Vec::new();
@@ -549,7 +539,7 @@ impl<M: Mechanism<Scalar = f64>> Course<M, Line<M>> {
     pub fn exact_circuit(&self, precision: impl Into<Precision>) -> Result<ExactTable, ExactTableError> {
         let precision = precision.into();
         self.check()?;
-        let order = M::DESCRIPTION.order.min(precision.tolerances().len() - 1);
+        let order = precision.order_of::<M>()?;
         let closed = |error| ExactTableError::NotClosed {
             at: self.from,
             error: Box::new(error),

@@ -21,6 +21,18 @@ pub enum ExactTableError {
         /// The place where it begins and ends.
         at: f64,
     },
+    /// The table shall end with the values, and its pieces need a derivative.
+    Order {
+        /// The highest order that was asked for.
+        asked: usize,
+    },
+    /// The first rows of the table are more than it may have.
+    MoreRows {
+        /// The largest number of rows allowed.
+        most: usize,
+        /// The number of the first rows.
+        rows: usize,
+    },
     /// A tolerance is not a positive number.
     Tolerance {
         /// Its order.
@@ -88,6 +100,14 @@ impl fmt::Display for ExactTableError {
                 formatter,
                 "the range begins and ends at {}: give a range with a length",
                 Digits(*at)
+            ),
+            Self::Order { asked } => write!(
+                formatter,
+                "the table shall end with order {asked}, and its pieces need a derivative: end it with order 1 or a higher one"
+            ),
+            Self::MoreRows { most, rows } => write!(
+                formatter,
+                "the table begins with {rows} rows, and it may have {most}: allow more rows, or give the sweep fewer"
             ),
             Self::Tolerance { order, tolerance } => write!(
                 formatter,

@@ -1,6 +1,8 @@
 //! What an exact table shall hold, and how well.
 
+use super::ExactTableError;
 use super::piece::MOST;
+use crate::mechanism::Mechanism;
 
 /// The largest number of rows unless another one is told.
 const MOST_ROWS: usize = 100_000;
@@ -22,7 +24,8 @@ pub struct Precision {
 }
 
 impl Precision {
-    /// The same tables, with no order above this one.
+    /// The same tables, with no order above this one. Every table has a derivative: order 0 is refused with
+    /// [`ExactTableError::Order`].
     #[must_use]
     pub fn up_to(mut self, order: usize) -> Self {
         self.order = self.order.min(order);
@@ -40,6 +43,14 @@ impl Precision {
     #[must_use]
     pub fn tolerances(&self) -> &[f64] {
         &self.tolerances[..=self.order]
+    }
+
+    /// The order of the tables of a mechanism.
+    pub(super) fn order_of<M: Mechanism>(&self) -> Result<usize, ExactTableError> {
+        match M::DESCRIPTION.order.min(self.order) {
+            0 => Err(ExactTableError::Order { asked: self.order }),
+            order => Ok(order),
+        }
     }
 
     pub(super) fn rows(&self) -> usize {

@@ -232,8 +232,11 @@ impl<'b> ExactTableRef<'b> {
     /// The numbers of a row: the place, and for each column the value and its derivatives.
     #[must_use]
     pub fn row_at(&self, row: usize) -> Option<impl ExactSizeIterator<Item = f64> + use<'b>> {
-        let (table, first, width) = (*self, self.row(row), self.row(1) - self.row(0));
-        (row < self.layout.rows).then(|| (0..width).map(move |index| table.number(first + index)))
+        // only the place of a row that exists is sure not to overflow
+        (row < self.layout.rows).then(|| {
+            let (table, first, width) = (*self, self.row(row), self.row(1) - self.row(0));
+            (0..width).map(move |index| table.number(first + index))
+        })
     }
 
     /// The bytes.

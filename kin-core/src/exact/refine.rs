@@ -78,6 +78,10 @@ pub(super) fn refined<S: Source>(
     {
         return Err(ExactTableError::Tolerance { order, tolerance });
     }
+    let (most, rows) = (precision.rows(), first.len() + 1);
+    if rows > most {
+        return Err(ExactTableError::MoreRows { most, rows });
+    }
     let mut sizes = Sizes::new(&columns, count, &first);
     let mut cells: Vec<Cell<S::Near>> = first
         .into_iter()
@@ -94,7 +98,7 @@ pub(super) fn refined<S: Source>(
             look(source, cell, count, &mut sizes)?;
         }
         let mut next = Vec::with_capacity(cells.len());
-        let rows = cells.len() + 1;
+        let mut rows = cells.len() + 1;
         for mut cell in cells {
             let Some((middle, differences)) = cell.seen.take_if(|_| !cell.is_good) else {
                 next.push(cell);
@@ -109,7 +113,7 @@ pub(super) fn refined<S: Source>(
             }
             let length = (cell.ends[1].at - cell.ends[0].at).abs();
             let is_rounding = part > 0.5 * cell.before && differences[index] <= sizes.rounding(index, length);
-            if is_rounding || next.len() + 2 > precision.rows() || middle.at == cell.ends[0].at {
+            if is_rounding || rows >= most || middle.at == cell.ends[0].at {
                 return Err(ExactTableError::Unreached {
                     column: columns[index / count].name.to_string(),
                     order: index % count,
@@ -120,6 +124,7 @@ pub(super) fn refined<S: Source>(
                     is_rounding,
                 });
             }
+            rows += 1;
             let [left, right] = cell.ends;
             for ends in [[left, middle.clone()], [middle, right]] {
                 next.push(Cell {

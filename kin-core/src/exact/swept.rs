@@ -2,7 +2,6 @@
 
 use alloc::boxed::Box;
 use alloc::string::ToString as _;
-use alloc::vec;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
@@ -20,6 +19,9 @@ use crate::sweep::{Course, SmoothDrive, Variable, Walk};
 
 /// The largest number of turns of an input after which a motion is looked upon as closed.
 const MOST_TURNS: u32 = 12;
+
+/// The distance of two places that differ by rounding errors alone, as a part of the range's largest number.
+const CLOSE: f64 = 16.0 * f64::EPSILON;
 
 /// A sweep as a motion over its variable.
 struct Swept<'c, M: Mechanism<Scalar = f64>, D> {
@@ -128,7 +130,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         if self.from == self.to {
             return Err(ExactTableError::NoRange { at: self.from });
         }
-        let order = M::DESCRIPTION.order.min(precision.tolerances().len() - 1);
+        let order = precision.order_of::<M>()?;
         let source = Swept {
             course: self,
             count: order + 1,
@@ -139,27 +141,29 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         } else {
             [Side::Left, Side::Right]
         };
-        let mut places: Vec<f64> = (0..self.count.max(2)).map(|row| self.at(row)).collect();
-        if self.count < 2 {
-            places = vec![self.from, self.to];
-        }
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
-        let mut joints = Vec::new();
-        let mut after = low;
-        while let Some(joint) = self.drive.next_joint(after).filter(|joint| *joint < high) {
-            joints.push(joint);
-            after = joint;
-        }
+        let close = CLOSE * low.abs().max(high.abs());
+        let is_end = |place: f64| (place - low).abs() <= close || (high - place).abs() <= close;
+        let (beside_ends, joints): (Vec<f64>, Vec<f64>) =
+            self.joints([low, high]).into_iter().partition(|joint| is_end(*joint));
+        // A row that rounding puts beside a joint stands for it. The ends of the range stay, with the piece of the law that the joint ends.
+        let near = |place: f64, joints: &[f64]| joints.iter().copied().find(|joint| (joint - place).abs() <= close);
+        let rows = (0..self.count.max(2)).map(|row| self.at(row));
+        let mut places: Vec<f64> = rows.filter(|row| near(*row, &joints).is_none()).collect();
         places.extend(&joints);
         places.sort_by(f64::total_cmp);
         places.dedup();
         if !runs_up {
             places.reverse();
         }
+        let seen_at = |place: f64, side: Side, from: Option<&Station<Walk<M>>>| {
+            let found = source.found(near(place, &beside_ends).unwrap_or(place), side, from);
+            found.map(|station| Station { at: place, ..station })
+        };
         let mut first = Vec::with_capacity(places.len());
-        let mut left = source.found(places[0], start, None)?;
+        let mut left = seen_at(places[0], start, None)?;
         for place in places.into_iter().skip(1) {
-            let right = source.found(place, end, Some(&left))?;
+            let right = seen_at(place, end, Some(&left))?;
             let next = if joints.contains(&place) {
                 source.found(place, start, Some(&right))?
             } else {

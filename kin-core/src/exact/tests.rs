@@ -7,7 +7,7 @@ use super::read::{VERSION, WORD, checksum};
 use super::{ExactTable, ExactTableError, ExactTableRef, PlaceError, Precision, ReadError};
 use crate::assembly::{Assembly, Near};
 use crate::geometry::{Plane, Space};
-use crate::law::{Rise, Sequence, Shape, Side};
+use crate::law::{Dwell, Rise, Sequence, Shape, Side};
 use crate::library::{
     FiveBar, FourBar, JansenLeg, Rssr, SliderCrank, SphericalFourBar, StephensonI, StephensonIByDyad,
     WhitworthQuickReturn,
@@ -679,4 +679,54 @@ fn damaged_bytes_are_errors() {
         }
     }
     assert!(kinds.iter().all(|count| *count > 20), "{kinds:?}");
+}
+
+/// Rounding may put a row, or an end of the range, beside a joint of a law.
+#[test]
+fn rows_beside_joints_stand_for_them() {
+    let up = Rise::new(Shape::Cycloidal, 0.0, 1.0, 0.1).unwrap();
+    let high = Dwell::new(1.0, 0.2).unwrap();
+    let down = Rise::new(Shape::Cycloidal, 1.0, 0.0, 0.3).unwrap();
+    let cam = Sequence::new([&up, &high, &down]).unwrap();
+    let joint: f64 = 0.1 + 0.2;
+    assert_ne!(joint, 0.3, "the row has another place than the joint");
+    let start = SliderCrank { r: 0.1, l: 0.3 }.sweep(Assembly::Open);
+    // to the last and from the next place beside a joint as well
+    for range in [
+        0.0..=0.6,
+        0.6..=0.0,
+        0.0..=joint.next_up(),
+        joint.next_down()..=0.6,
+        0.6..=joint.next_down(),
+    ] {
+        let course = start.under_laws([&cam], range.clone(), 7);
+        let table = course
+            .exact_table(1e-6)
+            .unwrap_or_else(|error| panic!("{range:?}: {error}"));
+        assert_eq!(*table.range().start(), range.start().min(*range.end()));
+        assert_eq!(*table.range().end(), range.start().max(*range.end()));
+        let rows: Vec<f64> = (0..table.rows())
+            .filter_map(|row| table.reader().row_at(row)?.next())
+            .collect();
+        let is_near = |pair: &[f64]| pair[0] != pair[1] && (pair[1] - pair[0]).abs() < 1e-12;
+        assert!(!rows.windows(2).any(is_near), "{rows:?}");
+    }
+}
+
+#[test]
+fn what_no_table_can_hold_is_refused_before_the_work() {
+    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 361);
+    let values = Precision::from(1e-3).up_to(0);
+    assert_eq!(turn.exact_table(values), Err(ExactTableError::Order { asked: 0 }));
+    assert_eq!(turn.exact_circuit(values), Err(ExactTableError::Order { asked: 0 }));
+    let few = turn.exact_table(Precision::from(1e-3).most_rows(10));
+    assert_eq!(few, Err(ExactTableError::MoreRows { most: 10, rows: 361 }));
+    // as many rows as it takes, and one less
+    let start = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5);
+    let rows = start.exact_table(1e-6).unwrap().rows();
+    let table = start.exact_table(Precision::from(1e-6).most_rows(rows)).unwrap();
+    assert_eq!(table.rows(), rows);
+    assert!(start.exact_table(Precision::from(1e-6).most_rows(rows - 1)).is_err());
+    let table = table.reader();
+    assert!(table.row_at(rows).is_none() && table.row_at(usize::MAX).is_none());
 }
