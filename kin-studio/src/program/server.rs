@@ -10,7 +10,7 @@ use super::fault::Fault;
 const LONGEST_HEAD: u64 = 16 * 1024;
 /// The longest rest of a request that is read and thrown away.
 const LONGEST_REST: u64 = 1024 * 1024;
-/// The time in which a request must have come.
+/// The longest wait for each read and each write.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// What is sent for a path.
@@ -112,8 +112,13 @@ fn connection(mut stream: &TcpStream, port: u16, answer: &dyn Fn(&str) -> Option
 /// Whether the request is for this machine by its own name. A page of another site, whose name was made to lead here, has the name of that
 /// site.
 fn is_own(hosts: &[String], port: u16) -> bool {
-    let own = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
-    matches!(hosts, [host] if own.contains(host))
+    let [host] = hosts else { return false };
+    let (name, of_host) = match host.split_once(':') {
+        Some((name, port)) => (name, port),
+        // browsers leave the port of HTTP out
+        None => (host.as_str(), "80"),
+    };
+    ["127.0.0.1", "localhost"].contains(&name) && of_host == port.to_string()
 }
 
 /// A text inside of HTML.
@@ -139,12 +144,19 @@ mod tests {
     #[test]
     fn only_this_machine_is_answered() {
         let hosts = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
-        assert!(is_own(&hosts(&["127.0.0.1:80"]), 80) && is_own(&hosts(&["localhost:80"]), 80));
+        for name in ["127.0.0.1:80", "localhost:80", "127.0.0.1", "localhost"] {
+            assert!(is_own(&hosts(&[name]), 80), "{name}");
+        }
+        for name in ["127.0.0.1", "localhost"] {
+            assert!(!is_own(&hosts(&[name]), 8080), "{name}");
+        }
         for names in [
             &[][..],
             &["evil.example:80"],
-            &["127.0.0.1"],
+            &["evil.example"],
             &["127.0.0.1:81"],
+            &["127.0.0.1:080"],
+            &["127.0.0.1:"],
             &["127.0.0.1:80", "evil.example"],
         ] {
             assert!(!is_own(&hosts(names), 80), "{names:?}");
