@@ -133,3 +133,26 @@ fn a_cache_that_cannot_be_written_is_named() {
         "{told}"
     );
 }
+
+/// The first look at the file lasts until the pipe is closed, and by then another file has its name.
+#[cfg(unix)]
+#[test]
+fn a_change_during_the_first_build_is_seen() {
+    let folder = Folder::new("changed");
+    let path = folder.path().join("wiper.kin");
+    let made = std::process::Command::new("mkfifo").arg(&path).status().unwrap();
+    assert!(made.success());
+    let other = folder.write("other.kin", &WIPER.replacen("kin 1", "kin 2", 1));
+    let writer = std::thread::spawn(move || {
+        let mut pipe = std::fs::OpenOptions::new().write(true).open(&path).unwrap();
+        std::fs::rename(other, &path).unwrap();
+        std::io::Write::write_all(&mut pipe, WIPER.replacen("motion {", "movement {", 1).as_bytes()).unwrap();
+    });
+    let server = Server::start(&folder, &["run", "wiper.kin", "serve"]);
+    writer.join().unwrap();
+    let start = Instant::now();
+    while !server.get("/page").contains("kin 2") {
+        assert!(start.elapsed() < Duration::from_secs(20), "the change is not seen");
+        std::thread::sleep(Duration::from_millis(100));
+    }
+}

@@ -44,10 +44,11 @@ static SHOWN: Shown = Shown {
 pub(crate) fn watch(run: &Run, arguments: &[OsString]) -> Result<(), Fault> {
     let (port, arguments) = port_of(arguments)?;
     let name = run.path.display().to_string();
+    // before the first build, which may take minutes, so that a change meanwhile is seen
+    let mut known = stamp(run);
     show(run, &arguments);
     let looked = run.clone();
     std::thread::spawn(move || {
-        let mut known = stamp(&looked);
         loop {
             std::thread::sleep(PAUSE);
             let now = stamp(&looked);
