@@ -117,10 +117,13 @@ fn completed(command: Command, name: &str) -> Command {
     )
 }
 
-fn completions(command: &mut Command, name: &str, matches: &clap::ArgMatches) {
+fn completions(command: &mut Command, name: &str, matches: &clap::ArgMatches) -> Result<ExitCode, Fault> {
+    // the crate panics where it cannot write, so it writes into memory
+    let mut script = Vec::new();
     if let Some(shell) = matches.get_one::<Shell>("shell") {
-        clap_complete::generate(*shell, command, name, &mut std::io::stdout());
+        clap_complete::generate(*shell, command, name, &mut script);
     }
+    tasks::print(&String::from_utf8_lossy(&script)).map(|()| ExitCode::SUCCESS)
 }
 
 /// Help and the version go to the output and are no mistake.
@@ -149,8 +152,7 @@ fn run_own(subject: &dyn Subject, name: &str, arguments: Vec<OsString>, told: &T
     let mut command = command::with_examples(command, name, "").bin_name(name);
     let matches = parsed(&command, arguments)?;
     if let Some(("completions", matches)) = matches.subcommand() {
-        completions(&mut command, name, matches);
-        return Ok(ExitCode::SUCCESS);
+        return completions(&mut command, name, matches);
     }
     let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
     tasks::run(subject, &task, told).map(|()| ExitCode::SUCCESS)
@@ -160,10 +162,7 @@ fn run_library(all: &[Entry], arguments: Vec<OsString>) -> Result<ExitCode, Faul
     let mut command = library_command();
     let matches = parsed(&command, arguments)?;
     match matches.subcommand() {
-        Some(("completions", matches)) => {
-            completions(&mut command, "kin", matches);
-            Ok(ExitCode::SUCCESS)
-        }
+        Some(("completions", matches)) => completions(&mut command, "kin", matches),
         Some(("list", _)) => tasks::list(all).map(|()| ExitCode::SUCCESS),
         Some(("run", own)) => run_file(own),
         Some(("cache", _)) => {

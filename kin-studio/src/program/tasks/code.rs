@@ -1,6 +1,7 @@
 //! `kin code`: the solver in other languages.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use kin_core::tape::Options;
 
@@ -11,6 +12,9 @@ use super::super::file::Told;
 use super::super::progress::watched;
 use super::super::subject::Subject;
 use super::print;
+
+/// The file of the example. Many people's programs have one of this name.
+const EXAMPLE: &str = "main.c";
 
 pub(super) fn run(subject: &dyn Subject, code: &Code, told: &Told) -> Result<(), Fault> {
     let mut options = Options::new();
@@ -29,11 +33,14 @@ pub(super) fn run(subject: &dyn Subject, code: &Code, told: &Told) -> Result<(),
     }
     let tape = watched("recording", 1, |_| subject.tape(&options)).map_err(Fault::wrong)?;
     let c = tape.c();
+    if code.language == Language::C {
+        spare(&code.output.join(EXAMPLE), &c.example, subject.description().name)?;
+    }
     let files = match code.language {
         Language::C => vec![
             (format!("{}.h", c.name), c.header),
             (format!("{}.c", c.name), c.source),
-            ("main.c".to_owned(), c.example),
+            (EXAMPLE.to_owned(), c.example),
         ],
         Language::JavaScript => vec![(format!("{}.mjs", c.name), tape.java_script())],
         Language::Python => vec![(format!("{}.py", c.name), tape.python())],
@@ -50,8 +57,21 @@ pub(super) fn run(subject: &dyn Subject, code: &Code, told: &Told) -> Result<(),
         let (folder, name) = (code.output.display(), c.name);
         let _ = writeln!(
             out,
-            "build it by: cc -O2 -std=c99 -ffp-contract=off {folder}/main.c {folder}/{name}.c -lm -o {folder}/{name}"
+            "build it by: cc -O2 -std=c99 -ffp-contract=off {folder}/{EXAMPLE} {folder}/{name}.c -lm -o {folder}/{name}"
         );
     }
     print(&out)
+}
+
+/// Refuses to write an example over a file that is none. All examples begin alike, up to the name of the mechanism.
+fn spare(path: &Path, example: &str, mechanism: &str) -> Result<(), Fault> {
+    let head = example.split(mechanism).next().unwrap_or(example).trim_end();
+    match std::fs::read(path) {
+        Ok(own) if !own.starts_with(head.as_bytes()) => Err(Fault::wrong(format!(
+            "{} is there already and was not written by kin: give another folder by `--output FOLDER`",
+            path.display()
+        ))),
+        // what cannot be read for another reason cannot be written either, and that is told then
+        _ => Ok(()),
+    }
 }

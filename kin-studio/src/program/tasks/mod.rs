@@ -38,7 +38,7 @@ pub(super) fn run(subject: &dyn Subject, task: &Task, told: &Told) -> Result<(),
 }
 
 /// Writes to the output. A reader that has closed it, such as `head`, is no mistake.
-fn print(text: &str) -> Result<(), Fault> {
+pub(super) fn print(text: &str) -> Result<(), Fault> {
     use std::io::{ErrorKind, Write as _};
     let mut output = std::io::stdout().lock();
     let written = output.write_all(text.as_bytes()).and_then(|()| output.flush());
