@@ -175,8 +175,8 @@ pub(crate) struct ExactTable {
     #[arg(long, default_value_t = 1e-6)]
     pub(crate) tolerance: f64,
     /// The highest derivative [default: that of the mechanism]
-    #[arg(long)]
-    pub(crate) order: Option<usize>,
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=4))]
+    pub(crate) order: Option<u8>,
     /// The form of the file
     #[arg(long, value_enum, default_value_t = Form::Binary)]
     pub(crate) form: Form,
