@@ -35,12 +35,25 @@ pub(crate) struct Case {
     pub(crate) parameters: Vec<f64>,
     /// A motion for each input.
     pub(crate) motions: Vec<InputMotion>,
+    /// The input that the others follow: the first one that moves.
+    pub(crate) lead: usize,
     /// The assembly.
     pub(crate) assembly: Wanted,
     /// The name of the unit of length, empty if there is none.
     pub(crate) length: &'static str,
     /// Whether angles are shown in degrees.
     pub(crate) in_degrees: bool,
+}
+
+/// The values that are known before anything moves.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Known {
+    /// A value for each scalar parameter.
+    pub(crate) parameters: Vec<f64>,
+    /// The inputs that stand, and the first values of those that move.
+    pub(crate) inputs: Vec<Option<f64>>,
+    /// The name of the unit of length, empty if there is none.
+    pub(crate) length: &'static str,
 }
 
 impl Typed {
@@ -51,20 +64,55 @@ impl Typed {
 
     /// Compares what was typed with a mechanism.
     pub(crate) fn case(&self, subject: &dyn Subject) -> Result<Case, Fault> {
-        let mut lengths = match &self.units {
-            Some(name) => Lengths::named(name).map_err(Fault::Wrong)?,
-            None => Lengths::default(),
-        };
+        let case = self.compared(subject, None)?;
+        // the option is for the leading input, and says nothing of the others
+        if self.speed.is_none() {
+            case.check_pace(subject.description().inputs)?;
+        }
+        Ok(case)
+    }
+
+    /// The same where no input must move. A leading input without a range and without a value stands at `otherwise`.
+    pub(crate) fn case_without_range(&self, subject: &dyn Subject, otherwise: f64) -> Result<Case, Fault> {
+        self.compared(subject, Some(otherwise))
+    }
+
+    /// The values alone.
+    pub(crate) fn known(&self, subject: &dyn Subject) -> Result<Known, Fault> {
+        let mut lengths = self.lengths()?;
+        let (parameters, standing) = self.values(subject, &mut lengths)?;
+        let motions = self.said(subject, &standing, &mut lengths)?;
+        Ok(Known {
+            parameters,
+            inputs: motions
+                .iter()
+                .map(|motion| motion.as_ref().map(InputMotion::start))
+                .collect(),
+            length: lengths.name(),
+        })
+    }
+
+    fn compared(&self, subject: &dyn Subject, otherwise: Option<f64>) -> Result<Case, Fault> {
+        let mut lengths = self.lengths()?;
         let (parameters, standing) = self.values(subject, &mut lengths)?;
         let assembly = self.assembly(subject, &mut lengths)?;
-        let motions = self.motions(subject, &standing, &mut lengths)?;
+        let said = self.said(subject, &standing, &mut lengths)?;
+        let lead = leading(&said);
         Ok(Case {
             parameters,
-            motions,
+            motions: self.motions(subject, said, otherwise, &mut lengths)?,
+            lead,
             assembly,
             length: lengths.name(),
             in_degrees: !self.radians,
         })
+    }
+
+    fn lengths(&self) -> Result<Lengths, Fault> {
+        match &self.units {
+            Some(name) => Lengths::named(name).map_err(Fault::Wrong),
+            None => Ok(Lengths::default()),
+        }
     }
 
     /// A value for each dimension.
@@ -155,14 +203,14 @@ impl Typed {
         )))
     }
 
-    fn motions(
+    /// The motions that were typed.
+    fn said(
         &self,
         subject: &dyn Subject,
         standing: &[Option<f64>],
         lengths: &mut Lengths,
-    ) -> Result<Vec<InputMotion>, Fault> {
+    ) -> Result<Vec<Option<InputMotion>>, Fault> {
         let inputs = subject.description().inputs;
-        let example = subject.example();
         let mut motions: Vec<Option<InputMotion>> =
             standing.iter().map(|value| value.map(InputMotion::Stands)).collect();
         for text in &self.over {
@@ -187,10 +235,28 @@ impl Typed {
                 .map_err(|message| Fault::wrong(format!("{}: {message}", inputs[index].name)))?;
             motions[index] = Some(motion);
         }
-        // the first input moves if none was said to
+        Ok(motions)
+    }
+
+    /// A motion for each input. The leading one moves if none was said to.
+    fn motions(
+        &self,
+        subject: &dyn Subject,
+        mut motions: Vec<Option<InputMotion>>,
+        otherwise: Option<f64>,
+        lengths: &mut Lengths,
+    ) -> Result<Vec<InputMotion>, Fault> {
+        let inputs = subject.description().inputs;
+        let example = subject.example();
         if !motions.iter().flatten().any(InputMotion::moves) {
-            let place = motions.iter().position(Option::is_none).unwrap_or(0);
-            motions[place] = Some(default_range(subject, place, motions[place])?);
+            let lead = leading(&motions);
+            let own = motions[lead].or(example
+                .as_ref()
+                .map(|example| InputMotion::Stands(example.inputs[lead])));
+            motions[lead] = Some(match (default_range(subject, lead, motions[lead]), otherwise) {
+                (Err(_), Some(value)) => own.unwrap_or(InputMotion::Stands(value)),
+                (range, _) => range?,
+            });
         }
         let mut whole = Vec::new();
         for (index, motion) in motions.into_iter().enumerate() {
@@ -213,7 +279,7 @@ impl Typed {
     /// The motion with the speed, or under the law, of the other options.
     fn driven(&self, motion: InputMotion, input: &Quantity, lengths: &mut Lengths) -> Result<InputMotion, Fault> {
         let InputMotion::Moves { from, to, speed } = motion else {
-            return Ok(motion);
+            return self.unchanged(motion, input.name);
         };
         let at = |message| Fault::wrong(format!("{}: {message}", input.name));
         if let Some(law) = &self.law {
@@ -247,12 +313,41 @@ impl Typed {
             speed: typed.or(by_time.map(|time| (to - from).abs() / time)).or(speed),
         })
     }
+
+    /// A motion that the options for a speed or a law do not change. They are refused beside a law, since they would not be read.
+    fn unchanged(&self, motion: InputMotion, name: &str) -> Result<InputMotion, Fault> {
+        let options = [("--speed", &self.speed), ("--law", &self.law), ("--time", &self.time)];
+        let unread = options
+            .into_iter()
+            .find_map(|(option, text)| text.as_ref().map(|_| option));
+        match unread {
+            Some(option) if motion.moves() => Err(Fault::wrong(format!(
+                "`{name}` has a law already, behind `by`, which `{option}` does not change: leave `{option}` out, or write another \
+                 motion, as in `--over '{name}=…'`"
+            ))),
+            _ => Ok(motion),
+        }
+    }
 }
 
 impl Case {
-    /// The input that the others follow: the first one that moves.
-    pub(crate) fn lead(&self) -> usize {
-        self.motions.iter().position(InputMotion::moves).unwrap_or(0)
+    /// Without laws the leading input alone has a speed. One of another input is refused, unless both take the same time.
+    fn check_pace(&self, inputs: &[Quantity]) -> Result<(), Fault> {
+        if self.time_of_laws().is_some() {
+            return Ok(());
+        }
+        let time = self.motions[self.lead].duration();
+        let is_unread = |own: f64| time.is_none_or(|time| (own - time).abs() > 1e-9 * time);
+        let unread = self
+            .motions
+            .iter()
+            .position(|motion| motion.duration().is_some_and(is_unread));
+        let Some(index) = unread else { return Ok(()) };
+        let (lead, own) = (inputs[self.lead].name, inputs[index].name);
+        Err(Fault::wrong(format!(
+            "`{own}` moves together with `{lead}`, whose speed alone is read: leave the speed of `{own}` out, or write `by \
+             constant-speed in 0.4s` in its place"
+        )))
     }
 
     /// The time of the motion, if an input moves under a law.
@@ -267,11 +362,19 @@ impl Case {
 
     /// The speed of the leading input, without its sign.
     pub(crate) fn speed(&self) -> f64 {
-        match self.motions.get(self.lead()) {
+        match self.motions.get(self.lead) {
             Some(InputMotion::Moves { speed: Some(speed), .. }) => *speed,
             _ => 1.0,
         }
     }
+}
+
+/// The first input that was said to move; otherwise the first of which nothing was said.
+fn leading(said: &[Option<InputMotion>]) -> usize {
+    let moving = said
+        .iter()
+        .position(|motion| motion.as_ref().is_some_and(InputMotion::moves));
+    moving.or_else(|| said.iter().position(Option::is_none)).unwrap_or(0)
 }
 
 /// The range of an input of which nothing is said: a turn.
@@ -295,6 +398,9 @@ fn default_range(subject: &dyn Subject, index: usize, said: Option<InputMotion>)
     })
 }
 
+/// The names of coordinates.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// A value, or the coordinates of a point, as in `(1.4, 1.5)`.
 fn parts<'v>(name: &str, value: &'v str) -> Result<Vec<(String, &'v str)>, Fault> {
     let Some(inner) = value.strip_prefix('(') else {
@@ -303,7 +409,13 @@ fn parts<'v>(name: &str, value: &'v str) -> Result<Vec<(String, &'v str)>, Fault
     let Some(inner) = inner.strip_suffix(')') else {
         return Err(Fault::wrong(format!("`{value}` has no closing parenthesis")));
     };
-    Ok(["x", "y", "z"]
+    let count = inner.split(',').count();
+    if count > AXES.len() {
+        return Err(Fault::wrong(format!(
+            "`{value}` has {count} coordinates: write the two or three of the point, as in `{name}=(1.4, 1.5)`"
+        )));
+    }
+    Ok(AXES
         .into_iter()
         .zip(inner.split(','))
         .map(|(part, value)| (format!("{name}.{part}"), value.trim()))
@@ -365,5 +477,68 @@ fn near(subject: &dyn Subject, text: &str, lengths: &mut Lengths) -> Result<Want
             "the assembly gives no value near {}",
             listed(&missing)
         )))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::subject::bare;
+    use super::*;
+    use kin_core::library::{FiveBar, Pantograph};
+
+    fn typed(set: &[&str], over: &[&str]) -> Typed {
+        let owned = |texts: &[&str]| texts.iter().map(|&text| text.to_owned()).collect();
+        Typed {
+            set: owned(set),
+            over: owned(over),
+            ..Typed::default()
+        }
+    }
+
+    const FIVE: [&str; 5] = ["ground=2", "left=2", "left_rod=3", "right_rod=3", "right=2"];
+
+    /// A length has no range of its own, so that a motion must be given where one is needed.
+    #[test]
+    fn a_range_is_asked_for_where_it_is_needed() {
+        let subject = bare::<Pantograph>();
+        let set = typed(&["upper=3", "lower=3", "factor=2", "y=-1.5"], &[]);
+        assert!(set.case(&subject).is_err());
+        let case = set.case_without_range(&subject, 2.5).unwrap();
+        assert_eq!(case.lead, 0);
+        assert_eq!(case.motions, [2.5, -1.5].map(InputMotion::Stands));
+    }
+
+    /// The speed of a second input is either that of the first one or refused.
+    #[test]
+    fn speeds_that_are_not_read_are_refused() {
+        let subject = bare::<FiveBar>();
+        let lead = "alpha=0..90deg at 60rpm";
+        for (second, is_read) in [
+            ("beta=0..45deg at 30rpm", true),
+            ("beta=0..45deg", true),
+            ("beta=0..45deg by cycloidal in 0.4s", true),
+            ("beta=0..45deg at 60rpm", false),
+        ] {
+            let case = typed(&FIVE, &[lead, second]).case(&subject);
+            assert_eq!(case.is_ok(), is_read, "{second}");
+        }
+        let case = typed(&FIVE, &["alpha=0..90deg", "beta=0..45deg at 60rpm"]).case(&subject);
+        assert!(case.is_err());
+    }
+
+    #[test]
+    fn options_beside_a_law_are_refused() {
+        let subject = bare::<FiveBar>();
+        let own = || typed(&FIVE, &["alpha=0..90deg by cycloidal in 1s", "beta=50deg"]);
+        assert!(own().case(&subject).is_ok());
+        let text = || Some("1s".to_owned());
+        for other in [
+            Typed { time: text(), ..own() },
+            Typed { speed: text(), ..own() },
+            Typed { law: text(), ..own() },
+        ] {
+            let fault = other.case(&subject).unwrap_err();
+            assert!(fault.to_string().contains("--over 'alpha=…'"), "{fault}");
+        }
     }
 }

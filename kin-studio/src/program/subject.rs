@@ -3,8 +3,8 @@
 
 use kin_core::batch::LengthMismatch;
 use kin_core::cycle::{BlockClass, EndKind, FullCycle};
-use kin_core::exact::{ExactTable, Precision};
-use kin_core::extremes::{ExtremesError, Kind, Mean, Over};
+use kin_core::exact::{ExactTable, ExactTableError, Precision};
+use kin_core::extremes::{Extreme, ExtremesError, Kind, Mean, Over};
 use kin_core::law::Piecewise;
 use kin_core::prelude::*;
 use kin_core::sweep::{Course, Laws, Line, Local, Sweep, SweepError, Table};
@@ -229,7 +229,7 @@ impl<M: Mechanism<Scalar = f64>> Sample<M> {
         let assembly = Self::assembly(case, &mechanism)?;
         let [from, to] =
             [InputMotion::start, InputMotion::end].map(|end| Row::from_fn(|index| end(&case.motions[index])));
-        let sign = (case.motions[case.lead()].end() - case.motions[case.lead()].start()).signum();
+        let sign = (case.motions[case.lead].end() - case.motions[case.lead].start()).signum();
         Ok(mechanism
             .sweep(assembly)
             .between(from, to, rows)
@@ -290,6 +290,15 @@ fn of_extremes(error: ExtremesError) -> Fault {
     }
 }
 
+fn of_exact_table(error: ExactTableError) -> Fault {
+    match error {
+        ExactTableError::NotClosed { .. } | ExactTableError::ChangePoint { .. } | ExactTableError::Lost { .. } => {
+            Fault::open(error)
+        }
+        error => Fault::wrong(error),
+    }
+}
+
 /// The lowest and the highest value, and the root of the mean square.
 fn extent_of<M, D>(course: &Course<M, D>, name: &str) -> Result<Extent, Fault>
 where
@@ -297,27 +306,18 @@ where
     D: kin_core::sweep::SmoothDrive<M>,
 {
     let all = course.extremes(name).map_err(of_extremes)?;
-    let reached = all.iter().map(|one| Reached {
-        value: one.value,
-        at: one.at,
-        is_limit: matches!(one.kind, Kind::Limit | Kind::Unbounded),
-    });
+    let reached = || {
+        let bounded = all.iter().filter(|one| one.value.is_some());
+        bounded.map(|one| Reached {
+            value: one.value,
+            at: one.at,
+            is_limit: one.kind == Kind::Limit,
+        })
+    };
     let size = |one: &Reached| one.value.unwrap_or(f64::NAN);
-    let mut lowest = reached
-        .clone()
-        .filter(|one| one.value.is_some())
-        .min_by(|a, b| size(a).total_cmp(&size(b)));
-    let mut highest = reached
-        .filter(|one| one.value.is_some())
-        .max_by(|a, b| size(a).total_cmp(&size(b)));
-    if let Some(unbounded) = all.iter().find(|one| one.value.is_none()) {
-        let beyond = Some(Reached {
-            value: None,
-            at: unbounded.at,
-            is_limit: true,
-        });
-        (lowest, highest) = (beyond, beyond);
-    }
+    let order = |one: &Reached, other: &Reached| size(one).total_cmp(&size(other));
+    let lowest = unbounded(&all, false).or_else(|| reached().min_by(order));
+    let highest = unbounded(&all, true).or_else(|| reached().max_by(order));
     let flat = |peak: kin_core::extremes::Peak| Reached {
         value: Some(peak.value),
         at: peak.at,
@@ -333,6 +333,18 @@ where
             None => flat(course.highest(name).map_err(of_extremes)?),
         },
         rms: course.rms(name, Over::Time),
+    })
+}
+
+/// The place where a quantity grows beyond all bounds on one side.
+fn unbounded(all: &[Extreme], is_maximum: bool) -> Option<Reached> {
+    let place = all
+        .iter()
+        .find(|one| one.value.is_none() && one.is_maximum == is_maximum)?;
+    Some(Reached {
+        value: None,
+        at: place.at,
+        is_limit: true,
     })
 }
 
@@ -380,7 +392,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
 
     fn cycle(&self, case: &Case) -> Result<CycleOf, Fault> {
         let mechanism = Self::mechanism(&case.parameters);
-        let lead = case.lead();
+        let lead = case.lead;
         let from = Row::from_fn(|index| {
             if index == lead {
                 0.0
@@ -443,7 +455,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
 
     fn page(&self, case: &Case, wishes: &PageWishes) -> Result<String, Fault> {
         let mechanism = Self::mechanism(&case.parameters);
-        let lead = case.lead();
+        let lead = case.lead;
         let motion = &case.motions[lead];
         let (from, to) = (motion.start().min(motion.end()), motion.start().max(motion.end()));
         let inputs = Row::from_fn(|index| case.motions[index].start());
@@ -479,7 +491,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
             None => Self::line(case, ROWS)?.exact_table(precision),
             Some(duration) => Self::under_laws(case, duration, ROWS, |course| course.exact_table(precision))?,
         }
-        .map_err(Fault::open)
+        .map_err(of_exact_table)
     }
 
     fn partial(&self, parameters: &[f64], inputs: &[f64], assembly: &Wanted) -> Result<Partial, Fault> {

@@ -1,6 +1,8 @@
 //! Every command, with what it prints.
 
 use insta::assert_snapshot;
+use kin_core::exact::ExactTable;
+use kin_studio::tables::ExactJson as _;
 use serde_json::Value;
 
 use crate::typed::{Folder, typed, typed_in};
@@ -94,6 +96,11 @@ fn cycle() {
         "cycle with limits",
         typed("cycle-limits", "kin cycle four_bar --set r3=60 --set r4=45")
     );
+    // a length has no range of its own, and a cycle needs none
+    let told = typed("cycle-length", "kin cycle pantograph");
+    assert!(told.contains("Pantograph over x: 2 circuits, 4 branches"), "{told}");
+    let told = typed("cycle-standing", "kin cycle pantograph --set x=3");
+    assert!(told.contains("Pantograph over y: "), "{told}");
 }
 
 #[test]
@@ -129,6 +136,26 @@ fn code() {
         let told = typed_in(&folder, &format!("kin code scotch_yoke {language}"));
         assert!(told.contains(file) && folder.path().join(file).is_file(), "{told}");
     }
+}
+
+/// An example of kin is written again, and nobody else's program is lost.
+#[test]
+fn the_example_in_c_spares_other_files() {
+    let folder = Folder::new("code-spares");
+    for mechanism in ["four_bar", "slider_crank"] {
+        let told = typed_in(&folder, &format!("kin code {mechanism} c"));
+        assert!(told.ends_with("code 0\n"), "{told}");
+    }
+    let own = "int main(void) { return 0; }\n";
+    let path = folder.write("main.c", own);
+    let told = typed_in(&folder, "kin code scotch_yoke c");
+    assert!(
+        told.contains("main.c is there already") && told.contains("`--output FOLDER`"),
+        "{told}"
+    );
+    assert!(told.ends_with("code 2\n"), "{told}");
+    assert_eq!(std::fs::read_to_string(path).unwrap(), own);
+    assert!(!folder.path().join("scotch_yoke.c").exists());
 }
 
 /// The dimensions with which the numbers were made are found again.
@@ -184,16 +211,87 @@ fn fit() {
     assert!(end < start / 1000.0, "{found}");
 }
 
+/// A row that does not close is left out of the deviations, and does not stop the search.
+#[test]
+fn fit_with_an_open_row() {
+    let folder = Folder::new("fit-open");
+    folder.write("wanted.csv", "theta2 [deg],theta4 [deg]\n65,110\n170,150\n");
+    let told = typed_in(
+        &folder,
+        "kin fit four_bar --set r3=60 --set r4=45 --data wanted.csv --vary r4",
+    );
+    assert!(told.contains("in the mean of 1 row; at the start by "), "{told}");
+    assert!(
+        told.contains("does not close in 1 of 2 rows") && told.ends_with("code 1\n"),
+        "{told}"
+    );
+    let told = typed_in(&folder, "kin fit four_bar --set r1=900 --data wanted.csv --vary r4");
+    assert!(told.contains("closes in no row"), "{told}");
+}
+
+/// Where the data have every input, the range of a length is not asked for.
+#[test]
+fn fit_without_a_range() {
+    let folder = Folder::new("fit-range");
+    typed_in(
+        &folder,
+        "kin sweep pantograph --over x=2.5..3.5 --set y=-1.5 --rows 5 --csv wanted.csv",
+    );
+    let told = typed_in(
+        &folder,
+        "kin fit pantograph --data wanted.csv --vary factor --set factor=1.9",
+    );
+    assert!(told.contains("--set factor=") && told.ends_with("code 0\n"), "{told}");
+}
+
+/// The values of an assembly are those where the motion begins. Each row is reached from there, and not from the position that is nearest
+/// to them at its own input.
+#[test]
+fn fit_follows_the_assembly() {
+    let folder = Folder::new("fit-assembly");
+    let options =
+        "--over -170..130deg --assembly theta3=-28.8338deg,theta4=80.8715deg,theta5=52.2995deg,theta6=176.485deg";
+    typed_in(
+        &folder,
+        &format!("kin sweep stephenson_ii {options} --rows 7 --csv wanted.csv"),
+    );
+    let told = typed_in(
+        &folder,
+        &format!("kin fit stephenson_ii {options} --data wanted.csv --vary r5"),
+    );
+    assert!(
+        told.contains("theta6: deviates by 0 deg in the mean of 7 rows; at the start by 0 deg in the mean of 7 rows"),
+        "{told}"
+    );
+}
+
 #[test]
 fn table() {
     let folder = Folder::new("table");
     assert_snapshot!("table", typed_in(&folder, "kin table four_bar --tolerance 1e-6"));
     let bytes = std::fs::read(folder.path().join("four_bar.kin-table")).unwrap();
-    let table = kin_core::exact::ExactTable::from_bytes(bytes).unwrap();
+    let table = ExactTable::from_bytes(bytes).unwrap();
     assert_eq!(table.order(), 4);
     typed_in(&folder, "kin table four_bar --tolerance 1e-6 --form json");
-    let json: Value = serde_json::from_slice(&std::fs::read(folder.path().join("four_bar.json")).unwrap()).unwrap();
-    assert_eq!(json["rows"].as_array().unwrap().len(), table.rows());
+    let json = std::fs::read_to_string(folder.path().join("four_bar.json")).unwrap();
+    assert_eq!(ExactTable::from_json(&json), Ok(table));
+}
+
+/// A mechanism that does not close is told from what was typed wrong.
+#[test]
+fn tables_that_cannot_be_made_have_codes() {
+    for (options, code) in [
+        ("--tolerance 0", 2),
+        ("--tolerance=-1e-6", 2),
+        ("--tolerance 1e-15", 2),
+        ("--order 0", 2),
+        ("--order 5", 2),
+        ("--set r1=900", 1),
+        ("--set r3=60 --set r4=45 --over 0..180deg", 1),
+    ] {
+        let told = typed("table-codes", &format!("kin table four_bar {options}"));
+        assert!(told.ends_with(&format!("code {code}\n")), "{told}");
+    }
 }
 
 #[test]
@@ -226,14 +324,19 @@ fn completions() {
 fn a_closed_pipe_is_no_mistake() {
     use std::process::Stdio;
     let folder = Folder::new("pipe");
-    let mut child = crate::typed::kin(&folder)
-        .args(["sweep", "four_bar", "--csv", "--rows", "20000"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    drop(child.stdout.take());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
-    assert!(output.status.success());
+    for words in [
+        &["sweep", "four_bar", "--csv", "--rows", "20000"][..],
+        &["completions", "bash"],
+    ] {
+        let mut child = crate::typed::kin(&folder)
+            .args(words)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
+        assert!(output.status.success());
+    }
 }

@@ -13,9 +13,10 @@ use super::super::text::{self, Column, Units};
 use super::print;
 
 pub(super) fn run(subject: &dyn Subject, setup: &Setup, told: &Told) -> Result<(), Fault> {
-    let case = setup.typed(told).case(subject)?;
+    // the input passes all its values, wherever it begins
+    let case = setup.typed(told).case_without_range(subject, 0.0)?;
     let description = subject.description();
-    let input = description.inputs[case.lead()];
+    let input = description.inputs[case.lead];
     let units = Units {
         in_degrees: case.in_degrees,
         length: case.length,

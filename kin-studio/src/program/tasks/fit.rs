@@ -39,14 +39,27 @@ struct Data {
     values: Vec<Vec<Option<f64>>>,
 }
 
+impl Data {
+    /// The first value of an input that every row has.
+    fn begin(&self, input: usize) -> Option<f64> {
+        let all: Option<Vec<f64>> = self.inputs.iter().map(|row| row[input]).collect();
+        all?.first().copied()
+    }
+}
+
 pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(), Fault> {
     let typed = options.setup.typed(told);
-    let case = typed.case(subject)?;
+    let case = typed.case_without_range(subject, 0.0)?;
     let mut lengths = match case.length {
         "" => Lengths::default(),
         name => Lengths::named(name).map_err(Fault::Wrong)?,
     };
     let data = read(subject, options, &mut lengths)?;
+    // a range is for the rows whose input is sought
+    let case = match data.begin(case.lead) {
+        Some(begin) => typed.case_without_range(subject, begin)?,
+        None => typed.case(subject)?,
+    };
     let problem = Problem::new(subject, options, &case, data, &mut lengths)?;
     let start = problem.start.clone();
     if problem.values_given() < start.len() {
@@ -56,8 +69,7 @@ pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(
             start.len()
         );
     }
-    let before = problem.deviations(&start);
-    if before.iter().all(Option::is_none) {
+    if problem.poses(&start).iter().all(Option::is_none) {
         return Err(Fault::open(
             "the mechanism closes in no row with the dimensions to start from: give better ones by `--set`",
         ));
@@ -70,7 +82,8 @@ pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(
     })
     .map_err(|error| Fault::open(format!("the fit failed: {error}")))?;
     let found = result.best_param().clone();
-    print(&problem.shown(&case, &start, &found))
+    print(&problem.shown(&case, &start, &found))?;
+    problem.closes(&found)
 }
 
 /// Reads the file of numbers.
@@ -267,16 +280,24 @@ impl<'s> Problem<'s> {
             (lower[place], upper[place]) = (low.min(high), low.max(high));
             start[place] = start[place].clamp(lower[place], upper[place]);
         }
-        let lead = case.lead();
+        let lead = case.lead;
         let standing: Vec<f64> = case.motions.iter().map(InputMotion::start).collect();
         let free: Vec<usize> = (0..data.inputs.len())
             .filter(|row| data.inputs[*row][lead].is_none())
             .collect();
         let scales = scales(&description, &data);
+        // the values are those where the motion begins, and each row is reached from there
+        let assembly = match &case.assembly {
+            Wanted::Near(near) => Wanted::At {
+                inputs: standing.clone(),
+                near: near.clone(),
+            },
+            other => other.clone(),
+        };
         let mut problem = Self {
             subject,
             data: data.into(),
-            assembly: case.assembly.clone(),
+            assembly,
             parameters: case.parameters.clone(),
             standing,
             varied,
@@ -387,20 +408,32 @@ impl<'s> Problem<'s> {
             .collect()
     }
 
-    /// The root of the mean square of each column, in its own unit, if every row closes.
-    fn deviations(&self, point: &[f64]) -> Vec<Option<f64>> {
+    /// Rows that do not close with what was found are told by the code of the program.
+    fn closes(&self, found: &[f64]) -> Result<(), Fault> {
+        let poses = self.poses(found);
+        match poses.iter().filter(|pose| pose.is_none()).count() {
+            0 => Ok(()),
+            open => Err(Fault::open(format!(
+                "with what was found, the mechanism does not close in {open} of {} rows",
+                poses.len()
+            ))),
+        }
+    }
+
+    /// The root of the mean square of each column, in its own unit, with the number of its rows that close, if any does.
+    fn deviations(&self, point: &[f64]) -> Vec<Option<(f64, u32)>> {
         let poses = self.poses(point);
         (0..self.data.columns.len())
             .map(|column| {
                 let (mut sum, mut count) = (0.0, 0_u32);
                 for (row, pose) in poses.iter().enumerate() {
-                    if self.data.values[row][column].is_some() {
-                        let one = self.differences(row, pose.as_ref()?)[column]? * self.scales[column];
-                        sum += one * one;
+                    let difference = pose.as_ref().and_then(|pose| self.differences(row, pose)[column]);
+                    if let Some(difference) = difference {
+                        sum += (difference * self.scales[column]).powi(2);
                         count += 1;
                     }
                 }
-                Some((sum / f64::from(count.max(1))).sqrt())
+                (count > 0).then(|| ((sum / f64::from(count)).sqrt(), count))
             })
             .collect()
     }
@@ -449,16 +482,21 @@ impl<'s> Problem<'s> {
         let (before, after) = (self.deviations(start), self.deviations(found));
         for (place, column) in self.data.columns.iter().enumerate() {
             let quantity = quantities[*column];
-            let deviation = |value: Option<f64>| match value {
-                Some(value) => units.text(quantity.dimension, 0, value),
-                None => "not closed".to_owned(),
+            let deviation = |of_rows: Option<(f64, u32)>| match of_rows {
+                Some((value, rows)) => {
+                    let value = units.text(quantity.dimension, 0, value);
+                    format!(
+                        "by {value} in the mean of {rows} {}",
+                        if rows == 1 { "row" } else { "rows" }
+                    )
+                }
+                None => "in no row, since none closes".to_owned(),
             };
             let _ = writeln!(
                 out,
-                "{}: deviates by {} in the mean of {} rows; at the start by {}",
+                "{}: deviates {}; at the start {}",
                 quantity.name,
                 deviation(after[place]),
-                self.data.values.iter().filter(|row| row[place].is_some()).count(),
                 deviation(before[place])
             );
         }

@@ -77,7 +77,7 @@ fn shown(subject: &dyn Subject, case: &Case, wanted: &[(String, Dimension, usize
         in_degrees: case.in_degrees,
         length: case.length,
     };
-    let input = subject.description().inputs[case.lead()];
+    let input = subject.description().inputs[case.lead];
     let is_over_time = case.time_of_laws().is_some();
     let place = |at: f64| {
         if is_over_time {
@@ -129,7 +129,7 @@ fn shown(subject: &dyn Subject, case: &Case, wanted: &[(String, Dimension, usize
     let mut out = text::table(&columns);
     if !is_over_time {
         let speed = units.text(input.dimension, 1, case.speed());
-        let sign = if case.motions[case.lead()].end() < case.motions[case.lead()].start() {
+        let sign = if case.motions[case.lead].end() < case.motions[case.lead].start() {
             "-"
         } else {
             ""

@@ -4,35 +4,41 @@ use std::fmt::Write as _;
 
 use kin_core::{Dimension, Quantity};
 
-use super::super::case::Typed;
+use super::super::case::{Known, Typed};
 use super::super::fault::Fault;
 use super::super::file::Told;
-use super::super::motion::InputMotion;
-use super::super::subject::{Example, Subject};
+use super::super::subject::Subject;
 use super::super::text::{self, Column, Units};
 use super::print;
 
 pub(super) fn run(subject: &dyn Subject, told: &Told) -> Result<(), Fault> {
+    print(&shown(subject, told)?)
+}
+
+fn shown(subject: &dyn Subject, told: &Told) -> Result<String, Fault> {
     let description = subject.description();
-    let example = if told.set.is_empty() {
-        subject.example()
+    let known = if told.set.is_empty() {
+        of_library(subject)
     } else {
         Some(of_file(subject, told)?)
     };
+    let units = Units {
+        in_degrees: true,
+        length: known.as_ref().map_or("", |known| known.length),
+    };
     let mut out = format!("{}\n", description.name);
-    let values = |of: fn(&Example) -> &Vec<f64>| example.as_ref().map(of);
+    let parameters = known
+        .as_ref()
+        .map(|known| known.parameters.iter().copied().map(Some).collect());
+    let inputs = known.map(|known| known.inputs);
     for (head, quantities, values) in [
-        (
-            "dimensions",
-            description.parameters,
-            values(|example| &example.parameters),
-        ),
-        ("inputs", description.inputs, values(|example| &example.inputs)),
+        ("dimensions", description.parameters, parameters),
+        ("inputs", description.inputs, inputs),
         ("unknowns", description.unknowns, None),
         ("outputs", description.outputs, None),
     ] {
         if !quantities.is_empty() {
-            let _ = write!(out, "\n{}", section(head, quantities, values));
+            let _ = write!(out, "\n{}", section(head, quantities, values, units));
         }
     }
     out.push_str("\nequations\n");
@@ -54,30 +60,30 @@ pub(super) fn run(subject: &dyn Subject, told: &Told) -> Result<(), Fault> {
             }
         }
     }
-    print(&out)
+    Ok(out)
 }
 
-/// The values of a file.
-fn of_file(subject: &dyn Subject, told: &Told) -> Result<Example, Fault> {
-    let case = Typed {
-        set: told.set.clone(),
-        over: told.over.clone(),
-        assembly: told.assembly.clone(),
-        ..Typed::default()
-    }
-    .case(subject)?;
-    Ok(Example {
-        parameters: case.parameters,
-        inputs: case.motions.iter().map(InputMotion::start).collect(),
-        assembly: case.assembly,
+/// The values of the library, which have no unit of length.
+fn of_library(subject: &dyn Subject) -> Option<Known> {
+    subject.example().map(|example| Known {
+        parameters: example.parameters,
+        inputs: example.inputs.into_iter().map(Some).collect(),
+        length: "",
     })
 }
 
-fn section(head: &str, quantities: &[Quantity], values: Option<&Vec<f64>>) -> String {
-    let units = Units {
-        in_degrees: true,
-        length: "",
-    };
+/// The values of a file.
+fn of_file(subject: &dyn Subject, told: &Told) -> Result<Known, Fault> {
+    Typed {
+        set: told.set.clone(),
+        over: told.over.clone(),
+        ..Typed::default()
+    }
+    .known(subject)
+}
+
+/// A line for each quantity, with its value if that is known.
+fn section(head: &str, quantities: &[Quantity], values: Option<Vec<Option<f64>>>, units: Units) -> String {
     let mut columns = vec![
         Column::words("", vec![String::new(); quantities.len()]),
         Column::words("", quantities.iter().map(|one| one.name.to_owned()).collect()),
@@ -86,7 +92,7 @@ fn section(head: &str, quantities: &[Quantity], values: Option<&Vec<f64>>) -> St
         let texts = quantities
             .iter()
             .zip(values)
-            .map(|(one, value)| units.text(one.dimension, 0, *value));
+            .map(|(one, value)| value.map_or_else(String::new, |value| units.text(one.dimension, 0, value)));
         columns.push(Column::words("", texts.collect()));
     }
     let kind = |one: &Quantity| match one.dimension {
@@ -116,5 +122,31 @@ fn shortened(text: &str, room: usize) -> String {
     } else {
         let kept: String = text.chars().take(room.saturating_sub(1)).collect();
         format!("{}…", kept.trim_end())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::subject::bare;
+    use super::*;
+    use kin_core::library::Pantograph;
+
+    /// The values of a file have its unit, and an input of which it says nothing has no value.
+    #[test]
+    fn a_file_needs_no_motion() {
+        let set = ["upper=30mm", "lower=3cm", "factor=2", "y=-15mm"];
+        let told = Told {
+            set: set.map(str::to_owned).to_vec(),
+            ..Told::default()
+        };
+        let out = shown(&bare::<Pantograph>(), &told).unwrap();
+        for line in [
+            "upper   30 mm  length",
+            "lower   30 mm  length",
+            "y  -15 mm  length",
+            "x          length",
+        ] {
+            assert!(out.contains(line), "{out}");
+        }
     }
 }
