@@ -288,7 +288,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// The poses, one after the other. Nothing is allocated.
     ///
     /// A row that does not close is an error with its margin. Where a coupled block does not close, the margin is the distance of the
-    /// inputs to the end of their circuit.
+    /// inputs to the end of their circuit. Where the way to a row was too long to be tracked, the error is
+    /// [`NotConverged`](crate::Failure::NotConverged), which has no margin, and whose condition is NaN.
     #[must_use]
     pub fn rows(&self) -> Rows<'_, M, D> {
         Rows::new(self)
