@@ -16,6 +16,8 @@ pub mod candidates;
 #[cfg(feature = "cluster")]
 pub mod cluster;
 #[cfg(feature = "sql")]
+mod digest;
+#[cfg(feature = "sql")]
 pub mod function;
 pub mod objective;
 #[cfg(feature = "problem")]
@@ -24,6 +26,8 @@ pub mod problem;
 pub mod refine;
 #[cfg(feature = "sql")]
 pub mod session;
+#[cfg(any(feature = "refine", feature = "problem"))]
+mod threads;
 
 #[cfg(feature = "sql")]
 pub use function::{Functions, functions, register};

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use datafusion::arrow::datatypes::DataType;
 use datafusion::logical_expr::{ColumnarValue, Volatility, create_udf};
 use kin_search::Functions;
-use kin_search::cluster::Executor;
+use kin_search::cluster::{Executor, Place};
 
 /// How long a line may take. It is long enough for a machine that does many other things.
 const LIMIT: Duration = Duration::from_mins(2);
@@ -365,7 +365,10 @@ fn executor_of_another_list() {
     };
     let (host, port) = address.rsplit_once(':').expect("a host and a port");
     let executor = Executor {
-        scheduler: (host.to_owned(), port.parse().expect("a port")),
+        scheduler: Place {
+            host: host.to_owned(),
+            port: port.parse().expect("a port"),
+        },
         listen: kin_search::cluster::Listen::default(),
         cores: 1,
         folder: None,
@@ -392,6 +395,55 @@ fn processes_start_in_any_order() {
     let (status, output) = client.end();
     assert!(status.success(), "{output}");
     assert_eq!(table(&answer(&[&query])), table(&output));
+}
+
+#[test]
+fn an_executor_whose_port_is_taken_ends() {
+    let (_scheduler, address) = scheduler(&[]);
+    let taken = std::net::TcpListener::bind("127.0.0.1:0").expect("a free port");
+    let listen = taken.local_addr().expect("it listens").to_string();
+    let (status, output) = Process::program(&["executor", "--scheduler", &address, "--listen", &listen]).end();
+    assert!(!status.success(), "{output}");
+    assert!(output.contains(&format!("cannot listen on {listen}")), "{output}");
+}
+
+#[test]
+fn a_failed_range_ends_the_search() {
+    let folder = Folder::new("failed");
+    // The second range has a candidate with no dimension 0.
+    let query = folder.file(
+        "wrong.sql",
+        "select value, case when value < 25000 then 0.0 else candidate(value, 1, 1, value - value, -1e0 / 0) end as r2 \
+         from range(0, 1000000) order by r2, value limit 3",
+    );
+    let (mut scheduler, address) = scheduler(&[]);
+    let _executor = executor(&address);
+    scheduler.wait_for("joined");
+    let (status, output) = Process::program(&["query", &query, "--cluster", &address, "--range", "20000"]).end();
+    assert!(!status.success(), "{output}");
+    assert!(output.contains("must be finite"), "{output}");
+    // The executor has no work left.
+    let short = folder.file("short.sql", &fastest(20_000));
+    assert_eq!(
+        table(&answer(&[&short])),
+        table(&answer(&[&short, "--cluster", &address]))
+    );
+}
+
+#[test]
+fn rows_are_inserted_into_a_table_of_the_client() {
+    let folder = Folder::new("insert");
+    let query = folder.file(
+        "insert.sql",
+        "create table found (id bigint); insert into found select value from range(0, 5000) where value % 1000 = 7; \
+         select count(*) as rows, max(id) as last from found;",
+    );
+    let (_scheduler, address) = scheduler(&[]);
+    let _executor = executor(&address);
+    assert_eq!(
+        table(&answer(&[&query])),
+        table(&answer(&[&query, "--cluster", &address]))
+    );
 }
 
 #[test]

@@ -234,6 +234,30 @@ async fn a_published_straight_line_is_as_straight_as_published() {
 }
 
 #[tokio::test]
+async fn a_line_is_a_part_of_a_turn() {
+    let message = ask(&new(), "select hoeken_linkage_line(2.2, 1, 2.8, 'open')")
+        .await
+        .unwrap_err();
+    assert!(message.contains("give `from` and `to`"), "{message}");
+}
+
+#[tokio::test]
+async fn limits_and_dimensions_of_candidates_are_checked() {
+    for (call, told) in [
+        ("candidate(1, 0, 3, 0, 1)", "no dimension 0 of 3"),
+        (
+            "candidate(1, -9223372036854775808, 3, 0, 1)",
+            "no dimension -9223372036854775808 of 3",
+        ),
+        ("candidate(1, 1, 3, -1e308, 1e308)", "must be finite"),
+        ("candidate_log(1, 1, 3, 1e-200, 1e200)", "must be finite and positive"),
+    ] {
+        let message = ask(&new(), &format!("select {call}")).await.unwrap_err();
+        assert!(message.contains(told), "{call}: {message}");
+    }
+}
+
+#[tokio::test]
 async fn a_path_misses_its_own_points_by_rounding_and_others_by_their_distance() {
     let linkage = HoekenLinkage::PUBLISHED;
     let session = new();
@@ -260,7 +284,9 @@ async fn a_path_misses_its_own_points_by_rounding_and_others_by_their_distance()
     let largest = of(error("2 4; 2 3.5", "largest")).await;
     assert!((0.49..0.500_001).contains(&largest), "{largest}");
     let message = ask(&session, &error("nothing", "rms")).await.unwrap_err();
-    assert!(message.contains("name of a table"), "{message}");
+    assert!(message.contains("there is no table `nothing`"), "{message}");
+    let message = ask(&session, &error("0 1; 0 x", "rms")).await.unwrap_err();
+    assert!(message.contains("`0 x` is no point"), "{message}");
 }
 
 #[tokio::test]

@@ -409,7 +409,8 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for Sweep<'_, '_
         let mut guess = Row::from_fn(|_| zero);
         let mut motions: MotionsInLanes<M, W, FUSED> = Row::from_fn(|_| Row::from_fn(|_| zero));
         let has_sines = self.destination.has_sines();
-        let (mut next, mut failed) = (0, zero);
+        // Lanes of single precision count to 2²⁴. The count is emptied long before.
+        let (mut next, mut failed, mut emptied) = (0, zero, 0);
         // If there are fewer poses than lanes, they are solved one by one.
         while next < count && count >= W {
             // The last chunk overlaps the one before it. The overlapped poses are solved twice, with the same result.
@@ -467,6 +468,10 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for Sweep<'_, '_
             }
             let margins = verdicts::read().within(squares);
             self.conclude(start, next, sum, margins, &mut failed, &mut summary);
+            if start - emptied >= 1 << 16 {
+                summary.fail(failed.count());
+                (failed, emptied) = (zero, start);
+            }
             if has_sines {
                 for index in start..start + W {
                     if !self.outcomes[index].is_solved() {

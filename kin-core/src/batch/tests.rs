@@ -88,6 +88,29 @@ fn four_bars_of_as_many_poses_as_you_like() {
     }
 }
 
+/// The number of failures of a long batch: lanes count them in pieces. (It takes an interpreter too long.)
+#[cfg(not(miri))]
+#[test]
+fn failures_of_a_long_batch() {
+    let count = 200_000;
+    let mut cranks = vec![0.5_f32; count];
+    // out of reach: half of the poses
+    for crank in cranks.iter_mut().step_by(2) {
+        *crank = 3.0;
+    }
+    let linkage = [90.0, 30.0, 60.0, 45.0].map(Column::Same);
+    let mut theta2 = Motion::new([0.0; 5]).map(Column::Same);
+    theta2[0] = Column::Each(&cranks);
+    for vectors in vectors() {
+        let mut poses = FourBarBatch::filled(|| None::<Vec<f32>>);
+        let mut outcomes = vec![Outcome::Unsolved; count];
+        let summary =
+            solve::<FourBar<f32>, _, _>(linkage, [theta2], Assembly::Open, &mut poses, &mut outcomes, vectors);
+        let summary = summary.unwrap();
+        assert_eq!([summary.solved, summary.failed], [count / 2; 2], "{vectors:?}");
+    }
+}
+
 /// More poses than one core gets at once. After the full pieces, fewer poses are left than there are lanes.
 #[cfg(feature = "rayon")]
 #[test]

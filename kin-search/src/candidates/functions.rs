@@ -111,7 +111,7 @@ impl CandidateFunction {
             return Ok(Arc::new(Float64Array::new_null(args.number_rows)));
         };
         let sequence = usize::try_from(*dimensions).ok().and_then(Sequence::new);
-        let coordinate = usize::try_from(dimension - 1).ok();
+        let coordinate = dimension.checked_sub(1).and_then(|index| usize::try_from(index).ok());
         let (Some(sequence), Some(coordinate)) = (sequence, coordinate.filter(|_| dimension <= dimensions)) else {
             return exec_err!(
                 "{} has no dimension {dimension} of {dimensions}: dimensions count from 1, and there are at most {MOST_DIMENSIONS}",
@@ -147,15 +147,20 @@ impl CandidateFunction {
     }
 
     fn check(&self, low: f64, high: f64) -> Result<()> {
-        let is_positive = self.scale == Scale::Linear || (low > 0.0 && high > 0.0);
-        if low.is_finite() && high.is_finite() && is_positive {
+        let (is_good, wanted) = match self.scale {
+            Scale::Linear => ((high - low).is_finite(), "finite, and so is their difference"),
+            Scale::Logarithmic => (
+                low > 0.0 && high > 0.0 && high / low > 0.0 && (high / low).is_finite(),
+                "finite and positive, and so is their ratio",
+            ),
+        };
+        if low.is_finite() && high.is_finite() && is_good {
             return Ok(());
         }
-        let wanted = match self.scale {
-            Scale::Linear => "finite",
-            Scale::Logarithmic => "finite and positive",
-        };
-        exec_err!("the limits of {} are {wanted}, and not {low} and {high}", self.name())
+        exec_err!(
+            "the limits of {} are {low} and {high}; they must be {wanted}",
+            self.name()
+        )
     }
 }
 

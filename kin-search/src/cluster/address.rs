@@ -1,9 +1,12 @@
 //! Where a process listens.
 
+use std::fmt;
 use std::io::{self, Write};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::time::Duration;
 
-use tokio::net::TcpListener;
+use tokio::net::{TcpListener, TcpStream};
+use tokio::time::sleep;
 
 /// Where a process listens: on this machine alone, and on a free port, unless told otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,15 +41,56 @@ impl Listen {
         TcpListener::bind(self.0).await
     }
 
-    /// A port of the address that is free now. Another process may take it before it is used.
-    pub(super) fn free_port(self) -> io::Result<u16> {
-        Ok(std::net::TcpListener::bind((self.0.ip(), 0))?.local_addr()?.port())
+    /// The port of the address, or a free one if it is 0. Another process may take it before it is used.
+    ///
+    /// # Errors
+    ///
+    /// The system's error, for instance of a port that is taken.
+    pub(super) fn port(self) -> io::Result<u16> {
+        Ok(std::net::TcpListener::bind(self.0)?.local_addr()?.port())
+    }
+
+    /// The same address with any free port.
+    pub(super) fn beside(self) -> Self {
+        Self((self.0.ip(), 0).into())
     }
 
     pub(super) fn ip(self) -> IpAddr {
         self.0.ip()
     }
 }
+
+/// Where a scheduler is: a host and a port.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The name or the address of the machine.
+    pub host: String,
+    /// The port.
+    pub port: u16,
+}
+
+impl Place {
+    /// Waits until something listens there.
+    pub(super) async fn reach(&self) {
+        let mut said = false;
+        while let Err(error) = TcpStream::connect((self.host.as_str(), self.port)).await {
+            if !said {
+                eprintln!("waiting for the scheduler at {self} ({error})");
+                said = true;
+            }
+            sleep(PAUSE).await;
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}:{}", self.host, self.port)
+    }
+}
+
+/// Between two attempts to reach a scheduler.
+pub(super) const PAUSE: Duration = Duration::from_millis(300);
 
 /// Prints where a process listens, for people and for programs that started it.
 pub(super) fn announce(address: SocketAddr) {

@@ -1,7 +1,7 @@
 //! Executors are admitted only with the identity of their scheduler.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ballista_core::JobId;
 use ballista_core::error::{BallistaError, Result};
@@ -12,6 +12,7 @@ use ballista_scheduler::cluster::{BoundTask, ClusterState, ClusterStateEventStre
 use ballista_scheduler::config::TaskDistributionPolicy;
 use ballista_scheduler::state::task_manager::JobInfoCache;
 
+use super::cores::{FreeCores, busy};
 use super::identity::{Identity, tag_of};
 
 /// The state of the cluster in memory, behind a door.
@@ -21,6 +22,7 @@ use super::identity::{Identity, tag_of};
 pub(super) struct Admission {
     state: InMemoryClusterState,
     identity: Identity,
+    cores: Mutex<FreeCores>,
 }
 
 impl Admission {
@@ -28,7 +30,12 @@ impl Admission {
         Self {
             state: InMemoryClusterState::default(),
             identity,
+            cores: Mutex::default(),
         }
+    }
+
+    fn cores(&self) -> MutexGuard<'_, FreeCores> {
+        self.cores.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn admit(&self, executor: &str) -> Result<()> {
@@ -58,20 +65,28 @@ impl ClusterState for Admission {
         active_jobs: Arc<HashMap<JobId, JobInfoCache>>,
         executors: Option<HashSet<String>>,
     ) -> Result<Vec<BoundTask>> {
-        self.state
+        let busy = busy(&active_jobs).await;
+        let forgotten = self.cores().forgotten(&busy);
+        self.state.unbind_tasks(forgotten).await?;
+        let tasks = self
+            .state
             .bind_schedulable_tasks(distribution, active_jobs, executors)
-            .await
+            .await?;
+        self.cores().take(&tasks);
+        Ok(tasks)
     }
 
     async fn unbind_tasks(&self, slots: Vec<ExecutorSlot>) -> Result<()> {
+        self.cores().give_back(&slots);
         self.state.unbind_tasks(slots).await
     }
 
     async fn register_executor(&self, metadata: ExecutorMetadata, data: ExecutorData) -> Result<()> {
         self.admit(&metadata.id)?;
-        let (name, cores) = (metadata.id.clone(), data.total_vcores);
+        let (name, all, free) = (metadata.id.clone(), data.total_vcores, data.available_vcores);
         self.state.register_executor(metadata, data).await?;
-        eprintln!("executor {name} joined with {cores} cores");
+        self.cores().join(&name, all, free);
+        eprintln!("executor {name} joined with {all} cores");
         Ok(())
     }
 
@@ -94,6 +109,7 @@ impl ClusterState for Admission {
 
     async fn remove_executor(&self, executor: &str) -> Result<()> {
         self.state.remove_executor(executor).await?;
+        self.cores().leave(executor);
         eprintln!("executor {executor} left");
         Ok(())
     }

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
 
 use ballista_core::extension::{SessionConfigExt, SessionStateExt};
 use datafusion::arrow::array::RecordBatch;
@@ -12,16 +11,16 @@ use datafusion::common::tree_node::TreeNodeRecursion;
 use datafusion::datasource::listing::ListingTable;
 use datafusion::datasource::source_as_provider;
 use datafusion::execution::{SessionState, SessionStateBuilder};
+use datafusion::functions_table::generate_series::GenerateSeriesTable;
 use datafusion::logical_expr::{DdlStatement, LogicalPlan};
 use datafusion::prelude::SessionContext;
-use futures::{StreamExt, TryStreamExt, stream};
+use futures::{StreamExt, stream};
 use kin_core::batch::Vectors;
-use tokio::net::TcpStream;
 use tokio::sync::watch;
-use tokio::time::sleep;
 
 use crate::function::Settings;
 
+use super::address::Place;
 use super::codec::Codec;
 use super::cut::{Cut, named, rows_as};
 use super::fault::Fault;
@@ -32,6 +31,7 @@ use super::options::Caller;
 use super::parts::Parts;
 use super::progress::Progress;
 use super::signals::Signals;
+use super::stop::{Stop, reached};
 use super::tables;
 
 /// How often a range is tried whose rows were lost with an executor.
@@ -40,8 +40,8 @@ const ATTEMPTS: usize = 3;
 /// How a client searches.
 #[derive(Clone, Debug)]
 pub struct Client {
-    /// Host and port of the scheduler.
-    pub scheduler: (String, u16),
+    /// Where the scheduler is.
+    pub scheduler: Place,
     /// Where finished ranges are kept, so that the same search goes on where it stopped.
     pub parts: Option<PathBuf>,
     /// How many ids a range has.
@@ -53,15 +53,20 @@ pub struct Client {
 }
 
 impl Client {
+    /// The usual number of ids of a range.
+    pub const RANGE: u64 = 1_000_000;
+    /// The usual number of tasks of a range.
+    pub const TASKS: u16 = 16;
+
     /// A client of a scheduler: ranges of a million ids in 16 tasks, two at a time, and nothing kept.
     #[must_use]
-    pub fn new(scheduler: (String, u16)) -> Self {
+    pub fn new(scheduler: Place) -> Self {
         Self {
             scheduler,
             parts: None,
-            range: 1_000_000,
+            range: Self::RANGE,
             at_once: 2,
-            tasks: 16,
+            tasks: usize::from(Self::TASKS),
         }
     }
 
@@ -80,25 +85,14 @@ impl Client {
             stop.closed().await;
         });
         let mut interrupted = stopped.clone();
-        let (host, port) = (self.scheduler.0.clone(), self.scheduler.1);
-        let mut said = false;
-        while TcpStream::connect((host.as_str(), port)).await.is_err() {
-            if !said {
-                eprintln!("waiting for the scheduler at {host}:{port}");
-                said = true;
-            }
-            tokio::select! {
-                _ = interrupted.wait_for(|stop| *stop) => {
-                    return Err(Fault::Interrupted { advice: String::new() });
-                }
-                () = sleep(Duration::from_millis(300)) => {}
-            }
+        tokio::select! {
+            () = reached(&mut interrupted) => Err(Fault::Interrupted { advice: String::new() }),
+            () = self.scheduler.reach() => Ok(Connection {
+                client: self,
+                identity,
+                stopped,
+            }),
         }
-        Ok(Connection {
-            client: self,
-            identity,
-            stopped,
-        })
     }
 }
 
@@ -113,8 +107,8 @@ pub struct Connection {
 impl Connection {
     /// Does on the cluster what a statement reads there, and gives what is left of it for this process.
     ///
-    /// What reads ids or files is done on the cluster, and nothing else. `create table … as` and `copy … to` fetch their
-    /// rows from the cluster; the table or the file is made in this process.
+    /// What reads ids or files is done on the cluster, and nothing else. `create table … as`, `insert into` and `copy … to` fetch
+    /// their rows from the cluster; the table or the file is in this process.
     ///
     /// # Errors
     ///
@@ -123,6 +117,7 @@ impl Connection {
         let input = match &statement {
             LogicalPlan::Ddl(DdlStatement::CreateMemoryTable(create)) => &create.input,
             LogicalPlan::Copy(copy) => &copy.input,
+            LogicalPlan::Dml(write) => &write.input,
             LogicalPlan::Ddl(_) | LogicalPlan::Statement(_) | LogicalPlan::Explain(_) | LogicalPlan::Analyze(_) => {
                 return Ok(statement);
             }
@@ -146,7 +141,11 @@ impl Connection {
         let all = all_ids(&optimized);
         eprintln!("searching {all} ids in one query");
         let progress = Progress::new(all);
-        let rows = self.job(&remote, &optimized, "query", &progress, None).await?;
+        let stop = Stop {
+            interrupted: self.stopped.clone(),
+            search: None,
+        };
+        let rows = self.job(&remote, &optimized, "query", &progress, None, stop).await?;
         progress.finished("query", all);
         Ok(rows_as(&optimized, &rows)?)
     }
@@ -184,19 +183,24 @@ impl Connection {
         let progress = Progress::new(left.map(|(range, _)| range.count()).sum());
         let count = ranges.len();
         eprintln!("searching {} ids in {count} ranges", cut.ids.count());
+        let (fail, failed) = watch::channel(false);
         let searches = ranges
             .into_iter()
             .zip(found)
             .enumerate()
             .map(|(number, (range, found))| {
-                let (parts, columns, progress) = (parts.as_ref(), &columns, &progress);
-                async move {
+                let (parts, columns, progress, fail) = (parts.as_ref(), &columns, &progress, &fail);
+                let stop = Stop {
+                    interrupted: self.stopped.clone(),
+                    search: Some(failed.clone()),
+                };
+                let search = async move {
                     if let Some(rows) = found {
                         return Ok(rows);
                     }
                     let name = format!("range {} of {count}", number + 1);
                     let rows = self
-                        .job(remote, &cut.query(range)?, &name, progress, parts)
+                        .job(remote, &cut.query(range)?, &name, progress, parts, stop)
                         .await?
                         .into_iter()
                         .map(|rows| named(columns, &rows))
@@ -206,13 +210,27 @@ impl Connection {
                     }
                     progress.finished(&name, range.count());
                     Ok::<_, Fault>(rows)
+                };
+                async move {
+                    let rows = search.await;
+                    if rows.is_err() {
+                        // The other ranges are called off.
+                        fail.send_replace(true);
+                    }
+                    rows
                 }
             });
-        let rows: Vec<Vec<RecordBatch>> = stream::iter(searches)
+        // Every range that has begun is waited for: it calls its own work off.
+        let ranges: Vec<Result<Vec<RecordBatch>, Fault>> = stream::iter(searches)
             .buffered(self.client.at_once.max(1))
-            .try_collect()
-            .await?;
-        Ok(rows.into_iter().flatten().collect())
+            .collect()
+            .await;
+        all_rows(ranges)
+    }
+
+    /// Waits until the process is interrupted.
+    pub async fn interrupted(&self) {
+        reached(&mut self.stopped.clone()).await;
     }
 
     /// One query on the cluster; again, if its rows were lost with an executor.
@@ -223,10 +241,11 @@ impl Connection {
         name: &str,
         progress: &Progress,
         parts: Option<&Parts>,
+        stop: Stop,
     ) -> Result<Vec<RecordBatch>, Fault> {
         let mut attempt = 1;
         loop {
-            let end = match job::run(remote, query, &self.url(), name, progress, self.stopped.clone()).await {
+            let end = match job::run(remote, query, &self.url(), name, progress, stop.clone()).await {
                 Ok(rows) => return Ok(rows),
                 Err(end) => end,
             };
@@ -234,8 +253,14 @@ impl Connection {
                 End::Interrupted => return Err(Fault::Interrupted { advice: advice(parts) }),
                 End::Lost(report) => {
                     return Err(Fault::Lost {
-                        scheduler: format!("{}:{}", self.client.scheduler.0, self.client.scheduler.1),
+                        scheduler: self.client.scheduler.clone(),
                         report,
+                        advice: advice(parts),
+                    });
+                }
+                End::Restarted => {
+                    return Err(Fault::Restarted {
+                        scheduler: self.client.scheduler.clone(),
                         advice: advice(parts),
                     });
                 }
@@ -246,14 +271,7 @@ impl Connection {
                 }
                 End::Gone(error) | End::Failed(error) => error,
             };
-            let text = error.to_string();
-            return Err(match text.find("refused: ") {
-                Some(at) => Fault::Refused {
-                    here: self.identity.to_string(),
-                    there: first_line(&text[at..]),
-                },
-                None => error.into(),
-            });
+            return Err(Fault::refusal(&self.identity, &error.to_string()).unwrap_or_else(|| error.into()));
         }
     }
 
@@ -284,13 +302,22 @@ impl Connection {
     }
 
     fn url(&self) -> String {
-        format!("http://{}:{}", self.client.scheduler.0, self.client.scheduler.1)
+        format!("http://{}", self.client.scheduler)
     }
 }
 
-/// What a process has said, without what the errors around it add: these quote it.
-pub(super) fn first_line(text: &str) -> String {
-    text.split(['"', '\\', '\n']).next().unwrap_or_default().to_owned()
+/// The rows of all ranges, or the error for which the search ended. Ranges that were called off because of it do not tell the reason.
+fn all_rows(ranges: Vec<Result<Vec<RecordBatch>, Fault>>) -> Result<Vec<RecordBatch>, Fault> {
+    let mut rows = Vec::new();
+    let mut called_off = None;
+    for range in ranges {
+        match range {
+            Ok(own) => rows.extend(own),
+            Err(fault @ Fault::Interrupted { .. }) => called_off = Some(fault),
+            Err(fault) => return Err(fault),
+        }
+    }
+    called_off.map_or(Ok(rows), Err)
 }
 
 /// The kind of vectors that a query fixes.
@@ -313,13 +340,15 @@ fn advice(parts: Option<&Parts>) -> String {
 /// Whether a query reads ids or files, which executors can read as well. Small tables of this process go with the query, and large ones
 /// are refused.
 fn crosses(query: &LogicalPlan) -> Result<bool, Fault> {
-    let (mut there, mut only_here) = (false, None);
+    let (mut there, mut only_here, mut series) = (false, None, false);
     query.apply_with_subqueries(|node| {
         if let LogicalPlan::TableScan(scan) = node {
             let provider = source_as_provider(&scan.source)?;
             let table: &dyn std::any::Any = provider.as_ref();
             if table.is::<Ids>() || table.is::<ListingTable>() {
                 there = true;
+            } else if table.is::<GenerateSeriesTable>() {
+                series = true;
             } else if provider.get_logical_plan().is_none() && !tables::is_small(provider.as_ref()) {
                 only_here = Some(scan.table_name.to_string());
             }
@@ -328,7 +357,11 @@ fn crosses(query: &LogicalPlan) -> Result<bool, Fault> {
     })?;
     match only_here {
         Some(table) if there => Ok(plan_err!(
-            "the table {table} is in this process only, is too large to go with a query, and the query reads others on the cluster; write it as Parquet with `copy`, and read the file"
+            "The table {table} is only in this process. It is too large to go with the query. Write it as Parquet with `copy`, and read \
+             the file."
+        )?),
+        _ if there && series => Ok(plan_err!(
+            "a range with another step than 1 does not go to a cluster; write range(first, end) and calculate with its value"
         )?),
         _ => Ok(there),
     }

@@ -46,7 +46,8 @@ impl Cut {
                 LogicalPlan::Projection(node) => &node.input,
                 LogicalPlan::SubqueryAlias(node) => &node.input,
                 LogicalPlan::Sort(node) => &node.input,
-                LogicalPlan::Limit(node) => &node.input,
+                // Without a sort any rows will do: one query ends as soon as it has them.
+                LogicalPlan::Limit(node) if matches!(*node.input, LogicalPlan::Sort(_)) => &node.input,
                 _ => return None,
             };
         }
@@ -226,6 +227,7 @@ mod tests {
             "select a.value from range(0, 1000) a join range(0, 10) b on a.value = b.value",
             "select value, random() from range(0, 1000)",
             "select value from range(0, 1000) limit 5",
+            "select value from range(0, 1000) where value % 7 = 3 limit 5",
             "select 1",
         ] {
             assert!(Cut::of(&optimized(&session, sql).await).is_none(), "{sql}");

@@ -12,20 +12,15 @@ use ballista_core::registry::BallistaFunctionRegistry;
 use ballista_executor::executor_process::{ExecutorProcessConfig, start_executor_process};
 use ballista_executor::executor_server::TERMINATING;
 use datafusion::functions_nested::all_default_nested_functions;
-use tokio::net::TcpStream;
 use tokio::time::{sleep, timeout};
 
 use crate::function::Functions;
 
-use super::address::{Listen, announce};
-use super::client::first_line;
+use super::address::{Listen, PAUSE, Place, announce};
 use super::fault::Fault;
 use super::identity::{Identity, executor_name};
 use super::scheduler::settings;
 use super::signals::Signals;
-
-/// Between two attempts to reach the scheduler.
-const PAUSE: Duration = Duration::from_millis(300);
 
 /// How long an executor that was told to end may work on.
 const GRACE: Duration = Duration::from_secs(5);
@@ -33,8 +28,8 @@ const GRACE: Duration = Duration::from_secs(5);
 /// How an executor runs.
 #[derive(Clone, Debug)]
 pub struct Executor {
-    /// Host and port of the scheduler.
-    pub scheduler: (String, u16),
+    /// Where the scheduler is.
+    pub scheduler: Place,
     /// Where it listens. The port is that of the results; orders come to a free port beside it.
     pub listen: Listen,
     /// How many tasks it works on at a time.
@@ -50,7 +45,7 @@ impl Executor {
     ///
     /// # Errors
     ///
-    /// [`Fault`], if the scheduler refuses the executor, or if Ballista reports an error.
+    /// [`Fault`], if the address cannot be listened on, the scheduler refuses the executor, or Ballista reports an error.
     pub async fn run(self, functions: &Functions) -> Result<(), Fault> {
         if let Some(warning) = self.listen.warning() {
             eprintln!("{warning}");
@@ -70,26 +65,20 @@ impl Executor {
         loop {
             tokio::select! {
                 () = signals.come() => return Ok(()),
-                () = self.reach() => {}
+                () = self.scheduler.reach() => {}
             }
             let name = executor_name(&identity);
             let folder = Folder::new(self.folder.clone(), &name)?;
-            let port = match self.listen.0.port() {
-                0 => self.listen.free_port(),
-                port => Ok(port),
-            };
-            let orders = self.listen.free_port();
-            let (port, orders) = (
-                port.map_err(|error| Fault::Address(self.listen, error))?,
-                orders.map_err(|error| Fault::Address(self.listen, error))?,
-            );
+            let taken = |error| Fault::Address(self.listen, error);
+            let port = self.listen.port().map_err(taken)?;
+            let orders = self.listen.beside().port().map_err(taken)?;
             let config = ExecutorProcessConfig {
                 executor_id: name,
                 bind_host: self.listen.ip().to_string(),
                 port,
                 grpc_port: orders,
-                scheduler_host: self.scheduler.0.clone(),
-                scheduler_port: self.scheduler.1,
+                scheduler_host: self.scheduler.host.clone(),
+                scheduler_port: self.scheduler.port,
                 vcores: self.cores,
                 work_dir: Some(folder.0.display().to_string()),
                 executor_heartbeat_interval_seconds: 1,
@@ -111,42 +100,14 @@ impl Executor {
             match worked {
                 // The scheduler was lost.
                 Ok(()) | Err(BallistaError::GrpcConnectionError(_) | BallistaError::TonicError(_)) => {
-                    eprintln!(
-                        "the scheduler at {}:{} is lost; waiting for it",
-                        self.scheduler.0, self.scheduler.1
-                    );
+                    eprintln!("the scheduler at {} is lost; waiting for it", self.scheduler);
                 }
                 // Another process took one of the ports.
                 Err(BallistaError::IoError(error)) if error.kind() == io::ErrorKind::AddrInUse => {}
-                Err(error) => return Err(refused(&identity, error)),
+                Err(error) => return Err(Fault::refusal(&identity, &error.to_string()).unwrap_or_else(|| error.into())),
             }
             sleep(PAUSE).await;
         }
-    }
-
-    /// Waits for the scheduler.
-    async fn reach(&self) {
-        let (host, port) = (self.scheduler.0.as_str(), self.scheduler.1);
-        let mut said = false;
-        while TcpStream::connect((host, port)).await.is_err() {
-            if !said {
-                eprintln!("waiting for the scheduler at {host}:{port}");
-                said = true;
-            }
-            sleep(PAUSE).await;
-        }
-    }
-}
-
-/// The scheduler's refusal with both identities; any other error as it is.
-fn refused(identity: &Identity, error: BallistaError) -> Fault {
-    let text = error.to_string();
-    match text.find("refused: ") {
-        Some(at) => Fault::Refused {
-            here: identity.to_string(),
-            there: first_line(&text[at..]),
-        },
-        None => error.into(),
     }
 }
 

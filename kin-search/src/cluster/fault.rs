@@ -6,7 +6,8 @@ use std::{error, fmt, io};
 use ballista_core::error::BallistaError;
 use datafusion::error::DataFusionError;
 
-use super::address::Listen;
+use super::address::{Listen, Place};
+use super::identity::Identity;
 
 /// Why a process of a cluster ended, or a search did not finish.
 #[derive(Debug)]
@@ -28,9 +29,16 @@ pub enum Fault {
     /// The scheduler cannot be reached, or was lost while it worked.
     Lost {
         /// Its address.
-        scheduler: String,
+        scheduler: Place,
         /// What the connection reported.
         report: String,
+        /// What is left of the search, and how it goes on.
+        advice: String,
+    },
+    /// The scheduler was started again while it worked, and does not know the query.
+    Restarted {
+        /// Its address.
+        scheduler: Place,
         /// What is left of the search, and how it goes on.
         advice: String,
     },
@@ -45,6 +53,18 @@ pub enum Fault {
     Engine(Box<DataFusionError>),
     /// Ballista reports an error.
     Cluster(Box<BallistaError>),
+}
+
+impl Fault {
+    /// The refusal of a scheduler, if the text of an error holds one.
+    pub(super) fn refusal(here: &Identity, text: &str) -> Option<Self> {
+        // The errors around it quote it.
+        let there = text[text.find("refused: ")?..].split(['"', '\\', '\n']).next()?;
+        Some(Self::Refused {
+            here: here.to_string(),
+            there: there.to_owned(),
+        })
+    }
 }
 
 impl fmt::Display for Fault {
@@ -66,9 +86,13 @@ impl fmt::Display for Fault {
                 report,
                 advice,
             } => write!(f, "the scheduler at {scheduler} does not answer ({report}). {advice}"),
+            Self::Restarted { scheduler, advice } => write!(
+                f,
+                "the scheduler at {scheduler} was started again, and does not know the query. {advice}"
+            ),
             Self::Interrupted { advice } => write!(
                 f,
-                "interrupted; executors end the ranges that they have begun. {advice}"
+                "interrupted. The query is cancelled; an executor may finish the list of ids on which it works. {advice}"
             ),
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
             Self::Engine(error) => error.fmt(f),

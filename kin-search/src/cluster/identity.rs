@@ -51,13 +51,6 @@ impl fmt::Display for Identity {
     }
 }
 
-/// The 64 bit hash of Fowler, Noll and Vo (FNV-1a). The hashes of the standard library may differ between its versions.
-pub(super) fn digest(bytes: impl Iterator<Item = u8>) -> u64 {
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
-}
-
 /// The name under which an executor registers: its tag, and what tells it from others.
 pub(super) fn executor_name(identity: &Identity) -> String {
     let nanoseconds = std::time::SystemTime::now()
@@ -68,8 +61,5 @@ pub(super) fn executor_name(identity: &Identity) -> String {
 
 /// The tag in the name of an executor; the whole name, if it has another form.
 pub(super) fn tag_of(executor: &str) -> &str {
-    executor
-        .match_indices('_')
-        .next()
-        .map_or(executor, |(end, _)| &executor[..end])
+    executor.split_once('_').map_or(executor, |(tag, _)| tag)
 }

@@ -62,18 +62,13 @@ impl Ids {
             return Ok(None);
         };
         let (first, end) = (*series.start(), *series.end());
-        let end = if series.include_end() {
-            end.saturating_add(1)
-        } else {
-            end
-        };
-        // A count that has no number is left to the engine.
-        Ok(
-            (*series.step() == 1 && end.checked_sub(first).is_some()).then_some(Self {
-                first,
-                end: end.max(first),
-            }),
-        )
+        // An end or a count that has no number is left to the engine.
+        let end = end.checked_add(i64::from(series.include_end()));
+        let end = end.filter(|end| *series.step() == 1 && end.checked_sub(first).is_some());
+        Ok(end.map(|end| Self {
+            first,
+            end: end.max(first),
+        }))
     }
 
     fn column() -> SchemaRef {
@@ -95,7 +90,9 @@ impl Ids {
                 .map(i64::from_le_bytes)
         };
         match (number(0), number(8), bytes.len()) {
-            (Some(first), Some(end), 16) if first <= end => Ok(Self { first, end }),
+            (Some(first), Some(end), 16) if end.checked_sub(first).is_some_and(|count| count >= 0) => {
+                Ok(Self { first, end })
+            }
             _ => exec_err!(
                 "a range of ids is two numbers of 8 bytes, and these are {} bytes",
                 bytes.len()

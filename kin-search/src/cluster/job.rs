@@ -15,10 +15,10 @@ use datafusion::execution::SessionState;
 use datafusion::logical_expr::LogicalPlan;
 use datafusion::physical_plan::{ExecutionPlan, collect};
 use datafusion_proto::protobuf::LogicalPlanNode;
-use tokio::sync::watch;
 use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
 
 use super::progress::Progress;
+use super::stop::Stop;
 
 /// Between two questions for the stages of a job.
 const GLANCE: Duration = Duration::from_millis(500);
@@ -31,8 +31,10 @@ const ANSWER: Duration = Duration::from_secs(10);
 pub(super) enum End {
     /// It was interrupted, and called off.
     Interrupted,
-    /// The scheduler does not answer, or does not know the query: it was started again.
+    /// The scheduler does not answer.
     Lost(String),
+    /// The scheduler does not know the query: it was started again.
+    Restarted,
     /// The query is finished, but its rows are not there: an executor was lost with them.
     Gone(DataFusionError),
     /// The query failed.
@@ -46,8 +48,11 @@ pub(super) async fn run(
     scheduler: &str,
     name: &str,
     progress: &Progress,
-    mut stop: watch::Receiver<bool>,
+    mut stop: Stop,
 ) -> Result<Vec<RecordBatch>, End> {
+    if stop.has_come() {
+        return Err(End::Interrupted);
+    }
     let plan = state.create_physical_plan(query).await.map_err(End::Failed)?;
     let mut rows = pin!(collect(Arc::clone(&plan), state.task_ctx()));
     let mut glances = interval(GLANCE);
@@ -56,7 +61,7 @@ pub(super) async fn run(
     let collected = loop {
         tokio::select! {
             collected = &mut rows => break collected,
-            _ = stop.wait_for(|stop| *stop) => {
+            () = stop.come() => {
                 // The job may not have its number yet.
                 for _ in 0..100 {
                     if number(&plan).is_some() {
@@ -119,7 +124,7 @@ async fn reason(scheduler: &str, job: Option<String>, error: DataFusionError) ->
     match asked {
         Err(_) | Ok(None) => End::Lost(brief(&error)),
         Ok(Some(None)) => End::Failed(error),
-        Ok(Some(Some(None))) => End::Lost("it was started again, and knows nothing of the query".to_owned()),
+        Ok(Some(Some(None))) => End::Restarted,
         Ok(Some(Some(Some(job_status::Status::Successful(_))))) => End::Gone(error),
         Ok(Some(Some(Some(_)))) => End::Failed(error),
     }

@@ -10,8 +10,8 @@ use datafusion::parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use datafusion::parquet::errors::ParquetError;
 
 use super::fault::Fault;
-use super::identity::digest;
 use super::ids::Ids;
+use crate::digest::digest;
 
 /// The folder of the finished ranges of one search.
 ///

@@ -8,11 +8,11 @@ use ballista_scheduler::cluster::memory::InMemoryJobState;
 use ballista_scheduler::config::SchedulerConfig;
 use ballista_scheduler::scheduler_process::{create_scheduler, start_grpc_service_with_listener};
 use datafusion::common::plan_err;
-use datafusion::execution::SessionStateBuilder;
 use datafusion::prelude::SessionConfig;
 use datafusion_proto::protobuf::{LogicalPlanNode, PhysicalPlanNode};
 
 use crate::function::{Functions, Settings};
+use crate::session::{self, Options};
 
 use super::address::{Listen, announce};
 use super::admission::Admission;
@@ -115,11 +115,6 @@ fn sessions(identity: Identity, functions: Functions) -> ballista_scheduler::Ses
                 identity.tag()
             );
         }
-        let mut state = SessionStateBuilder::new()
-            .with_config(config)
-            .with_default_features()
-            .build();
-        functions.register(&mut state)?;
-        Ok(state)
+        session::state(&functions, config, &Options::default())
     })
 }

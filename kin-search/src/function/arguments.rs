@@ -125,9 +125,9 @@ impl Numbers {
                 if let Some(numbers) = array.as_primitive_opt::<Float64Type>() {
                     return Ok(Self::Each(padded(numbers)));
                 }
-                exec_err!("a column of numbers is {}", array.data_type())
+                exec_err!("expected a column of numbers, found {}", array.data_type())
             }
-            ColumnarValue::Scalar(other) => exec_err!("a number is {}", other.data_type()),
+            ColumnarValue::Scalar(other) => exec_err!("expected a number, found {}", other.data_type()),
         }
     }
 
@@ -174,8 +174,8 @@ impl Texts {
         match value {
             ColumnarValue::Scalar(ScalarValue::Utf8(text)) => Ok(Self::Same(text.clone())),
             ColumnarValue::Array(array) if array.data_type() == &DataType::Utf8 => Ok(Self::Each(Arc::clone(array))),
-            ColumnarValue::Array(array) => exec_err!("a column of texts is {}", array.data_type()),
-            ColumnarValue::Scalar(other) => exec_err!("a text is {}", other.data_type()),
+            ColumnarValue::Array(array) => exec_err!("expected a column of texts, found {}", array.data_type()),
+            ColumnarValue::Scalar(other) => exec_err!("expected a text, found {}", other.data_type()),
         }
     }
 

@@ -5,10 +5,10 @@ use kin_core::assembly_named;
 
 /// The index of the assembly that a text names: its full name, or one word for all dyads.
 pub(crate) fn index_of(names: &[String], text: &str) -> Result<usize> {
-    match assembly_named(names, text) {
-        Some(index) => Ok(index),
-        None => plan_err!("`{text}` is no assembly; write one of {}", listed(names)),
+    if let Some(index) = assembly_named(names, text) {
+        return Ok(index);
     }
+    plan_err!("`{text}` is no assembly; write one of {}", listed(names))
 }
 
 /// The names in quotes.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use datafusion::arrow::array::StructArray;
 use datafusion::arrow::datatypes::{DataType, Fields};
-use datafusion::common::Result;
+use datafusion::common::{Result, exec_err};
 
 use super::numbers;
 use super::search::{Call, Search, function_of_a_search};
@@ -43,6 +43,12 @@ impl LineFunction {
             let Some(candidate) = call.candidate(row)? else {
                 return Ok([None; 4]);
             };
+            if candidate.is_whole {
+                return exec_err!(
+                    "{} measures a part of a turn: give `from` and `to`, in radians",
+                    self.search.name
+                );
+            }
             let turn = candidate.turn;
             let inputs = (0..turn.poses).map(|pose| turn.value(pose));
             trace.solve(&*self.search.solver, &candidate, inputs, self.point, call.vectors)?;

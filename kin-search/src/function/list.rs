@@ -11,6 +11,7 @@ use datafusion::prelude::SessionContext;
 use kin_core::Mechanism;
 
 use crate::candidates;
+use crate::digest::digest;
 
 use super::line::LineFunction;
 use super::path::PathFunction;
@@ -112,17 +113,15 @@ impl Functions {
         self.iter().map(line).collect()
     }
 
-    /// The version of this package with sixteen hexadecimal digits that depend on every line of the [list](Self::list).
-    /// Processes with the same fingerprint have the same functions.
+    /// The version of this package with sixteen hexadecimal digits that depend on every line of the [list](Self::list) and on the text
+    /// about each function, which holds the equations, the units and the assemblies. Expressions of outputs are in neither: a program
+    /// that changes one needs another version.
     #[must_use]
     pub fn fingerprint(&self) -> String {
-        // The hash of Fowler, Noll and Vo (FNV-1a), which is the same in every build.
-        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-        for line in self.list() {
-            for byte in line.bytes().chain([b'\n']) {
-                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-            }
-        }
+        let texts = self.iter().filter_map(|function| function.documentation());
+        let texts = texts.map(|documentation| documentation.description.clone());
+        let lines: Vec<String> = self.list().into_iter().chain(texts).collect();
+        let hash = digest(lines.iter().flat_map(|line| line.bytes().chain([b'\n'])));
         format!("{}-{hash:016x}", env!("CARGO_PKG_VERSION"))
     }
 

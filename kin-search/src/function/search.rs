@@ -130,15 +130,12 @@ impl Search {
         let is_text = |place: &usize| types[*place] != DataType::Float64;
         let (texts, options): (Vec<usize>, Vec<usize>) = (self.required..types.len()).partition(is_text);
         if texts.len() > usize::from(self.assemblies.len() > 1) {
-            return plan_err!(
-                "{} takes {} as texts",
-                self.name,
-                if self.assemblies.len() > 1 {
-                    "only the assembly"
-                } else {
-                    "no assembly"
-                }
-            );
+            let texts = if self.assemblies.len() > 1 {
+                "one text, the assembly"
+            } else {
+                "no text: the mechanism has one assembly"
+            };
+            return plan_err!("{} takes {texts}", self.name);
         }
         match options.len() {
             0..=4 => Ok((texts.first().copied(), options)),

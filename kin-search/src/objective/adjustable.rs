@@ -31,14 +31,15 @@ impl Adjustable {
     }
 
     pub(crate) fn checked(self, name: &str) -> Result<Self, ObjectiveError> {
-        let (bounds, is_good) = match self {
-            Self::Fixed(value) => ([value, value], value.is_finite()),
-            Self::Free([low, high]) => ([low, high], low.is_finite() && high.is_finite() && low < high),
-        };
-        is_good.then_some(self).ok_or_else(|| ObjectiveError::NotInOrder {
-            name: name.to_owned(),
-            bounds,
-        })
+        let name = || name.to_owned();
+        match self {
+            Self::Fixed(value) if !value.is_finite() => Err(ObjectiveError::NotFinite { name: name(), value }),
+            Self::Free([low, high]) if !(low.is_finite() && high.is_finite() && low < high) => {
+                let bounds = [low, high];
+                Err(ObjectiveError::NotInOrder { name: name(), bounds })
+            }
+            good => Ok(good),
+        }
     }
 }
 

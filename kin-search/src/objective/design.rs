@@ -154,10 +154,17 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         self.begin(&mut design, candidate);
         if let (Some(inputs), Some(first)) = (&candidate.inputs, self.input_place(0)) {
             self.same_count("inputs", inputs.len())?;
-            for input in inputs {
+            let range = match self.timing {
+                Timing::Free {
+                    range: [low, high],
+                    is_turn: false,
+                } => low..=high,
+                _ => f64::NEG_INFINITY..=f64::INFINITY,
+            };
+            for (value, input) in design.values[first..].iter_mut().zip(inputs) {
                 Adjustable::Fixed(*input).checked("input")?;
+                *value = input.clamp(*range.start(), *range.end());
             }
-            design.values[first..].copy_from_slice(inputs);
         }
         Ok(design)
     }
@@ -387,14 +394,20 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
         self.derivatives(&design.values, design.assembly, &places)
     }
 
-    /// What an evolution strategy minimises: half of the sum of squares. Where the inputs of the targets are sought, the design takes the
-    /// best ones in order. A design that does not close has a sum that is larger than any that closes within ten times the spread of the
-    /// targets, and the larger the less of the motion closes.
+    /// What an evolution strategy minimises: half of the sum of squares, up to a limit that belongs to errors of ten times the spread of
+    /// the targets. Where the inputs of the targets are sought, the design takes the best ones in order.
+    ///
+    /// A larger sum is bent down to less than twice the limit, without a change of the order. A design that does not close has more
+    /// than twice the limit, and the more the less of the motion closes.
     pub fn penalised_cost(&self, design: &mut Design<M>) -> f64 {
         let weights: f64 = self.weights.iter().map(|weight| weight * weight).sum();
+        let limit = weights * (OPEN * self.spread()).powi(2);
+        // Weights of zero leave the terms alone.
+        let limit = if limit > 0.0 { limit } else { 1.0 };
         match self.cost(design) {
-            Ok(cost) => cost,
-            Err(open) => (1.0 + open) * weights * (OPEN * self.spread()).powi(2),
+            Ok(cost) if cost <= limit => cost,
+            Ok(cost) => limit * (2.0 - limit / cost),
+            Err(open) => limit * (2.0 + open),
         }
     }
 

@@ -34,11 +34,25 @@ pub enum ObjectiveError {
         /// The entries that it must have, for weights and inputs one for each target.
         wanted: usize,
     },
-    /// A number is not finite, or a bound is not below the other.
-    NotInOrder {
+    /// A number is not finite.
+    NotFinite {
         /// The name of the number.
         name: String,
-        /// The number twice, or both bounds.
+        /// The number.
+        value: f64,
+    },
+    /// A number must be positive, and is not.
+    NotPositive {
+        /// The name of the number.
+        name: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A bound is not finite, or the first one is not below the other.
+    NotInOrder {
+        /// The name of the number that is sought.
+        name: String,
+        /// Both bounds.
         bounds: [f64; 2],
     },
     /// A part was given that the goal does not have, such as the scale of a path.
@@ -68,6 +82,8 @@ impl fmt::Display for ObjectiveError {
             Self::WrongCount { list, given, wanted } => {
                 write!(formatter, "{given} {list} are given, and {wanted} are wanted")
             }
+            Self::NotFinite { name, value } => write!(formatter, "`{name}` is {value}; it must be a finite number"),
+            Self::NotPositive { name, value } => write!(formatter, "`{name}` is {value}; it must be positive"),
             Self::NotInOrder {
                 name,
                 bounds: [low, high],

@@ -238,10 +238,16 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
     /// The range in which the inputs of the targets are sought.
     ///
     /// # Errors
-    /// [`ObjectiveError::NotInOrder`].
+    /// [`ObjectiveError::NotInOrder`], or [`ObjectiveError::NoSuchPart`] if the inputs are given.
     pub fn within(mut self, range: RangeInclusive<f64>) -> Result<Self, ObjectiveError> {
         let range = [*range.start(), *range.end()];
         Adjustable::Free(range).checked("range of the input")?;
+        if let Timing::Prescribed(_) = self.timing {
+            return Err(ObjectiveError::NoSuchPart {
+                part: "range of inputs",
+                goal: "an objective whose inputs are given",
+            });
+        }
         self.timing = Timing::Free { range, is_turn: false };
         Ok(self)
     }

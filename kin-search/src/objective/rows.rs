@@ -1,7 +1,7 @@
 //! The rows of the sum of squares, in any number: in plain numbers they are the errors, in numbers that carry a derivative also its
 //! derivatives.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use kin_core::series::Series;
 use kin_core::{Dimension, Mechanism, Number, Place as _, Places as _, Row, SolveError};
@@ -241,11 +241,7 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
                         let unknowns = mechanism.solve_position(self.inputs::<W>(input), assembly)?;
                         let mut worst = constant(FRAC_PI_2);
                         for dyad in mechanism.transmission_angles_at(inputs, unknowns).as_ref() {
-                            let folded = if dyad.angle.real() > FRAC_PI_2 {
-                                constant(PI) - dyad.angle
-                            } else {
-                                dyad.angle
-                            };
+                            let folded = dyad.folded();
                             if folded.real() < worst.real() {
                                 worst = folded;
                             }
@@ -310,7 +306,11 @@ impl<M: Mechanism<Scalar = f64>> Objective<M> {
                     self.target_rows(&own, assembly, &seeded, target, &mut emit).ok()?;
                 }
             }
-            if !self.terms.is_empty() {
+            // On a full turn terms do not depend on the inputs of targets, and otherwise on the first and the last. Their derivatives
+            // are zero already.
+            let moves_terms =
+                place < times || self.travel == Travel::Targets && (place == times || place + 1 == times + targets);
+            if !self.terms.is_empty() && moves_terms {
                 self.term_rows(&own, assembly, &seeded, &mut emit).ok()?;
             }
         }

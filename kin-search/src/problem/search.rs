@@ -8,11 +8,12 @@ use basin::{
 };
 
 use super::number;
+use crate::threads::each;
 
 /// How much is searched, and with which random numbers. The result depends on nothing else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// The number of starts.
+    /// The number of starts; 0 is one start.
     pub starts: u64,
     /// The generations, or the steps of least squares, of each start.
     pub generations: u64,
@@ -122,8 +123,8 @@ impl<C> Constraints for Cube<'_, C> {
 pub fn smallest<C: Fn(&[f64]) -> f64 + Sync>(bounds: &Bounds, effort: Effort, cost: C) -> Found {
     let one = |start: u64| {
         let dimensions = bounds.len();
-        let seed = effort.seed + start;
-        let candidates = (0..SPREAD).map(|index| spread(seed * SPREAD + index, dimensions));
+        let seed = effort.seed.wrapping_add(start);
+        let candidates = (0..SPREAD).map(|index| spread(seed.wrapping_mul(SPREAD).wrapping_add(index), dimensions));
         let mut point = candidates
             .map(|unit| (cost(&bounds.place(&unit)), unit))
             .min_by(|one, other| one.0.total_cmp(&other.0))
@@ -162,31 +163,12 @@ const SPREAD: u64 = 400;
 /// The offspring in each generation, in multiples of the usual number: rugged costs need more.
 const LITTER: usize = 3;
 
-/// Runs all starts on all cores and takes the best one.
+/// Runs all starts, at least one, on all cores and takes the best one.
 fn best_of(starts: u64, one: impl Fn(u64) -> Found + Sync) -> Found {
-    let workers = std::thread::available_parallelism()
-        .map_or(1, |count| count.get().try_into().unwrap_or(1))
-        .min(starts)
-        .max(1);
-    let mut all: Vec<Found> = std::thread::scope(|scope| {
-        let one = &one;
-        let workers: Vec<_> = (0..workers)
-            .map(|worker| {
-                let own = (0..starts).filter(move |start| start % workers == worker);
-                scope.spawn(move || own.map(one).collect::<Vec<_>>())
-            })
-            .collect();
-        workers
-            .into_iter()
-            .flat_map(|worker| worker.join().unwrap_or_default())
-            .collect()
-    });
-    all.sort_by(|one, other| one.cost.total_cmp(&other.cost).then(one.start.cmp(&other.start)));
-    all.into_iter().next().unwrap_or(Found {
-        point: Vec::new(),
-        cost: f64::INFINITY,
-        start: 0,
-    })
+    let starts = usize::try_from(starts).unwrap_or(usize::MAX).max(1);
+    let found = each(starts, 0, |start| one(start as u64));
+    let best = found.into_iter().min_by(|one, other| one.cost.total_cmp(&other.cost));
+    best.unwrap_or_else(|| one(0))
 }
 
 /// Residuals and their derivatives by the numbers, row by row; `None` where the linkage does not close.
@@ -246,7 +228,7 @@ pub fn least_squares(
             cost: f64::INFINITY,
             start,
         };
-        let point = start_of(&spread(effort.seed + start, bounds.len()));
+        let point = start_of(&spread(effort.seed.wrapping_add(start), bounds.len()));
         if rows(&point).is_none() {
             return nothing(point);
         }

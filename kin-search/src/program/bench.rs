@@ -17,7 +17,7 @@ use super::processor::seconds;
 #[derive(Debug, clap::Args)]
 pub(crate) struct BenchArguments {
     /// The number of candidates whose turns are measured
-    #[arg(long, default_value_t = 1_000_000)]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1000..), default_value_t = 1_000_000)]
     ids: u32,
     /// How often each is measured, taking turns; the median counts
     #[arg(long, default_value_t = 5)]

@@ -4,7 +4,7 @@ use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 
 use kin_search::Functions;
-use kin_search::cluster::{Client, Connection, Executor, Identity, Listen, Scheduler};
+use kin_search::cluster::{Client, Connection, Executor, Identity, Listen, Place, Scheduler};
 
 use super::fault::Fault;
 
@@ -39,7 +39,7 @@ impl SchedulerArguments {
 pub(crate) struct ExecutorArguments {
     /// The scheduler, as it has printed it
     #[arg(long, value_name = "HOST:PORT", value_parser = place)]
-    scheduler: (String, u16),
+    scheduler: Place,
     /// Where to listen: an address of this machine, and a port after a colon, or a free port
     #[arg(long, value_name = "ADDRESS", value_parser = listen, default_value = "127.0.0.1")]
     listen: Listen,
@@ -72,16 +72,16 @@ impl ExecutorArguments {
 pub(crate) struct ClusterArguments {
     /// Search on the cluster of this scheduler, and not in this process
     #[arg(long, value_name = "HOST:PORT", value_parser = place)]
-    cluster: Option<(String, u16)>,
+    cluster: Option<Place>,
     /// Keep finished ranges of ids here: the same command goes on where it stopped
     #[arg(long, value_name = "FOLDER", requires = "cluster")]
     parts: Option<PathBuf>,
     /// How many ids a range has
-    #[arg(long, value_name = "IDS", requires = "cluster", default_value_t = 1_000_000)]
+    #[arg(long, value_name = "IDS", requires = "cluster", value_parser = clap::value_parser!(u64).range(1..), default_value_t = Client::RANGE)]
     range: u64,
     /// Into how many tasks a range is divided
-    #[arg(long, requires = "cluster", default_value_t = 16)]
-    tasks: usize,
+    #[arg(long, requires = "cluster", value_parser = clap::value_parser!(u16).range(1..), default_value_t = Client::TASKS)]
+    tasks: u16,
 }
 
 impl ClusterArguments {
@@ -98,7 +98,7 @@ impl ClusterArguments {
         let client = Client {
             parts: self.parts.clone(),
             range: self.range,
-            tasks: self.tasks,
+            tasks: usize::from(self.tasks),
             ..Client::new(scheduler)
         };
         Ok(Some(client.connect(Identity::of(functions)).await?))
@@ -109,14 +109,21 @@ impl ClusterArguments {
 fn listen(text: &str) -> Result<Listen, String> {
     text.parse::<SocketAddr>()
         .or_else(|_| text.parse::<IpAddr>().map(|address| SocketAddr::new(address, 0)))
+        .ok()
+        .filter(SocketAddr::is_ipv4)
         .map(Listen)
-        .map_err(|_| "write an address as `127.0.0.1`, or with a port as `127.0.0.1:50050`".to_owned())
+        .ok_or_else(|| "write an address of IPv4 as `127.0.0.1`, or with a port as `127.0.0.1:50050`".to_owned())
 }
 
 /// `HOST:PORT`.
-fn place(text: &str) -> Result<(String, u16), String> {
+fn place(text: &str) -> Result<Place, String> {
     text.rsplit_once(':')
-        .and_then(|(host, port)| Some((host.to_owned(), port.parse().ok()?)))
-        .filter(|(host, _)| !host.is_empty())
-        .ok_or_else(|| "write it as `HOST:PORT`, for instance `127.0.0.1:50050`".to_owned())
+        .and_then(|(host, port)| {
+            Some(Place {
+                host: host.to_owned(),
+                port: port.parse().ok()?,
+            })
+        })
+        .filter(|place| !place.host.is_empty() && !place.host.contains(':'))
+        .ok_or_else(|| "write it as `HOST:PORT`, for instance `127.0.0.1:50050`; IPv6 is not spoken".to_owned())
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use datafusion::error::DataFusionError;
 
 /// The exit code by which shells know an interrupt.
-pub(crate) const INTERRUPTED: i32 = 130;
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// The reason why the program ends without an answer.
 #[derive(Debug)]
@@ -25,9 +25,9 @@ impl Fault {
     pub(crate) fn code(&self) -> ExitCode {
         match self {
             Self::Wrong(_) => ExitCode::FAILURE,
-            Self::Interrupted => ExitCode::from(130),
+            Self::Interrupted => ExitCode::from(INTERRUPTED),
             #[cfg(feature = "cluster")]
-            Self::CalledOff(_) => ExitCode::from(130),
+            Self::CalledOff(_) => ExitCode::from(INTERRUPTED),
         }
     }
 }

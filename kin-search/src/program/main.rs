@@ -9,6 +9,7 @@ mod functions;
 mod mechanisms;
 #[cfg(feature = "refine")]
 mod pages;
+mod print;
 #[cfg(feature = "problem")]
 mod problem;
 mod processor;
@@ -72,10 +73,7 @@ async fn main() -> ExitCode {
         #[cfg(feature = "cluster")]
         Command::Scaling(arguments) => arguments.run(&functions).await,
         #[cfg(feature = "problem")]
-        Command::Problem(arguments) => {
-            problem::run(&arguments);
-            Ok(())
-        }
+        Command::Problem(arguments) => problem::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

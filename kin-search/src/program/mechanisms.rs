@@ -28,7 +28,7 @@ macro_rules! of_mechanism {
     (@try $found:lifetime $wanted:ident, $names:ident, $M:ident, $call:expr, $mechanism:ty) => {{
         type $M = $mechanism;
         let description = <$M as kin_core::Mechanism>::DESCRIPTION;
-        let name = kin_studio::report::file_name(description.name).replace('-', "_");
+        let name = kin_core::in_small_letters(description.name, '_');
         if name == $wanted {
             break $found $call;
         }

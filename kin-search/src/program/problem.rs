@@ -4,6 +4,9 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use kin_search::problem::{Effort, Problem};
 
+use super::fault::Fault;
+use super::print::print;
+
 /// Which problem, and how much is searched.
 #[derive(Debug, Args)]
 pub(crate) struct ProblemArguments {
@@ -22,7 +25,7 @@ pub(crate) struct ProblemArguments {
 }
 
 /// Prints what the problem reaches.
-pub(crate) fn run(arguments: &ProblemArguments) {
+pub(crate) fn run(arguments: &ProblemArguments) -> Result<(), Fault> {
     // the parser lets no other name pass
     if let Some(problem) = Problem::named(&arguments.name) {
         let own = problem.effort();
@@ -31,6 +34,7 @@ pub(crate) fn run(arguments: &ProblemArguments) {
             generations: arguments.generations.unwrap_or(own.generations),
             seed: arguments.seed,
         };
-        print!("{}", problem.solve(effort));
+        return print(&problem.solve(effort));
     }
+    Ok(())
 }

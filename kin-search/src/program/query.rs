@@ -10,6 +10,7 @@ use kin_search::session::{plan, statements};
 use kin_search::{Functions, Options, session};
 
 use super::fault::{Fault, INTERRUPTED};
+use super::print::print;
 
 /// What `query` takes.
 #[derive(Debug, clap::Args)]
@@ -19,10 +20,10 @@ pub(crate) struct QueryArguments {
     /// Write the rows of the last statement to this file, by its ending: .parquet, .csv or .json
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// The memory that a query may take, as in 512MB or 4GB
+    /// The memory that a query may take in this process, as in 512MB or 4GB
     #[arg(long, value_parser = bytes)]
     memory: Option<usize>,
-    /// How many cores work; all if not given
+    /// How many cores of this machine work; all if not given. Executors of a cluster have a limit of their own
     #[arg(long)]
     cores: Option<usize>,
     #[cfg(feature = "refine")]
@@ -57,32 +58,37 @@ impl Form {
 
 /// Answers the queries, unless Ctrl-C is pressed before.
 pub(crate) async fn run(arguments: QueryArguments, functions: &Functions) -> Result<(), Fault> {
-    // A search on a cluster hears Ctrl-C itself, and calls the work of the executors off.
+    // A search on a cluster hears Ctrl-C itself, and calls the work of the executors off. A second Ctrl-C does not wait for that.
     #[cfg(feature = "cluster")]
     if arguments.cluster.is_given() {
+        tokio::spawn(async {
+            if tokio::signal::ctrl_c().await.is_ok() && tokio::signal::ctrl_c().await.is_ok() {
+                std::process::exit(INTERRUPTED.into());
+            }
+        });
         return answer(&arguments, functions).await;
     }
-    let partial = arguments.output.as_deref().map(partial_of);
+    let staged = arguments.output.as_deref().map(staged_of);
     // A task of its own hears Ctrl-C while the query keeps this thread busy. The process ends at once: nobody waits for rows that are
     // not wanted any more.
     tokio::spawn(async move {
         if tokio::signal::ctrl_c().await.is_ok() {
             eprintln!("{}", Fault::Interrupted);
-            if let Some(partial) = partial {
+            if let Some(staged) = staged {
                 // It may not be there yet.
-                let _ = fs::remove_file(partial);
+                let _ = fs::remove_file(staged);
             }
-            std::process::exit(INTERRUPTED);
+            std::process::exit(INTERRUPTED.into());
         }
     });
     answer(&arguments, functions).await
 }
 
-/// The file beside the wanted one in which rows are collected.
-fn partial_of(path: &Path) -> PathBuf {
-    let mut partial = path.as_os_str().to_owned();
-    partial.push(".partial");
-    PathBuf::from(partial)
+/// The file in which the engine collects rows, and which takes the place of the wanted one when all are there.
+fn staged_of(path: &Path) -> PathBuf {
+    let mut staged = path.as_os_str().to_owned();
+    staged.push("#1");
+    PathBuf::from(staged)
 }
 
 async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(), Fault> {
@@ -97,6 +103,9 @@ async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(),
     #[cfg(feature = "cluster")]
     let cluster = arguments.cluster.connect(functions).await?;
     let mut statements = statements(&sql)?;
+    if statements.is_empty() {
+        return Err(Fault::Wrong(format!("{} has no statement", arguments.file.display())));
+    }
     while let Some(statement) = statements.pop_front() {
         let plan = plan(&session, statement).await?;
         #[cfg(feature = "cluster")]
@@ -113,7 +122,18 @@ async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(),
             (frame, Vec::new())
         };
         let output = arguments.output.as_deref().zip(form).filter(|_| statements.is_empty());
-        show(frame, output).await?;
+        let shown = show(frame, output);
+        #[cfg(feature = "cluster")]
+        if let Some(cluster) = &cluster {
+            tokio::select! {
+                shown = shown => shown?,
+                () = cluster.interrupted() => return Err(Fault::Interrupted),
+            }
+        } else {
+            shown.await?;
+        }
+        #[cfg(not(feature = "cluster"))]
+        shown.await?;
         #[cfg(feature = "refine")]
         if arguments.pages.are_wanted() && statements.is_empty() {
             arguments.pages.write(&rows)?;
@@ -138,31 +158,25 @@ async fn show(frame: DataFrame, output: Option<(&Path, Form)>) -> Result<(), Fau
     let rows = frame.collect().await?;
     if has_columns {
         let table = pretty_format_batches(&rows).map_err(|error| Fault::Wrong(error.to_string()))?;
-        println!("{table}");
+        print(&format!("{table}\n"))?;
         let count: usize = rows.iter().map(datafusion::arrow::array::RecordBatch::num_rows).sum();
         eprintln!("{count} rows in {:.2} s", start.elapsed().as_secs_f64());
     }
     Ok(())
 }
 
-/// Writes rows to a file beside the wanted one, which takes its place when all are there.
+/// Writes rows to a file. The engine collects them in a [file beside it](staged_of), and removes that file if the query fails.
 async fn write(frame: DataFrame, path: &Path, form: Form) -> Result<(), Fault> {
-    let partial = partial_of(path);
-    let Some(name) = partial.to_str() else {
+    let Some(name) = path.to_str() else {
         return Err(Fault::Wrong(format!("{} is no text", path.display())));
     };
     let options = DataFrameWriteOptions::new().with_single_file_output(true);
-    let written = match form {
+    match form {
         Form::Parquet => frame.write_parquet(name, options, None).await,
         Form::Csv => frame.write_csv(name, options, None).await,
         Form::Json => frame.write_json(name, options, None).await,
-    };
-    if let Err(error) = written {
-        // It may not be there yet.
-        let _ = fs::remove_file(&partial);
-        return Err(error.into());
-    }
-    fs::rename(&partial, path).map_err(|error| Fault::Wrong(format!("{} cannot be written: {error}", path.display())))
+    }?;
+    Ok(())
 }
 
 /// A number of bytes, as in `512MB` or `2GiB`.

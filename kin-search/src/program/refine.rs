@@ -8,24 +8,25 @@ use kin_search::refine::{Job, polish};
 
 use super::fault::Fault;
 use super::mechanisms::of_mechanism;
+use super::print::print;
 
 /// What `refine` takes.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RefineArguments {
-    /// What is to be generated, and what may change: a file of JSON
+    /// The job: a file of JSON with the targets and the bounds
     job: PathBuf,
     /// The candidates: a file .csv that `query --output` has written, the best ones first
     #[arg(long, value_name = "FILE")]
     candidates: PathBuf,
-    /// Refine this many of the first candidates; all if not given
+    /// Refine this many of the first rows, each in all its assemblies; all if not given
     #[arg(long, value_name = "COUNT")]
     best: Option<usize>,
     /// Write a page for each result into this folder
     #[arg(long, value_name = "FOLDER")]
     pages: Option<PathBuf>,
     /// How many threads work, which has no influence on the results; all cores if not given
-    #[arg(long, value_name = "COUNT", default_value_t = 0)]
-    threads: usize,
+    #[arg(long, value_name = "COUNT")]
+    threads: Option<usize>,
 }
 
 /// Prints the results as comma-separated values, and what was dropped to the standard error.
@@ -50,10 +51,10 @@ where
     M::Unknowns<f64>: Send + Sync,
 {
     let objective = job.objective::<M>().map_err(wrong)?;
-    let mut candidates = job.candidates::<M>(candidates).map_err(wrong)?;
-    candidates.truncate(arguments.best.unwrap_or(usize::MAX));
-    let found = polish(&objective, &candidates, &job.settings(arguments.threads)).map_err(wrong)?;
-    print!("{}", found.table());
+    let best = arguments.best.unwrap_or(usize::MAX);
+    let candidates = job.candidates::<M>(candidates, best).map_err(wrong)?;
+    let found = polish(&objective, &candidates, &job.settings(arguments.threads.unwrap_or(0))).map_err(wrong)?;
+    print(&found.table())?;
     eprintln!("{} candidates, {} kept", candidates.len(), found.results.len());
     for (kind, count) in found.counts() {
         eprintln!("{count} dropped: {kind}");

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use datafusion::arrow::array::RecordBatch;
 use datafusion::prelude::SessionContext;
-use kin_search::cluster::{Client, Connection, Identity};
+use kin_search::cluster::{Client, Connection, Identity, Place};
 use kin_search::{Functions, Options, session};
 
 use super::fault::Fault;
@@ -58,7 +58,10 @@ impl ScalingArguments {
                 .map(|_| Process::start(&["executor", "--cores", "1", "--scheduler", &scheduler.address]))
                 .collect::<Result<Vec<_>, _>>()?;
             let (_, port) = scheduler.address.rsplit_once(':').unwrap_or_default();
-            let client = Client::new((Ipv4Addr::LOCALHOST.to_string(), port.parse().map_err(wrong)?));
+            let client = Client::new(Place {
+                host: Ipv4Addr::LOCALHOST.to_string(),
+                port: port.parse().map_err(wrong)?,
+            });
             let ranges = self.ids.div_ceil(client.range.max(1));
             let connection = client.connect(Identity::of(functions)).await?;
             let session = session(functions, &Options::default())?;

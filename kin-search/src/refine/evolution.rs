@@ -40,8 +40,7 @@ pub(crate) fn evolve<M: Mechanism<Scalar = f64>>(
     seed: u64,
 ) -> Design<M> {
     let sought = objective.sought();
-    let is_usable = evolution.spread.is_finite() && evolution.spread > 0.0;
-    if sought.is_empty() || evolution.evaluations == 0 || !is_usable {
+    if sought.is_empty() || evolution.evaluations == 0 {
         return start.clone();
     }
     let problem = Scaled::new(objective, start, sought);

@@ -25,7 +25,7 @@ use crate::objective::{Adjustable, Candidate, Objective, ObjectiveError, Sense, 
 ///     "terms": [{ "transmission": { "aim": 0.72, "floor": 0.7, "weight": 1 } }],
 ///     "evaluations": 200
 /// }"#)?;
-/// let candidates = job.candidates::<HoekenLinkage>("id,ground,crank,coupler,assembly\n7,2,1.1,2.6,open\n")?;
+/// let candidates = job.candidates::<HoekenLinkage>("id,ground,crank,coupler,assembly\n7,2,1.1,2.6,open\n", 20)?;
 /// let found = polish(&job.objective::<HoekenLinkage>()?, &candidates, &job.settings(0))?;
 /// assert_eq!(found.results.len() + found.dropped.len(), 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -266,13 +266,17 @@ impl Job {
         }
     }
 
-    /// Candidates from a table, as a query writes it: comma-separated values with a line of names. It has a column for each parameter, in
+    /// Candidates from the `best` first rows of a table, as a query writes it: comma-separated values with a line of names. It has a column for each parameter, in
     /// which a dot may be written `_`. Columns `id`, `assembly`, `placed_x`, `placed_y`, `placed_turn` and `input_phase` are read too, and others are left aside.
     /// Without an assembly, every one of the mechanism is a candidate of its own.
     ///
     /// # Errors
     /// [`JobError::Candidate`].
-    pub fn candidates<M: Mechanism<Scalar = f64>>(&self, table: &str) -> Result<Vec<Candidate<M>>, JobError> {
-        super::table::candidates(table)
+    pub fn candidates<M: Mechanism<Scalar = f64>>(
+        &self,
+        table: &str,
+        best: usize,
+    ) -> Result<Vec<Candidate<M>>, JobError> {
+        super::table::candidates(table, best)
     }
 }

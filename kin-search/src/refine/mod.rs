@@ -48,7 +48,6 @@ mod page;
 mod refined;
 mod scaled;
 mod table;
-mod threads;
 
 pub use defect::{Defect, DefectKind};
 pub use figures::{Figures, Least, Range};
@@ -57,6 +56,8 @@ pub use page::{PageError, write_pages_of};
 pub use refined::{Dropped, Refined, Refinement};
 
 use kin_core::Mechanism;
+
+use crate::threads::each;
 
 use crate::objective::{Candidate, Design, Objective, ObjectiveError};
 
@@ -108,7 +109,7 @@ impl Default for Evolution {
 /// Polishes candidates, and drops those that fail. Results are in ascending order of their sum of squares.
 ///
 /// # Errors
-/// [`ObjectiveError`], if a candidate does not fit the objective, or if nothing is sought. A result that fails is no error: it is listed
+/// [`ObjectiveError`], if a candidate does not fit the objective, nothing is sought, or the spread is not positive. A result that fails is no error: it is listed
 /// under [`dropped`](Refinement::dropped).
 pub fn polish<M>(
     objective: &Objective<M>,
@@ -123,9 +124,17 @@ where
     if objective.sought().is_empty() && objective.input_place(0).is_none() {
         return Err(ObjectiveError::NothingToSeek);
     }
+    if let Some(Evolution { spread, .. }) = settings.evolution
+        && !(spread.is_finite() && spread > 0.0)
+    {
+        return Err(ObjectiveError::NotPositive {
+            name: "spread",
+            value: spread,
+        });
+    }
     let designs = candidates.iter().map(|candidate| objective.design(candidate));
     let designs: Vec<Design<M>> = designs.collect::<Result<_, _>>()?;
-    let refined = threads::each(designs.len(), settings.threads, |index| {
+    let refined = each(designs.len(), settings.threads, |index| {
         one(objective, candidates[index].id, index, &designs[index], settings)
     });
     Ok(Refinement::sorted(refined))

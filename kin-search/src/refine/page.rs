@@ -155,7 +155,7 @@ pub fn write_pages_of<M: Mechanism<Scalar = f64>>(
     table: &str,
     folder: impl AsRef<Path>,
 ) -> Result<Vec<PathBuf>, PageError> {
-    let rows = table::read::<M>(table).map_err(PageError::Table)?;
+    let rows = table::read::<M>(table, usize::MAX).map_err(PageError::Table)?;
     let reports = rows.into_iter().map(|(candidate, said)| {
         let draft = kin_studio::report(&candidate.mechanism)
             .assembly(candidate.assembly)

@@ -31,13 +31,17 @@ fn cells(line: &str) -> Vec<String> {
     cells
 }
 
-pub(super) fn candidates<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<Candidate<M>>, JobError> {
-    let read = read::<M>(table)?;
+pub(super) fn candidates<M: Mechanism<Scalar = f64>>(table: &str, best: usize) -> Result<Vec<Candidate<M>>, JobError> {
+    let read = read::<M>(table, best)?;
     Ok(read.into_iter().map(|(candidate, _)| candidate).collect())
 }
 
-/// The candidates of a table, each with what the other columns of its line say.
-pub(super) fn read<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<(Candidate<M>, String)>, JobError> {
+/// The candidates of the first rows of a table, each with what the other columns of its line say. A row without an assembly is a
+/// candidate in each. Rows without an id count from 0.
+pub(super) fn read<M: Mechanism<Scalar = f64>>(
+    table: &str,
+    best: usize,
+) -> Result<Vec<(Candidate<M>, String)>, JobError> {
     let wrong = |line: usize, message: String| JobError::Candidate { line, message };
     let mut lines = table.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
     let (head, line) = lines
@@ -58,7 +62,7 @@ pub(super) fn read<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<(Candi
     let [id_place, own_assembly, phase, mechanism] = ["id", "assembly", "input_phase", "mechanism"].map(column);
     let placement = ["placed_x", "placed_y", "placed_turn"].map(column);
     let mut candidates = Vec::new();
-    for (text, line) in lines {
+    for (row, (text, line)) in lines.take(best).enumerate() {
         let cells = cells(text);
         let cell = |place: usize| cells.get(place).map_or("", String::as_str);
         let number = |place: usize| {
@@ -79,7 +83,7 @@ pub(super) fn read<M: Mechanism<Scalar = f64>>(table: &str) -> Result<Vec<(Candi
                 let id = cell(place).parse::<u64>();
                 id.map_err(|_| wrong(line, format!("`{}` in the column `id` is no whole number", cell(place))))?
             }
-            None => candidates.len() as u64,
+            None => row as u64,
         };
         let placement = match placement {
             [Some(x), Some(y), Some(turn)] => Some([number(x)?, number(y)?, number(turn)?]),

@@ -39,7 +39,7 @@ pub fn config(options: &Options) -> SessionConfig {
 
 /// The state of a session: these functions beside those of SQL.
 ///
-/// A cluster's scheduler and executors make their sessions from it too.
+/// A cluster's scheduler makes its sessions by it too, with the settings of the client.
 ///
 /// # Errors
 /// Returns an error of the engine if it cannot be set up.

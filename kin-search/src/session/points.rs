@@ -105,8 +105,14 @@ fn named(plan: &LogicalPlan) -> Result<Vec<String>> {
 /// The points of a table as text.
 async fn read(session: &SessionContext, name: &str) -> Result<String> {
     if !session.table_exist(name)? {
-        // the message about a text that is no point
-        Points::parse(name)?;
+        if name.contains([' ', ';']) {
+            // the message about the point that is none
+            Points::parse(name)?;
+        }
+        return plan_err!(
+            "there is no table `{name}`, and it is no list of points: write the name of a table with the columns x and y, or points as in \
+             '0 1; 0.5 1.2'"
+        );
     }
     let table = session.table(name).await?;
     let has = |column: &str| table.schema().has_column_with_unqualified_name(column);

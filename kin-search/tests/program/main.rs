@@ -81,6 +81,10 @@ fn mistakes_end_with_a_message() {
         (vec![query.display().to_string()], "five_bars"),
         (vec!["nowhere.sql".to_owned()], "nowhere.sql cannot be read"),
         (
+            vec![file("empty.sql", "-- nothing").display().to_string()],
+            "has no statement",
+        ),
+        (
             vec![
                 query.display().to_string(),
                 "--output".to_owned(),

@@ -26,7 +26,8 @@ fn from_a_job_to_a_table() {
     // the second line has no margin, and every line has two assemblies
     let candidates = job
         .candidates::<Coupler>(
-            "r1,r2,r3,r4,along,beside,mark,id,note\n2,0.55,1.8,1.5,1,0.7,0,8,\"a, \"\"b\"\"\"\n\n2,0.55,1.8,0.5,1,0.7,0,9,\n",
+            "r1,r2,r3,r4,along,beside,mark,id,note\n2,0.55,1.8,1.5,1,0.7,0,8,\"a, \"\"b\"\"\"\n\n2,0.55,1.8,0.5,1,0.7,0,9,\n3,1,1,1,1,1,1,10,\n",
+            2,
         )
         .expect("a good table");
     assert_eq!(
@@ -54,7 +55,7 @@ fn from_a_job_to_a_table() {
     assert!(lines.iter().any(|line| line.starts_with("9,margin,")), "{table}");
     // results are candidates again
     let again = job
-        .candidates::<Coupler>(&table)
+        .candidates::<Coupler>(&table, usize::MAX)
         .expect("the columns have the same names");
     assert_eq!(
         again[0].mechanism.parameters(),
@@ -68,7 +69,7 @@ fn assemblies_by_their_words() {
         Job::read(r#"{ "mechanism": "watt_i", "goal": { "function": { "quantity": "theta6", "pairs": [[0, 1]] } } }"#)
             .expect("a good job");
     let head = "r1,r2,r3,r4,p_x,p.y,q_x,q_y,r5,r6,assembly";
-    let read = |word: &str| job.candidates::<WattI>(&format!("{head}\n1,2,3,4,5,6,7,8,9,10,{word}\n"));
+    let read = |word: &str| job.candidates::<WattI>(&format!("{head}\n1,2,3,4,5,6,7,8,9,10,{word}\n"), 1);
     let found = read("\"theta3_theta4=open, theta5_theta6: Crossed\"").expect("an assembly");
     assert_eq!(
         format!("{:?}", found[0].assembly),
@@ -99,10 +100,23 @@ fn mistakes_have_a_place() {
     let error = wrong.objective::<Coupler>().expect_err("no such parameter").to_string();
     assert!(error.contains("no parameter `r9`"), "{error}");
     let good = Job::read(&job(r#""bounds": {}"#)).expect("good JSON");
-    let table = |text: &str| good.candidates::<Coupler>(text).expect_err("a mistake").to_string();
+    let table = |text: &str| good.candidates::<Coupler>(text, 1).expect_err("a mistake").to_string();
     assert_eq!(table("r1,r2\n1,2\n"), "candidates, line 1: no column is called `r3`");
     let error = table("r1,r2,r3,r4,along,beside,mark\n\n1,2,3,4,5,6,x\n");
     assert_eq!(error, "candidates, line 3: `x` in the column `mark` is no number");
+    // a range of inputs that are given, and a strategy without a step
+    let both = Job::read(&job(r#""inputs": [0, 1, 2, 3, 4], "within": [0, 1]"#)).expect("good JSON");
+    let error = both
+        .objective::<Coupler>()
+        .expect_err("a range of given inputs")
+        .to_string();
+    assert_eq!(error, "an objective whose inputs are given has no range of inputs");
+    let still = Job::read(&job(r#""bounds": { "r2": [0.4, 0.8] }, "spread": 0"#)).expect("good JSON");
+    let objective = still.objective::<Coupler>().expect("it fits");
+    let error = polish(&objective, &[], &still.settings(1))
+        .expect_err("no spread")
+        .to_string();
+    assert_eq!(error, "`spread` is 0; it must be positive");
     // nothing is sought but the inputs of the targets
     assert!(polish(&good.objective::<Coupler>().expect("it fits"), &[], &good.settings(1)).is_ok());
 }

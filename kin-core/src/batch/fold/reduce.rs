@@ -4,6 +4,7 @@
 use super::folded::{Folded, count};
 use super::number::FoldedNumber;
 use crate::batch::dispatch::{Kernel, MOST_LANES};
+use crate::batch::target::Place;
 
 /// The number of poses of a piece, whose values are added up together. The order of additions depends on nothing else.
 pub(super) const PIECE: usize = 512;
@@ -75,7 +76,9 @@ impl Kernel for Reduction<'_> {
     fn run<const W: usize, const FUSED: bool>(self) {
         for fold in self.folds {
             let values = &fold.room.0[..self.count];
-            if self.is_complete {
+            // The sine of an unknown that is not a direction is missing in every pose.
+            let can_be_missing = matches!(fold.number, FoldedNumber::At(Place::Sine(_)));
+            if self.is_complete && !can_be_missing {
                 reduce::<true>(values, self.first, &mut fold.folded);
             } else {
                 reduce::<false>(values, self.first, &mut fold.folded);

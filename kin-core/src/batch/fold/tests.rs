@@ -271,10 +271,13 @@ fn a_number_that_is_not_there_is_named() {
     let turn = Turn::between(0, 0.1, 0.5, 5);
     let result = fold::<FourBar>(turn, same(LINKAGE), inputs, Assembly::Open, &mut [], vectors);
     assert_eq!(result.map(|summary| summary.solved), Ok(5));
-    // An unknown that is an angle has no sine.
-    let mut folds = [Fold::of(Place::Sine(0))];
-    fold::<FourBar>(turn, same(LINKAGE), inputs, Assembly::Open, &mut folds, vectors).unwrap();
-    assert_eq!(*folds[0].folded(), Folded::default());
+    // An unknown that is an angle has no sine, in short batches or long ones.
+    for poses in [5, 1000] {
+        let mut folds = [Fold::of(Place::Sine(0))];
+        let turn = Turn::whole(0, poses);
+        fold::<FourBar>(turn, same(LINKAGE), inputs, Assembly::Open, &mut folds, vectors).unwrap();
+        assert_eq!(*folds[0].folded(), Folded::default());
+    }
 }
 
 /// The value farthest from zero counts, the earlier one of two that are equally far.
