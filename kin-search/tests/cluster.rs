@@ -71,11 +71,11 @@ impl Process {
 
     /// Waits for the end, and gives all lines.
     fn end(mut self) -> (ExitStatus, String) {
-        let until = Instant::now() + LIMIT;
         // Both streams are closed at the end.
-        while let Ok(line) = self.lines.recv_timeout(until.saturating_duration_since(Instant::now())) {
+        while let Ok(line) = self.lines.recv_timeout(LIMIT) {
             self.seen.push(line);
         }
+        let until = Instant::now() + LIMIT;
         let status = loop {
             match self.child.try_wait().expect("the process can be waited for") {
                 Some(status) => break status,
