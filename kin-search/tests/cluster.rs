@@ -262,6 +262,43 @@ fn all_rounds_go_on_where_an_executor_is_killed() {
     straight_line(STRAIGHT_LINE);
 }
 
+/// Rounds that take a moment each, so that the executor is killed in the middle of a stage, between two, or between two queries.
+#[test]
+fn rounds_go_on_whenever_an_executor_is_killed() {
+    let folder = Folder::new("whenever");
+    let rounds: Vec<String> = (1..=6)
+        .map(|round| {
+            format!(
+                "create table round_{round} as select id, d from (
+                    select ids.value + 10000 * best.id as id, candidate(ids.value, 1, 6, near - 1, near + 1) as d
+                    from (select row_number() over (order by d, id) as id, d as near from round_{}) as best
+                    cross join range(0, 2000) as ids)
+                where d > 0.001 order by d, id limit 20;\n",
+                round - 1
+            )
+        })
+        .collect();
+    let query = folder.file(
+        "rounds.sql",
+        &format!(
+            "create table round_0 as select 0 as id, 0.5e0 as d;\n{}select * from round_6 order by d, id;",
+            rounds.concat()
+        ),
+    );
+    let here = answer(&[&query]);
+    for milliseconds in [100, 350, 600, 850] {
+        let (_scheduler, address) = scheduler(&["--patience", "3"]);
+        let (killed, _stays) = (executor(&address), executor(&address));
+        let mut search = Process::program(&["query", &query, "--cluster", &address]);
+        search.wait_for("query: finished");
+        std::thread::sleep(Duration::from_millis(milliseconds));
+        killed.signal("KILL");
+        let (status, output) = search.end();
+        assert!(status.success(), "killed after {milliseconds} ms: {output}");
+        assert_eq!(table(&here), table(&output));
+    }
+}
+
 #[test]
 fn a_search_goes_on_with_a_scheduler_that_was_restarted() {
     let folder = Folder::new("restarted");

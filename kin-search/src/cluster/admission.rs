@@ -34,6 +34,11 @@ impl Admission {
         }
     }
 
+    /// The name of an executor, if there is one.
+    pub(super) fn an_executor(&self) -> Option<String> {
+        self.cores().an_executor()
+    }
+
     fn cores(&self) -> MutexGuard<'_, FreeCores> {
         self.cores.lock().unwrap_or_else(PoisonError::into_inner)
     }

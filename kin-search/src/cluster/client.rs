@@ -292,6 +292,8 @@ impl Connection {
             .clone()
             .with_option_extension(caller)
             .with_ballista_logical_extension_codec(Arc::new(Codec::default()))
+            // The adaptive planner of Ballista 55 does not end a stage whose rows were lost with an executor, and made again.
+            .with_ballista_adaptive_query_planner(false)
             .with_target_partitions(self.client.tasks.max(1));
         // Ballista replaces a catalog in the list that its state holds. It gets a list of its own, so that the local tables stay.
         let state = SessionStateBuilder::new_from_existing(state)

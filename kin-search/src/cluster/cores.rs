@@ -30,6 +30,10 @@ impl FreeCores {
         self.0.remove(executor);
     }
 
+    pub(super) fn an_executor(&self) -> Option<String> {
+        self.0.keys().next().cloned()
+    }
+
     pub(super) fn give_back(&mut self, slots: &[ExecutorSlot]) {
         for (executor, count) in slots {
             if let Some(cores) = self.0.get_mut(executor) {
