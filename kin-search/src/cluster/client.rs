@@ -292,6 +292,8 @@ impl Connection {
             .clone()
             .with_option_extension(caller)
             .with_ballista_logical_extension_codec(Arc::new(Codec::default()))
+            // Ballista's own settings come first: it leaves them out if one of them is there.
+            .upgrade_for_ballista()
             // The adaptive planner of Ballista 55 does not end a stage whose rows were lost with an executor, and made again.
             .with_ballista_adaptive_query_planner(false)
             .with_target_partitions(self.client.tasks.max(1));
