@@ -11,7 +11,7 @@ use crate::library::{ClassThreeTriad, FourBar, JansenLeg, PeaucellierLinkage, Sc
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, series::Series};
-use crate::sweep::samples::{CRANK_ROCKER, LIMITED, triad};
+use crate::sweep::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
 use crate::sweep::{Course, Instant, Line, Local, Sweep};
 
 const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
@@ -621,14 +621,6 @@ fn mistakes_are_told() {
         .peak("theta4")
         .unwrap_err();
     assert!(matches!(nothing, ExtremesError::NothingCloses(error) if error.margin().is_some()));
-}
-
-crate::mechanism! {
-    /// An angle by its sine, up to one radian.
-    struct Inverse { pub factor: Scalar }
-    input u: Scalar;
-    unknown x: Angle in -1..1;
-    sin(x) == factor * u;
 }
 
 /// At the end of a declared range, which is no turning point, rates have values.

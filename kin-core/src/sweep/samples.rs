@@ -29,3 +29,11 @@ pub(crate) fn triad() -> ClassThreeTriad {
         platform_c: Plane::new(root / 2.0, 1.5),
     }
 }
+
+crate::mechanism! {
+    /// An angle by its sine, up to one radian.
+    pub(crate) struct Inverse { pub factor: Scalar }
+    input u: Scalar;
+    unknown x: Angle in -1..1;
+    sin(x) == factor * u;
+}

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::samples::{CRANK_ROCKER, LIMITED, triad};
+use super::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
 use super::{Instant, LimitKind, Sweep, SweepError, Table};
 use crate::assembly::{Assembly, Near};
 use crate::batch::{Column, Outcome};
@@ -563,14 +563,6 @@ fn a_turn_in_two_rows_becomes_dense() {
     );
     // one row is all that one row can become
     assert_eq!(turn(1).adaptive_table(1e-3, 2, 10_000).unwrap().count(), 1);
-}
-
-crate::mechanism! {
-    /// An angle by its sine, up to one radian.
-    struct Inverse { pub factor: Scalar }
-    input u: Scalar;
-    unknown x: Angle in -1..1;
-    sin(x) == factor * u;
 }
 
 /// The unknowns of a limit are those at the limit, also where it is the end of a range.
