@@ -1,11 +1,14 @@
 //! `query`: the statements of a file, one after the other.
 
 use std::fs;
+use std::future::pending;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use datafusion::arrow::util::pretty::pretty_format_batches;
 use datafusion::dataframe::{DataFrame, DataFrameWriteOptions};
+use datafusion::logical_expr::LogicalPlan;
+use datafusion::prelude::SessionContext;
 use kin_search::session::{plan, statements};
 use kin_search::{Functions, Options, session};
 
@@ -113,31 +116,44 @@ async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(),
             Some(cluster) => cluster.plan(&session, plan).await?,
             None => plan,
         };
-        let frame = session.execute_logical_plan(plan).await?;
-        #[cfg(feature = "refine")]
-        let (frame, rows) = if arguments.pages.are_wanted() && statements.is_empty() {
-            let frame = frame.cache().await?;
-            (frame.clone(), frame.collect().await?)
-        } else {
-            (frame, Vec::new())
-        };
-        let output = arguments.output.as_deref().zip(form).filter(|_| statements.is_empty());
-        let shown = show(frame, output);
         #[cfg(feature = "cluster")]
-        if let Some(cluster) = &cluster {
-            tokio::select! {
-                shown = shown => shown?,
-                () = cluster.interrupted() => return Err(Fault::Interrupted),
+        let interrupted = async {
+            match &cluster {
+                Some(cluster) => cluster.interrupted().await,
+                None => pending().await,
             }
-        } else {
-            shown.await?;
-        }
+        };
         #[cfg(not(feature = "cluster"))]
-        shown.await?;
-        #[cfg(feature = "refine")]
-        if arguments.pages.are_wanted() && statements.is_empty() {
-            arguments.pages.write(&rows)?;
+        let interrupted = pending::<()>();
+        tokio::select! {
+            done = finish(&session, plan, arguments, form, statements.is_empty()) => done?,
+            () = interrupted => return Err(Fault::Interrupted),
         }
+    }
+    Ok(())
+}
+
+/// Does what is left of a statement in this process. The rows of the last one go to the file and the pages that are wanted.
+async fn finish(
+    session: &SessionContext,
+    plan: LogicalPlan,
+    arguments: &QueryArguments,
+    form: Option<Form>,
+    is_last: bool,
+) -> Result<(), Fault> {
+    let frame = session.execute_logical_plan(plan).await?;
+    #[cfg(feature = "refine")]
+    let (frame, rows) = if arguments.pages.are_wanted() && is_last {
+        let frame = frame.cache().await?;
+        (frame.clone(), frame.collect().await?)
+    } else {
+        (frame, Vec::new())
+    };
+    let output = arguments.output.as_deref().zip(form).filter(|_| is_last);
+    show(frame, output).await?;
+    #[cfg(feature = "refine")]
+    if arguments.pages.are_wanted() && is_last {
+        arguments.pages.write(&rows)?;
     }
     Ok(())
 }

@@ -61,6 +61,7 @@ pub(super) fn read<M: Mechanism<Scalar = f64>>(
     }
     let [id_place, own_assembly, phase, mechanism] = ["id", "assembly", "input_phase", "mechanism"].map(column);
     let placement = ["placed_x", "placed_y", "placed_turn"].map(column);
+    let assembly_names: Vec<String> = M::assemblies().map(M::assembly_name).collect();
     let mut candidates = Vec::new();
     for (row, (text, line)) in lines.take(best).enumerate() {
         let cells = cells(text);
@@ -98,10 +99,9 @@ pub(super) fn read<M: Mechanism<Scalar = f64>>(
         let said = said.join("; ");
         let assemblies: Vec<M::Assembly> = match own_assembly {
             Some(place) => {
-                let names: Vec<String> = M::assemblies().map(M::assembly_name).collect();
-                let found = assembly_named(&names, cell(place)).and_then(M::assembly);
+                let found = assembly_named(&assembly_names, cell(place)).and_then(M::assembly);
                 vec![found.ok_or_else(|| {
-                    let known = names.join("`, `");
+                    let known = assembly_names.join("`, `");
                     wrong(line, format!("`{}` is no assembly; there are `{known}`", cell(place)))
                 })?]
             }
