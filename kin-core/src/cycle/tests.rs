@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::geometry::Plane;
 use crate::library::*;
 use crate::mechanism::Mechanism;
+use crate::number::samples;
 use crate::quantity::Dimension;
 
 const SAMPLE: FourBar = FourBar {
@@ -30,6 +31,7 @@ fn disagreements<M: Mechanism<Scalar = f64>>(name: &str, cycle: &Cycle<M>, place
         None => (cycle.line.low, cycle.line.high),
     };
     let mut wrong = Vec::new();
+    let places = samples::of(places);
     for place in 0..places {
         let input = low + (high - low) * (f64::from(place) + 0.317) / f64::from(places);
         let mut found = Vec::new();
@@ -350,7 +352,7 @@ fn mixed(step: u32, place: u32) -> f64 {
 #[test]
 fn labels_agree_with_the_cycle() {
     let mut counts = [0; 15];
-    for step in 0..2_500 {
+    for step in 0..samples::of(2_500) {
         let [r1, r2, r3, r4] = [0, 1, 2, 3].map(|place| mixed(step, place));
         let class = BarkerClass::of(r1, r2, r3, r4);
         let name = std::format!("{r1} {r2} {r3} {r4} {class:?}");

@@ -10,7 +10,7 @@ use crate::law::{Dwell, Law, Rise, Sequence, Shape};
 use crate::library::{ClassThreeTriad, FourBar, JansenLeg, PeaucellierLinkage, ScotchYoke, SliderCrank};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::number::{Number, series::Series};
+use crate::number::{Number, samples, series::Series};
 use crate::sweep::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
 use crate::sweep::{Course, Instant, Line, Local, Sweep};
 
@@ -36,8 +36,9 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = std::format!("theta4{suffix}");
             let found = turn(CRANK_ROCKER, assembly).extremes(&name).unwrap();
-            let at = |index: u32| (f64::from(index) + 0.3) * TAU / 7200.0;
-            let slopes: Vec<f64> = (0..7201)
+            let count = samples::of(7200);
+            let at = |index: u32| (f64::from(index) + 0.3) * TAU / f64::from(count);
+            let slopes: Vec<f64> = (0..=count)
                 .map(|index| rocker(CRANK_ROCKER, assembly, at(index), order)[1])
                 .collect();
             let seen = slopes
@@ -45,7 +46,7 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
                 .filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0))
                 .count();
             assert_eq!(found.len(), seen, "{name}");
-            let values = (0..7200).map(|index| rocker(CRANK_ROCKER, assembly, at(index), order)[0]);
+            let values = (0..count).map(|index| rocker(CRANK_ROCKER, assembly, at(index), order)[0]);
             let size = values.clone().fold(0.0, |size: f64, value| size.max(value.abs()));
             for extreme in &found {
                 assert_eq!(extreme.kind, Kind::Inner);
@@ -750,6 +751,7 @@ fn levels_and_tolerances_are_finite() {
 
 /// Waves that are too short for the divisions are no extremes of anything.
 #[test]
+#[ignore = "takes ten seconds"]
 fn a_rough_quantity_is_refused() {
     let sweep = turn(CRANK_ROCKER, Assembly::Open);
     let waves = |count: f64| sweep.crossings_by(|at| (at.theta2.position() * Local::constant(count)).sin_cos().0, 0.5);

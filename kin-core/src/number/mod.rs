@@ -10,6 +10,8 @@ mod hyperbolic;
 mod operations;
 mod primitive;
 mod row;
+#[cfg(test)]
+pub(crate) mod samples;
 pub(crate) mod scatter;
 pub mod series;
 mod single;

@@ -24,8 +24,8 @@ fn small_declarations(count: u64, threads: usize) {
 }
 
 #[test]
-fn five_hundred_declarations() {
-    small_declarations(500, 1);
+fn two_hundred_declarations() {
+    small_declarations(200, 1);
 }
 
 /// `.ci/run` runs it.

@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use super::super::sequence::Sequence;
 use super::super::{PathCounts, Solution, real_solutions};
 use super::platform::Platform;
+use crate::number::samples;
 
 fn solve(platform: &Platform) -> (PathCounts, Vec<Solution<8>>) {
     let table = platform.table();
@@ -198,7 +199,7 @@ fn a_limit_position_is_found_as_a_double_one() {
 #[test]
 fn near_a_limit_position_nothing_is_lost() {
     let mut random = Sequence::new(8);
-    for _ in 0..5 {
+    for _ in 0..samples::of(5) {
         let (platform, _) = limit(&mut random);
         for exponent in 1..=16 {
             let counts = [-1.0, 1.0].map(|sign| {
