@@ -16,8 +16,24 @@ pub trait Row<V>: Copy + AsRef<[V]> + AsMut<[V]> + Index<usize, Output = V> + In
 impl<V: Copy, const N: usize> Row<V> for [V; N] {
     const LENGTH: usize = N;
 
+    /// `core::array::from_fn` calls five functions that the compiler generates anew for each closure, and there are thousands of
+    /// closures. This loop is one.
     #[inline]
-    fn from_fn(function: impl FnMut(usize) -> V) -> Self {
-        core::array::from_fn(function)
+    fn from_fn(mut function: impl FnMut(usize) -> V) -> Self {
+        if N == 0 {
+            return core::array::from_fn(no_value);
+        }
+        let mut row = [function(0); N];
+        let mut index = 1;
+        while index < N {
+            row[index] = function(index);
+            index += 1;
+        }
+        row
     }
+}
+
+/// The values of an empty row.
+fn no_value<V>(_: usize) -> V {
+    unreachable!("an empty row has no values")
 }
