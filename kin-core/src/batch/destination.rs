@@ -33,12 +33,13 @@ pub(super) struct Destination<'t, M: Mechanism> {
 impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {
     /// The destination of a pose of which nothing is wanted.
     pub(super) fn nowhere() -> Self {
-        let nowhere = |_| -> M::Motion<EntriesOf<'t, M>> { Row::from_fn(|_| -> EntriesOf<'t, M> { &[] }) };
+        let nowhere: EntriesOf<'t, M> = &[];
+        let motion = M::Motion::splat(nowhere);
         Self {
-            inputs: Row::from_fn(nowhere),
-            unknowns: Row::from_fn(nowhere),
-            sines: Row::from_fn(|_| -> EntriesOf<'t, M> { &[] }),
-            outputs: Row::from_fn(nowhere),
+            inputs: Row::splat(motion),
+            unknowns: Row::splat(motion),
+            sines: Row::splat(nowhere),
+            outputs: Row::splat(motion),
         }
     }
 

@@ -115,7 +115,7 @@ impl<'a, M: Mechanism<Scalar: Element>> Guide<'a, M> for InAssembly<M::Assembly>
     const IS_NEAR: bool = false;
 
     fn near(self) -> M::Unknowns<Column<'a, M::Scalar>> {
-        Row::from_fn(|_| Column::Same(M::Scalar::nan()))
+        Row::splat(Column::Same(M::Scalar::nan()))
     }
 
     fn part<'b>(self, _: Range<usize>) -> impl Guide<'b, M>
@@ -263,7 +263,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Sweep<'_, '_, 'a, M, G>
         let mechanism = M::from_parameters(Row::from_fn(|parameter| parameters[parameter].at(index)));
         let inputs = M::Inputs::from_fn(|input| M::Motion::from_fn(|order| inputs[input][order].at(index)));
         let near = M::Unknowns::from_fn(|unknown| self.near[unknown].at(index));
-        let nothing = |_| M::Motion::from_fn(|_| M::Scalar::nan());
+        let nothing = M::Motion::splat(M::Scalar::nan());
         let (unknowns, sines, outputs, result) = match self.problem.guide.solve(&mechanism, inputs, near) {
             Ok(pose) => {
                 let _ = self.angles.store(index, &mechanism, &inputs, &pose);
@@ -277,9 +277,9 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Sweep<'_, '_, 'a, M, G>
             Err(error) => {
                 self.angles.leave_out(index);
                 (
-                    Row::from_fn(nothing),
-                    Row::from_fn(|_| Some(M::Scalar::nan())),
-                    Row::from_fn(nothing),
+                    Row::splat(nothing),
+                    Row::splat(Some(M::Scalar::nan())),
+                    Row::splat(nothing),
                     Err(error),
                 )
             }
@@ -384,30 +384,27 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for Sweep<'_, '_
         }
         rest.fill(Outcome::Solved);
         let zero = Lanes::<W, FUSED, M::Scalar>::constant(0.0);
-        let (columns, mut same) = (problem.parameters.as_ref(), M::Parameters::from_fn(|_| zero));
+        let (columns, mut same) = (problem.parameters.as_ref(), M::Parameters::splat(zero));
         repeat(same.as_mut(), columns);
-        let mut parameters = M::Parameters::from_fn(|_| View::default());
+        let mut parameters = M::Parameters::splat(View::default());
         look(parameters.as_mut(), columns, same.as_ref());
-        let (columns, mut same) = (
-            problem.inputs.as_ref(),
-            M::Inputs::from_fn(|_| M::Motion::from_fn(|_| zero)),
-        );
+        let (columns, mut same) = (problem.inputs.as_ref(), M::Inputs::splat(M::Motion::splat(zero)));
         for (same, columns) in same.as_mut().iter_mut().zip(columns) {
             repeat(same.as_mut(), columns.as_ref());
         }
-        let mut inputs = M::Inputs::from_fn(|_| M::Motion::from_fn(|_| View::default()));
+        let mut inputs = M::Inputs::splat(M::Motion::splat(View::default()));
         for ((views, columns), same) in inputs.as_mut().iter_mut().zip(columns).zip(same.as_ref()) {
             look(views.as_mut(), columns.as_ref(), same.as_ref());
         }
-        let (columns, mut same) = (self.near.as_ref(), M::Unknowns::from_fn(|_| zero));
-        let mut near = M::Unknowns::from_fn(|_| View::default());
+        let (columns, mut same) = (self.near.as_ref(), M::Unknowns::splat(zero));
+        let mut near = M::Unknowns::splat(View::default());
         if G::IS_NEAR {
             repeat(same.as_mut(), columns);
             look(near.as_mut(), columns, same.as_ref());
         }
-        let mut dimensions = Row::from_fn(|_| zero);
-        let mut guess = Row::from_fn(|_| zero);
-        let mut motions: MotionsInLanes<M, W, FUSED> = Row::from_fn(|_| Row::from_fn(|_| zero));
+        let mut dimensions = Row::splat(zero);
+        let mut guess = Row::splat(zero);
+        let mut motions: MotionsInLanes<M, W, FUSED> = Row::splat(Row::splat(zero));
         let has_sines = self.destination.has_sines();
         // Lanes of single precision count to 2²⁴. The count is emptied long before.
         let (mut next, mut failed, mut emptied) = (0, zero, 0);

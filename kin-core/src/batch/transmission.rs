@@ -17,9 +17,10 @@ pub(super) struct TransmissionEntries<'t, M: Mechanism> {
 impl<'t, M: Mechanism<Scalar: Element>> TransmissionEntries<'t, M> {
     /// The places of a batch in which no transmission angle is wanted.
     pub(super) fn nowhere() -> Self {
+        let nowhere: Entries<'t, M::Scalar> = &[];
         Self {
-            of_dyads: Row::from_fn(|_| -> Entries<'t, M::Scalar> { &[] }),
-            smallest: &[],
+            of_dyads: Row::splat(nowhere),
+            smallest: nowhere,
         }
     }
 

@@ -295,7 +295,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             s: good,
             unknowns: self
                 .solved(good, assembly)
-                .unwrap_or_else(|| M::Unknowns::from_fn(|_| f64::NAN)),
+                .unwrap_or_else(|| M::Unknowns::splat(f64::NAN)),
             block,
             assemblies: [index, index],
         };

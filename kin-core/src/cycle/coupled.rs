@@ -250,7 +250,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
         if !is_whole::<M>(limit) {
             return;
         }
-        let mut position = M::Unknowns::from_fn(|_| 0.0);
+        let mut position = M::Unknowns::splat(0.0);
         let mut rates = position;
         for unknown in &limit.unknowns {
             (position[unknown.index], rates[unknown.index]) = (unknown.value, unknown.rate);

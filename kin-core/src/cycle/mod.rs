@@ -565,7 +565,7 @@ fn around<M: Mechanism<Scalar = f64>>(
 ) -> Option<Circuit<M>> {
     let mut own = Vec::new();
     let mut way = 0.0;
-    let mut angles: M::Unknowns<f64> = Row::from_fn(|_| 0.0);
+    let mut angles: M::Unknowns<f64> = Row::splat(0.0);
     let (mut branch, mut entered) = (start, 0);
     loop {
         own.push(branch);

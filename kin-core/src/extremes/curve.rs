@@ -194,7 +194,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         let source = Source {
             mechanism: self.long_series,
             inputs: drive.derivatives(at, side),
-            unknowns: Row::from_fn(|_| 0.0),
+            unknowns: Row::splat(0.0),
             rate: drive.rate(),
             variable,
         };

@@ -61,7 +61,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             Ok::<_, ExtremesError>(value.coefficients())
         };
         let bend = 2.0 * value(None, 1.0)?[2];
-        let mut by: M::Parameters<PeakSensitivity> = Row::from_fn(|_| PeakSensitivity::default());
+        let mut by: M::Parameters<PeakSensitivity> = Row::splat(PeakSensitivity::default());
         for (place, sensitivity) in by.as_mut().iter_mut().enumerate() {
             let parameters = self.course.mechanism.parameters();
             let own: f64 = parameters[place];

@@ -73,10 +73,10 @@ impl<M: Mechanism> Coordinate<M> {
 
     pub(super) fn constant(value: f64) -> Self {
         let number = M::Scalar::constant;
-        let zero = M::Motion::from_fn(|_| number(0.0));
+        let zero = M::Motion::splat(number(0.0));
         Self {
             motion: M::Motion::from_fn(|order| number(if order == 0 { value } else { 0.0 })),
-            influence: M::Inputs::from_fn(|_| zero),
+            influence: M::Inputs::splat(zero),
         }
     }
 
@@ -87,7 +87,7 @@ impl<M: Mechanism> Coordinate<M> {
     /// The square root. The value must be positive.
     pub(super) fn sqrt(self) -> Self {
         let number = M::Scalar::constant;
-        let mut root = M::Motion::from_fn(|_| number(0.0));
+        let mut root = M::Motion::splat(number(0.0));
         root[0] = self.motion[0].sqrt();
         for order in 1..entries::<M>() {
             // the entry of this order is still zero
@@ -96,7 +96,7 @@ impl<M: Mechanism> Coordinate<M> {
         }
         let influence = |input| {
             let change: &M::Motion<M::Scalar> = &self.influence[input];
-            let mut quotient = M::Motion::from_fn(|_| number(0.0));
+            let mut quotient = M::Motion::splat(number(0.0));
             for order in 0..entries::<M>() {
                 let known = leibniz(&quotient.as_ref()[..=order], &root.as_ref()[..=order]);
                 quotient[order] = (number(0.5) * change[order] - known) / root[0];

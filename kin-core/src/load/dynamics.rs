@@ -44,11 +44,11 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
         inputs: M::Inputs<f64>,
         assembly: M::Assembly,
     ) -> Result<EquivalentInertia<M>, LoadError> {
-        let row_of_zeros: M::Inputs<f64> = M::Inputs::from_fn(|_| 0.0);
-        let zeros: M::Inputs<M::Inputs<f64>> = M::Inputs::from_fn(|_| row_of_zeros);
+        let row_of_zeros: M::Inputs<f64> = M::Inputs::splat(0.0);
+        let zeros: M::Inputs<M::Inputs<f64>> = M::Inputs::splat(row_of_zeros);
         let mut felt = EquivalentInertia::<M> {
             matrix: zeros,
-            slopes: M::Inputs::from_fn(|_| zeros),
+            slopes: M::Inputs::splat(zeros),
         };
         for direction in 0..<M::Inputs<f64> as Row<f64>>::LENGTH {
             let moving = state::<M>(inputs, |input| if input == direction { 1.0 } else { 0.0 });
@@ -135,8 +135,8 @@ fn entries_of<M: Mechanism>(inertias: &M::Inputs<M::Inputs<Rates<M, f64>>>, orde
 /// The solution of a positive definite system, by Cholesky's factors.
 fn solve<M: Mechanism>(matrix: M::Inputs<M::Inputs<f64>>, right: M::Inputs<f64>) -> Result<M::Inputs<f64>, LoadError> {
     let count = <M::Inputs<f64> as Row<f64>>::LENGTH;
-    let zeros: M::Inputs<f64> = M::Inputs::from_fn(|_| 0.0);
-    let mut factor: M::Inputs<M::Inputs<f64>> = M::Inputs::from_fn(|_| zeros);
+    let zeros: M::Inputs<f64> = M::Inputs::splat(0.0);
+    let mut factor: M::Inputs<M::Inputs<f64>> = M::Inputs::splat(zeros);
     for row in 0..count {
         for column in 0..=row {
             let products = (0..column).map(|inner| factor[row][inner] * factor[column][inner]);

@@ -30,14 +30,14 @@ pub struct Totals<M: Mechanism> {
 
 impl<M: Mechanism> Totals<M> {
     pub(super) fn new(poses: M::Inputs<Moving<M>>, gravity: Space<f64>) -> Self {
-        let zero = M::Motion::from_fn(|_| M::Scalar::constant(0.0));
-        let zeros = M::Inputs::from_fn(|_| zero);
+        let zero = M::Motion::splat(M::Scalar::constant(0.0));
+        let zeros = M::Inputs::splat(zero);
         Self {
             poses,
             gravity,
             load: 0,
             effort: zeros,
-            inertia: M::Inputs::from_fn(|_| zeros),
+            inertia: M::Inputs::splat(zeros),
             kinetic: zero,
             potential: zero,
             applied: zero,
@@ -194,7 +194,7 @@ pub(super) fn poses<M: Mechanism>(
         solve(&changing, moved)
     };
     let first = solve(0)?;
-    let mut poses = M::Inputs::from_fn(|_| first);
+    let mut poses = M::Inputs::splat(first);
     for (input, pose) in poses.as_mut().iter_mut().enumerate().skip(1) {
         *pose = solve(input)?;
     }

@@ -40,8 +40,8 @@ pub(crate) fn conditions<M: Mechanism>(
         M::Unknowns::<f64>::from_fn(|equation| residuals[equation].coefficients()[1])
     };
 
-    let mut jacobian: M::Unknowns<M::Unknowns<f64>> = Row::from_fn(|_| Row::from_fn(|_| 0.0));
-    let mut terms: M::Unknowns<f64> = Row::from_fn(|_| 0.0);
+    let mut jacobian: M::Unknowns<M::Unknowns<f64>> = Row::splat(Row::splat(0.0));
+    let mut terms: M::Unknowns<f64> = Row::splat(0.0);
     for (index, quantity) in M::DESCRIPTION.unknowns.iter().enumerate() {
         let column = response(Changed::Unknown(index), 1.0);
         // The direction of a link is rounded, not its angle.

@@ -51,8 +51,8 @@ impl<M: Mechanism> FactoredMatrix<M> {
                 })
             }),
             origins: M::Unknowns::from_fn(|row| row),
-            row_exponents: M::Unknowns::from_fn(|_| 0),
-            column_exponents: M::Unknowns::from_fn(|_| 0),
+            row_exponents: M::Unknowns::splat(0),
+            column_exponents: M::Unknowns::splat(0),
             count,
             odd: false,
         };

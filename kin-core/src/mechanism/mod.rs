@@ -309,7 +309,7 @@ pub trait Pose: Copy + Debug {
     /// The sines of the unknowns that are directions.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn unknown_sines(&self) -> Self::Unknowns<Option<Self::Scalar>> {
-        Row::from_fn(|_| None)
+        Row::splat(None)
     }
 
     /// The motions of the outputs, in the order in which they were declared. A point is its x, its y and, in space, its

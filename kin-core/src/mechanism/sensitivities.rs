@@ -79,12 +79,12 @@ pub fn sensitivities_of<M: Mechanism<Scalar = f64>>(
     inputs: M::Inputs<M::Motion<f64>>,
     assembly: M::Assembly,
 ) -> Result<M::Parameters<PartialMotions<M>>, SolveError> {
-    let zero = M::Motion::from_fn(|_| 0.0);
+    let zero = M::Motion::splat(0.0);
     let nothing = PartialMotions {
-        unknowns: Row::from_fn(|_| zero),
-        outputs: Row::from_fn(|_| zero),
+        unknowns: Row::splat(zero),
+        outputs: Row::splat(zero),
     };
-    let mut partials: M::Parameters<PartialMotions<M>> = Row::from_fn(|_| nothing);
+    let mut partials: M::Parameters<PartialMotions<M>> = Row::splat(nothing);
     let fixed =
         <<M::With<Change> as Mechanism>::Inputs<M::Motion<Change>> as Row<M::Motion<Change>>>::from_fn(|input| {
             let motion: M::Motion<f64> = inputs[input];

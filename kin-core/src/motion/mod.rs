@@ -293,7 +293,12 @@ impl<T: Copy, const N: usize> Row<T> for Motion<T, N> {
 
     #[inline]
     fn from_fn(function: impl FnMut(usize) -> T) -> Self {
-        Self::new(array::from_fn(function))
+        Self::new(Row::from_fn(function))
+    }
+
+    #[inline]
+    fn splat(value: T) -> Self {
+        Self::new([value; N])
     }
 }
 

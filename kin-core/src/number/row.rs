@@ -11,6 +11,9 @@ pub trait Row<V>: Copy + AsRef<[V]> + AsMut<[V]> + Index<usize, Output = V> + In
 
     /// The row of the values `function(index)`.
     fn from_fn(function: impl FnMut(usize) -> V) -> Self;
+
+    /// The row in which each value is `value`.
+    fn splat(value: V) -> Self;
 }
 
 impl<V: Copy, const N: usize> Row<V> for [V; N] {
@@ -30,6 +33,11 @@ impl<V: Copy, const N: usize> Row<V> for [V; N] {
             index += 1;
         }
         row
+    }
+
+    #[inline]
+    fn splat(value: V) -> Self {
+        [value; N]
     }
 }
 

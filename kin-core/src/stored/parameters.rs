@@ -126,7 +126,7 @@ where
         let members = members(M::DESCRIPTION.parameters);
         let member = |index| members.clone().nth(index);
         let name = |index| member(index).map(|member| member.name);
-        let mut values = M::Parameters::<Option<M::Scalar>>::from_fn(|_| None);
+        let mut values = M::Parameters::<Option<M::Scalar>>::splat(None);
         while let Some(index) = map.next_key_seed(Name(name))? {
             let Some(Member { name, place, length }) = member(index) else {
                 continue;

@@ -342,7 +342,7 @@ impl<'de, V: Deserialize<'de> + Copy, R: Row<Option<V>>> Visitor<'de> for Group<
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<R, A::Error> {
         let group = self.name;
         let name = |index: usize| self.quantities.get(index).map(|quantity| quantity.name);
-        let mut row = R::from_fn(|_| None);
+        let mut row = R::splat(None);
         while let Some(index) = map
             .next_key_seed(Name(name))
             .map_err(|error| A::Error::custom(format_args!("{group}: {error}")))?

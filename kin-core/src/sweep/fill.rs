@@ -252,7 +252,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 let sines = pose.unknown_sines();
                 Row::from_fn(|unknown| sines[unknown].is_some())
             }
-            None => Row::from_fn(|_| false),
+            None => Row::splat(false),
         }
     }
 

@@ -135,7 +135,7 @@ fn inside<M: Mechanism<Scalar = f64>, D>(
         .map(|part| track(&course.mechanism, from, unknowns, at(*part)));
     found
         .find_map(Result::ok)
-        .unwrap_or_else(|| M::Unknowns::from_fn(|_| f64::NAN))
+        .unwrap_or_else(|| M::Unknowns::splat(f64::NAN))
 }
 
 /// The number of halvings after which neighbouring numbers are left.

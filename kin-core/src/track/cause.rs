@@ -183,7 +183,7 @@ fn ahead<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> impl It
 /// The error of a block solved by Newton's method at the end of the domain of a function of its unknowns: ahead of it
 /// the closure is not finite, and the solvers find nothing.
 fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<SolveError> {
-    let rates = rates(here, &M::Unknowns::from_fn(|_| 1.0));
+    let rates = rates(here, &M::Unknowns::splat(1.0));
     ahead(way, here).find_map(|travel| {
         // Near such an end the higher terms of a series are useless.
         let along = |index: usize| rates[index] * (travel - here.point.travel);

@@ -18,7 +18,7 @@ pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
 ) -> M::Unknowns<f64> {
     let terms = way.terms(point);
     let size = |shift: &M::Unknowns<f64>| largest(shift.as_ref().iter().copied());
-    let mut worst = M::Unknowns::from_fn(|_| 0.0);
+    let mut worst = M::Unknowns::splat(0.0);
     for (row, terms) in terms.as_ref().iter().enumerate() {
         let error = UNITS * f64::EPSILON * terms;
         let shift = system.solve(&M::Unknowns::from_fn(|other| if other == row { error } else { 0.0 }));

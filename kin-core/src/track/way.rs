@@ -138,7 +138,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         let parameters = self.mechanism.parameters();
         let inputs = self.inputs(point.travel);
         let all = [parameters.as_ref(), inputs.as_ref(), point.unknowns.as_ref()];
-        let mut terms = M::Unknowns::from_fn(|_| 0.0);
+        let mut terms = M::Unknowns::splat(0.0);
         for group in 0..all.len() {
             for moved in 0..all[group].len() {
                 let quantity = |of: usize, index: usize| {
@@ -163,7 +163,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
         let along = self.residuals(point, |_| 0.0, 1.0);
         let of = |row: usize, order: usize| along[row].coefficients()[order];
         let mut linear: Linear<M> = Linear {
-            jacobian: M::Unknowns::from_fn(|_| M::Unknowns::from_fn(|_| 0.0)),
+            jacobian: M::Unknowns::splat(M::Unknowns::splat(0.0)),
             travel: M::Unknowns::from_fn(|row| of(row, 1)),
             residuals: M::Unknowns::from_fn(|row| of(row, 0)),
         };

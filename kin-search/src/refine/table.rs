@@ -75,7 +75,7 @@ pub(super) fn read<M: Mechanism<Scalar = f64>>(
                 )
             })
         };
-        let mut parameters = M::parameters(&M::from_parameters(Row::from_fn(|_| 0.0)));
+        let mut parameters = M::parameters(&M::from_parameters(Row::splat(0.0)));
         for (parameter, place) in parameters.as_mut().iter_mut().zip(&places) {
             *parameter = number(*place)?;
         }

@@ -33,7 +33,7 @@ impl<M: Mechanism<Scalar = f64>> Draft<M> {
         Self {
             mechanism: *mechanism,
             assembly: None,
-            inputs: M::Inputs::from_fn(|_| 0.0),
+            inputs: M::Inputs::splat(0.0),
             moving: None,
             range: None,
             speed: 1.0,
