@@ -1,7 +1,7 @@
 //! Executors are admitted only with the identity of their scheduler.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ballista_core::JobId;
 use ballista_core::error::{BallistaError, Result};
@@ -10,8 +10,11 @@ use ballista_core::serde::scheduler::{ExecutorData, ExecutorMetadata};
 use ballista_scheduler::cluster::memory::InMemoryClusterState;
 use ballista_scheduler::cluster::{BoundTask, ClusterState, ClusterStateEventStream, ExecutorSlot};
 use ballista_scheduler::config::TaskDistributionPolicy;
+use ballista_scheduler::scheduler_server::SchedulerServer;
 use ballista_scheduler::state::task_manager::JobInfoCache;
+use datafusion_proto::protobuf::{LogicalPlanNode, PhysicalPlanNode};
 
+use super::assigned::Assigned;
 use super::cores::{FreeCores, busy};
 use super::identity::{Identity, tag_of};
 
@@ -23,6 +26,9 @@ pub(super) struct Admission {
     state: InMemoryClusterState,
     identity: Identity,
     cores: Mutex<FreeCores>,
+    assigned: Mutex<Assigned>,
+    /// Whom this state serves.
+    scheduler: OnceLock<SchedulerServer<LogicalPlanNode, PhysicalPlanNode>>,
 }
 
 impl Admission {
@@ -31,7 +37,14 @@ impl Admission {
             state: InMemoryClusterState::default(),
             identity,
             cores: Mutex::default(),
+            assigned: Mutex::default(),
+            scheduler: OnceLock::new(),
         }
+    }
+
+    /// Tells whose jobs are called off when an executor is lost.
+    pub(super) fn serve(&self, scheduler: SchedulerServer<LogicalPlanNode, PhysicalPlanNode>) {
+        let _ = self.scheduler.set(scheduler);
     }
 
     /// The name of an executor, if there is one.
@@ -41,6 +54,10 @@ impl Admission {
 
     fn cores(&self) -> MutexGuard<'_, FreeCores> {
         self.cores.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn assigned(&self) -> MutexGuard<'_, Assigned> {
+        self.assigned.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn admit(&self, executor: &str) -> Result<()> {
@@ -70,6 +87,7 @@ impl ClusterState for Admission {
         active_jobs: Arc<HashMap<JobId, JobInfoCache>>,
         executors: Option<HashSet<String>>,
     ) -> Result<Vec<BoundTask>> {
+        self.assigned().keep(|job| active_jobs.contains_key(job));
         let busy = busy(&active_jobs).await;
         let forgotten = self.cores().forgotten(&busy);
         self.state.unbind_tasks(forgotten).await?;
@@ -78,6 +96,7 @@ impl ClusterState for Admission {
             .bind_schedulable_tasks(distribution, active_jobs, executors)
             .await?;
         self.cores().take(&tasks);
+        self.assigned().assign(&tasks);
         Ok(tasks)
     }
 
@@ -112,7 +131,14 @@ impl ClusterState for Admission {
         self.state.save_executor_heartbeat(heartbeat).await
     }
 
+    /// Ballista begins to repair the jobs of the executor after this. Those that are called off here are not repaired.
     async fn remove_executor(&self, executor: &str) -> Result<()> {
+        let jobs = self.assigned().leave(executor);
+        if let Some(scheduler) = self.scheduler.get() {
+            for job in jobs {
+                scheduler.cancel_job(job).await?;
+            }
+        }
         self.state.remove_executor(executor).await?;
         self.cores().leave(executor);
         eprintln!("executor {executor} left");

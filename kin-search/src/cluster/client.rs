@@ -34,8 +34,8 @@ use super::signals::Signals;
 use super::stop::{Stop, reached};
 use super::tables;
 
-/// How often a range is tried whose rows were lost with an executor.
-const ATTEMPTS: usize = 3;
+/// How often a query is tried from which executors are lost.
+const ATTEMPTS: usize = 5;
 
 /// How a client searches.
 #[derive(Clone, Debug)]
@@ -233,7 +233,7 @@ impl Connection {
         reached(&mut self.stopped.clone()).await;
     }
 
-    /// One query on the cluster; again, if its rows were lost with an executor.
+    /// One query on the cluster; again, if an executor was lost.
     async fn job(
         &self,
         remote: &SessionState,
@@ -266,7 +266,7 @@ impl Connection {
                 }
                 End::Gone(_) if attempt < ATTEMPTS => {
                     attempt += 1;
-                    eprintln!("{name}: its rows were lost with an executor; it is searched again");
+                    eprintln!("{name}: an executor was lost; it is searched again");
                     continue;
                 }
                 End::Gone(error) | End::Failed(error) => error,

@@ -26,6 +26,9 @@ const GLANCE: Duration = Duration::from_millis(500);
 /// How long a scheduler may take to answer before it counts as lost.
 const ANSWER: Duration = Duration::from_secs(10);
 
+/// The error of a job that was called off.
+const CALLED_OFF: &str = "Cancelled";
+
 /// How a query on the cluster ended without rows.
 #[derive(Debug)]
 pub(super) enum End {
@@ -35,7 +38,7 @@ pub(super) enum End {
     Lost(String),
     /// The scheduler does not know the query: it was started again.
     Restarted,
-    /// The query is finished, but its rows are not there: an executor was lost with them.
+    /// An executor was lost. The query was called off, or it is finished and its rows are not there.
     Gone(DataFusionError),
     /// The query failed.
     Failed(DataFusionError),
@@ -126,6 +129,7 @@ async fn reason(scheduler: &str, job: Option<String>, error: DataFusionError) ->
         Ok(Some(None)) => End::Failed(error),
         Ok(Some(Some(None))) => End::Restarted,
         Ok(Some(Some(Some(job_status::Status::Successful(_))))) => End::Gone(error),
+        Ok(Some(Some(Some(job_status::Status::Failed(failed))))) if failed.error == CALLED_OFF => End::Gone(error),
         Ok(Some(Some(Some(_)))) => End::Failed(error),
     }
 }

@@ -5,6 +5,7 @@
 
 mod address;
 mod admission;
+mod assigned;
 mod client;
 mod codec;
 mod cores;

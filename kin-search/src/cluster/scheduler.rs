@@ -93,6 +93,7 @@ impl Scheduler {
         let executors: Arc<dyn ClusterState> = Arc::clone(&admission) as _;
         let cluster = BallistaCluster::new(executors, Arc::new(jobs));
         let scheduler = create_scheduler::<LogicalPlanNode, PhysicalPlanNode>(cluster, Arc::new(config)).await?;
+        admission.serve(scheduler.clone());
         eprintln!("{identity}");
         announce(address);
         tokio::select! {
