@@ -52,6 +52,11 @@ impl Admission {
         self.cores().an_executor()
     }
 
+    /// Whether all executors have left.
+    pub(super) fn has_lost_all(&self) -> bool {
+        self.cores().are_lost()
+    }
+
     fn cores(&self) -> MutexGuard<'_, FreeCores> {
         self.cores.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -140,8 +145,9 @@ impl ClusterState for Admission {
             }
         }
         self.state.remove_executor(executor).await?;
-        self.cores().leave(executor);
-        eprintln!("executor {executor} left");
+        if self.cores().leave(executor) {
+            eprintln!("executor {executor} left");
+        }
         Ok(())
     }
 

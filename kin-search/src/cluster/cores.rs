@@ -17,26 +17,38 @@ struct Cores {
     free: u32,
 }
 
-/// The cores of all executors, by their names.
+/// The cores of all executors.
 #[derive(Debug, Default)]
-pub(super) struct FreeCores(HashMap<String, Cores>);
+pub(super) struct FreeCores {
+    /// By their names.
+    executors: HashMap<String, Cores>,
+    /// Whether an executor has ever joined.
+    joined: bool,
+}
 
 impl FreeCores {
     pub(super) fn join(&mut self, executor: &str, all: u32, free: u32) {
-        self.0.insert(executor.to_owned(), Cores { all, free });
+        self.joined = true;
+        self.executors.insert(executor.to_owned(), Cores { all, free });
     }
 
-    pub(super) fn leave(&mut self, executor: &str) {
-        self.0.remove(executor);
+    /// Returns whether the executor was there.
+    pub(super) fn leave(&mut self, executor: &str) -> bool {
+        self.executors.remove(executor).is_some()
+    }
+
+    /// Whether all executors have left.
+    pub(super) fn are_lost(&self) -> bool {
+        self.joined && self.executors.is_empty()
     }
 
     pub(super) fn an_executor(&self) -> Option<String> {
-        self.0.keys().next().cloned()
+        self.executors.keys().next().cloned()
     }
 
     pub(super) fn give_back(&mut self, slots: &[ExecutorSlot]) {
         for (executor, count) in slots {
-            if let Some(cores) = self.0.get_mut(executor) {
+            if let Some(cores) = self.executors.get_mut(executor) {
                 cores.free += count;
             }
         }
@@ -44,7 +56,7 @@ impl FreeCores {
 
     pub(super) fn take(&mut self, tasks: &[BoundTask]) {
         for (executor, task) in tasks {
-            if let Some(cores) = self.0.get_mut(executor) {
+            if let Some(cores) = self.executors.get_mut(executor) {
                 cores.free = cores.free.saturating_sub(task.vcores_consumed);
             }
         }
@@ -53,7 +65,7 @@ impl FreeCores {
     /// The cores that are neither free nor busy. They are free from now on.
     pub(super) fn forgotten(&mut self, busy: &HashMap<String, u32>) -> Vec<ExecutorSlot> {
         let mut forgotten = Vec::new();
-        for (executor, cores) in &mut self.0 {
+        for (executor, cores) in &mut self.executors {
             let busy = busy.get(executor).copied().unwrap_or(0);
             let lost = cores.all.saturating_sub(cores.free.saturating_add(busy));
             if lost > 0 {
@@ -84,6 +96,7 @@ mod tests {
     #[test]
     fn cores_of_tasks_that_were_taken_back_are_free_again() {
         let mut cores = FreeCores::default();
+        assert!(!cores.are_lost());
         cores.join("one", 4, 4);
         cores.join("two", 1, 0);
         // `two` has a task, which is taken back
@@ -92,8 +105,9 @@ mod tests {
         assert_eq!(cores.forgotten(&HashMap::new()), [("two".to_owned(), 1)]);
         // what is free stays free
         assert_eq!(cores.forgotten(&HashMap::new()), []);
-        cores.leave("two");
+        assert!(cores.leave("two") && !cores.leave("two") && !cores.are_lost());
         cores.give_back(&[("two".to_owned(), 1)]);
         assert_eq!(cores.forgotten(&HashMap::new()), []);
+        assert!(cores.leave("one") && cores.are_lost());
     }
 }

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use ballista_core::extension::SessionConfigExt;
-use ballista_core::serde::protobuf::UpdateTaskStatusParams;
 use ballista_core::serde::protobuf::scheduler_grpc_server::SchedulerGrpc;
+use ballista_core::serde::protobuf::{ExecutorStoppedParams, UpdateTaskStatusParams};
 use ballista_scheduler::cluster::memory::InMemoryJobState;
 use ballista_scheduler::cluster::{BallistaCluster, ClusterState};
 use ballista_scheduler::config::SchedulerConfig;
@@ -111,6 +111,9 @@ const PAUSE: Duration = Duration::from_secs(1);
 ///
 /// Ballista 55 distributes them when a task ends. If the last task of an executor was taken back, because the rows that it reads were lost
 /// with another executor, none ends. A report without tasks has the effect of one that ends.
+///
+/// If all executors are lost, Ballista fails the jobs of that time after a minute, unless an executor comes. Jobs that come later would wait
+/// for ever. The loss of an executor that was never there begins another minute, in which Ballista sees them.
 async fn distribute(scheduler: SchedulerServer<LogicalPlanNode, PhysicalPlanNode>, admission: &Admission) {
     loop {
         sleep(PAUSE).await;
@@ -121,6 +124,12 @@ async fn distribute(scheduler: SchedulerServer<LogicalPlanNode, PhysicalPlanNode
             };
             // The next one comes in a second.
             let _ = SchedulerGrpc::update_task_status(&scheduler, Request::new(report)).await;
+        } else if admission.has_lost_all() && scheduler.running_job_number() > 0 {
+            let loss = ExecutorStoppedParams {
+                executor_id: "nobody".to_owned(),
+                reason: "all executors are lost".to_owned(),
+            };
+            let _ = SchedulerGrpc::executor_stopped(&scheduler, Request::new(loss)).await;
         }
     }
 }
