@@ -28,6 +28,7 @@ mod settings;
 mod solver;
 mod trace;
 mod turn;
+pub(crate) mod used;
 
 pub use list::{Functions, functions, register};
 pub(crate) use path::ENDING;
@@ -35,3 +36,4 @@ pub(crate) use points::{Points, text_of};
 #[cfg(feature = "cluster")]
 pub(crate) use pose::is_own;
 pub use settings::Settings;
+pub(crate) use turn::TurnFunction;

@@ -15,6 +15,7 @@ use super::names::{plain, unit};
 use super::pose::{choice, dimensions, documented};
 use super::settings;
 use super::solver::{Choice, Given, Solver};
+use super::used;
 
 /// The number of poses of a turn, unless it is given.
 const POSES: f64 = 360.0;
@@ -48,6 +49,8 @@ pub(crate) struct Call<'s> {
     /// The rows in which no argument is null.
     pub(crate) valid: Option<NullBuffer>,
     pub(crate) rows: usize,
+    /// The fields that the query uses, `None` if it may use all.
+    pub(crate) used: Option<Vec<String>>,
     pub(crate) vectors: Vectors,
 }
 
@@ -120,8 +123,10 @@ impl Search {
     }
 
     pub(crate) fn coerce_types(&self, types: &[DataType]) -> Result<Vec<DataType>> {
-        let types = coerced(&self.name, &self.arguments, self.required, types)?;
+        let (types, used) = used::split_types(types);
+        let mut types = coerced(&self.name, &self.arguments, self.required, types)?;
         self.places(&types)?;
+        types.extend(used.cloned());
         Ok(types)
     }
 
@@ -145,20 +150,22 @@ impl Search {
 
     /// Reads the arguments of a call.
     pub(crate) fn call(&self, args: &ScalarFunctionArgs) -> Result<Call<'_>> {
-        let types: Vec<DataType> = args.args.iter().map(ColumnarValue::data_type).collect();
+        let (given, used) = used::split(&args.args);
+        let types: Vec<DataType> = given.iter().map(ColumnarValue::data_type).collect();
         let (assembly, options) = self.places(&types)?;
         if options.len() == 3 {
             return exec_err!("{} takes `from` together with `to`", self.name);
         }
-        let number = |place: usize| Numbers::new(&args.args[place]);
+        let number = |place: usize| Numbers::new(&given[place]);
         Ok(Call {
             search: self,
-            texts: args.args[..self.texts].iter().map(Texts::new).collect::<Result<_>>()?,
+            texts: given[..self.texts].iter().map(Texts::new).collect::<Result<_>>()?,
             numbers: (self.texts..self.required).map(number).collect::<Result<_>>()?,
-            assembly: assembly.map_or(Ok(Texts::Same(None)), |place| Texts::new(&args.args[place]))?,
+            assembly: assembly.map_or(Ok(Texts::Same(None)), |place| Texts::new(&given[place]))?,
             options: options.into_iter().map(number).collect::<Result<_>>()?,
-            valid: valid_rows(&args.args, args.number_rows),
+            valid: valid_rows(given, args.number_rows),
             rows: args.number_rows,
+            used,
             vectors: settings::vectors(&args.config_options)?,
         })
     }

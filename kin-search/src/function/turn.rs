@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use datafusion::arrow::array::{ArrayRef, BooleanArray, Float64Builder, StructArray};
+use datafusion::arrow::array::{ArrayRef, BooleanArray, Float64Builder, StructArray, new_null_array};
 use datafusion::arrow::datatypes::{DataType, Field, Fields};
 use datafusion::common::{Result, exec_datafusion_err};
 use kin_core::RATES;
@@ -77,9 +77,34 @@ impl TurnFunction {
         }
     }
 
+    /// The numbers of which a field is used, in their order.
+    fn used(&self, call: &Call<'_>) -> Vec<bool> {
+        let mut fields = self.fields.iter().skip(self.fields.len() - self.columns());
+        let is_used = |field: &Arc<Field>| call.used.as_ref().is_none_or(|used| used.contains(field.name()));
+        let of_number = |(_, summarised): &(FoldedNumber, Summarised)| {
+            // All fields of the number are taken.
+            let used = fields.by_ref().take(summarised.fields()).filter(|field| is_used(field));
+            used.count() > 0
+        };
+        self.numbers.iter().map(of_number).collect()
+    }
+
+    /// The number of fields of all numbers.
+    fn columns(&self) -> usize {
+        self.numbers.iter().map(|(_, summarised)| summarised.fields()).sum()
+    }
+
     fn evaluate(&self, call: &Call<'_>) -> Result<StructArray> {
-        let mut folds: Vec<Fold> = self.numbers.iter().map(|(number, _)| Fold::of(*number)).collect();
-        let columns: usize = self.numbers.iter().map(|(_, summarised)| summarised.fields()).sum();
+        let is_used = self.used(call);
+        let used = || {
+            self.numbers
+                .iter()
+                .zip(&is_used)
+                .filter(|(_, used)| **used)
+                .map(|(number, _)| *number)
+        };
+        let mut folds: Vec<Fold> = used().map(|(number, _)| Fold::of(number)).collect();
+        let columns: usize = used().map(|(_, summarised)| summarised.fields()).sum();
         let mut closed = Float64Builder::with_capacity(call.rows);
         let mut rotates = Vec::with_capacity(call.rows);
         let mut numbers: Vec<Float64Builder> = (0..columns).map(|_| Float64Builder::with_capacity(call.rows)).collect();
@@ -100,15 +125,24 @@ impl TurnFunction {
             closed.append_value(count(summary.solved) / count(candidate.turn.poses));
             rotates.push(Some(summary.failed == 0));
             let mut builders = numbers.iter_mut();
-            for (fold, (_, summarised)) in folds.iter().zip(&self.numbers) {
-                let values = Self::values(fold, *summarised, &candidate.turn);
+            for (fold, (_, summarised)) in folds.iter().zip(used()) {
+                let values = Self::values(fold, summarised, &candidate.turn);
                 for (value, builder) in values.into_iter().take(summarised.fields()).zip(&mut builders) {
                     builder.append_option(value);
                 }
             }
         }
         let mut arrays: Vec<ArrayRef> = vec![Arc::new(closed.finish()), Arc::new(BooleanArray::from(rotates))];
-        arrays.extend(numbers.iter_mut().map(|builder| Arc::new(builder.finish()) as ArrayRef));
+        let mut numbers = numbers.iter_mut().map(|builder| Arc::new(builder.finish()) as ArrayRef);
+        let unused = new_null_array(&DataType::Float64, call.rows);
+        for ((_, summarised), used) in self.numbers.iter().zip(is_used) {
+            let fields = 0..summarised.fields();
+            if used {
+                arrays.extend(fields.zip(&mut numbers).map(|(_, array)| array));
+            } else {
+                arrays.extend(fields.map(|_| Arc::clone(&unused)));
+            }
+        }
         let arrays = StructArray::try_new_with_length(self.fields.clone(), arrays, call.valid.clone(), call.rows)?;
         Ok(arrays)
     }

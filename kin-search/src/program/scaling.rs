@@ -3,9 +3,12 @@
 use std::io::{BufRead, BufReader};
 use std::net::Ipv4Addr;
 use std::process::{Child, Command, Stdio};
+use std::sync::Arc;
 use std::time::Instant;
 
-use datafusion::arrow::array::RecordBatch;
+use datafusion::arrow::array::{ArrayRef, RecordBatch};
+use datafusion::arrow::compute::concat_batches;
+use datafusion::arrow::datatypes::Schema;
 use datafusion::prelude::SessionContext;
 use kin_search::cluster::{Client, Connection, Identity, Place};
 use kin_search::{Functions, Options, session};
@@ -102,7 +105,7 @@ impl ScalingArguments {
                     bytes,
                 });
             }
-            if found != rows {
+            if columns(&found)? != columns(&rows)? {
                 println!("                      the rows differ from those in process");
             }
         }
@@ -137,6 +140,15 @@ async fn answer(session: &SessionContext, connection: &Connection, query: &str) 
     let plan = session.state().create_logical_plan(query).await?;
     let plan = connection.plan(session, plan).await?;
     Ok(session.execute_logical_plan(plan).await?.collect().await?)
+}
+
+/// The columns of some rows.
+fn columns(rows: &[RecordBatch]) -> Result<Vec<ArrayRef>, Fault> {
+    let schema = rows
+        .first()
+        .map_or_else(|| Arc::new(Schema::empty()), RecordBatch::schema);
+    let all = concat_batches(&schema, rows).map_err(wrong)?;
+    Ok(all.columns().to_vec())
 }
 
 /// The five four-bars with the largest swing of the rocker among those that turn: a whole turn is solved for each id.

@@ -1,5 +1,6 @@
 //! A session of queries in this process: its functions and its limits.
 
+mod fields;
 mod points;
 
 use std::sync::Arc;
@@ -52,6 +53,7 @@ pub fn state(functions: &Functions, config: SessionConfig, options: &Options) ->
         .with_config(config)
         .with_runtime_env(Arc::new(runtime.build()?))
         .with_default_features()
+        .with_optimizer_rule(Arc::new(fields::OnlyUsedFields))
         .build();
     functions.register(&mut state)?;
     Ok(state)
@@ -83,18 +85,90 @@ pub fn session(functions: &Functions, options: &Options) -> Result<SessionContex
 
 #[cfg(test)]
 mod tests {
-    use super::{Options, session};
+    use datafusion::arrow::util::pretty::pretty_format_batches;
+
+    use datafusion::optimizer::OptimizerRule as _;
+
+    use super::{Options, SessionStateBuilder, config, fields, session, state};
     use crate::Functions;
+
+    /// The optimized plan of a query, as text.
+    async fn optimized(sql: &str) -> String {
+        let session = session(&Functions::library(), &Options::default()).expect("a session");
+        let plan = session.sql(sql).await.expect("the query is right");
+        let plan = plan.into_optimized_plan().expect("it can be optimized");
+        plan.display_indent().to_string()
+    }
+
+    const TURN: &str = "four_bar_turn(1, candidate(value, 1, 1, 0.1, 1.0), 1.5, 1.5)";
 
     #[tokio::test]
     async fn a_turn_is_solved_once_for_all_its_fields() {
-        let session = session(&Functions::library(), &Options::default()).expect("a session");
-        let sql = "select min(turn['theta4_peak_snap']) as snap from (
-                select four_bar_turn(1, candidate(value, 1, 1, 0.1, 1.0), 1.5, 1.5) as turn from range(0, 100)
-            ) where turn['rotates'] and turn['theta4_swing'] > 1";
-        let plan = session.sql(sql).await.expect("the query is right");
-        let plan = plan.into_optimized_plan().expect("it can be optimized");
-        let text = plan.display_indent().to_string();
+        let text = optimized(&format!(
+            "select min(turn['theta4_peak_snap']) as snap from (select {TURN} as turn from range(0, 100))
+            where turn['rotates'] and turn['theta4_swing'] > 1"
+        ))
+        .await;
         assert_eq!(text.matches("four_bar_turn(").count(), 1, "{text}");
+        assert!(
+            text.contains("List([rotates, theta4_peak_snap, theta4_swing])"),
+            "{text}"
+        );
+    }
+
+    #[tokio::test]
+    async fn a_turn_that_is_handed_on_is_summarised_in_all_fields() {
+        let range = "range(0, 100)";
+        for whole in [
+            format!("select {TURN} as turn from {range}"),
+            format!("select turn, turn['closed'] as closed from (select {TURN} as turn from {range})"),
+            format!(
+                "select turn['closed'] as closed, turn is null as missing from (select {TURN} as turn from {range})"
+            ),
+            format!("select distinct turn from (select {TURN} as turn from {range})"),
+            format!(
+                "select turn['closed'] as closed from (select {TURN} as turn from {range} union all select {TURN} from {range})"
+            ),
+            format!("select first_value(turn order by turn['closed']) from (select {TURN} as turn from {range})"),
+        ] {
+            let text = optimized(&whole).await;
+            assert!(
+                text.contains("four_bar_turn(") && !text.contains("List(["),
+                "{whole}\n{text}"
+            );
+        }
+    }
+
+    #[tokio::test]
+    async fn rows_are_the_same_with_all_fields() {
+        let own = session(&Functions::library(), &Options::default()).expect("a session");
+        let all = state(&Functions::library(), config(&Options::default()), &Options::default()).expect("a state");
+        let mut rules = all.optimizers().to_vec();
+        rules.retain(|rule| rule.name() != fields::OnlyUsedFields.name());
+        let all = SessionStateBuilder::new_from_existing(all)
+            .with_optimizer_rules(rules)
+            .build();
+        let all = datafusion::prelude::SessionContext::new_with_state(all);
+        for query in [
+            "select id, turn['where_min_transmission'] as place, turn['theta4_least'] as least, turn['theta3_where_peak_jerk'] as jerk
+            from (select value as id, four_bar_turn(1, 0.2 + 0.01 * value, 1.5, 1.5, 'crossed', 100) as turn from range(0, 100))
+            where turn['closed'] > 0.5 order by id",
+            "select four_bar_turn(1, 0.2, 1.5, 0.5 + 0.01 * value)['theta4_peak_snap'] from range(0, 100)",
+            "select value, four_bar_turn(1, 0.2, 1.5, 1.5, case when value < 5 then null else 2.0 + value end)['theta4_swing'] as swing
+            from range(0, 10)",
+            "with a as (select value as id, four_bar_turn(1, 0.2, 1.5, 1.5, 360, 1.0 + value) as turn from range(0, 9)),
+            b as (select *, turn['theta4_peak_velocity'] as v from a)
+            select b.id, b.v, b.turn['theta4_peak_snap'] as s from b join a on a.id = b.id and a.turn['closed'] = 1 order by 1",
+            "select count(*) from range(0, 9) as r where 1.0 > (select max(turn['theta4_swing']) from
+            (select four_bar_turn(1, 0.2, 1.5, 1.5) as turn from range(0, 2)))",
+        ] {
+            let (few, many) = (own.sql(query).await, all.sql(query).await);
+            let few = few.expect("the query is right").collect().await.expect("rows");
+            let many = many.expect("the query is right").collect().await.expect("rows");
+            assert_eq!(
+                pretty_format_batches(&few).expect("a table").to_string(),
+                pretty_format_batches(&many).expect("a table").to_string(),
+            );
+        }
     }
 }

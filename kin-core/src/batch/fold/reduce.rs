@@ -91,25 +91,8 @@ impl Kernel for Reduction<'_> {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn reduce<const COMPLETE: bool>(values: &[f64], first: usize, folded: &mut Folded) {
     let (rows, rest) = values.as_chunks::<ABREAST>();
-    let mut running = Running::NONE;
-    for row in rows {
-        running.compare(row);
-    }
-    let mut present = values.len();
-    if COMPLETE {
-        for row in rows {
-            running.add(row);
-        }
-    } else {
-        let mut missing = [0_u64; ABREAST];
-        for row in rows {
-            for lane in 0..ABREAST {
-                missing[lane] += u64::from(row[lane].is_nan());
-            }
-            running.add(&without_nan(row));
-        }
-        present -= total(&missing);
-    }
+    let (mut running, missing) = of_rows::<COMPLETE>(rows);
+    let mut present = values.len() - if COMPLETE { 0 } else { total(&missing) };
     if !rest.is_empty() {
         let mut last = [f64::NAN; ABREAST];
         last[..rest.len()].copy_from_slice(rest);
@@ -136,7 +119,32 @@ fn reduce<const COMPLETE: bool>(values: &[f64], first: usize, folded: &mut Folde
     folded.sum_of_squares += sum_of_squares;
 }
 
+/// What is known of some rows, and how many values each lane lacks.
+///
+/// The running values stay here, and the caller gets copies. If another function were given the address of the running values,
+/// the compiler would store them in every row. A store across two pages takes longer than all the rest of the row.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn of_rows<const COMPLETE: bool>(rows: &[[f64; ABREAST]]) -> (Running, [u64; ABREAST]) {
+    let mut running = Running::NONE;
+    let mut missing = [0_u64; ABREAST];
+    for row in rows {
+        running.compare(row);
+    }
+    for row in rows {
+        if COMPLETE {
+            running.add(row);
+        } else {
+            for lane in 0..ABREAST {
+                missing[lane] += u64::from(row[lane].is_nan());
+            }
+            running.add(&without_nan(row));
+        }
+    }
+    (running.clone(), missing)
+}
+
 /// What is known of the values so far: one set for each place of a row, or one for all of them.
+#[derive(Clone)]
 struct Row<V> {
     least: V,
     greatest: V,
@@ -233,9 +241,22 @@ fn in_halves(mut lanes: [f64; ABREAST], combine: impl Fn(f64, f64) -> f64) -> f6
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_of(values: &[f64], wanted: f64) -> Option<(usize, f64)> {
     let (rows, rest) = values.as_chunks::<ABREAST>();
+    let found = first_rows(rows, wanted);
+    let index = first_place(&found).unwrap_or_else(|| {
+        #[expect(clippy::float_cmp, reason = "it is one of these values")]
+        let place = rest.iter().position(|value| *value == wanted);
+        values.len() - rest.len() + place.unwrap_or(rest.len())
+    });
+    values.get(index).map(|value| (index, *value))
+}
+
+/// The start of the first row in which each lane has this value, infinity if none has it. The caller gets a copy, as from
+/// [`of_rows`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn first_rows(rows: &[[f64; ABREAST]], wanted: f64) -> [f64; ABREAST] {
     // From the last row to the first, so that the first of equal values remains. A loop that stops at it takes longer.
     let mut found = [f64::INFINITY; ABREAST];
-    let mut start = [count(values.len() - rest.len()); ABREAST];
+    let mut start = [count(ABREAST * rows.len()); ABREAST];
     for row in rows.iter().rev() {
         for lane in 0..ABREAST {
             start[lane] -= const { count(ABREAST) };
@@ -250,12 +271,7 @@ fn first_of(values: &[f64], wanted: f64) -> Option<(usize, f64)> {
             found[lane] = lesser(here[lane], found[lane]);
         }
     }
-    let index = first_place(&found).unwrap_or_else(|| {
-        #[expect(clippy::float_cmp, reason = "it is one of these values")]
-        let place = rest.iter().position(|value| *value == wanted);
-        values.len() - rest.len() + place.unwrap_or(rest.len())
-    });
-    values.get(index).map(|value| (index, *value))
+    found
 }
 
 /// The first place that was found, from the start of the row in which each lane found it. A separate function, as
