@@ -225,6 +225,14 @@ fn four_bar() {
         [Number::atan2(sine, cosine + 0.5), Number::atan2(sine, cosine - 0.5)]
     });
     race.enter(
+        "four_bar.single_precision_sine_cosine_and_two_arctangents",
+        values(),
+        |angle| {
+            let (sine, cosine) = Number::sin_cos(black_box(angle) as f32);
+            [Number::atan2(sine, cosine + 0.5), Number::atan2(sine, cosine - 0.5)]
+        },
+    );
+    race.enter(
         "four_bar.the_library_s_sine_cosine_and_two_arctangents",
         values(),
         |angle| {
@@ -283,6 +291,10 @@ fn four_bar() {
             "the_library_s_sine_cosine_and_two_arctangents",
         ),
         ("single_precision", "generated"),
+        (
+            "single_precision_sine_cosine_and_two_arctangents",
+            "sine_cosine_and_two_arctangents",
+        ),
         ("position", "generated"),
         ("through_velocity", "generated"),
         ("through_acceleration", "generated"),
