@@ -279,12 +279,15 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         let [low, high] = [line.low, line.high];
         let is_line = is_finite(line.from.as_ref()) && is_finite(line.direction.as_ref());
         let is_known = is_finite(parameters.as_ref()) && is_line && (high - low).is_finite();
-        if !is_known || high <= low {
-            let quantity = if is_known {
-                // what a search over the range would divide by
-                "reciprocal of the length of the range, which is zero"
-            } else {
+        let stands = line.direction.as_ref().iter().all(|rate| *rate == 0.0);
+        if !is_known || stands || high <= low {
+            // what a search along the line or over the range would divide by
+            let quantity = if !is_known {
                 "parameters or range of the inputs"
+            } else if stands {
+                "reciprocal of the direction of the inputs, which is zero"
+            } else {
+                "reciprocal of the length of the range, which is zero"
             };
             let failure = Failure::NotFinite { quantity };
             let names = InputValues::new(M::DESCRIPTION.inputs, line.from.as_ref());

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use std::{format, println};
 
 use super::{BarkerClass, Branch, Cycle, EndKind, FullCycle, GrashofType, MeasureError};
-use crate::failure::Failure;
+use crate::failure::{Failure, SolveError};
 use crate::geometry::Plane;
 use crate::library::*;
 use crate::mechanism::Mechanism;
@@ -447,11 +447,17 @@ fn a_time_ratio_needs_a_return() {
 
 #[test]
 fn a_range_without_a_length_is_told() {
-    let Err(error) = SAMPLE.cycle_over(1.0..=1.0) else {
-        panic!("there is no length")
+    let told = |found: Result<Cycle<FourBar>, SolveError>, what: &str| {
+        let Err(error) = found else {
+            panic!("there is no {what}")
+        };
+        let what = format!("{what}, which is zero");
+        assert!(std::string::ToString::to_string(&error).contains(&what), "{error}");
     };
-    assert!(
-        std::string::ToString::to_string(&error).contains("length of the range, which is zero"),
-        "{error}"
+    told(SAMPLE.cycle_over(1.0..=1.0), "length of the range");
+    told(SAMPLE.cycle_along([1.0], [0.0]), "direction of the inputs");
+    told(
+        SAMPLE.cycle_along_over([1.0], [-0.0], 0.0..=1.0),
+        "direction of the inputs",
     );
 }

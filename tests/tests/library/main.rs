@@ -891,7 +891,7 @@ impl FullTurn {
 impl Visitor for FullTurn {
     fn visit<M: ThroughSnap>(&mut self, case: Case) {
         // a length does not turn
-        if M::DESCRIPTION.inputs[0].dimension != Dimension::Angle {
+        if const { !matches!(M::DESCRIPTION.inputs[0].dimension, Dimension::Angle) } {
             return;
         }
         let mechanism: M = case.mechanism();

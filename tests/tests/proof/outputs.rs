@@ -67,7 +67,8 @@ fn outputs_by_differentiation() {
     impl Visitor for Prove {
         fn visit<M: ThroughSnap>(&mut self, case: Case) {
             type Pose<M> = <<M as Mechanism>::With<Nested> as Mechanism>::Pose;
-            if M::DESCRIPTION.outputs.is_empty() {
+            // Known when it is compiled, so that nothing below is compiled for a mechanism without outputs.
+            if const { M::DESCRIPTION.outputs.is_empty() } {
                 return;
             }
             let mut random = Random::new(51);
