@@ -389,7 +389,9 @@ fn labels_agree_with_the_cycle() {
         assert!(!has_change_point, "{name}");
         assert_eq!(turns(&cycle), expected, "{name} {cycle:?}");
     }
-    assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+    let seen = counts.iter().filter(|count| **count > 0).count();
+    let least = if samples::are_all() { counts.len() } else { 12 };
+    assert!(seen >= least, "{counts:?}");
 }
 
 /// An input outside of a branch has no position on it, even if the assembly closes there on another branch.

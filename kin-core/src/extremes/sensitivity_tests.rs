@@ -11,7 +11,7 @@ use crate::library::{ClassThreeTriad, FourBar, SliderCrank};
 use crate::load::{Load, LoadError, Loads};
 use crate::mechanism::{Mechanism, Partials, sensitivities_of};
 use crate::motion::Motion;
-use crate::number::{Changing, Number, Row};
+use crate::number::{Changing, Number, Row, samples};
 use crate::solve::Scalar;
 use crate::sweep::{Course, Local, SmoothDrive, Sweep};
 
@@ -120,8 +120,13 @@ fn check_by_differences<M: Mechanism<Scalar = f64>>(
 ) {
     let parameters = mechanism.parameters();
     let count = found.by.as_ref().len();
-    // each takes four searches: of many dimensions, every third is enough beside the dual numbers
-    let places = (0..count).step_by(if count > 6 { 3 } else { 1 });
+    // each takes four searches: of many dimensions, some are enough beside the dual numbers
+    let step = match (count > 6, samples::are_all()) {
+        (false, true) => 1,
+        (true, true) | (false, false) => 3,
+        (true, false) => 6,
+    };
+    let places = (0..count).step_by(step);
     for (place, sensitivity) in places.map(|place| (place, &found.by[place])) {
         let own: f64 = parameters[place];
         let unit = if own == 0.0 { 1.0 } else { own.abs() };

@@ -1,10 +1,11 @@
 //! The number of samples that a test draws.
 
-/// All of them with the environment variable `KIN_EVERY_CASE`, which `.ci/run` sets, and a quarter of them without it.
+/// All of them with the environment variable `KIN_EVERY_CASE`, which `.ci/run` sets, and a tenth of them without it.
 pub(crate) fn of(every: u32) -> u32 {
-    if std::env::var_os("KIN_EVERY_CASE").is_some() {
-        every
-    } else {
-        every.div_ceil(4)
-    }
+    if are_all() { every } else { every.div_ceil(10) }
+}
+
+/// Whether tests draw all samples.
+pub(crate) fn are_all() -> bool {
+    std::env::var_os("KIN_EVERY_CASE").is_some()
 }

@@ -129,6 +129,16 @@ pub fn library(visitor: &mut impl Visitor) {
     library_besides(visitor);
 }
 
+/// The library, or without the feature `every-case` a mechanism of it for each closed form.
+pub fn some_of_the_library(visitor: &mut impl Visitor) {
+    library_of_each_form(visitor);
+    #[cfg(feature = "every-case")]
+    {
+        library_besides(visitor);
+        coupled_library(visitor);
+    }
+}
+
 /// All whose assemblies have names.
 pub fn all(visitor: &mut impl Visitor) {
     four_bars(visitor);

@@ -24,6 +24,7 @@ mod unit;
 
 use checks::{Size, run};
 use engine::Of;
+use kin_tests::samples;
 use tally::Report;
 use topology::{Topology, Visitor};
 
@@ -51,10 +52,10 @@ fn campaign(size: Size) {
 #[test]
 fn small() {
     campaign(Size {
-        draws: 5,
-        tracked: 4,
-        edges: 4,
-        parallel: 600,
+        draws: samples::of(20),
+        tracked: samples::of(20),
+        edges: samples::of(20),
+        parallel: samples::of(2000),
         seed: 1,
     });
 }

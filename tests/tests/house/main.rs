@@ -155,3 +155,51 @@ fn kin_macros_is_layered() {
     let arrows = assert_in_order(&MACROS);
     assert_drawn(&MACROS, &arrows);
 }
+
+/// The lines between a heading of the chapter on the architecture and the next one.
+fn section(heading: &str) -> String {
+    let text = fs::read_to_string(root().join("docs/architecture.md")).expect("the chapter is there");
+    let (_, after) = text
+        .split_once(&format!("\n## {heading}\n"))
+        .unwrap_or_else(|| panic!("there is no heading {heading}"));
+    after.split("\n## ").next().unwrap_or_default().to_owned()
+}
+
+/// The cells of a table's rows that hold a path, without its marks.
+fn paths_of_column(section: &str, column: usize) -> Vec<String> {
+    section
+        .lines()
+        .filter(|line| line.starts_with("| "))
+        .filter_map(|line| line.split('|').nth(column + 1))
+        .flat_map(|cell| cell.split(','))
+        .filter_map(|name| name.trim().strip_prefix('`')?.strip_suffix('`'))
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The book has a line for each room, and for no other: a list that is kept twice would soon be two lists.
+#[test]
+fn the_book_describes_every_room() {
+    for house in [&CORE, &MACROS] {
+        let mut described = paths_of_column(&section(house.name), 0);
+        let mut expected: Vec<String> = house
+            .rooms
+            .iter()
+            .flat_map(|room| room.files)
+            .map(|file| (*file).to_owned())
+            .collect();
+        described.sort_unstable();
+        expected.sort_unstable();
+        assert_eq!(described, expected, "{}", house.name);
+    }
+}
+
+/// Each file that the book sends a newcomer to is there.
+#[test]
+fn the_book_knows_where_to_look() {
+    let files = paths_of_column(&section("Where to look"), 1);
+    assert!(files.len() > 10, "{files:?}");
+    for file in files {
+        assert!(root().join(&file).is_file(), "{file}");
+    }
+}

@@ -223,7 +223,8 @@ fn triads() {
             .entry(compare(&mechanism, theta, [alpha, beta, gamma, phi], end))
             .or_insert(0) += 1;
     }
-    assert!(tally["there, and walked"] > 2 && tally["limit"] > 2, "{tally:?}");
+    let few = samples::of(50) / 20;
+    assert!(tally["there, and walked"] > few && tally["limit"] > few, "{tally:?}");
 }
 
 #[test]
@@ -245,5 +246,6 @@ fn six_bars_driven_at_the_far_dyad() {
             .entry(compare(&mechanism, theta6, unknowns, theta6 + TAU))
             .or_insert(0) += 1;
     }
-    assert!(tally["there, and walked"] > 2 && tally["limit"] > 2, "{tally:?}");
+    let few = samples::of(50) / 20;
+    assert!(tally["there, and walked"] > few && tally["limit"] > few, "{tally:?}");
 }

@@ -295,7 +295,7 @@ fn from_beside(
 fn a_start_beside_a_limit_goes_back_or_ends_at_it() {
     let mut random = Random::new(46);
     let mut nearest: f64 = 1.0;
-    for _ in 0..samples::of(40) {
+    for _ in 0..samples::of(100) {
         let [r1, r2, r3, r4] = [(); 4].map(|()| random.between(0.3, 1.0));
         let linkage = FourBar { r1, r2, r3, r4 };
         let Some(range) = linkage.crank_range() else { continue };

@@ -248,7 +248,8 @@ fn other_mechanisms_of_extreme_proportions() {
         triads.around(&triad, q, Some([u, v, x, y]), TAU, |_, _| {});
     }
     for tally in &tallies {
-        assert!(tally.arrived > 0 && tally.tracks >= 50, "{tally:?}");
+        assert!(3 * tally.tracks >= 5 * samples::of(120) as u64, "{tally:?}");
+        assert!(tally.arrived > 0 || !cfg!(feature = "every-case"), "{tally:?}");
         let most = Calls {
             solutions: 500,
             closures: 50_000,

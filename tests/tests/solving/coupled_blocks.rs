@@ -8,6 +8,7 @@ use kin_tests::mechanisms::coupled::{
 };
 use kin_tests::oracles::{Reported, Worst};
 use kin_tests::random::Random;
+use kin_tests::samples;
 
 /// Both oracles, and the unknowns that the mechanism was built around.
 fn check<M, const UNKNOWNS: usize>(worst: &mut Worst, built: &Built<M, UNKNOWNS>, random: &mut Random)
@@ -82,7 +83,7 @@ fn triad() {
 fn all_assemblies_of_a_triad() {
     let mut random = Random::new(6);
     let mut seen = [0; 7];
-    let count = if cfg!(feature = "every-case") { 100 } else { 40 };
+    let count = samples::of(100);
     for _ in 0..count {
         let Built {
             mechanism,
@@ -109,9 +110,10 @@ fn all_assemblies_of_a_triad() {
     }
     println!("assemblies of a triad: {seen:?}");
     assert!(
-        seen[2] > 0 && seen[4] > 0 && seen[6] > 0 && seen[1] + seen[3] + seen[5] == 0,
+        seen[2] > 0 && seen[4] > 0 && seen[1] + seen[3] + seen[5] == 0,
         "{seen:?}"
     );
+    assert!(seen[6] > 0 || !cfg!(feature = "every-case"), "{seen:?}");
 }
 
 fn at(length: f64, angle: f64) -> Plane {

@@ -10,6 +10,7 @@ use kin_core::prelude::*;
 use kin_precise::Number;
 use kin_tests::random::Random;
 use kin_tests::reference::{Given, solution};
+use kin_tests::samples;
 
 /// By how many units an unknown may be off, of ε times the condition with what is carried from order to order.
 const ALLOWED: f64 = 1.0;
@@ -112,14 +113,14 @@ fn a_slider_drives_a_folded_slider_crank() {
     let mut random = Random::new(8);
     for exponent in 0..6 {
         let mut worst = Worst::default();
-        for _ in 0..40 {
+        for _ in 0..samples::of(40) {
             let (linkage, slider) = folded(&mut random, f64::from(exponent));
             for assembly in Assembly::BOTH {
                 worst.hold(&linkage, slider, assembly);
             }
         }
         println!("ends at 1e-{exponent}: {worst:.2?}");
-        assert!(worst.poses >= 40, "{worst:?}");
+        assert!(worst.poses >= samples::of(40), "{worst:?}");
     }
 }
 
@@ -130,7 +131,7 @@ fn a_four_bar_linkage_folded_to_a_kite() {
     for exponent in 0..6 {
         let mut worst = Worst::default();
         let distance = 10_f64.powi(-exponent);
-        for _ in 0..40 {
+        for _ in 0..samples::of(40) {
             let [ground, coupler] = [0; 2].map(|_| random.between(0.5, 1.0));
             let linkage = FourBar {
                 r1: ground,
@@ -144,6 +145,6 @@ fn a_four_bar_linkage_folded_to_a_kite() {
             }
         }
         println!("ends at 1e-{exponent}: {worst:.2?}");
-        assert!(worst.poses >= 40, "{worst:?}");
+        assert!(worst.poses >= samples::of(40), "{worst:?}");
     }
 }

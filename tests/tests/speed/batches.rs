@@ -19,7 +19,7 @@ const POSES: usize = 101;
 const UNITS: f64 = 4.0;
 
 /// Of every so many poses that condition is asked for; the others are held to what both oracles allow a single pose.
-const SAMPLE: usize = 8;
+const SAMPLE: usize = if cfg!(feature = "every-case") { 8 } else { 40 };
 
 /// A pose that was solved by itself, and the units in which its errors are told.
 struct Single<M: Mechanism> {

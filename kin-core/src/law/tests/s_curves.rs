@@ -2,6 +2,7 @@
 
 use super::{Random, of_piece, peaks, pieces};
 use crate::law::{Law as _, Limits, Piecewise as _, SCurve};
+use crate::number::samples;
 
 /// What is allowed beyond a limit, as a part of it.
 const EXCESS: f64 = 1e-12;
@@ -26,12 +27,12 @@ fn case(random: &mut Random, with_snap: bool) -> ([f64; 2], [f64; 4], SCurve) {
     ([from, to], [velocity, acceleration, jerk, snap], law)
 }
 
-/// Ten thousand cases of either kind: within the limits, over the distance, and always at one of the limits.
+/// Up to ten thousand cases of either kind: within the limits, over the distance, and always at one of the limits.
 #[test]
 fn limits_hold_and_one_is_always_reached() {
     let mut random = Random(1);
     let mut phases = [0_u32; 16];
-    for number in 0..20_000 {
+    for number in 0..samples::of(20_000) {
         let with_snap = number % 2 == 0;
         let ([from, to], limits, law) = case(&mut random, with_snap);
         let duration = law.duration();
@@ -88,7 +89,7 @@ fn limits_hold_and_one_is_always_reached() {
 #[test]
 fn peaks_are_within_the_limits() {
     let mut random = Random(2);
-    for number in 0..500 {
+    for number in 0..samples::of(500) {
         let (_, limits, law) = case(&mut random, number % 2 == 0);
         for (peak, limit) in peaks(&law).into_iter().zip(limits) {
             assert!(peak <= limit * (1.0 + EXCESS), "{law:?}");

@@ -108,7 +108,7 @@ pub(super) fn units(found: f64, expected: Double, digits: i32, smallest: f64) ->
 /// The divisor of sample counts. The Miri interpreter is slower by about this factor.
 pub(super) const THINNED: u32 = if cfg!(miri) { 1000 } else { 1 };
 
-/// Fractions that fill 0 .. 1 evenly: as many as `count`, or a quarter of them.
+/// Fractions that fill 0 .. 1 evenly: as many as `count`, or a tenth of them.
 pub(super) fn fractions(count: u32) -> impl Iterator<Item = f64> {
     let count = samples::of(count).div_ceil(THINNED);
     (1..=count).map(|k| (f64::from(k) * 0.618_033_988_749_894_9).fract())

@@ -24,8 +24,8 @@ fn small_declarations(count: u64, threads: usize) {
 }
 
 #[test]
-fn two_hundred_declarations() {
-    small_declarations(200, 1);
+fn fifty_declarations() {
+    small_declarations(50, 1);
 }
 
 /// `.ci/run` runs it.

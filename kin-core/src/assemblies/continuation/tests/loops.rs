@@ -5,6 +5,7 @@ use std::vec::Vec;
 use super::super::sequence::Sequence;
 use super::super::{PathCounts, Unsuitable, real_solutions};
 use super::table::Table;
+use crate::number::samples;
 
 /// Three general loops of six angles, where every angle turns a vector in every loop.
 ///
@@ -125,7 +126,7 @@ fn what_cannot_be_solved_is_refused() {
 #[test]
 fn a_length_in_coupled_loops() {
     let mut random = Sequence::new(11);
-    for _ in 0..40 {
+    for _ in 0..samples::of(40) {
         let mut table = Table::default();
         let mut vector = || [2.0 * random.fraction() - 1.0, 2.0 * random.fraction() - 1.0];
         // The length is the variable after those of the three angles.
