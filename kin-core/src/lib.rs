@@ -157,7 +157,7 @@ pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;
 pub use number::{Changing, Number, Operations, Row, series};
-pub use picture::{Body, Outline, Place, Places, Skeleton, Slide, TransmissionAngle};
+pub use picture::{Body, Outline, PlaneOrSpace, PointArray, Skeleton, Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
 pub use quantity::in_small_letters;

@@ -45,7 +45,7 @@ pub(crate) fn tokens(declaration: Option<&Declaration>, mistakes: Mistakes, runt
     let Some((first, others)) = errors.split_first() else {
         return TokenStream::new();
     };
-    let outline = Outline::new(declaration, runtime);
+    let outline = ReadableDeclaration::new(declaration, runtime);
     let structure = outline.structure(&quote!(#runtime::unexpanded!(#first)));
     let (name, poses, assembly) = (&declaration.name, outline.poses(), outline.assembly());
     let (solvers, rates) = (outline.solvers(), outline.rates());
@@ -96,7 +96,7 @@ pub(crate) fn tokens(declaration: Option<&Declaration>, mistakes: Mistakes, runt
 }
 
 /// The readable part of a declaration. Where a name is declared twice, the first is taken.
-struct Outline<'a> {
+struct ReadableDeclaration<'a> {
     declaration: &'a Declaration,
     runtime: &'a TokenStream,
     inputs: Vec<&'a QuantityItem>,
@@ -106,7 +106,7 @@ struct Outline<'a> {
     order: usize,
 }
 
-impl<'a> Outline<'a> {
+impl<'a> ReadableDeclaration<'a> {
     fn new(declaration: &'a Declaration, runtime: &'a TokenStream) -> Self {
         let mut outline = Self {
             declaration,

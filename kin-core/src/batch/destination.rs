@@ -14,20 +14,20 @@ use num_traits::Float;
 /// copied.
 pub(super) type Entries<'t, E> = &'t [Cell<E>];
 
-type Inputs<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
-type Unknowns<M, V> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<V>>;
-type Outputs<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<V>>;
+type InputPlaces<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
+type UnknownPlaces<M, V> = <M as Mechanism>::Unknowns<<M as Mechanism>::Motion<V>>;
+type OutputPlaces<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<<M as Mechanism>::Motion<V>>;
 
 /// The place for one number of each pose of a mechanism.
 type EntriesOf<'t, M> = Entries<'t, <M as Mechanism>::Scalar>;
 
 /// The places of all numbers.
 pub(super) struct Destination<'t, M: Mechanism> {
-    inputs: Inputs<M, EntriesOf<'t, M>>,
-    unknowns: Unknowns<M, EntriesOf<'t, M>>,
+    inputs: InputPlaces<M, EntriesOf<'t, M>>,
+    unknowns: UnknownPlaces<M, EntriesOf<'t, M>>,
     /// The places of the sines of unknowns that are directions.
     sines: M::Unknowns<EntriesOf<'t, M>>,
-    outputs: Outputs<M, EntriesOf<'t, M>>,
+    outputs: OutputPlaces<M, EntriesOf<'t, M>>,
 }
 
 impl<'t, M: Mechanism<Scalar: Element>> Destination<'t, M> {

@@ -193,7 +193,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
         outcomes: &mut [Outcome],
         vectors: Vectors,
     ) -> Summary {
-        vectors.run(Sweep {
+        vectors.run(BatchRun {
             problem: self,
             near: &self.guide.near(),
             destination,
@@ -246,7 +246,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Problem<'a, M, G> {
 }
 
 /// A problem with the places for its results.
-struct Sweep<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
+struct BatchRun<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     problem: &'p Problem<'a, M, G>,
     near: &'p M::Unknowns<Column<'a, M::Scalar>>,
     destination: &'p Destination<'d, M>,
@@ -254,7 +254,7 @@ struct Sweep<'p, 'd, 'a, M: Mechanism<Scalar: Element>, G> {
     outcomes: &'p mut [Outcome],
 }
 
-impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Sweep<'_, '_, 'a, M, G> {
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> BatchRun<'_, '_, 'a, M, G> {
     /// Solves a pose alone and stores it.
     #[cold]
     #[inline(never)]
@@ -364,7 +364,7 @@ impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Sweep<'_, '_, 'a, M, G>
     }
 }
 
-impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for Sweep<'_, '_, 'a, M, G> {
+impl<'a, M: Mechanism<Scalar: Element>, G: Guide<'a, M>> Kernel for BatchRun<'_, '_, 'a, M, G> {
     type Result = Summary;
     type Element = M::Scalar;
 

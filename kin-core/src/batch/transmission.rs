@@ -31,7 +31,7 @@ impl<'t, M: Mechanism<Scalar: Element>> TransmissionEntries<'t, M> {
     /// Calculates and stores the angles of one pose or several, starting at a given pose, where they are wanted. Returns a number
     /// that is finite if all of them are.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn store<T: Mechanism<Scalar: Angle<Element = M::Scalar>>>(
+    pub(super) fn store<T: Mechanism<Scalar: Angles<Element = M::Scalar>>>(
         &self,
         start: usize,
         mechanism: &T,
@@ -92,7 +92,7 @@ fn take_away<const W: usize, const FUSED: bool, E: Element>(
 }
 
 /// Angles of one pose or several.
-pub(super) trait Angle: Number + Stored {
+pub(super) trait Angles: Number + Stored {
     /// An angle in 0 ..= π or its negative, as the smaller of the angle and its supplement. A transmission angle takes its
     /// sign from the first lane, so it may be negative in others.
     fn folded(self) -> Self;
@@ -101,7 +101,7 @@ pub(super) trait Angle: Number + Stored {
     fn or_smaller(self, other: Self) -> Self;
 }
 
-impl<E: Element> Angle for E {
+impl<E: Element> Angles for E {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn folded(self) -> Self {
         let angle = Float::abs(self);
@@ -114,7 +114,7 @@ impl<E: Element> Angle for E {
     }
 }
 
-impl<const W: usize, const FUSED: bool, E: Element> Angle for Lanes<W, FUSED, E> {
+impl<const W: usize, const FUSED: bool, E: Element> Angles for Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn folded(self) -> Self {
         Self::from_fn(|lane| self.0[lane].folded())

@@ -9,8 +9,8 @@ use super::EndKind;
 use super::bounds::{Bounds, Doubt, UNDECIDED};
 use super::free::{self, Jump};
 use super::interpolation::{CROSSING, around, interpolated};
-use super::line::{Line, MEETING, distance, inputs_at, nearest, reach};
-use super::pieces::{Found, Node, Piece, Tip};
+use super::line::{InputLine, MEETING, distance, inputs_at, nearest, reach};
+use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
@@ -56,16 +56,16 @@ struct PieceEnd<M: Mechanism<Scalar = f64>> {
 struct Search<'a, M: Mechanism<Scalar = f64>> {
     mechanism: &'a M,
     bounded: M::With<Bounds>,
-    line: &'a Line<M>,
+    line: &'a InputLine<M>,
     size: f64,
     /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which has most of its blocks
     /// in common with it.
     division: Vec<f64>,
-    found: Found<M>,
+    found: FoundPieces<M>,
 }
 
 /// All pieces of branches of a mechanism whose blocks all have closed forms.
-pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Found<M> {
+pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) -> FoundPieces<M> {
     let place = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST));
     let mut search = Search {
         mechanism,
@@ -73,7 +73,7 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
         line,
         size: reach(mechanism),
         division: (0..=FIRST).map(place).collect(),
-        found: Found {
+        found: FoundPieces {
             nodes: Vec::new(),
             pieces: Vec::new(),
             is_complete: true,
@@ -174,7 +174,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     /// Adds the pieces of one assembly.
     fn assembly(&mut self, index: usize, assembly: M::Assembly) {
         let intervals = self.intervals(index, assembly);
-        let mut open: Option<Piece<M>> = None;
+        let mut open: Option<BranchPiece<M>> = None;
         let closes_at = |search: &Self, place: usize| {
             // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
             let neighbours = [place.checked_sub(1), Some(place)];
@@ -194,7 +194,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         };
         let mut closes = closes_at(self, 0);
         if closes {
-            open = Some(Piece {
+            open = Some(BranchPiece {
                 assembly: Some(assembly),
                 low: Tip::Seam,
                 high: Tip::Seam,
@@ -257,8 +257,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    fn begun(&self, assembly: M::Assembly, end: PieceEnd<M>) -> Piece<M> {
-        Piece {
+    fn begun(&self, assembly: M::Assembly, end: PieceEnd<M>) -> BranchPiece<M> {
+        BranchPiece {
             assembly: Some(assembly),
             low: Tip::Node(end.node),
             high: Tip::Seam,
@@ -266,7 +266,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    fn finish(&mut self, piece: Option<Piece<M>>, end: PieceEnd<M>) {
+    fn finish(&mut self, piece: Option<BranchPiece<M>>, end: PieceEnd<M>) {
         let Some(mut piece) = piece else {
             return;
         };
@@ -290,7 +290,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         let block = error.as_ref().map_or("", |error| error.block);
         let is_domain =
             error.is_some_and(|error| !matches!(error.failure, Failure::OutOfReach { .. } | Failure::Singular { .. }));
-        let mut node: Node<M> = Node {
+        let mut node: BranchNode<M> = BranchNode {
             kind: if is_domain { EndKind::Domain } else { EndKind::Limit },
             s: good,
             unknowns: self
@@ -426,7 +426,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 let jump = free::jump::<M>(solved, self.size, assembly, &places);
                 if let Some(Jump { s, unknowns, block }) = jump.filter(|jump| is_inside(jump.s)) {
                     let mut end = |unknowns: M::Unknowns<f64>| {
-                        let node = self.noted(Node {
+                        let node = self.noted(BranchNode {
                             kind: EndKind::ChangePoint,
                             s,
                             unknowns,
@@ -455,7 +455,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 }
             }
         };
-        let node = self.noted(Node {
+        let node = self.noted(BranchNode {
             kind: EndKind::ChangePoint,
             s,
             unknowns,
@@ -472,13 +472,13 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     }
 
     /// Whether two nodes are change points at the same place.
-    fn is_same_place(&self, one: &Node<M>, other: &Node<M>) -> bool {
+    fn is_same_place(&self, one: &BranchNode<M>, other: &BranchNode<M>) -> bool {
         let tolerance = 8.0 * RESOLUTION * (self.line.high - self.line.low);
         [one, other].iter().all(|node| node.kind == EndKind::ChangePoint) && (one.s - other.s).abs() <= tolerance
     }
 
     /// The index of a change point, which is added unless it is known.
-    fn noted(&mut self, node: Node<M>) -> usize {
+    fn noted(&mut self, node: BranchNode<M>) -> usize {
         let known = self.found.nodes.iter().position(|known| {
             self.is_same_place(known, &node) && distance::<M>(self.size, &known.unknowns, &node.unknowns) < MEETING
         });
@@ -556,7 +556,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
 }
 
 /// Adds a sample at the end of a piece, with angles on the nearest turns.
-fn add<M: Mechanism<Scalar = f64>>(piece: &mut Piece<M>, s: f64, unknowns: M::Unknowns<f64>) {
+fn add<M: Mechanism<Scalar = f64>>(piece: &mut BranchPiece<M>, s: f64, unknowns: M::Unknowns<f64>) {
     let unknowns = match piece.samples.last() {
         Some((_, last)) => nearest::<M>(unknowns, last),
         None => unknowns,

@@ -6,9 +6,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::EndKind;
-use super::limits::{Limit, limits};
-use super::line::{Line, distance, nearest, reach};
-use super::pieces::{Found, Node, Piece, Tip};
+use super::limits::{SingularPlace, limits};
+use super::line::{InputLine, distance, nearest, reach};
+use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
 use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -34,7 +34,7 @@ const MOST_PIECES: usize = 4096;
 const ASIDE: f64 = 1e-3;
 
 /// Whether a limit is a position of the whole mechanism.
-fn is_whole<M: Mechanism<Scalar = f64>>(limit: &Limit) -> bool {
+fn is_whole<M: Mechanism<Scalar = f64>>(limit: &SingularPlace) -> bool {
     limit.unknowns.len() == M::DESCRIPTION.unknowns.len()
 }
 
@@ -51,10 +51,10 @@ struct Seed<M: Mechanism<Scalar = f64>> {
 
 struct Search<'a, M: Mechanism<Scalar = f64>> {
     mechanism: &'a M,
-    line: &'a Line<M>,
+    line: &'a InputLine<M>,
     size: f64,
     seeds: Vec<Seed<M>>,
-    found: Found<M>,
+    found: FoundPieces<M>,
     /// Starts on the other side of limits, and the direction in which to go.
     waiting: Vec<(usize, f64, M::Unknowns<f64>, f64)>,
 }
@@ -63,7 +63,10 @@ struct Search<'a, M: Mechanism<Scalar = f64>> {
 ///
 /// # Errors
 /// Returns the error of the search for positions, if a parameter is not finite.
-pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Result<Found<M>, SolveError> {
+pub(super) fn search<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    line: &InputLine<M>,
+) -> Result<FoundPieces<M>, SolveError> {
     match limits(mechanism, line) {
         Some(limits) => from_limits(mechanism, line, &limits),
         None => from_seeds(mechanism, line),
@@ -71,7 +74,7 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
 }
 
 /// The places that divide the range, and whether each is an end of it.
-fn division<M: Mechanism<Scalar = f64>>(line: &Line<M>) -> impl Iterator<Item = (f64, bool)> {
+fn division<M: Mechanism<Scalar = f64>>(line: &InputLine<M>) -> impl Iterator<Item = (f64, bool)> {
     let (low, high) = (line.low, line.high);
     (0..=SEEDS).map(move |part| {
         let place = low + (high - low) * (f64::from(part) / f64::from(SEEDS));
@@ -85,9 +88,9 @@ fn division<M: Mechanism<Scalar = f64>>(line: &Line<M>) -> impl Iterator<Item = 
 /// beside this limit are sought.
 fn from_limits<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    line: &Line<M>,
-    limits: &[Limit],
-) -> Result<Found<M>, SolveError> {
+    line: &InputLine<M>,
+    limits: &[SingularPlace],
+) -> Result<FoundPieces<M>, SolveError> {
     let mut seeds: Vec<Seed<M>> = Vec::new();
     for (s, is_end) in division(line) {
         seeds.push(if is_end && line.is_closed && !seeds.is_empty() {
@@ -140,7 +143,7 @@ fn from_limits<M: Mechanism<Scalar = f64>>(
 }
 
 /// All pieces that pass one of the seeds.
-fn from_seeds<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Result<Found<M>, SolveError> {
+fn from_seeds<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) -> Result<FoundPieces<M>, SolveError> {
     let mut seeds: Vec<Seed<M>> = Vec::new();
     for (s, is_end) in division(line) {
         seeds.push(if is_end && line.is_closed && !seeds.is_empty() {
@@ -167,7 +170,7 @@ fn from_seeds<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Resu
     }
 }
 
-fn seed<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>, s: f64) -> Result<Seed<M>, SolveError> {
+fn seed<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>, s: f64) -> Result<Seed<M>, SolveError> {
     let mut positions = Vec::new();
     let search = mechanism.positions_at(line.inputs(s), |_, unknowns| positions.push(unknowns))?;
     Ok(Seed {
@@ -214,19 +217,19 @@ impl<M: Mechanism<Scalar = f64>> Seed<M> {
 }
 
 /// The end of a way in one direction.
-struct Way<M: Mechanism<Scalar = f64>> {
+struct WayEnd<M: Mechanism<Scalar = f64>> {
     tip: Tip,
     samples: Vec<(f64, M::Unknowns<f64>)>,
 }
 
 impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
-    fn new(mechanism: &'a M, line: &'a Line<M>, seeds: Vec<Seed<M>>) -> Self {
+    fn new(mechanism: &'a M, line: &'a InputLine<M>, seeds: Vec<Seed<M>>) -> Self {
         Self {
             mechanism,
             line,
             size: reach(mechanism),
             seeds,
-            found: Found {
+            found: FoundPieces {
                 nodes: Vec::new(),
                 pieces: Vec::new(),
                 is_complete: false,
@@ -238,7 +241,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     }
 
     /// The outcome, with the inputs at which all positions were sought.
-    fn finished(self) -> Found<M> {
+    fn finished(self) -> FoundPieces<M> {
         let mut found = self.found;
         let sought = self.seeds.iter().filter(|seed| seed.is_sought);
         found.seeds = sought.map(|seed| seed.s).collect();
@@ -246,7 +249,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     }
 
     /// Follows the two branches that meet at a limit.
-    fn start_at(&mut self, limit: &Limit) {
+    fn start_at(&mut self, limit: &SingularPlace) {
         if !is_whole::<M>(limit) {
             return;
         }
@@ -318,14 +321,14 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     }
 
     /// The nodes at a limit that continuation found.
-    fn nodes_at(&self, limit: &Limit) -> impl Iterator<Item = usize> {
+    fn nodes_at(&self, limit: &SingularPlace) -> impl Iterator<Item = usize> {
         let nodes = self.found.nodes.iter().enumerate();
         nodes
             .filter(|(_, node)| self.is_at(node, limit))
             .map(|(index, _)| index)
     }
 
-    fn is_at(&self, node: &Node<M>, limit: &Limit) -> bool {
+    fn is_at(&self, node: &BranchNode<M>, limit: &SingularPlace) -> bool {
         let tolerance = LOCATED[usize::from(limit.is_multiple)];
         let mut own = node.unknowns;
         for unknown in &limit.unknowns {
@@ -344,16 +347,16 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     }
 
     /// Whether the nodes are the limits that continuation found, each is where it has to be, and no search was incomplete.
-    fn agrees_with(&self, limits: &[Limit]) -> bool {
+    fn agrees_with(&self, limits: &[SingularPlace]) -> bool {
         let nodes = || self.found.nodes.iter().enumerate();
-        let is_limit = |node: &Node<M>| limits.iter().any(|limit| self.is_at(node, limit));
-        let joins = |(index, node): (usize, &Node<M>)| match node.kind {
+        let is_limit = |node: &BranchNode<M>| limits.iter().any(|limit| self.is_at(node, limit));
+        let joins = |(index, node): (usize, &BranchNode<M>)| match node.kind {
             EndKind::Limit => self.branches_at(index) == 2,
             EndKind::ChangePoint => true,
             _ => false,
         };
         // If a block that is solved later does not close, its mechanism is not at a limit of an earlier one.
-        let is_whole = |limit: &&Limit| is_whole::<M>(limit) && !limit.is_multiple;
+        let is_whole = |limit: &&SingularPlace| is_whole::<M>(limit) && !limit.is_multiple;
         nodes().all(|(_, node)| is_limit(node))
             && nodes().all(joins)
             && limits
@@ -378,7 +381,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 samples.reverse();
                 samples.push((s, unknowns));
                 samples.extend(right.samples);
-                self.found.pieces.push(Piece {
+                self.found.pieces.push(BranchPiece {
                     assembly: None,
                     low: left.tip,
                     high: right.tip,
@@ -414,7 +417,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             let mut samples = vec![(place.s, start), (s, unknowns)];
             samples.extend(way.samples);
             let piece = if direction > 0.0 {
-                Piece {
+                BranchPiece {
                     assembly: None,
                     low: Tip::Node(node),
                     high: way.tip,
@@ -422,7 +425,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 }
             } else {
                 samples.reverse();
-                Piece {
+                BranchPiece {
                     assembly: None,
                     low: way.tip,
                     high: Tip::Node(node),
@@ -434,7 +437,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
     }
 
     /// Goes on from seed to seed until the branch ends.
-    fn follow(&mut self, s: f64, unknowns: M::Unknowns<f64>, direction: f64) -> Way<M> {
+    fn follow(&mut self, s: f64, unknowns: M::Unknowns<f64>, direction: f64) -> WayEnd<M> {
         let (mut s, mut unknowns) = (s, unknowns);
         let mut samples = Vec::new();
         loop {
@@ -444,7 +447,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 self.seeds.iter().rposition(|seed| seed.s < s)
             };
             let Some(next) = next else {
-                return Way {
+                return WayEnd {
                     tip: Tip::Seam,
                     samples,
                 };
@@ -460,7 +463,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                     let node = self.ended(s, unknowns, direction, error);
                     let place = self.found.nodes[node];
                     samples.push((place.s, nearest::<M>(place.unknowns, &unknowns)));
-                    return Way {
+                    return WayEnd {
                         tip: Tip::Node(node),
                         samples,
                     };
@@ -531,7 +534,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 && distance::<M>(self.size, &node.unknowns, &unknowns) < SAME
         });
         known.unwrap_or_else(|| {
-            self.found.nodes.push(Node {
+            self.found.nodes.push(BranchNode {
                 kind,
                 s,
                 unknowns,

@@ -4,7 +4,7 @@
 //! assembly into another one, and at the place itself the free part leads from every direction to every other.
 
 use super::interpolation::{CROSSING, around, interpolated};
-use super::line::{Line, MEETING, distance, nearest};
+use super::line::{InputLine, MEETING, distance, nearest};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 
@@ -85,7 +85,7 @@ pub(super) fn jump<M: Mechanism<Scalar = f64>>(
 pub(super) fn sides<M: Mechanism<Scalar = f64>>(
     solved: impl Fn(f64) -> Option<M::Unknowns<f64>>,
     mechanism: &M,
-    line: &Line<M>,
+    line: &InputLine<M>,
     size: f64,
     s: f64,
     reach: f64,
@@ -109,7 +109,7 @@ pub(super) fn sides<M: Mechanism<Scalar = f64>>(
 /// Whether the closure holds, up to the error of an interpolation.
 fn is_position<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    line: &Line<M>,
+    line: &InputLine<M>,
     size: f64,
     s: f64,
     unknowns: M::Unknowns<f64>,
@@ -121,7 +121,7 @@ fn is_position<M: Mechanism<Scalar = f64>>(
 /// Whether the straight line between two positions at the same input consists of positions.
 pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    line: &Line<M>,
+    line: &InputLine<M>,
     size: f64,
     s: f64,
     [from, to]: [&M::Unknowns<f64>; 2],

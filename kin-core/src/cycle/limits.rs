@@ -6,8 +6,8 @@ use core::f64::consts::TAU;
 
 use num_traits::Float;
 
-use super::line::{Line, reach};
-use super::polynomial::{Kind, Quantities};
+use super::line::{InputLine, reach};
+use super::polynomial::{ClosureQuantity, Quantities};
 use super::singular::{Singular, singular_positions};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -15,7 +15,7 @@ use crate::quantity::Dimension;
 
 /// A place at which the Jacobian of a block is singular.
 #[derive(Clone, Debug)]
-pub(super) struct Limit {
+pub(super) struct SingularPlace {
     pub(super) s: f64,
     /// The unknowns on which the block depends.
     pub(super) unknowns: Vec<Singular>,
@@ -27,7 +27,7 @@ pub(super) struct Limit {
 ///
 /// It is `None` if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if there are too many
 /// paths, or if one of them was lost.
-pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) -> Option<Vec<Limit>> {
+pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) -> Option<Vec<SingularPlace>> {
     let description = M::DESCRIPTION;
     if description.unknowns.iter().any(|unknown| unknown.has_range) {
         return None;
@@ -43,7 +43,13 @@ pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
         _ => (0.0, 1.0),
     };
     let place = |input: f64| (input - from) / rate;
-    let kind = |is_angle: bool| if is_angle { Kind::Angle } else { Kind::Plain };
+    let kind = |is_angle: bool| {
+        if is_angle {
+            ClosureQuantity::Angle
+        } else {
+            ClosureQuantity::Plain
+        }
+    };
     let unknowns = description.unknowns.iter();
     let kinds = unknowns.map(|unknown| kind(unknown.dimension == Dimension::Angle));
     let quantities = Quantities::new(core::iter::once(kind(is_angle)).chain(kinds).collect());
@@ -67,11 +73,11 @@ pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &Line<M>) 
     };
     let found = singular_positions(&quantities, size, &blocks, &mut closure)?;
     let period = is_angle.then_some(TAU);
-    let mut all: Vec<Limit> = found
+    let mut all: Vec<SingularPlace> = found
         .iter()
         .flat_map(|position| {
             let places = places(place(position.input), period, [line.low, line.high]);
-            places.into_iter().map(|s| Limit {
+            places.into_iter().map(|s| SingularPlace {
                 s,
                 unknowns: position.unknowns.clone(),
                 is_multiple: position.is_multiple,

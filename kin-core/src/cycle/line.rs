@@ -20,7 +20,7 @@ pub(super) const MEETING: f64 = 1e-3;
 
 /// The inputs `from + s direction`, for s in a range.
 #[derive(Clone, Copy)]
-pub(super) struct Line<M: Mechanism<Scalar = f64>> {
+pub(super) struct InputLine<M: Mechanism<Scalar = f64>> {
     pub(super) from: M::Inputs<f64>,
     pub(super) direction: M::Inputs<f64>,
     /// The range of the search. A closed range is shifted against the one that is told.
@@ -29,7 +29,7 @@ pub(super) struct Line<M: Mechanism<Scalar = f64>> {
     pub(super) is_closed: bool,
 }
 
-impl<M: Mechanism<Scalar = f64>> Line<M> {
+impl<M: Mechanism<Scalar = f64>> InputLine<M> {
     /// The line through a place in a direction, over all places where the mechanism may close.
     pub(super) fn whole(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>) -> Self {
         let mut line = Self {
@@ -191,7 +191,7 @@ pub(super) fn nearest<M: Mechanism<Scalar = f64>>(
 
 /// The inputs of the line as another number, for a place of that number.
 pub(super) fn inputs_at<M: Mechanism<Scalar = f64>, B: Scalar>(
-    line: &Line<M>,
+    line: &InputLine<M>,
     s: B,
 ) -> <M::With<B> as Mechanism>::Inputs<B> {
     Row::from_fn(|index| {

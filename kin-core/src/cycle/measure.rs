@@ -27,7 +27,7 @@ const ITERATIONS: usize = 100;
 
 /// The smallest or largest value of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extreme {
+pub struct StrokeEnd {
     /// The value.
     pub value: f64,
     /// The input there.
@@ -40,9 +40,9 @@ pub struct Extreme {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
     /// The smallest value.
-    pub low: Extreme,
+    pub low: StrokeEnd,
     /// The largest value.
-    pub high: Extreme,
+    pub high: StrokeEnd,
 }
 
 impl Stroke {
@@ -264,7 +264,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 );
             }
             for (input, value) in extremes {
-                let own = Extreme {
+                let own = StrokeEnd {
                     value,
                     input,
                     branch: *branch,

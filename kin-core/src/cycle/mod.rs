@@ -55,7 +55,7 @@ mod singular;
 mod tests;
 
 pub use class::{BarkerClass, BlockClass, GrashofType, InvertedSliderCrankType, SliderCrankType};
-pub use measure::{Extreme, MeasureError, Stroke, WorstTransmission};
+pub use measure::{MeasureError, Stroke, StrokeEnd, WorstTransmission};
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -68,8 +68,8 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::quantity::Dimension;
-use line::{Line, distance, nearest, reach};
-use pieces::{Found, Piece, Tip};
+use line::{InputLine, distance, nearest, reach};
+use pieces::{BranchPiece, FoundPieces, Tip};
 
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
@@ -85,7 +85,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
     {
-        let line = Line::whole(self, [0.0], [1.0]);
+        let line = InputLine::whole(self, [0.0], [1.0]);
         Cycle::new(self, line)
     }
 
@@ -97,7 +97,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
     {
-        let line = Line::over(self, [0.0], [1.0], &range);
+        let line = InputLine::over(self, [0.0], [1.0], &range);
         Cycle::new(self, line)
     }
 
@@ -118,7 +118,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// # Ok::<(), kin_core::SolveError>(())
     /// ```
     fn cycle_along(&self, from: Self::Inputs<f64>, direction: Self::Inputs<f64>) -> Result<Cycle<Self>, SolveError> {
-        let line = Line::whole(self, from, direction);
+        let line = InputLine::whole(self, from, direction);
         Cycle::new(self, line)
     }
 
@@ -132,7 +132,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
         direction: Self::Inputs<f64>,
         range: RangeInclusive<f64>,
     ) -> Result<Cycle<Self>, SolveError> {
-        let line = Line::over(self, from, direction, &range);
+        let line = InputLine::over(self, from, direction, &range);
         Cycle::new(self, line)
     }
 }
@@ -264,7 +264,7 @@ impl<M: Mechanism<Scalar = f64>> Circuit<M> {
 #[derive(Clone)]
 pub struct Cycle<M: Mechanism<Scalar = f64>> {
     mechanism: M,
-    line: Line<M>,
+    line: InputLine<M>,
     branches: Vec<Branch<M>>,
     circuits: Vec<Circuit<M>>,
     is_complete: bool,
@@ -273,7 +273,7 @@ pub struct Cycle<M: Mechanism<Scalar = f64>> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    fn new(mechanism: &M, line: Line<M>) -> Result<Self, SolveError> {
+    fn new(mechanism: &M, line: InputLine<M>) -> Result<Self, SolveError> {
         let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
         let parameters = mechanism.parameters();
         let [low, high] = [line.low, line.high];
@@ -402,12 +402,16 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
 }
 
 /// The branches, made of pieces that go on at the seam of a closed range.
-fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(line: &Line<M>, size: f64, found: &Found<M>) -> Vec<Branch<M>> {
+fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(
+    line: &InputLine<M>,
+    size: f64,
+    found: &FoundPieces<M>,
+) -> Vec<Branch<M>> {
     let period = line.period();
     let pieces = &found.pieces;
     let mut used = vec![false; pieces.len()];
     // The piece that goes on after another one beyond the seam.
-    let after = |piece: &Piece<M>, used: &[bool]| {
+    let after = |piece: &BranchPiece<M>, used: &[bool]| {
         let (_, last) = piece.samples.last()?;
         let candidates = pieces
             .iter()
@@ -505,11 +509,11 @@ fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(line: &Line<M>, size: f64, fou
 }
 
 /// The branch and the end at which it is entered.
-type Entry = (usize, usize);
+type EnteredBranch = (usize, usize);
 
 /// The circuits of branches that meet at nodes. Each branch learns its circuit and its neighbours.
 fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circuit<M>> {
-    let at_node = |branches: &[Branch<M>], node: usize| -> Vec<Entry> {
+    let at_node = |branches: &[Branch<M>], node: usize| -> Vec<EnteredBranch> {
         let all = branches.iter().enumerate();
         all.flat_map(|(index, branch)| [0, 1].map(|side| (index, side, branch.ends[side].node)))
             .filter(|(.., own)| *own == Some(node))
@@ -564,7 +568,7 @@ fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circu
 fn around<M: Mechanism<Scalar = f64>>(
     branches: &[Branch<M>],
     start: usize,
-    at_node: &impl Fn(&[Branch<M>], usize) -> Vec<Entry>,
+    at_node: &impl Fn(&[Branch<M>], usize) -> Vec<EnteredBranch>,
 ) -> Option<Circuit<M>> {
     let mut own = Vec::new();
     let mut way = 0.0;

@@ -6,7 +6,7 @@ use crate::mechanism::Mechanism;
 
 /// A place at which branches end.
 #[derive(Clone, Copy)]
-pub(super) struct Node<M: Mechanism<Scalar = f64>> {
+pub(super) struct BranchNode<M: Mechanism<Scalar = f64>> {
     pub(super) kind: super::EndKind,
     pub(super) s: f64,
     pub(super) unknowns: M::Unknowns<f64>,
@@ -26,7 +26,7 @@ pub(super) enum Tip {
 
 /// A branch, or a part of one that ends at the seam of a closed range. The tips belong to the smallest and the largest input.
 #[derive(Clone)]
-pub(super) struct Piece<M: Mechanism<Scalar = f64>> {
+pub(super) struct BranchPiece<M: Mechanism<Scalar = f64>> {
     /// The assembly, if the search knows it.
     pub(super) assembly: Option<M::Assembly>,
     pub(super) low: Tip,
@@ -37,9 +37,9 @@ pub(super) struct Piece<M: Mechanism<Scalar = f64>> {
 
 /// The outcome of a search.
 #[derive(Clone)]
-pub(super) struct Found<M: Mechanism<Scalar = f64>> {
-    pub(super) nodes: Vec<Node<M>>,
-    pub(super) pieces: Vec<Piece<M>>,
+pub(super) struct FoundPieces<M: Mechanism<Scalar = f64>> {
+    pub(super) nodes: Vec<BranchNode<M>>,
+    pub(super) pieces: Vec<BranchPiece<M>>,
     pub(super) is_complete: bool,
     /// Assemblies by their indices, and ranges in which it is not known whether they close.
     pub(super) undecided: Vec<(usize, [f64; 2])>,

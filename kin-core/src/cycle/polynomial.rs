@@ -15,7 +15,7 @@ const PLACES: u32 = 5;
 
 /// A quantity of the closure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ClosureQuantity {
     /// An angle. Its cosine and its sine are two variables.
     Angle,
     /// A length or a number, which is a variable itself.
@@ -25,18 +25,18 @@ pub(super) enum Kind {
 /// The quantities of a closure, each with the index of its first variable.
 #[derive(Clone, Debug)]
 pub(super) struct Quantities {
-    kinds: Vec<Kind>,
+    kinds: Vec<ClosureQuantity>,
     first: Vec<u16>,
 }
 
 impl Quantities {
-    pub(super) fn new(kinds: Vec<Kind>) -> Self {
+    pub(super) fn new(kinds: Vec<ClosureQuantity>) -> Self {
         let mut count = 0;
         let first = kinds
             .iter()
             .map(|kind| {
                 let own = count;
-                count += if *kind == Kind::Angle { 2 } else { 1 };
+                count += if *kind == ClosureQuantity::Angle { 2 } else { 1 };
                 own
             })
             .collect();
@@ -48,7 +48,7 @@ impl Quantities {
         self.kinds.len()
     }
 
-    pub(super) fn kind(&self, quantity: usize) -> Kind {
+    pub(super) fn kind(&self, quantity: usize) -> ClosureQuantity {
         self.kinds[quantity]
     }
 
@@ -65,8 +65,8 @@ impl Quantities {
     pub(super) fn variables(&self, values: &[f64]) -> Vec<f64> {
         let quantities = self.kinds.iter().zip(values);
         let variables = quantities.map(|(kind, value)| match kind {
-            Kind::Angle => vec![Float::cos(*value), Float::sin(*value)],
-            Kind::Plain => vec![*value],
+            ClosureQuantity::Angle => vec![Float::cos(*value), Float::sin(*value)],
+            ClosureQuantity::Plain => vec![*value],
         });
         variables.flatten().collect()
     }
@@ -75,9 +75,9 @@ impl Quantities {
     fn powers(&self, quantity: usize, function: usize) -> (u16, u8) {
         let first = self.first[quantity];
         match (self.kinds[quantity], function) {
-            (Kind::Angle | Kind::Plain, 1) => (first, 1),
-            (Kind::Angle, _) => (first + 1, 1),
-            (Kind::Plain, _) => (first, 2),
+            (ClosureQuantity::Angle | ClosureQuantity::Plain, 1) => (first, 1),
+            (ClosureQuantity::Angle, _) => (first + 1, 1),
+            (ClosureQuantity::Plain, _) => (first, 2),
         }
     }
 }
@@ -87,11 +87,11 @@ type Powers = Vec<(u16, u8)>;
 
 /// A polynomial: the coefficients of products of powers.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Polynomial {
+pub(super) struct ClosurePolynomial {
     terms: BTreeMap<Powers, f64>,
 }
 
-impl Polynomial {
+impl ClosurePolynomial {
     fn one() -> Self {
         let mut one = Self::default();
         one.add(Vec::new(), 1.0);
@@ -160,8 +160,8 @@ impl Polynomial {
         let first = quantities.first(quantity);
         // The derivatives of cosine and sine are the other one, with a sign.
         let others: &[(u16, Option<u16>, f64)] = match quantities.kind(quantity) {
-            Kind::Angle => &[(first, Some(first + 1), -1.0), (first + 1, Some(first), 1.0)],
-            Kind::Plain => &[(first, None, 1.0)],
+            ClosureQuantity::Angle => &[(first, Some(first + 1), -1.0), (first + 1, Some(first), 1.0)],
+            ClosureQuantity::Plain => &[(first, None, 1.0)],
         };
         for (powers, coefficient) in &self.terms {
             for &(variable, other, sign) in others {
@@ -214,10 +214,10 @@ fn product(one: &Powers, other: &Powers) -> Powers {
 }
 
 /// The determinant of a square matrix, by rows: the minors of its first rows with each choice of columns.
-pub(super) fn determinant(matrix: &[Vec<Polynomial>]) -> Polynomial {
-    let mut minors = BTreeMap::from([(0_u32, Polynomial::one())]);
+pub(super) fn determinant(matrix: &[Vec<ClosurePolynomial>]) -> ClosurePolynomial {
+    let mut minors = BTreeMap::from([(0_u32, ClosurePolynomial::one())]);
     for row in matrix {
-        let mut next: BTreeMap<u32, Polynomial> = BTreeMap::new();
+        let mut next: BTreeMap<u32, ClosurePolynomial> = BTreeMap::new();
         for (columns, minor) in &minors {
             for (column, entry) in row.iter().enumerate() {
                 let bit = 1 << column;
@@ -245,38 +245,38 @@ pub(super) fn polynomials(
     size: f64,
     equations: usize,
     closure: &mut dyn FnMut(&[f64], &mut [f64]),
-) -> Vec<Option<Polynomial>> {
+) -> Vec<Option<ClosurePolynomial>> {
     let count = quantities.kinds.len();
     let place = |place: u32, quantity: usize| {
         let mixed = Float::sin(12.9898 * (super::line::count(quantity) + 1.7) * (f64::from(place) + 0.5));
         match quantities.kinds[quantity] {
-            Kind::Angle => 3.0 * mixed,
-            Kind::Plain => size * mixed,
+            ClosureQuantity::Angle => 3.0 * mixed,
+            ClosureQuantity::Plain => size * mixed,
         }
     };
     let anchor: Vec<f64> = (0..count).map(|quantity| place(0, quantity)).collect();
     let node = |quantity: usize, node: usize| match (quantities.kinds[quantity], node) {
-        (Kind::Angle, 0) => 0.0,
-        (Kind::Angle, 1) => core::f64::consts::PI,
-        (Kind::Angle, _) => core::f64::consts::FRAC_PI_2,
-        (Kind::Plain, 0) => size,
-        (Kind::Plain, 1) => -size,
-        (Kind::Plain, _) => 0.0,
+        (ClosureQuantity::Angle, 0) => 0.0,
+        (ClosureQuantity::Angle, 1) => core::f64::consts::PI,
+        (ClosureQuantity::Angle, _) => core::f64::consts::FRAC_PI_2,
+        (ClosureQuantity::Plain, 0) => size,
+        (ClosureQuantity::Plain, 1) => -size,
+        (ClosureQuantity::Plain, _) => 0.0,
     };
     // The coefficients of the three functions of a quantity, from the values at its nodes.
     let coefficients = |quantity: usize, [first, opposite, middle]: [f64; 3]| {
         let (half, mean) = (0.5 * (first - opposite), 0.5 * (first + opposite));
         match quantities.kinds[quantity] {
-            Kind::Angle => [mean, half, middle - mean],
-            Kind::Plain => [middle, half / size, (mean - middle) / (size * size)],
+            ClosureQuantity::Angle => [mean, half, middle - mean],
+            ClosureQuantity::Plain => [middle, half / size, (mean - middle) / (size * size)],
         }
     };
     let mut values = vec![0.0; equations];
     let mut largest = vec![0.0_f64; equations];
-    let mut found = vec![Polynomial::default(); equations];
+    let mut found = vec![ClosurePolynomial::default(); equations];
     let scale = |quantity: usize, function: usize| match quantities.kinds[quantity] {
-        Kind::Angle => 1.0,
-        Kind::Plain => Float::powi(size, i32::from(function == 1) + 2 * i32::from(function == 2)),
+        ClosureQuantity::Angle => 1.0,
+        ClosureQuantity::Plain => Float::powi(size, i32::from(function == 1) + 2 * i32::from(function == 2)),
     };
 
     for one in 0..count {
@@ -306,14 +306,15 @@ pub(super) fn polynomials(
             }
         }
     }
-    let rest = |at: &[f64], values: &mut [f64], closure: &mut dyn FnMut(&[f64], &mut [f64]), found: &[Polynomial]| {
-        closure(at, values);
-        let variables = quantities.variables(at);
-        for (value, polynomial) in values.iter_mut().zip(found) {
-            *value -= polynomial.value(&variables);
-        }
-    };
-    let mut singles = vec![Polynomial::default(); equations];
+    let rest =
+        |at: &[f64], values: &mut [f64], closure: &mut dyn FnMut(&[f64], &mut [f64]), found: &[ClosurePolynomial]| {
+            closure(at, values);
+            let variables = quantities.variables(at);
+            for (value, polynomial) in values.iter_mut().zip(found) {
+                *value -= polynomial.value(&variables);
+            }
+        };
+    let mut singles = vec![ClosurePolynomial::default(); equations];
     for quantity in 0..count {
         let mut nodes = vec![[0.0; 3]; equations];
         for which in 0..3 {
@@ -358,10 +359,14 @@ mod tests {
     use std::vec;
     use std::vec::Vec;
 
-    use super::{Kind, Polynomial, Quantities, determinant, polynomials};
+    use super::{ClosurePolynomial, ClosureQuantity, Quantities, determinant, polynomials};
 
     fn quantities() -> Quantities {
-        Quantities::new(vec![Kind::Angle, Kind::Plain, Kind::Angle])
+        Quantities::new(vec![
+            ClosureQuantity::Angle,
+            ClosureQuantity::Plain,
+            ClosureQuantity::Angle,
+        ])
     }
 
     /// Equations of sums and products of two quantities are found, and others are not.
@@ -408,11 +413,11 @@ mod tests {
             values[1] = angle.sin() - length * other.cos();
             values[2] = length * length + (angle - other).sin();
         };
-        let found: Vec<Polynomial> = polynomials(&quantities, 1.0, 3, &mut closure)
+        let found: Vec<ClosurePolynomial> = polynomials(&quantities, 1.0, 3, &mut closure)
             .into_iter()
             .flatten()
             .collect();
-        let matrix: Vec<Vec<Polynomial>> = found
+        let matrix: Vec<Vec<ClosurePolynomial>> = found
             .iter()
             .map(|equation| {
                 (0..3)

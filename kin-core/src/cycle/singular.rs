@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 
 use num_traits::Float;
 
-use super::polynomial::{Kind, Polynomial, Quantities, determinant, polynomials};
+use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities, determinant, polynomials};
 use crate::assemblies::continuation::{BorrowedSystem, BorrowedTerm, real_solutions};
 
 /// The largest number of paths.
@@ -15,7 +15,7 @@ const MOST_PATHS: usize = 1024;
 /// A term: its equation, its coefficient, and the powers of variables.
 type OwnedTerm = (u16, f64, Vec<(u16, u8)>);
 /// A real solution, and whether it is multiple.
-type Solution = (Vec<f64>, bool);
+type SingularSolution = (Vec<f64>, bool);
 
 /// A position at which a block is singular.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ pub(super) struct Singular {
 /// The closure as polynomials of an input and the unknowns.
 struct Closure {
     quantities: Quantities,
-    equations: Vec<Polynomial>,
+    equations: Vec<ClosurePolynomial>,
     /// The unknown angle, as a quantity, that was added to the input times the sign.
     added: Option<(usize, f64)>,
     /// The unknown angle, as a quantity, that turns the input, a length, and whose cosine and sine occur with it only. Their products with
@@ -53,10 +53,10 @@ impl Closure {
     fn new(quantities: &Quantities, size: f64, closure: &mut dyn FnMut(&[f64], &mut [f64])) -> Option<Self> {
         let count = quantities.len();
         let mut best: Option<(usize, Self)> = None;
-        let angles = (1..count).filter(|quantity| quantities.kind(*quantity) == Kind::Angle);
+        let angles = (1..count).filter(|quantity| quantities.kind(*quantity) == ClosureQuantity::Angle);
         let sums = angles.flat_map(|angle| [Some((angle, 1.0)), Some((angle, -1.0))]);
         for added in core::iter::once(None).chain(sums) {
-            if added.is_some() && quantities.kind(0) != Kind::Angle {
+            if added.is_some() && quantities.kind(0) != ClosureQuantity::Angle {
                 break;
             }
             let mut shifted = |at: &[f64], values: &mut [f64]| {
@@ -67,10 +67,10 @@ impl Closure {
                 closure(&at, values);
             };
             let found = polynomials(quantities, size, count - 1, &mut shifted);
-            let Some(equations) = found.into_iter().collect::<Option<Vec<Polynomial>>>() else {
+            let Some(equations) = found.into_iter().collect::<Option<Vec<ClosurePolynomial>>>() else {
                 continue;
             };
-            let degree = equations.iter().map(Polynomial::degree).sum();
+            let degree = equations.iter().map(ClosurePolynomial::degree).sum();
             if best.as_ref().is_none_or(|(known, _)| degree < *known) {
                 let own = Self {
                     quantities: quantities.clone(),
@@ -94,25 +94,29 @@ impl Closure {
         let angle = self
             .equations
             .iter()
-            .flat_map(Polynomial::terms)
+            .flat_map(ClosurePolynomial::terms)
             .find_map(|(powers, _)| {
                 let other = powers.iter().find(|factor| !is_input(factor))?;
                 powers.iter().any(is_input).then(|| self.quantities.quantity(other.0))
             });
-        let Some(angle) = angle.filter(|_| self.quantities.kind(0) == Kind::Plain) else {
+        let Some(angle) = angle.filter(|_| self.quantities.kind(0) == ClosureQuantity::Plain) else {
             return self;
         };
         let is_angle = |&(variable, _): &(u16, u8)| self.quantities.quantity(variable) == angle;
-        let is_product = self.equations.iter().flat_map(Polynomial::terms).all(|(powers, _)| {
-            let degree = |counts: &dyn Fn(&(u16, u8)) -> bool| -> u32 {
-                let own = powers.iter().filter(|factor| counts(factor));
-                own.map(|(_, power)| u32::from(*power)).sum()
-            };
-            matches!((degree(&is_input), degree(&is_angle)), (0, 0) | (1, 1))
-        });
-        if is_product && self.quantities.kind(angle) == Kind::Angle {
-            let without = |equation: &Polynomial| {
-                let mut own = Polynomial::default();
+        let is_product = self
+            .equations
+            .iter()
+            .flat_map(ClosurePolynomial::terms)
+            .all(|(powers, _)| {
+                let degree = |counts: &dyn Fn(&(u16, u8)) -> bool| -> u32 {
+                    let own = powers.iter().filter(|factor| counts(factor));
+                    own.map(|(_, power)| u32::from(*power)).sum()
+                };
+                matches!((degree(&is_input), degree(&is_angle)), (0, 0) | (1, 1))
+            });
+        if is_product && self.quantities.kind(angle) == ClosureQuantity::Angle {
+            let without = |equation: &ClosurePolynomial| {
+                let mut own = ClosurePolynomial::default();
                 for (powers, coefficient) in equation.terms() {
                     let others = powers.iter().filter(|factor| !is_input(factor));
                     own.add(others.copied().collect(), coefficient);
@@ -126,7 +130,7 @@ impl Closure {
     }
 
     /// The derivative of an equation with respect to an unknown, while the input stands still.
-    fn derivative(&self, equation: usize, quantity: usize) -> Polynomial {
+    fn derivative(&self, equation: usize, quantity: usize) -> ClosurePolynomial {
         let own = self.equations[equation].derivative(&self.quantities, quantity);
         match self.added {
             Some((added, sign)) if added == quantity => {
@@ -160,7 +164,7 @@ pub(super) fn singular_positions(
                 .map(|member| closure.derivative(*equation, member + 1))
                 .collect()
         };
-        let matrix: Vec<Vec<Polynomial>> = own.iter().map(row).collect();
+        let matrix: Vec<Vec<ClosurePolynomial>> = own.iter().map(row).collect();
         let singular = determinant(&matrix);
         if singular.is_zero() {
             return None;
@@ -222,9 +226,9 @@ pub(super) fn singular_positions(
 }
 
 /// Subtracts equations from each other, so that fewer have a degree above one.
-fn reduce(system: &mut [Polynomial]) {
+fn reduce(system: &mut [ClosurePolynomial]) {
     for pivot in 0..system.len() {
-        let highest = |polynomial: &Polynomial| {
+        let highest = |polynomial: &ClosurePolynomial| {
             let degree = |powers: &[(u16, u8)]| powers.iter().map(|(_, power)| u32::from(*power)).sum::<u32>();
             let high = polynomial.terms().filter(|(powers, _)| degree(powers) > 1);
             high.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))
@@ -307,10 +311,10 @@ fn needed(closure: &Closure, blocks: &[[&[usize]; 2]], block: usize) -> Vec<usiz
 
 /// Whether no unknown can grow beyond all bounds while the input is finite: each length is alone in an equation with a constant
 /// coefficient, or in the two equations of a loop with the coefficients cos θ and sin θ.
-fn is_bounded(quantities: &Quantities, equations: &[Polynomial]) -> bool {
+fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool {
     let count = quantities.len() - 1;
     let mut bounded: Vec<bool> = (0..=count)
-        .map(|quantity| quantity == 0 || quantities.kind(quantity) == Kind::Angle)
+        .map(|quantity| quantity == 0 || quantities.kind(quantity) == ClosureQuantity::Angle)
         .collect();
     loop {
         let mut has_changed = false;
@@ -329,10 +333,10 @@ fn is_bounded(quantities: &Quantities, equations: &[Polynomial]) -> bool {
                 let slope = equation.derivative(quantities, quantity);
                 (is_alone && !slope.is_zero()).then_some(slope)
             });
-            let slopes: Vec<Polynomial> = slopes.collect();
-            let is_turned = |one: &Polynomial, other: &Polynomial| {
+            let slopes: Vec<ClosurePolynomial> = slopes.collect();
+            let is_turned = |one: &ClosurePolynomial, other: &ClosurePolynomial| {
                 let angles: Vec<usize> = (0..=count)
-                    .filter(|angle| quantities.kind(*angle) == Kind::Angle)
+                    .filter(|angle| quantities.kind(*angle) == ClosureQuantity::Angle)
                     .collect();
                 angles.into_iter().any(|angle| {
                     [1.0, -1.0]
@@ -353,13 +357,13 @@ fn is_bounded(quantities: &Quantities, equations: &[Polynomial]) -> bool {
 
 /// The real solutions of a system, as values of all quantities, of which some are involved, and whether they are multiple. `None` if there
 /// are too many paths, or if one was lost.
-fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Option<Vec<Solution>> {
+fn solutions(closure: &Closure, system: &[ClosurePolynomial], involved: &[usize]) -> Option<Vec<SingularSolution>> {
     let quantities = &closure.quantities;
     let mut first = Vec::new();
     let mut count = 0_u16;
     for quantity in involved {
         first.push(count);
-        count += if quantities.kind(*quantity) == Kind::Angle {
+        count += if quantities.kind(*quantity) == ClosureQuantity::Angle {
             2
         } else {
             1
@@ -389,7 +393,7 @@ fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Op
     for (quantity, first) in involved.iter().zip(&first) {
         if closure.turned == Some(*quantity) {
             pairs.push([*first, *first + 1]);
-        } else if quantities.kind(*quantity) == Kind::Angle {
+        } else if quantities.kind(*quantity) == ClosureQuantity::Angle {
             for powers in [vec![(*first, 2)], vec![(*first + 1, 2)], Vec::new()] {
                 terms.push((equation, if powers.is_empty() { -1.0 } else { 1.0 }, powers));
             }
@@ -412,8 +416,8 @@ fn solutions(closure: &Closure, system: &[Polynomial], involved: &[usize]) -> Op
         for (quantity, first) in involved.iter().zip(&first) {
             let first = usize::from(*first);
             at[*quantity] = match quantities.kind(*quantity) {
-                Kind::Angle => Float::atan2(variables[first + 1], variables[first]),
-                Kind::Plain => variables[first],
+                ClosureQuantity::Angle => Float::atan2(variables[first + 1], variables[first]),
+                ClosureQuantity::Plain => variables[first],
             };
             if closure.turned == Some(*quantity) {
                 at[0] = Float::hypot(variables[first], variables[first + 1]);
@@ -435,7 +439,7 @@ fn real<const N: usize, const PATHS: usize>(
     terms: &mut Vec<OwnedTerm>,
     pairs: &[[u16; 2]],
     count: u16,
-) -> Option<Vec<Solution>> {
+) -> Option<Vec<SingularSolution>> {
     for variable in count..u16::try_from(N).ok()? {
         terms.push((variable, 1.0, vec![(variable, 1)]));
     }

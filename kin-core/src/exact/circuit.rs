@@ -13,7 +13,7 @@ use core::f64::consts::TAU;
 use num_traits::Float;
 
 use super::ExactTableError;
-use super::factors::Factors;
+use super::factors::LargeFactors;
 use super::owned::ExactTable;
 use super::precision::Precision;
 use super::refine::{Frame, Source, Station, refined};
@@ -22,7 +22,7 @@ use crate::law::Side;
 use crate::mechanism::{Mechanism, Sizes};
 use crate::number::{GAUSS, Number, Row};
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, Drive, Line, Local, SmoothDrive, Variable, Walk, composed};
+use crate::sweep::{Course, Drive, Local, SmoothDrive, StraightLine, Variable, Walk, composed};
 
 /// The number of terms of the series along the curve.
 const TERMS: usize = 5;
@@ -130,8 +130,8 @@ fn value(series: &Local, change: f64) -> f64 {
 }
 
 /// The curve of all positions on which a pose lies.
-struct Curve<'c, M: Mechanism<Scalar = f64>> {
-    course: &'c Course<M, Line<M>>,
+struct CircuitCurve<'c, M: Mechanism<Scalar = f64>> {
+    course: &'c Course<M, StraightLine<M>>,
     mechanism: M::With<Local>,
     /// The inputs that move, with their ways for each unit of the leading one.
     moving: Vec<(usize, f64)>,
@@ -141,8 +141,8 @@ struct Curve<'c, M: Mechanism<Scalar = f64>> {
     count: usize,
 }
 
-impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
-    fn new(course: &'c Course<M, Line<M>>, count: usize, unknowns: &M::Unknowns<f64>) -> Self {
+impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
+    fn new(course: &'c Course<M, StraightLine<M>>, count: usize, unknowns: &M::Unknowns<f64>) -> Self {
         let description = M::DESCRIPTION;
         // the variable of a line is always an input
         let lead = match course.drive.variable() {
@@ -189,7 +189,7 @@ impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
     }
 
     /// The residuals at a place, and the Jacobian with a row that holds the leading coordinate.
-    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, Factors)> {
+    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, LargeFactors)> {
         let count = place.len();
         let mut rows = vec![vec![0.0; count]; count];
         let mut values = vec![0.0; count];
@@ -203,11 +203,11 @@ impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
             coordinates[column] = Local::constant(place[column]);
         }
         rows[count - 1][leading] = 1.0;
-        Some((values, Factors::new(rows)?))
+        Some((values, LargeFactors::new(rows)?))
     }
 
     /// The place on the curve with the same leading coordinate.
-    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, Factors)> {
+    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, LargeFactors)> {
         let mut previous = f64::INFINITY;
         for _ in 0..CORRECTIONS {
             let (mut values, factors) = self.linear(&place, leading)?;
@@ -480,7 +480,7 @@ impl<'c, M: Mechanism<Scalar = f64>> Curve<'c, M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Source for Curve<'_, M> {
+impl<M: Mechanism<Scalar = f64>> Source for CircuitCurve<'_, M> {
     type Near = Point;
 
     fn columns(&self) -> Vec<Quantity> {
@@ -504,7 +504,7 @@ impl<M: Mechanism<Scalar = f64>> Source for Curve<'_, M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Course<M, Line<M>> {
+impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
     /// The whole circuit as an [`ExactTable`]: from the beginning of the range in its direction, on through the limits where the input
     /// turns back, until the motion has come back to its start. So one closed table holds both assemblies between two limits.
     ///
@@ -548,7 +548,7 @@ impl<M: Mechanism<Scalar = f64>> Course<M, Line<M>> {
         let reached = walk
             .step(&self.mechanism, self.assembly, self.drive.motions(self.from))
             .map_err(closed)?;
-        let curve = Curve::new(self, order + 1, &reached.unknowns);
+        let curve = CircuitCurve::new(self, order + 1, &reached.unknowns);
         let mut place = vec![self.from / curve.sizes[0]];
         place.extend((0..curve.sizes.len() - 1).map(|index| reached.unknowns[index] / curve.sizes[1 + index]));
         let mut ahead = vec![0.0; place.len()];

@@ -82,7 +82,7 @@ pub(super) fn refined<S: Source>(
     if rows > most {
         return Err(ExactTableError::MoreRows { most, rows });
     }
-    let mut sizes = Sizes::new(&columns, count, &first);
+    let mut sizes = Magnitudes::new(&columns, count, &first);
     let mut cells: Vec<Cell<S::Near>> = first
         .into_iter()
         .map(|ends| Cell {
@@ -145,7 +145,7 @@ fn look<S: Source>(
     source: &S,
     cell: &mut Cell<S::Near>,
     count: usize,
-    sizes: &mut Sizes,
+    sizes: &mut Magnitudes,
 ) -> Result<(), ExactTableError> {
     let [left, right] = &cell.ends;
     let length = right.at - left.at;
@@ -175,7 +175,7 @@ fn look<S: Source>(
 }
 
 /// The largest magnitudes of all columns in all orders.
-struct Sizes {
+struct Magnitudes {
     largest: Vec<f64>,
     angles: Vec<bool>,
     count: usize,
@@ -183,7 +183,7 @@ struct Sizes {
     unit: f64,
 }
 
-impl Sizes {
+impl Magnitudes {
     fn new<N>(columns: &[Quantity], count: usize, first: &[[Station<N>; 2]]) -> Self {
         let places = || first.iter().flatten().map(|station| station.at);
         let [low, high] = [
@@ -255,7 +255,7 @@ fn table<N: Clone>(
     columns: &[Quantity],
     frame: Frame,
     cells: &[Cell<N>],
-    sizes: &Sizes,
+    sizes: &Magnitudes,
 ) -> Result<ExactTable, super::ReadError> {
     let count = frame.order + 1;
     let mut rows: Vec<&Station<N>> = Vec::with_capacity(cells.len() + 1);
@@ -308,7 +308,7 @@ fn table<N: Clone>(
 }
 
 /// The change of each column over the range, if the motion repeats itself: whole turns of angles, and nothing else.
-fn turns<N>(columns: &[Quantity], count: usize, rows: &[&Station<N>], sizes: &Sizes) -> Option<Vec<f64>> {
+fn turns<N>(columns: &[Quantity], count: usize, rows: &[&Station<N>], sizes: &Magnitudes) -> Option<Vec<f64>> {
     let (first, last) = (rows.first()?, rows.last()?);
     let mut turns = Vec::with_capacity(columns.len());
     for (index, (start, end)) in first.numbers.iter().zip(&last.numbers).enumerate() {

@@ -36,12 +36,12 @@ pub struct At<M: Mechanism> {
     /// The unknowns, with angles on the turns they have reached.
     pub(super) near: <M::With<Local> as Mechanism>::Unknowns<Local>,
     /// What derivatives above the order of the mechanism are found from.
-    pub(super) source: Option<Source<M>>,
+    pub(super) source: Option<SweepPlace<M>>,
 }
 
 /// A place of a sweep, as far as derivatives above the order of the mechanism need it.
 #[derive(Clone, Copy)]
-pub(super) struct Source<M: Mechanism> {
+pub(super) struct SweepPlace<M: Mechanism> {
     /// The mechanism over long series.
     pub(super) mechanism: M::With<Instant>,
     /// The inputs, with their derivatives with respect to the variable.
@@ -53,7 +53,7 @@ pub(super) struct Source<M: Mechanism> {
     pub(super) variable: Local,
 }
 
-impl<M: Mechanism> Source<M> {
+impl<M: Mechanism> SweepPlace<M> {
     /// The position solved in long series.
     fn pose(&self) -> Option<<M::With<Instant> as Mechanism>::Pose> {
         let inputs = Row::from_fn(|input| {

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::at::{At, Source};
+use super::at::{At, SweepPlace};
 use crate::failure::SolveError;
 use crate::law::Side;
 use crate::load::LoadError;
@@ -22,7 +22,7 @@ const MOST_GAPS: usize = 64;
 
 /// The end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
+pub(super) enum StretchEnd {
     /// The end of the sweep, with the place of the other end if both are the same pose.
     Sweep,
     /// Where two pieces of a law meet.
@@ -41,7 +41,7 @@ pub(super) enum End {
 pub(super) struct Stretch<M: Mechanism> {
     /// The parameters at both ends, in the order of the sweep.
     pub(super) parameters: [f64; 2],
-    pub(super) ends: [End; 2],
+    pub(super) ends: [StretchEnd; 2],
     /// The turning point and the scale, if the stretch begins or ends at one.
     pub(super) turning: Option<(f64, f64)>,
     /// A pose close to its start.
@@ -73,7 +73,7 @@ impl<M: Mechanism> Stretch<M> {
 
 /// A place on the curve.
 #[derive(Clone, Copy)]
-pub(super) struct Node<M: Mechanism> {
+pub(super) struct CurveNode<M: Mechanism> {
     pub(super) parameter: f64,
     /// The variable of the sweep.
     pub(super) at: f64,
@@ -83,22 +83,22 @@ pub(super) struct Node<M: Mechanism> {
 }
 
 /// A quantity of a pose.
-pub(super) type Quantity<'q, M> = dyn Fn(&At<M>) -> Result<Local, LoadError> + 'q;
+pub(super) type PoseQuantity<'q, M> = dyn Fn(&At<M>) -> Result<Local, LoadError> + 'q;
 
 /// A quantity over a sweep.
 pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     pub(super) course: &'c Course<M, D>,
     pub(super) series: M::With<Local>,
     long_series: M::With<Instant>,
-    quantity: &'c Quantity<'c, M>,
+    quantity: &'c PoseQuantity<'c, M>,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
-    /// Told the part of the sweep that has been searched.
+    /// BeyondDoubt the part of the sweep that has been searched.
     progress: Option<&'c dyn Fn(f64)>,
 }
 
 impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
-    pub(super) fn new(course: &'c Course<M, D>, quantity: &'c Quantity<'c, M>) -> Self {
+    pub(super) fn new(course: &'c Course<M, D>, quantity: &'c PoseQuantity<'c, M>) -> Self {
         let series = course.mechanism.convert(Local::constant);
         Self {
             course,
@@ -161,7 +161,12 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     }
 
     /// The place with a parameter, found from a pose nearby.
-    pub(super) fn node(&self, stretch: &Stretch<M>, parameter: f64, near: Walk<M>) -> Result<Node<M>, ExtremesError> {
+    pub(super) fn node(
+        &self,
+        stretch: &Stretch<M>,
+        parameter: f64,
+        near: Walk<M>,
+    ) -> Result<CurveNode<M>, ExtremesError> {
         let variable = stretch.variable(parameter);
         let at = variable.real();
         // At the end of a stretch its own piece of the law counts.
@@ -172,7 +177,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             Side::Right
         };
         let (value, walk) = self.value(None, variable, side, near)?;
-        Ok(Node {
+        Ok(CurveNode {
             parameter,
             at,
             value,
@@ -191,7 +196,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     ) -> Result<(Local, Walk<M>), ExtremesError> {
         let at = variable.real();
         let drive = &self.course.drive;
-        let source = Source {
+        let source = SweepPlace {
             mechanism: self.long_series,
             inputs: drive.derivatives(at, side),
             unknowns: Row::splat(0.0),
@@ -219,7 +224,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             pose,
             inputs,
             near: Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
-            source: own.map(|source| Source {
+            source: own.map(|source| SweepPlace {
                 unknowns: reached.unknowns,
                 ..source
             }),
@@ -251,7 +256,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         self.course.check()?;
         let course = self.course;
         let runs_up = course.to >= course.from;
-        let mut circuits: Vec<([f64; 2], [End; 2], Walk<M>)> = Vec::new();
+        let mut circuits: Vec<([f64; 2], [StretchEnd; 2], Walk<M>)> = Vec::new();
         let mut walk = Walk::BEGINNING;
         let mut first_error = None;
         // the row before: its place, its walk, and whether it closed
@@ -263,15 +268,15 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
                 first_error.get_or_insert(error);
             }
             match (before, is_closed) {
-                (None, true) => circuits.push(([at, at], [End::Sweep, End::Sweep], walk)),
+                (None, true) => circuits.push(([at, at], [StretchEnd::Sweep, StretchEnd::Sweep], walk)),
                 (Some((place, _, false)), true) => {
                     let limit = self.limit(at, &walk, place)?;
-                    circuits.push(([limit.at, at], [End::Limit(limit.kind), End::Sweep], walk));
+                    circuits.push(([limit.at, at], [StretchEnd::Limit(limit.kind), StretchEnd::Sweep], walk));
                 }
                 (Some((place, there, true)), false) => {
                     let limit = self.limit(place, &there, at)?;
                     if let Some((ends, kinds, _)) = circuits.last_mut() {
-                        (ends[1], kinds[1]) = (limit.at, End::Limit(limit.kind));
+                        (ends[1], kinds[1]) = (limit.at, StretchEnd::Limit(limit.kind));
                     }
                 }
                 (Some((_, _, true)), true) => {
@@ -290,8 +295,8 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         for (ends, kinds, walk) in circuits {
             let mut start = (ends[0], kinds[0]);
             for joint in course.joints(ends) {
-                add(&mut stretches, [start, (joint, End::Joint)], walk, runs_up);
-                start = (joint, End::Joint);
+                add(&mut stretches, [start, (joint, StretchEnd::Joint)], walk, runs_up);
+                start = (joint, StretchEnd::Joint);
             }
             add(&mut stretches, [start, (ends[1], kinds[1])], walk, runs_up);
         }
@@ -311,17 +316,17 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
 /// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
 fn add<M: Mechanism<Scalar = f64>>(
     stretches: &mut Vec<Stretch<M>>,
-    [start, end]: [(f64, End); 2],
+    [start, end]: [(f64, StretchEnd); 2],
     walk: Walk<M>,
     runs_up: bool,
 ) {
     if start.0 == end.0 {
         return;
     }
-    let turns = |end: End| matches!(end, End::Limit(_));
+    let turns = |end: StretchEnd| matches!(end, StretchEnd::Limit(_));
     match (turns(start.1), turns(end.1)) {
         (true, true) => {
-            let middle = (f64::midpoint(start.0, end.0), End::Inside);
+            let middle = (f64::midpoint(start.0, end.0), StretchEnd::Inside);
             add(stretches, [start, middle], walk, runs_up);
             add(stretches, [middle, end], walk, runs_up);
         }

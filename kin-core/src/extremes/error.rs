@@ -4,7 +4,7 @@ use alloc::boxed::Box;
 use core::error::Error;
 use core::fmt;
 
-use super::Kind;
+use super::ExtremeKind;
 use crate::failure::SolveError;
 use crate::load::LoadError;
 use crate::quantity::Digits;
@@ -61,7 +61,7 @@ pub enum ExtremesError {
         /// The place of the peak.
         at: f64,
         /// Its kind.
-        kind: Kind,
+        kind: ExtremeKind,
     },
     /// The quantity grows beyond all bounds towards a turning point, so it has no peak.
     Unbounded {
@@ -120,7 +120,11 @@ impl fmt::Display for ExtremesError {
                 formatter,
                 "the peak at {} stands at {}, where it has no sensitivity: end the sweep short of it",
                 Digits(*at),
-                if *kind == Kind::Limit { "a limit" } else { "a kink" }
+                if *kind == ExtremeKind::Limit {
+                    "a limit"
+                } else {
+                    "a kink"
+                }
             ),
             Self::Unbounded { at } => write!(
                 formatter,

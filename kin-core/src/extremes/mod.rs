@@ -58,7 +58,7 @@ pub use sensitivity::{PeakSensitivities, PeakSensitivity};
 use alloc::vec::Vec;
 use core::fmt;
 
-use curve::{Curve, Quantity};
+use curve::{Curve, PoseQuantity};
 use progress::Progress;
 use quantity::Named;
 
@@ -68,7 +68,7 @@ use crate::sweep::{Course, SmoothDrive};
 
 /// The kind of an extreme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ExtremeKind {
     /// The slope vanishes.
     Inner,
     /// The mechanism closes no further.
@@ -89,7 +89,7 @@ pub struct Extreme {
     /// The value of the quantity, or `None` if it is unbounded.
     pub value: Option<f64>,
     /// The kind.
-    pub kind: Kind,
+    pub kind: ExtremeKind,
     /// Whether it is a maximum; otherwise it is a minimum.
     pub is_maximum: bool,
 }
@@ -103,10 +103,10 @@ impl fmt::Display for Extreme {
             None => write!(formatter, "unbounded at {}", Digits(self.at))?,
         }
         formatter.write_str(match self.kind {
-            Kind::Inner | Kind::Unbounded => "",
-            Kind::Limit => ", at a limit",
-            Kind::Kink => ", at a kink",
-            Kind::End => ", at the end of the sweep",
+            ExtremeKind::Inner | ExtremeKind::Unbounded => "",
+            ExtremeKind::Limit => ", at a limit",
+            ExtremeKind::Kink => ", at a kink",
+            ExtremeKind::End => ", at the end of the sweep",
         })
     }
 }
@@ -119,7 +119,7 @@ pub struct Peak {
     /// The value of the quantity, with its sign.
     pub value: f64,
     /// The kind of the extreme.
-    pub kind: Kind,
+    pub kind: ExtremeKind,
 }
 
 /// `-74.3 at 2.1`
@@ -140,7 +140,7 @@ pub struct Crossing {
 
 /// A part of the sweep on which a quantity keeps to a level.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dwell {
+pub struct DwellRange {
     /// Its start.
     pub from: f64,
     /// Its end. A dwell through the seam of a full turn ends beyond the end of the sweep.
@@ -231,7 +231,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         self.best(&|at| quantity(at).answer(), |value| -value)
     }
 
-    fn best(&self, quantity: &Quantity<'_, M>, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
+    fn best(&self, quantity: &PoseQuantity<'_, M>, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
         Curve::new(self, quantity).across_gaps(|curve| curve.best(rank))
     }
 
@@ -278,7 +278,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
     ///
     /// ```
-    /// use kin_core::extremes::Kind;
+    /// use kin_core::extremes::ExtremeKind;
     /// use kin_core::library::FourBar;
     /// use kin_core::prelude::*;
     ///
@@ -289,7 +289,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// }
     /// // at its limits the rocker has no finite velocity
     /// let velocity = sweep.extremes("theta4_velocity")?;
-    /// assert_eq!((velocity[0].kind, velocity[0].value), (Kind::Unbounded, None));
+    /// assert_eq!((velocity[0].kind, velocity[0].value), (ExtremeKind::Unbounded, None));
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
     ///
@@ -369,7 +369,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     ///
     /// # Errors
     /// [`ExtremesError::Argument`] if the level or the tolerance is not finite, and the errors of [`extremes`](Self::extremes).
-    pub fn dwells(&self, name: &str, level: f64, tolerance: f64) -> Result<Vec<Dwell>, ExtremesError> {
+    pub fn dwells(&self, name: &str, level: f64, tolerance: f64) -> Result<Vec<DwellRange>, ExtremesError> {
         let named = Named::find::<M>(name)?;
         self.dwells_by(|at| named.of(at), level, tolerance)
     }
@@ -383,7 +383,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         quantity: impl Fn(&At<M>) -> A,
         level: f64,
         tolerance: f64,
-    ) -> Result<Vec<Dwell>, ExtremesError> {
+    ) -> Result<Vec<DwellRange>, ExtremesError> {
         let answer = |at: &At<M>| quantity(at).answer();
         Curve::new(self, &answer).across_gaps(|curve| curve.dwells(level, tolerance))
     }

@@ -1,7 +1,7 @@
 //! A stretch of a curve in pieces that agree with the poses between them.
 
 use super::ExtremesError;
-use super::curve::{Curve, Node, Stretch};
+use super::curve::{Curve, CurveNode, Stretch};
 use crate::hermite::Piece;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
@@ -25,7 +25,7 @@ const BESIDE: f64 = 1.0 / 1024.0;
 const MEASURED: [f64; 2] = [8.0, 64.0];
 
 /// A part of a curve.
-pub(super) enum Part {
+pub(super) enum CurvePart {
     /// A piece that agrees with the poses.
     Piece(Piece),
     /// Two neighbouring places between which the values differ by rounding errors alone.
@@ -42,8 +42,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         &self,
         stretch: &Stretch<M>,
         is_turn: bool,
-        visit: &mut impl FnMut(&Part, [&Node<M>; 2]) -> Result<(), ExtremesError>,
-    ) -> Result<[Node<M>; 2], ExtremesError> {
+        visit: &mut impl FnMut(&CurvePart, [&CurveNode<M>; 2]) -> Result<(), ExtremesError>,
+    ) -> Result<[CurveNode<M>; 2], ExtremesError> {
         let [from, to] = stretch.parameters;
         let way = (stretch.variable(to).real() - stretch.variable(from).real()).abs();
         let unit = match self.course.drive.variable() {
@@ -88,11 +88,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     fn divide(
         &self,
         stretch: &Stretch<M>,
-        [left, right]: [&Node<M>; 2],
+        [left, right]: [&CurveNode<M>; 2],
         depth: usize,
         size: f64,
         budget: &mut usize,
-        visit: &mut impl FnMut(&Part, [&Node<M>; 2]) -> Result<(), ExtremesError>,
+        visit: &mut impl FnMut(&CurvePart, [&CurveNode<M>; 2]) -> Result<(), ExtremesError>,
     ) -> Result<(), ExtremesError> {
         let ends = [left.parameter, right.parameter];
         let piece = Piece::new(ends, [left.value, right.value]);
@@ -100,7 +100,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         let middle = self.node(stretch, f64::midpoint(ends[0], ends[1]), left.walk)?;
         let longest = ends[0].abs().max(ends[1].abs());
         if (ends[1] - ends[0]).abs() <= 16.0 * f64::EPSILON * longest {
-            return visit(&Part::Kink, [left, right]);
+            return visit(&CurvePart::Kink, [left, right]);
         }
         let [low, high] = piece.bounds();
         let own = left
@@ -116,7 +116,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             None => 1.0,
         };
         let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
-        let apart = |node: &Node<M>| (piece.at(node.parameter).real() - node.value.real()).abs();
+        let apart = |node: &CurveNode<M>| (piece.at(node.parameter).real() - node.value.real()).abs();
         let mut apart_most = apart(&middle);
         if apart_most <= tolerance || depth >= DEEP {
             for part in [1.0 / 3.0, 2.0 / 3.0] {
@@ -125,17 +125,21 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         }
         if apart_most <= tolerance {
             let is_flat = high - low <= ROUNDING * own.max(size);
-            let part = if is_flat { Part::Flat } else { Part::Piece(piece) };
+            let part = if is_flat {
+                CurvePart::Flat
+            } else {
+                CurvePart::Piece(piece)
+            };
             return visit(&part, [left, right]);
         }
         if depth >= DEEP {
             let rounding = self.rounding(stretch, &middle, BESIDE * (ends[1] - ends[0]))?;
             let [agreement, flat] = MEASURED.map(|times| times * rounding);
             if high - low <= flat && apart_most <= flat {
-                return visit(&Part::Flat, [left, right]);
+                return visit(&CurvePart::Flat, [left, right]);
             }
             if apart_most <= agreement {
-                return visit(&Part::Piece(piece), [left, right]);
+                return visit(&CurvePart::Piece(piece), [left, right]);
             }
         }
         *budget = budget.checked_sub(1).ok_or(ExtremesError::Unresolved {
@@ -148,7 +152,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
 
     /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series
     /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts.
-    fn rounding(&self, stretch: &Stretch<M>, node: &Node<M>, step: f64) -> Result<f64, ExtremesError> {
+    fn rounding(&self, stretch: &Stretch<M>, node: &CurveNode<M>, step: f64) -> Result<f64, ExtremesError> {
         let mut sides = [0.0_f64; 2];
         for (side, sign) in sides.iter_mut().zip([-1.0, 1.0]) {
             for times in [1.0, 2.0] {
@@ -169,10 +173,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     pub(super) fn refined(
         &self,
         stretch: &Stretch<M>,
-        [left, right]: [&Node<M>; 2],
+        [left, right]: [&CurveNode<M>; 2],
         start: f64,
         function: impl Fn(Local) -> (f64, f64),
-    ) -> Result<Node<M>, ExtremesError> {
+    ) -> Result<CurveNode<M>, ExtremesError> {
         let (low, high) = (left.parameter.min(right.parameter), left.parameter.max(right.parameter));
         let mut node = self.node(stretch, start, left.walk)?;
         let mut last = f64::INFINITY;

@@ -3,9 +3,9 @@
 use alloc::vec::Vec;
 
 use super::ExtremesError;
-use super::curve::{Curve, End, NEAREST, Node, Stretch};
-use super::parts::{Part, ROUNDING};
-use super::{Crossing, Dwell, Extreme, Kind, Peak};
+use super::curve::{Curve, CurveNode, NEAREST, Stretch, StretchEnd};
+use super::parts::{CurvePart, ROUNDING};
+use super::{Crossing, DwellRange, Extreme, ExtremeKind, Peak};
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::sweep::{Local, SmoothDrive};
@@ -19,47 +19,51 @@ const GROWTH: f64 = 1.05;
 const KINK: f64 = 1e-3;
 
 /// All extremes, and the place where the sweep begins to close: a quantity that is constant over a full turn has no other.
-pub(super) struct Found {
+pub(super) struct FoundExtremes {
     pub(super) extremes: Vec<Extreme>,
     first: Option<Extreme>,
 }
 
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
-    pub(super) fn extremes(&self) -> Result<Found, ExtremesError> {
+    pub(super) fn extremes(&self) -> Result<FoundExtremes, ExtremesError> {
         let stretches = self.stretches()?;
         let mut extremes: Vec<Extreme> = Vec::new();
         // the end of the stretch before
-        let mut before: Option<(Node<M>, bool)> = None;
+        let mut before: Option<(CurveNode<M>, bool)> = None;
         let is_turn = self.is_full_turn() && self.is_periodic(&stretches)?;
         let mut first = None;
         for stretch in &stretches {
             let mut inner = Vec::new();
             let [begin, end] = self.parts(stretch, is_turn, &mut |part, nodes| match part {
-                Part::Piece(piece) => {
+                CurvePart::Piece(piece) => {
                     for place in piece.turns() {
                         inner.push(self.turn(stretch, nodes, place)?);
                     }
                     Ok(())
                 }
-                Part::Flat => Ok(()),
-                Part::Kink => {
+                CurvePart::Flat => Ok(()),
+                CurvePart::Kink => {
                     let rises = nodes.map(|node| rises(stretch, node));
-                    inner.extend(joint(nodes, rises, Kind::Kink).into_iter().flatten());
+                    inner.extend(joint(nodes, rises, ExtremeKind::Kink).into_iter().flatten());
                     Ok(())
                 }
             })?;
             let [rises_first, rises_last] = [&begin, &end].map(|node| rises(stretch, node));
             let beginning = match stretch.ends[0] {
-                End::Limit(_) => self.at_limit(stretch, &begin)?,
-                _ => edge(&begin, Kind::End, !rises_first),
+                StretchEnd::Limit(_) => self.at_limit(stretch, &begin)?,
+                _ => edge(&begin, ExtremeKind::End, !rises_first),
             };
             first.get_or_insert(beginning);
             match stretch.ends[0] {
-                End::Sweep if is_turn => {}
-                End::Sweep | End::Limit(_) => extremes.push(beginning),
-                end @ (End::Joint | End::Inside) => {
+                StretchEnd::Sweep if is_turn => {}
+                StretchEnd::Sweep | StretchEnd::Limit(_) => extremes.push(beginning),
+                end @ (StretchEnd::Joint | StretchEnd::Inside) => {
                     if let Some((node, rose)) = before {
-                        let kind = if end == End::Joint { Kind::Kink } else { Kind::Inner };
+                        let kind = if end == StretchEnd::Joint {
+                            ExtremeKind::Kink
+                        } else {
+                            ExtremeKind::Inner
+                        };
                         let found = joint([&node, &begin], [rose, rises_first], kind);
                         extremes.extend(found.into_iter().flatten());
                     }
@@ -67,14 +71,14 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             }
             extremes.append(&mut inner);
             match stretch.ends[1] {
-                End::Sweep if is_turn => {}
-                End::Sweep => extremes.push(edge(&end, Kind::End, rises_last)),
-                End::Limit(_) => extremes.push(self.at_limit(stretch, &end)?),
-                End::Joint | End::Inside => {}
+                StretchEnd::Sweep if is_turn => {}
+                StretchEnd::Sweep => extremes.push(edge(&end, ExtremeKind::End, rises_last)),
+                StretchEnd::Limit(_) => extremes.push(self.at_limit(stretch, &end)?),
+                StretchEnd::Joint | StretchEnd::Inside => {}
             }
             before = Some((end, rises_last));
         }
-        Ok(Found { extremes, first })
+        Ok(FoundExtremes { extremes, first })
     }
 
     /// The value of the highest rank. It has none if the quantity has no bound there.
@@ -100,22 +104,22 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.
-    fn turn(&self, stretch: &Stretch<M>, nodes: [&Node<M>; 2], place: f64) -> Result<Extreme, ExtremesError> {
-        let slope = |node: &Node<M>| node.value.coefficients()[1];
+    fn turn(&self, stretch: &Stretch<M>, nodes: [&CurveNode<M>; 2], place: f64) -> Result<Extreme, ExtremesError> {
+        let slope = |node: &CurveNode<M>| node.value.coefficients()[1];
         let node = self.refined(stretch, nodes, place, |value| {
             let [_, slope, bend, ..] = value.coefficients();
             (slope, 2.0 * bend)
         })?;
         let largest = slope(nodes[0]).abs().max(slope(nodes[1]).abs());
         if slope(&node).abs() <= KINK * largest {
-            return Ok(edge(&node, Kind::Inner, node.value.coefficients()[2] < 0.0));
+            return Ok(edge(&node, ExtremeKind::Inner, node.value.coefficients()[2] < 0.0));
         }
         let [mut left, mut right] = nodes.map(|node| *node);
         let is_maximum = rises(stretch, &left);
         loop {
             let middle = f64::midpoint(left.parameter, right.parameter);
             if middle == left.parameter || middle == right.parameter {
-                return Ok(edge(&left, Kind::Kink, is_maximum));
+                return Ok(edge(&left, ExtremeKind::Kink, is_maximum));
             }
             let node = self.node(stretch, middle, left.walk)?;
             if rises(stretch, &node) == is_maximum {
@@ -143,13 +147,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// The extreme at a turning point: the curve ends there.
-    fn at_limit(&self, stretch: &Stretch<M>, nearest: &Node<M>) -> Result<Extreme, ExtremesError> {
+    fn at_limit(&self, stretch: &Stretch<M>, nearest: &CurveNode<M>) -> Result<Extreme, ExtremesError> {
         let at = stretch.turning_point().unwrap_or(nearest.at);
         if self.is_unbounded(stretch, nearest)? {
             return Ok(Extreme {
                 at,
                 value: None,
-                kind: Kind::Unbounded,
+                kind: ExtremeKind::Unbounded,
                 is_maximum: nearest.value.real() > 0.0,
             });
         }
@@ -157,17 +161,17 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         Ok(Extreme {
             at,
             value: Some(extrapolated(nearest.value)),
-            kind: Kind::Limit,
+            kind: ExtremeKind::Limit,
             is_maximum: nearest.value.coefficients()[1] < 0.0,
         })
     }
 
-    fn is_unbounded(&self, stretch: &Stretch<M>, nearest: &Node<M>) -> Result<bool, ExtremesError> {
+    fn is_unbounded(&self, stretch: &Stretch<M>, nearest: &CurveNode<M>) -> Result<bool, ExtremesError> {
         Ok(self.growth(stretch, nearest)? > GROWTH)
     }
 
     /// The growth of a quantity from a place near a turning point to another one twice as near, in the parameter.
-    pub(super) fn growth(&self, stretch: &Stretch<M>, nearest: &Node<M>) -> Result<f64, ExtremesError> {
+    pub(super) fn growth(&self, stretch: &Stretch<M>, nearest: &CurveNode<M>) -> Result<f64, ExtremesError> {
         let [near, far] = NEAR.map(|parameter| self.node(stretch, parameter, nearest.walk));
         let (near, far) = (near?.value.real(), far?.value.real());
         Ok(if near == 0.0 { 0.0 } else { near.abs() / far.abs() })
@@ -178,7 +182,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         finite("level", level)?;
         let mut crossings = Vec::new();
         // the end of the stretch before
-        let mut before: Option<Node<M>> = None;
+        let mut before: Option<CurveNode<M>> = None;
         for stretch in &self.stretches()? {
             let mut inner = Vec::new();
             let [begin, end] = self.crossings_of(stretch, level, &mut |node| {
@@ -188,7 +192,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 });
             })?;
             // a quantity that jumps where two stretches meet is on the level in neither
-            if let (Some(left), End::Joint | End::Inside) = (before, stretch.ends[0]) {
+            if let (Some(left), StretchEnd::Joint | StretchEnd::Inside) = (before, stretch.ends[0]) {
                 let [left, right] = [left, begin].map(|node| node.value.real() < level);
                 if left != right {
                     crossings.push(Crossing {
@@ -208,11 +212,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         &self,
         stretch: &Stretch<M>,
         level: f64,
-        found: &mut impl FnMut(&Node<M>),
-    ) -> Result<[Node<M>; 2], ExtremesError> {
+        found: &mut impl FnMut(&CurveNode<M>),
+    ) -> Result<[CurveNode<M>; 2], ExtremesError> {
         self.parts(stretch, false, &mut |part, nodes| {
             match part {
-                Part::Piece(piece) => {
+                CurvePart::Piece(piece) => {
                     for place in piece.crossings(level) {
                         let value = |value: Local| {
                             let [value, slope, ..] = value.coefficients();
@@ -221,7 +225,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                         found(&self.refined(stretch, nodes, place, value)?);
                     }
                 }
-                Part::Flat | Part::Kink => {
+                CurvePart::Flat | CurvePart::Kink => {
                     let [left, right] = nodes.map(|node| node.value.real() < level);
                     if left != right {
                         found(nodes[1]);
@@ -233,7 +237,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// The parts of the sweep on which the quantity keeps to a level.
-    pub(super) fn dwells(&self, level: f64, tolerance: f64) -> Result<Vec<Dwell>, ExtremesError> {
+    pub(super) fn dwells(&self, level: f64, tolerance: f64) -> Result<Vec<DwellRange>, ExtremesError> {
         finite("level", level)?;
         finite("tolerance", tolerance)?;
         let mut dwells: Vec<[f64; 2]> = Vec::new();
@@ -283,7 +287,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         let time = self.course.drive.time_per_variable();
         Ok(dwells
             .into_iter()
-            .map(|[from, to]| Dwell {
+            .map(|[from, to]| DwellRange {
                 from,
                 to,
                 duration: (to - from).abs() * time,
@@ -303,13 +307,13 @@ fn finite(argument: &'static str, value: f64) -> Result<(), ExtremesError> {
 
 /// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the parameter, as
 /// [`Piece::turns`](crate::hermite::Piece::turns) counts it.
-fn rises<M: Mechanism>(stretch: &Stretch<M>, node: &Node<M>) -> bool {
+fn rises<M: Mechanism>(stretch: &Stretch<M>, node: &CurveNode<M>) -> bool {
     let [from, to] = stretch.parameters;
     (node.value.coefficients()[1] >= 0.0) == (to >= from)
 }
 
 /// The extreme at a place that has only one side, or only one value.
-fn edge<M: Mechanism>(node: &Node<M>, kind: Kind, is_maximum: bool) -> Extreme {
+fn edge<M: Mechanism>(node: &CurveNode<M>, kind: ExtremeKind, is_maximum: bool) -> Extreme {
     Extreme {
         at: node.at,
         value: Some(node.value.real()),
@@ -323,7 +327,7 @@ const JUMP: f64 = 1e-9;
 
 /// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an extreme on each side
 /// from which the quantity does not go on in the same direction.
-fn joint<M: Mechanism>(nodes: [&Node<M>; 2], rises: [bool; 2], kind: Kind) -> [Option<Extreme>; 2] {
+fn joint<M: Mechanism>(nodes: [&CurveNode<M>; 2], rises: [bool; 2], kind: ExtremeKind) -> [Option<Extreme>; 2] {
     let [left, right] = nodes.map(|node| node.value.real());
     let jump = right - left;
     if jump.abs() <= JUMP * left.abs().max(right.abs()) {

@@ -9,7 +9,7 @@
 
 use super::ExtremesError;
 use super::curve::{Curve, Stretch};
-use super::{Kind, Peak};
+use super::{ExtremeKind, Peak};
 use crate::law::Side;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
@@ -37,9 +37,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// How a peak depends on every dimension. It has been found on this curve.
     pub(super) fn sensitivities(&self, peak: Peak) -> Result<PeakSensitivities<M>, ExtremesError> {
         let is_inner = match peak.kind {
-            Kind::Inner => true,
-            Kind::End => false,
-            kind @ (Kind::Limit | Kind::Kink | Kind::Unbounded) => {
+            ExtremeKind::Inner => true,
+            ExtremeKind::End => false,
+            kind @ (ExtremeKind::Limit | ExtremeKind::Kink | ExtremeKind::Unbounded) => {
                 return Err(ExtremesError::NoSensitivity { at: peak.at, kind });
             }
         };

@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, TAU};
 use std::string::ToString;
 
-use super::{At, ExtremesError, Kind, Peak, PeakSensitivities};
+use super::{At, ExtremeKind, ExtremesError, Peak, PeakSensitivities};
 use crate::assembly::{Assembly, Near};
 use crate::geometry::{Plane, Space};
 use crate::law::{Dwell, Law, Rise, Sequence, Shape};
@@ -170,7 +170,7 @@ fn peaks_of_a_turn() {
         ] {
             let found = turn(&linkage, assembly).peak_sensitivities(name).unwrap();
             assert_eq!(found.peak, turn(&linkage, assembly).peak(name).unwrap());
-            assert_eq!(found.peak.kind, Kind::Inner);
+            assert_eq!(found.peak.kind, ExtremeKind::Inner);
             check_by_differences(&linkage, &found, |linkage| turn(linkage, assembly).peak(name).unwrap());
             let crank = Motion::at_constant_speed(found.peak.at, 10.0);
             let partials = sensitivities_of(&linkage, [crank], assembly).unwrap();
@@ -201,7 +201,7 @@ fn check_effort<M, D, L>(
 {
     let effort = |at: &At<M>| at.effort(loads, 0);
     let found = course(mechanism).peak_sensitivities_by(effort).unwrap();
-    assert_eq!(found.peak.kind, Kind::Inner);
+    assert_eq!(found.peak.kind, ExtremeKind::Inner);
     check_by_differences(mechanism, &found, |mechanism| {
         course(mechanism).peak_by(effort).unwrap()
     });
@@ -359,7 +359,7 @@ fn peaks_under_a_law_with_dwells() {
     let course = |press: &Press| press.sweep(Assembly::Open).under_laws([&law], 0.0..=0.5, 100);
     let effort = |at: &At<Press>| at.effort(&loads, 0);
     let found = course(&PRESS).peak_sensitivities_by(effort).unwrap();
-    assert_eq!(found.peak.kind, Kind::Inner);
+    assert_eq!(found.peak.kind, ExtremeKind::Inner);
     check_by_differences(&PRESS, &found, |press| course(press).peak_by(effort).unwrap());
 }
 
@@ -369,7 +369,7 @@ fn a_peak_at_the_end_of_a_sweep_stays_there() {
     let engine = SliderCrank { r: 0.05, l: 0.15 };
     let course = |engine: &SliderCrank| engine.sweep(Assembly::Open).over(0.5..=1.0, 20).speed(10.0);
     let found = course(&engine).peak_sensitivities("s_velocity").unwrap();
-    assert_eq!((found.peak.kind, found.peak.at), (Kind::End, 1.0));
+    assert_eq!((found.peak.kind, found.peak.at), (ExtremeKind::End, 1.0));
     check_by_differences(&engine, &found, |engine| course(engine).peak("s_velocity").unwrap());
     assert!(found.by.iter().all(|by| by.at == 0.0 && by.value != 0.0));
 }
@@ -386,7 +386,11 @@ fn a_peak_at_a_limit_has_none() {
     // the rocker turns on to the limit
     let raised = |at: &At<FourBar>| at.theta4.value() + Local::constant(10.0);
     let error = sweep.peak_sensitivities_by(raised).unwrap_err();
-    let ExtremesError::NoSensitivity { at, kind: Kind::Limit } = error else {
+    let ExtremesError::NoSensitivity {
+        at,
+        kind: ExtremeKind::Limit,
+    } = error
+    else {
         panic!("{error}");
     };
     assert!((at.to_degrees() - 112.0243).abs() < 1e-4, "{at}");
@@ -408,7 +412,13 @@ fn a_peak_at_a_kink_has_none() {
     };
     let error = sweep.peak_sensitivities_by(distance).unwrap_err();
     assert!(
-        matches!(error, ExtremesError::NoSensitivity { kind: Kind::Kink, .. }),
+        matches!(
+            error,
+            ExtremesError::NoSensitivity {
+                kind: ExtremeKind::Kink,
+                ..
+            }
+        ),
         "{error}"
     );
 }

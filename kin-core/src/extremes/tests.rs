@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::{At, ExtremesError, Kind, Over};
+use super::{At, ExtremeKind, ExtremesError, Over};
 use crate::assembly::{Assembly, Near};
 use crate::law::{Dwell, Law, Rise, Sequence, Shape};
 use crate::library::{ClassThreeTriad, FourBar, JansenLeg, PeaucellierLinkage, ScotchYoke, SliderCrank};
@@ -12,11 +12,11 @@ use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, samples, series::Series};
 use crate::sweep::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
-use crate::sweep::{Course, Instant, Line, Local, Sweep};
+use crate::sweep::{Course, Instant, Local, StraightLine, Sweep};
 
 const ORDERS: [&str; 5] = ["", "_velocity", "_acceleration", "_jerk", "_snap"];
 
-fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, Line<FourBar>> {
+fn turn(linkage: FourBar, assembly: Assembly) -> Course<FourBar, StraightLine<FourBar>> {
     linkage.sweep(assembly).over(0.0..=TAU, 100).speed(10.0)
 }
 
@@ -49,7 +49,7 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
             let values = (0..count).map(|index| rocker(CRANK_ROCKER, assembly, at(index), order)[0]);
             let size = values.clone().fold(0.0, |size: f64, value| size.max(value.abs()));
             for extreme in &found {
-                assert_eq!(extreme.kind, Kind::Inner);
+                assert_eq!(extreme.kind, ExtremeKind::Inner);
                 let [value, slope] = rocker(CRANK_ROCKER, assembly, extreme.at, order);
                 assert!(
                     (extreme.value.unwrap() - value).abs() < 1e-12 * size,
@@ -128,7 +128,7 @@ fn turning_points_bound_positions_and_not_rates() {
     let range = LIMITED.crank_range().unwrap();
     let positions = sweep.extremes("theta4").unwrap();
     let (first, last) = (positions.first().unwrap(), positions.last().unwrap());
-    assert_eq!((first.kind, last.kind), (Kind::Limit, Kind::Limit));
+    assert_eq!((first.kind, last.kind), (ExtremeKind::Limit, ExtremeKind::Limit));
     assert!((first.at + range.high).abs() < 1e-14 && (last.at - range.high).abs() < 1e-14);
     // coupler and rocker are in line
     let FourBar { r1, r2, r3, r4 } = LIMITED;
@@ -141,12 +141,12 @@ fn turning_points_bound_positions_and_not_rates() {
     for suffix in &ORDERS[1..] {
         let rates = sweep.extremes(&std::format!("theta4{suffix}")).unwrap();
         for rate in [rates.first().unwrap(), rates.last().unwrap()] {
-            assert_eq!((rate.kind, rate.value), (Kind::Unbounded, None));
+            assert_eq!((rate.kind, rate.value), (ExtremeKind::Unbounded, None));
         }
         let name = std::format!("theta4{suffix}");
         assert!(matches!(sweep.peak(&name), Err(ExtremesError::Unbounded { .. })));
         // without a bound on one side, there may be one on the other
-        let sides = rates.iter().filter(|rate| rate.kind == Kind::Unbounded);
+        let sides = rates.iter().filter(|rate| rate.kind == ExtremeKind::Unbounded);
         let signs: Vec<bool> = sides.map(|rate| rate.is_maximum).collect();
         assert_eq!(sweep.highest(&name).is_err(), signs.contains(&true));
         assert_eq!(sweep.lowest(&name).is_err(), signs.contains(&false));
@@ -194,7 +194,10 @@ fn laws_have_joints() {
     let sweep = crank.sweep(Assembly::Open).under_laws([&servo], 0.0..=0.5, 40);
     let extremes = sweep.extremes("theta_jerk").unwrap();
     // the law ends with its largest jerk, and rests at once
-    let joint = extremes.iter().find(|extreme| extreme.kind == Kind::Kink).unwrap();
+    let joint = extremes
+        .iter()
+        .find(|extreme| extreme.kind == ExtremeKind::Kink)
+        .unwrap();
     assert_eq!((joint.at, joint.is_maximum), (0.4, true));
     let expected = 60.0 / 0.4_f64.powi(3);
     assert!((joint.value.unwrap() - expected).abs() < 1e-12 * expected, "{joint}");
@@ -232,7 +235,10 @@ fn kinks_and_transmission_angles() {
     }
     assert_eq!(plain.len(), 2);
     let folded = sweep.extremes_by(|at| angle(at).folded()).unwrap();
-    let kinks: Vec<_> = folded.iter().filter(|extreme| extreme.kind == Kind::Kink).collect();
+    let kinks: Vec<_> = folded
+        .iter()
+        .filter(|extreme| extreme.kind == ExtremeKind::Kink)
+        .collect();
     assert_eq!(kinks.len(), 2);
     for kink in kinks {
         assert!((kink.value.unwrap() - PI / 2.0).abs() < 1e-13);
@@ -254,7 +260,10 @@ fn coupled_blocks_have_extremes() {
         leg * 0.5 / (2.0 * (1.0 - cosine * cosine).sqrt())
     };
     // it is the smallest where l² = 3: d/dl (l² / (16 - (5 - l²)²)) = 0
-    let inner: Vec<_> = extremes.iter().filter(|extreme| extreme.kind == Kind::Inner).collect();
+    let inner: Vec<_> = extremes
+        .iter()
+        .filter(|extreme| extreme.kind == ExtremeKind::Inner)
+        .collect();
     assert_eq!((inner.len(), extremes.len()), (1, 3));
     let leg = inner[0].at;
     assert!((leg * leg - 3.0).abs() < 1e-12, "{leg}");
@@ -336,7 +345,10 @@ fn margins_are_quantities() {
     let smallest = turn(CRANK_ROCKER, Assembly::Open).lowest("margin").unwrap().value;
     // stretched: crank and ground in line
     assert!((smallest - (r3 + r4 - r1 - r2)).abs() < 1e-12, "{smallest}");
-    let kinks: Vec<_> = margins.iter().filter(|extreme| extreme.kind == Kind::Kink).collect();
+    let kinks: Vec<_> = margins
+        .iter()
+        .filter(|extreme| extreme.kind == ExtremeKind::Kink)
+        .collect();
     // where both kinds of margin are the same: d = max(r3, r4)
     assert_eq!(kinks.len(), 2);
     for kink in kinks {
@@ -352,7 +364,7 @@ fn margins_are_quantities() {
         .extremes("margin")
         .unwrap();
     for end in [limited.first().unwrap(), limited.last().unwrap()] {
-        assert_eq!(end.kind, Kind::Limit);
+        assert_eq!(end.kind, ExtremeKind::Limit);
         assert!(end.value.unwrap().abs() < 1e-9, "{end}");
     }
     let press = SliderCrank { r: 0.1, l: 0.3 };
@@ -402,7 +414,7 @@ crate::mechanism! {
 }
 
 /// The margin as a series at a place of a sweep, by differences of the extremes' own numbers.
-fn margins<M>(sweep: Course<M, Line<M>>, expected: impl Fn(f64) -> f64)
+fn margins<M>(sweep: Course<M, StraightLine<M>>, expected: impl Fn(f64) -> f64)
 where
     M: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
 {
@@ -443,7 +455,7 @@ fn margins_of_links_that_change() {
         .extremes("margin")
         .unwrap();
     let last = ends.last().unwrap();
-    assert_eq!(last.kind, Kind::Limit);
+    assert_eq!(last.kind, ExtremeKind::Limit);
     assert!(
         (last.at - 3.5).abs() < 1e-14 && last.value.unwrap().abs() < 1e-9,
         "{last}"
@@ -519,7 +531,7 @@ fn gaps_divide_a_sweep() {
         let extremes = sweep.extremes("theta4").unwrap();
         let found: Vec<f64> = extremes
             .iter()
-            .filter(|extreme| extreme.kind == Kind::Limit)
+            .filter(|extreme| extreme.kind == ExtremeKind::Limit)
             .map(|extreme| extreme.at)
             .collect();
         assert_eq!(found, limits);
@@ -527,7 +539,7 @@ fn gaps_divide_a_sweep() {
         assert_eq!(
             velocity
                 .iter()
-                .filter(|extreme| extreme.kind == Kind::Unbounded)
+                .filter(|extreme| extreme.kind == ExtremeKind::Unbounded)
                 .count(),
             2
         );
@@ -537,7 +549,7 @@ fn gaps_divide_a_sweep() {
         let at = |place: f64| linkage.position(place, Assembly::Open).unwrap().theta4.value();
         let limit_values: Vec<f64> = extremes
             .iter()
-            .filter(|extreme| extreme.kind == Kind::Limit)
+            .filter(|extreme| extreme.kind == ExtremeKind::Limit)
             .filter_map(|extreme| extreme.value)
             .collect();
         let way = limit_values[0] - at(0.0) + at(TAU) - limit_values[1];
@@ -581,7 +593,7 @@ fn formulas_have_extremes() {
     // 2 cos(1/4 + sin(t)/2): the crank's ends, and its passage through zero
     let extremes = swing.extremes("x").unwrap();
     let mut expected = std::vec![PI / 2.0, PI + PI / 6.0, 1.5 * PI, TAU - PI / 6.0];
-    for extreme in extremes.iter().filter(|extreme| extreme.kind == Kind::Inner) {
+    for extreme in extremes.iter().filter(|extreme| extreme.kind == ExtremeKind::Inner) {
         let place = expected.iter().position(|place| (place - extreme.at).abs() < 1e-13);
         expected.remove(place.unwrap_or_else(|| panic!("{extreme}")));
         let value = 2.0 * (0.25 + 0.5 * extreme.at.sin()).cos();
@@ -640,7 +652,7 @@ fn the_end_of_a_range_bounds_everything() {
         let last = extremes.last().unwrap();
         assert_eq!(
             (last.kind, last.is_maximum, extremes.len()),
-            (Kind::Limit, true, 2),
+            (ExtremeKind::Limit, true, 2),
             "{extremes:?}"
         );
         assert!((last.at - end).abs() < 1e-14, "{last}");
@@ -665,7 +677,7 @@ fn rounding_errors_have_no_extremes() {
     for suffix in ORDERS {
         let across = sweep.extremes(&std::format!("tracer.x{suffix}")).unwrap();
         assert!(
-            across.iter().all(|extreme| extreme.kind == Kind::End),
+            across.iter().all(|extreme| extreme.kind == ExtremeKind::End),
             "{suffix}: {}",
             across.len()
         );
@@ -704,14 +716,14 @@ fn a_constant_is_largest_where_it_closes() {
     let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(2.0);
     for peak in [sweep.peak("theta2_velocity"), sweep.lowest("theta2_velocity")] {
         let peak = peak.unwrap();
-        assert_eq!(peak.kind, Kind::Limit);
+        assert_eq!(peak.kind, ExtremeKind::Limit);
         assert!(
             (peak.at.abs() - limit).abs() < 1e-14 && (peak.value - 2.0).abs() < 1e-13,
             "{peak}"
         );
     }
     let turning = turn(CRANK_ROCKER, Assembly::Open).peak("theta2_velocity").unwrap();
-    assert_eq!((turning.at, turning.value, turning.kind), (0.0, 10.0, Kind::End));
+    assert_eq!((turning.at, turning.value, turning.kind), (0.0, 10.0, ExtremeKind::End));
 }
 
 /// At a joint of a law a quantity may jump across a level, upwards as well as downwards, and in both directions of the sweep.

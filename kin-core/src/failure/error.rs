@@ -4,7 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::failure::InputValues;
-use crate::quantity::{Digits, Told};
+use crate::quantity::{Digits, WithUnit};
 
 /// The reason why a solver found no position.
 ///
@@ -139,7 +139,7 @@ impl fmt::Display for Failure {
                 high,
                 is_angle,
             } => {
-                let [value, low, high] = [value, low, high].map(|value| Told { value, is_angle });
+                let [value, low, high] = [value, low, high].map(|value| WithUnit { value, is_angle });
                 write!(
                     formatter,
                     "{unknown} = {value} lies outside its declared range from {low} to {high}; \
@@ -152,7 +152,7 @@ impl fmt::Display for Failure {
                 second,
                 is_angle,
             } => {
-                let [first, second] = [first, second].map(|value| Told { value, is_angle });
+                let [first, second] = [first, second].map(|value| WithUnit { value, is_angle });
                 write!(
                     formatter,
                     "the declared range of {unknown} holds both solutions, {first} and {second}; \
@@ -184,11 +184,11 @@ impl fmt::Display for Failure {
                 formatter,
                 "the guess for {unknown} is {}, where neighbouring numbers are {} apart and define no direction; \
                  subtract whole turns from the guess",
-                Told {
+                WithUnit {
                     value: guess,
                     is_angle: true
                 },
-                Told {
+                WithUnit {
                     value: spacing,
                     is_angle: true
                 }

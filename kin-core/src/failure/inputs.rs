@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::quantity::{Quantity, Told};
+use crate::quantity::{Quantity, WithUnit};
 
 /// The first few inputs of a mechanism with their names and units. They tell where an error occurred.
 ///
@@ -62,7 +62,7 @@ impl fmt::Display for InputValues {
                 formatter,
                 "{} = {}",
                 quantity.name,
-                Told::new(value, quantity.dimension)
+                WithUnit::new(value, quantity.dimension)
             )?;
         }
         Ok(())

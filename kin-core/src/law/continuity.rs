@@ -22,7 +22,7 @@ const PLACES: u8 = 8;
 /// A jump counts if it exceeds rounding: 256 roundings of the largest value that the derivative has in either piece, and what it changes
 /// within 4 roundings of the law's duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint<T, const N: usize> {
+pub struct LawJoint<T, const N: usize> {
     /// The time from the start of the law.
     pub time: T,
     /// The motion before it.
@@ -33,7 +33,7 @@ pub struct Joint<T, const N: usize> {
     rounding: [f64; N],
 }
 
-impl<T: Number, const N: usize> Joint<T, N> {
+impl<T: Number, const N: usize> LawJoint<T, N> {
     /// The jump of the value and of every derivative, from left to right, rounding included.
     #[must_use]
     pub fn jump(&self) -> Motion<T, N> {
@@ -56,7 +56,7 @@ impl<T: Number, const N: usize> Joint<T, N> {
 }
 
 /// For instance `C2 at 2.094395: jerk jumps by 40, snap jumps by -120`.
-impl<T: Number, const N: usize> fmt::Display for Joint<T, N> {
+impl<T: Number, const N: usize> fmt::Display for LawJoint<T, N> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.continuity() {
             Some(order) => write!(formatter, "C{order}")?,
@@ -86,7 +86,7 @@ const NAMES: [&str; 7] = ["value", "velocity", "acceleration", "jerk", "snap", "
 
 /// The joints of a law in the order of their times: [`Law::joints`](super::Law::joints).
 #[derive(Debug)]
-pub struct Joints<'a, T, L: ?Sized, const N: usize> {
+pub struct LawJoints<'a, T, L: ?Sized, const N: usize> {
     law: &'a L,
     /// The next piece to look at.
     next: usize,
@@ -96,7 +96,7 @@ pub struct Joints<'a, T, L: ?Sized, const N: usize> {
     number: PhantomData<T>,
 }
 
-impl<'a, T: Number, L: Piecewise<T> + ?Sized, const N: usize> Joints<'a, T, L, N> {
+impl<'a, T: Number, L: Piecewise<T> + ?Sized, const N: usize> LawJoints<'a, T, L, N> {
     pub(super) const fn new(law: &'a L) -> Self {
         Self {
             law,
@@ -119,7 +119,7 @@ impl<'a, T: Number, L: Piecewise<T> + ?Sized, const N: usize> Joints<'a, T, L, N
     }
 
     /// The joint between two pieces; no piece is the rest outside of the law.
-    fn joint(&self, before: Option<usize>, after: Option<usize>) -> Joint<T, N> {
+    fn joint(&self, before: Option<usize>, after: Option<usize>) -> LawJoint<T, N> {
         let time = match (after, before) {
             (Some(piece), _) => self.start(piece),
             (None, Some(piece)) => self.law.end(piece),
@@ -132,7 +132,7 @@ impl<'a, T: Number, L: Piecewise<T> + ?Sized, const N: usize> Joints<'a, T, L, N
         for piece in before.into_iter().chain(after) {
             self.measure(piece, &mut rounding);
         }
-        Joint {
+        LawJoint {
             time,
             left: left.unwrap_or_else(|| rest(right)),
             right: right.unwrap_or_else(|| rest(left)),
@@ -163,10 +163,10 @@ impl<'a, T: Number, L: Piecewise<T> + ?Sized, const N: usize> Joints<'a, T, L, N
     }
 }
 
-impl<T: Number, L: Piecewise<T> + ?Sized, const N: usize> Iterator for Joints<'_, T, L, N> {
-    type Item = Joint<T, N>;
+impl<T: Number, L: Piecewise<T> + ?Sized, const N: usize> Iterator for LawJoints<'_, T, L, N> {
+    type Item = LawJoint<T, N>;
 
-    fn next(&mut self) -> Option<Joint<T, N>> {
+    fn next(&mut self) -> Option<LawJoint<T, N>> {
         let count = self.law.pieces();
         while self.next < count && self.is_empty(self.next) {
             self.next += 1;

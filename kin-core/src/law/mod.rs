@@ -55,7 +55,7 @@ mod sequence;
 mod tests;
 
 pub use constant::{ConstantSpeed, Dwell};
-pub use continuity::{Joint, Joints};
+pub use continuity::{LawJoint, LawJoints};
 pub use error::LawError;
 pub use fourier::Fourier;
 pub(crate) use piecewise::approached;

@@ -2,7 +2,7 @@
 
 use num_traits::Float;
 
-use super::continuity::Joints;
+use super::continuity::LawJoints;
 use crate::motion::Motion;
 use crate::number::Number;
 
@@ -176,8 +176,8 @@ pub trait Law<T: Number>: Piecewise<T> {
     /// assert_eq!(end.jump().jerk(), -60.0);
     /// # Ok::<(), kin_core::law::LawError>(())
     /// ```
-    fn joints<const N: usize>(&self) -> Joints<'_, T, Self, N> {
-        Joints::new(self)
+    fn joints<const N: usize>(&self) -> LawJoints<'_, T, Self, N> {
+        LawJoints::new(self)
     }
 
     /// The law again and again.

@@ -109,12 +109,12 @@ pub struct Solid {
 
 /// A rigid body in space.
 #[derive(Clone, Copy)]
-pub struct Body<F> {
+pub struct SpaceBody<F> {
     pub(super) solid: Solid,
     pub(super) points: F,
 }
 
-impl<M: Mechanism, P: Varying<Space<Change<M::Scalar>>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for Body<F> {
+impl<M: Mechanism, P: Varying<Space<Change<M::Scalar>>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for SpaceBody<F> {
     const COUNT: usize = 1;
 
     // With the arms ξ from the centre of mass along unit vectors e fixed to the body, the velocity of a mass element is that of the
@@ -229,7 +229,7 @@ where
 
 /// A spring or a damper between two points.
 #[derive(Clone, Copy)]
-pub struct Link<K, F, G> {
+pub struct BetweenPoints<K, F, G> {
     pub(super) kind: K,
     pub(super) from: F,
     pub(super) to: G,
@@ -237,7 +237,7 @@ pub struct Link<K, F, G> {
 
 /// A spring or a damper on an angle.
 #[derive(Clone, Copy)]
-pub struct Turning<K, F> {
+pub struct OnAngle<K, F> {
     pub(super) kind: K,
     pub(super) angle: F,
 }
@@ -279,7 +279,7 @@ fn distance<M: Mechanism>(square: Coordinate<M>, load: usize) -> Result<Coordina
     }
 }
 
-impl<M, P, Q, F, G> Load<M> for Link<Spring, F, G>
+impl<M, P, Q, F, G> Load<M> for BetweenPoints<Spring, F, G>
 where
     M: Mechanism,
     P: Varying<Space<Change<M::Scalar>>>,
@@ -304,7 +304,7 @@ where
     }
 }
 
-impl<M, P, Q, F, G> Load<M> for Link<Damper, F, G>
+impl<M, P, Q, F, G> Load<M> for BetweenPoints<Damper, F, G>
 where
     M: Mechanism,
     P: Varying<Space<Change<M::Scalar>>>,
@@ -321,7 +321,7 @@ where
     }
 }
 
-impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Spring, F> {
+impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Spring, F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -332,7 +332,7 @@ impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> 
     }
 }
 
-impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Turning<Damper, F> {
+impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Damper, F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {

@@ -71,7 +71,7 @@ mod varying;
 pub use balance::{Balance, Rates};
 pub use dynamics::EquivalentInertia;
 pub use error::LoadError;
-pub use kinds::{Body, Damper, Force, Inertia, Link, Load, Mass, Solid, Spring, Torque, Turning};
+pub use kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque};
 #[doc(hidden)]
 pub use totals::Totals;
 pub use varying::Varying;
@@ -216,12 +216,12 @@ impl<M: Mechanism, L> Loads<M, L> {
     /// # Ok::<(), kin_core::load::LoadError>(())
     /// ```
     #[must_use]
-    pub fn body<P, F>(self, solid: Solid, points: F) -> Loads<M, (L, Body<F>)>
+    pub fn body<P, F>(self, solid: Solid, points: F) -> Loads<M, (L, SpaceBody<F>)>
     where
         P: Varying<Space<Change<M::Scalar>>>,
         F: Fn(Moving<M>) -> [P; 3] + Copy,
     {
-        self.and(Body { solid, points })
+        self.and(SpaceBody { solid, points })
     }
 
     /// A force at a point. A force that changes in time is a `Motion` with at least two derivatives fewer than the mechanism.
@@ -250,7 +250,13 @@ impl<M: Mechanism, L> Loads<M, L> {
 
     /// A spring between two points, with the given stiffness and length at rest.
     #[must_use]
-    pub fn spring<P, Q, F, G>(self, stiffness: f64, rest: f64, from: F, to: G) -> Loads<M, (L, Link<Spring, F, G>)>
+    pub fn spring<P, Q, F, G>(
+        self,
+        stiffness: f64,
+        rest: f64,
+        from: F,
+        to: G,
+    ) -> Loads<M, (L, BetweenPoints<Spring, F, G>)>
     where
         P: Varying<Space<Change<M::Scalar>>>,
         Q: Varying<Space<Change<M::Scalar>>>,
@@ -258,12 +264,12 @@ impl<M: Mechanism, L> Loads<M, L> {
         G: Fn(Moving<M>) -> Q + Copy,
     {
         let kind = Spring { stiffness, rest };
-        self.and(Link { kind, from, to })
+        self.and(BetweenPoints { kind, from, to })
     }
 
     /// A damper between two points: its force is the given constant times the rate of its length.
     #[must_use]
-    pub fn damper<P, Q, F, G>(self, damping: f64, from: F, to: G) -> Loads<M, (L, Link<Damper, F, G>)>
+    pub fn damper<P, Q, F, G>(self, damping: f64, from: F, to: G) -> Loads<M, (L, BetweenPoints<Damper, F, G>)>
     where
         P: Varying<Space<Change<M::Scalar>>>,
         Q: Varying<Space<Change<M::Scalar>>>,
@@ -271,29 +277,29 @@ impl<M: Mechanism, L> Loads<M, L> {
         G: Fn(Moving<M>) -> Q + Copy,
     {
         let kind = Damper { damping };
-        self.and(Link { kind, from, to })
+        self.and(BetweenPoints { kind, from, to })
     }
 
     /// A spring that acts on an angle, with its angle at rest, or on the distance of a slider.
     #[must_use]
-    pub fn torsion_spring<P, F>(self, stiffness: f64, rest: f64, angle: F) -> Loads<M, (L, Turning<Spring, F>)>
+    pub fn torsion_spring<P, F>(self, stiffness: f64, rest: f64, angle: F) -> Loads<M, (L, OnAngle<Spring, F>)>
     where
         P: Varying<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         let kind = Spring { stiffness, rest };
-        self.and(Turning { kind, angle })
+        self.and(OnAngle { kind, angle })
     }
 
     /// A damper that acts on an angle, or on the distance of a slider.
     #[must_use]
-    pub fn torsion_damper<P, F>(self, damping: f64, angle: F) -> Loads<M, (L, Turning<Damper, F>)>
+    pub fn torsion_damper<P, F>(self, damping: f64, angle: F) -> Loads<M, (L, OnAngle<Damper, F>)>
     where
         P: Varying<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         let kind = Damper { damping };
-        self.and(Turning { kind, angle })
+        self.and(OnAngle { kind, angle })
     }
 }
 
@@ -340,7 +346,7 @@ impl<M: Mechanism, L: Load<M>> Loads<M, L> {
         &self,
         mechanism: &M,
         inputs: M::Inputs<M::Motion<M::Scalar>>,
-        solve: impl Fn(&totals::Changing<M>, totals::ChangingInputs<M>) -> Result<Moving<M>, SolveError>,
+        solve: impl Fn(&totals::ChangingMechanism<M>, totals::ChangingInputs<M>) -> Result<Moving<M>, SolveError>,
     ) -> Result<Balance<M>, LoadError> {
         let poses = totals::poses(mechanism, inputs, solve)?;
         let mut totals = Totals::new(poses, self.gravity);

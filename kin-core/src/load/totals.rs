@@ -178,11 +178,11 @@ fn add<T: Number>(sum: &mut T, term: T) {
 pub(super) fn poses<M: Mechanism>(
     mechanism: &M,
     inputs: M::Inputs<M::Motion<M::Scalar>>,
-    solve: impl Fn(&Changing<M>, ChangingInputs<M>) -> Result<Moving<M>, SolveError>,
+    solve: impl Fn(&ChangingMechanism<M>, ChangingInputs<M>) -> Result<Moving<M>, SolveError>,
 ) -> Result<M::Inputs<Moving<M>>, SolveError> {
     let zero = M::Scalar::constant(0.0);
     let parameters = mechanism.parameters();
-    let changing = Changing::<M>::from_parameters(Row::from_fn(|place| Change::new(parameters[place], zero)));
+    let changing = ChangingMechanism::<M>::from_parameters(Row::from_fn(|place| Change::new(parameters[place], zero)));
     let solve = |direction: usize| {
         let moved = Row::from_fn(|input| {
             let motion: M::Motion<M::Scalar> = inputs[input];
@@ -202,8 +202,8 @@ pub(super) fn poses<M: Mechanism>(
 }
 
 /// A mechanism over numbers with their change.
-pub(super) type Changing<M> = <M as Mechanism>::With<Change<<M as Mechanism>::Scalar>>;
+pub(super) type ChangingMechanism<M> = <M as Mechanism>::With<Change<<M as Mechanism>::Scalar>>;
 
 /// The motions of its inputs.
 pub(super) type ChangingInputs<M> =
-    <Changing<M> as Mechanism>::Inputs<<M as Mechanism>::Motion<Change<<M as Mechanism>::Scalar>>>;
+    <ChangingMechanism<M> as Mechanism>::Inputs<<M as Mechanism>::Motion<Change<<M as Mechanism>::Scalar>>>;

@@ -6,7 +6,7 @@ use crate::number::{Number, Row, series::Series};
 use crate::quantity::{Dimension, Quantity};
 
 /// A value and its first-order change.
-type Change = Series<2>;
+type FirstOrder = Series<2>;
 
 /// The quantity that changes, by its index.
 #[derive(Clone, Copy, PartialEq)]
@@ -28,9 +28,9 @@ pub(crate) fn conditions<M: Mechanism>(
     let response = |quantity: Changed, by: f64| {
         let series = |own: Changed, value: f64| {
             let change = if own == quantity { by } else { 0.0 };
-            Change::from_coefficients([value, change])
+            FirstOrder::from_coefficients([value, change])
         };
-        let changed = <M::With<Change>>::from_parameters(Row::from_fn(|index| {
+        let changed = <M::With<FirstOrder>>::from_parameters(Row::from_fn(|index| {
             series(Changed::Parameter(index), values(parameters.as_ref(), index))
         }));
         let residuals = changed.residuals(

@@ -36,7 +36,7 @@ use core::fmt::Debug;
 use crate::assembly::assembly_name;
 use crate::failure::SolveError;
 use crate::number::Row;
-use crate::picture::{Outline, Place, Places, Skeleton, TransmissionAngle};
+use crate::picture::{Outline, PlaneOrSpace, PointArray, Skeleton, TransmissionAngle};
 use crate::solve::Scalar;
 
 /// A declared mechanism.
@@ -102,7 +102,7 @@ pub trait Mechanism: Copy + Debug {
     /// A value for each dyad of two links, or of a link and a slider.
     type Dyads<V: Copy>: Row<V>;
     /// The joints of the skeleton and the directions of its slides: an array of points of the plane or of space.
-    type Places: Places<Point: Place<Scalar = Self::Scalar>>;
+    type Places: PointArray<Point: PlaneOrSpace<Scalar = Self::Scalar>>;
 
     /// The names, dimensions and equations, and the methods that solve them.
     const DESCRIPTION: Description;

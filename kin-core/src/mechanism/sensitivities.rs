@@ -7,10 +7,10 @@ use crate::mechanism::{Mechanism, Partials, Pose};
 use crate::number::{Number, Row, series::Series};
 
 /// A value and its first-order change.
-type Change = Series<2>;
+type FirstOrder = Series<2>;
 
 /// The outputs of a mechanism whose numbers carry a change.
-type Outputs<M, V> = <<<M as Mechanism>::With<Change> as Mechanism>::Pose as Pose>::Outputs<V>;
+type Outputs<M, V> = <<<M as Mechanism>::With<FirstOrder> as Mechanism>::Pose as Pose>::Outputs<V>;
 
 /// The partial derivatives of a motion with respect to one parameter, as [`sensitivities_of`] returns them. They are read by
 /// the methods of [`Partials`].
@@ -86,18 +86,20 @@ pub fn sensitivities_of<M: Mechanism<Scalar = f64>>(
     };
     let mut partials: M::Parameters<PartialMotions<M>> = Row::splat(nothing);
     let fixed =
-        <<M::With<Change> as Mechanism>::Inputs<M::Motion<Change>> as Row<M::Motion<Change>>>::from_fn(|input| {
-            let motion: M::Motion<f64> = inputs[input];
-            Row::from_fn(|order| Change::constant(motion[order]))
-        });
+        <<M::With<FirstOrder> as Mechanism>::Inputs<M::Motion<FirstOrder>> as Row<M::Motion<FirstOrder>>>::from_fn(
+            |input| {
+                let motion: M::Motion<f64> = inputs[input];
+                Row::from_fn(|order| FirstOrder::constant(motion[order]))
+            },
+        );
     for (place, partial) in partials.as_mut().iter_mut().enumerate() {
         let mut next = 0;
         let changed = mechanism.convert(|value| {
             next += 1;
-            Change::from_coefficients([value, if next == place + 1 { 1.0 } else { 0.0 }])
+            FirstOrder::from_coefficients([value, if next == place + 1 { 1.0 } else { 0.0 }])
         });
         let pose = changed.solve_motion(fixed, assembly)?;
-        let change = |motion: &M::Motion<Change>| M::Motion::from_fn(|order| motion[order].coefficients()[1]);
+        let change = |motion: &M::Motion<FirstOrder>| M::Motion::from_fn(|order| motion[order].coefficients()[1]);
         let (unknowns, outputs) = (pose.unknown_motions(), pose.output_motions());
         *partial = PartialMotions {
             unknowns: Row::from_fn(|unknown| change(&unknowns[unknown])),

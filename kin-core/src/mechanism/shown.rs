@@ -6,7 +6,7 @@ use crate::geometry::{Plane, Space};
 use crate::mechanism::{Description, Mechanism};
 use crate::motion::{Direction, Motion};
 use crate::number::Number;
-use crate::quantity::{Dimension, Quantity, RATES, Told};
+use crate::quantity::{Dimension, Quantity, RATES, WithUnit};
 use crate::solve::Scalar;
 
 /// A field of a pose, as numbers.
@@ -120,7 +120,7 @@ fn fmt_field(formatter: &mut fmt::Formatter<'_>, quantity: &Quantity, field: &dy
             let value = field.entry(coordinate, order).unwrap_or(f64::NAN);
             let is_angle = order == 0 && quantity.dimension == Dimension::Angle;
             formatter.write_str(if coordinate == 0 { "" } else { ", " })?;
-            fmt::Display::fmt(&Told { value, is_angle }, formatter)?;
+            fmt::Display::fmt(&WithUnit { value, is_angle }, formatter)?;
         }
         formatter.write_str(if is_point { ")" } else { "" })?;
     }

@@ -6,6 +6,6 @@ mod skeleton;
 mod transmission;
 
 pub use outline::{Body, Outline, Slide};
-pub use places::{Place, Places};
+pub use places::{PlaneOrSpace, PointArray};
 pub use skeleton::Skeleton;
 pub use transmission::TransmissionAngle;

@@ -6,7 +6,7 @@ use crate::geometry::{Plane, Space};
 use crate::number::Number;
 
 /// A point of the plane or of space.
-pub trait Place: Copy + Debug {
+pub trait PlaneOrSpace: Copy + Debug {
     /// The number type.
     type Scalar;
     /// Whether it is a point of the plane.
@@ -16,7 +16,7 @@ pub trait Place: Copy + Debug {
     fn in_space(self) -> Space<Self::Scalar>;
 }
 
-impl<T: Number> Place for Plane<T> {
+impl<T: Number> PlaneOrSpace for Plane<T> {
     type Scalar = T;
     const IS_PLANE: bool = true;
 
@@ -25,7 +25,7 @@ impl<T: Number> Place for Plane<T> {
     }
 }
 
-impl<T: Number> Place for Space<T> {
+impl<T: Number> PlaneOrSpace for Space<T> {
     type Scalar = T;
     const IS_PLANE: bool = false;
 
@@ -35,15 +35,15 @@ impl<T: Number> Place for Space<T> {
 }
 
 /// An array of points.
-pub trait Places: Copy + Debug {
+pub trait PointArray: Copy + Debug {
     /// The points, of the plane or of space.
-    type Point: Place;
+    type Point: PlaneOrSpace;
 
     /// All of them.
     fn as_slice(&self) -> &[Self::Point];
 }
 
-impl<V: Place, const N: usize> Places for [V; N] {
+impl<V: PlaneOrSpace, const N: usize> PointArray for [V; N] {
     type Point = V;
 
     fn as_slice(&self) -> &[V] {

@@ -1,6 +1,6 @@
 //! The picture of a mechanism: its rigid bodies, and what joins them.
 
-use super::{Outline, Place, Places, Slide};
+use super::{Outline, PlaneOrSpace, PointArray, Slide};
 
 /// A mechanism in one position: joints, the bodies between them, and what stands still.
 ///
@@ -37,7 +37,7 @@ pub struct Skeleton<P> {
     places: P,
 }
 
-impl<P: Places> Skeleton<P> {
+impl<P: PointArray> Skeleton<P> {
     /// From the outline, and the joints with the directions of the slides behind them.
     #[doc(hidden)]
     pub const fn new(outline: &'static Outline, places: P) -> Self {

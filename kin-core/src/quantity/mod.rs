@@ -3,12 +3,12 @@
 mod digits;
 #[cfg(feature = "alloc")]
 mod small_letters;
-mod told;
+mod with_unit;
 
 pub(crate) use digits::Digits;
 #[cfg(feature = "alloc")]
 pub use small_letters::in_small_letters;
-pub(crate) use told::Told;
+pub(crate) use with_unit::WithUnit;
 
 /// The names of the derivatives with respect to time, from the first on.
 pub const RATES: [&str; 12] = [

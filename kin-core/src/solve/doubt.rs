@@ -2,7 +2,7 @@
 
 use crate::geometry::Plane;
 use crate::solve::Scalar;
-use crate::solve::check::{Negative, Real, SumOfSizes, Told};
+use crate::solve::check::{BeyondDoubt, Negative, Real, SumOfSizes};
 
 /// A number whose sign decides, checked against the terms of which it is the sum. If the number holds several poses,
 /// each pose that is smaller than [a part](Scalar::DOUBT) of its terms becomes NaN. Any other number is returned
@@ -55,7 +55,7 @@ pub(super) fn is_told_from<T: Scalar, R: Real>(end: f64, number: R, size: R) -> 
 
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn kept<T: Scalar>(number: T, judge: T, size: T) -> T {
-    number.provided(Told { number: judge, size }).unwrap_or(number)
+    number.provided(BeyondDoubt { number: judge, size }).unwrap_or(number)
 }
 
 /// A number that is at least the [smallest](Number::SMALLEST) divisor, otherwise NaN.

@@ -5,13 +5,13 @@ use core::fmt;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::names::{Name, list};
+use super::names::{IndexedName, list};
 use super::{finite, rows};
 use crate::assembly::{Assembly, Near};
 
 impl<const N: usize> Serialize for Near<N> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        finite::write(&rows::Values(&self.0), serializer)
+        finite::write(&rows::RowValues(&self.0), serializer)
     }
 }
 
@@ -41,12 +41,12 @@ pub fn read_choices<'de, const N: usize, D: Deserializer<'de>>(
     names: &'static [&'static str; N],
     deserializer: D,
 ) -> Result<[Assembly; N], D::Error> {
-    deserializer.deserialize_map(Choices(names))
+    deserializer.deserialize_map(ChoiceNames(names))
 }
 
-struct Choices<const N: usize>(&'static [&'static str; N]);
+struct ChoiceNames<const N: usize>(&'static [&'static str; N]);
 
-impl<'de, const N: usize> Visitor<'de> for Choices<N> {
+impl<'de, const N: usize> Visitor<'de> for ChoiceNames<N> {
     type Value = [Assembly; N];
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -56,7 +56,7 @@ impl<'de, const N: usize> Visitor<'de> for Choices<N> {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<[Assembly; N], A::Error> {
         let mut found = [None; N];
-        while let Some(index) = map.next_key_seed(Name(|index| self.0.get(index).copied()))? {
+        while let Some(index) = map.next_key_seed(IndexedName(|index| self.0.get(index).copied()))? {
             let choice = map
                 .next_value()
                 .map_err(|error| A::Error::custom(format_args!("{}: {error}", self.0[index])))?;

@@ -22,16 +22,16 @@ impl Serialize for Lenient {
 impl<'de> Deserialize<'de> for Lenient {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         if deserializer.is_human_readable() {
-            deserializer.deserialize_any(Number)
+            deserializer.deserialize_any(NumberVisitor)
         } else {
             f64::deserialize(deserializer).map(Self)
         }
     }
 }
 
-struct Number;
+struct NumberVisitor;
 
-impl Visitor<'_> for Number {
+impl Visitor<'_> for NumberVisitor {
     type Value = Lenient;
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -14,9 +14,9 @@ pub(super) fn list<'a>(names: impl Iterator<Item = &'a str>, formatter: &mut fmt
 }
 
 /// The index of a name, where the function tells the name of each index.
-pub(super) struct Name<F>(pub(super) F);
+pub(super) struct IndexedName<F>(pub(super) F);
 
-impl<'de, F: Fn(usize) -> Option<&'static str>> DeserializeSeed<'de> for Name<F> {
+impl<'de, F: Fn(usize) -> Option<&'static str>> DeserializeSeed<'de> for IndexedName<F> {
     type Value = usize;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<usize, D::Error> {
@@ -24,13 +24,13 @@ impl<'de, F: Fn(usize) -> Option<&'static str>> DeserializeSeed<'de> for Name<F>
     }
 }
 
-impl<F: Fn(usize) -> Option<&'static str>> Name<F> {
+impl<F: Fn(usize) -> Option<&'static str>> IndexedName<F> {
     fn all(&self) -> impl Iterator<Item = &'static str> {
         (0..).map_while(&self.0)
     }
 }
 
-impl<F: Fn(usize) -> Option<&'static str>> Visitor<'_> for Name<F> {
+impl<F: Fn(usize) -> Option<&'static str>> Visitor<'_> for IndexedName<F> {
     type Value = usize;
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::names::Name;
+use super::names::IndexedName;
 use super::{finite, rows::whole};
 use crate::geometry::{Plane, Space};
 use crate::mechanism::Mechanism;
@@ -127,7 +127,7 @@ where
         let member = |index| members.clone().nth(index);
         let name = |index| member(index).map(|member| member.name);
         let mut values = M::Parameters::<Option<M::Scalar>>::splat(None);
-        while let Some(index) = map.next_key_seed(Name(name))? {
+        while let Some(index) = map.next_key_seed(IndexedName(name))? {
             let Some(Member { name, place, length }) = member(index) else {
                 continue;
             };

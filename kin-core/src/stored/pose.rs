@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use serde::de::{self, Deserialize, DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::names::Name;
+use super::names::IndexedName;
 use super::{finite, rows::whole};
 use crate::failure::SolveError;
 use crate::mechanism::{Description, Mechanism, Pose};
@@ -103,12 +103,12 @@ impl<M: Mechanism, const LENGTH: usize> Debug for PoseRecord<M, LENGTH> {
 }
 
 /// A field of a pose, with its value if the field is a direction.
-pub trait Entry<T, const LENGTH: usize> {
+pub trait PoseEntry<T, const LENGTH: usize> {
     /// The motion.
     fn motion_from(&self, value: T) -> Motion<T, LENGTH>;
 }
 
-impl<T: Copy, const LENGTH: usize> Entry<T, LENGTH> for Motion<T, LENGTH> {
+impl<T: Copy, const LENGTH: usize> PoseEntry<T, LENGTH> for Motion<T, LENGTH> {
     fn motion_from(&self, _: T) -> Self {
         *self
     }
@@ -117,7 +117,7 @@ impl<T: Copy, const LENGTH: usize> Entry<T, LENGTH> for Motion<T, LENGTH> {
 macro_rules! directions {
     ($($length:literal -> $longer:literal)+) => {
         $(
-            impl<T: Copy> Entry<T, $longer> for Direction<T, $length> {
+            impl<T: Copy> PoseEntry<T, $longer> for Direction<T, $length> {
                 fn motion_from(&self, value: T) -> Motion<T, $longer> {
                     Direction::<T, $length>::motion_from(self, value)
                 }
@@ -129,7 +129,7 @@ macro_rules! directions {
 directions!(0 -> 1 1 -> 2 2 -> 3 3 -> 4 4 -> 5 5 -> 6 6 -> 7 7 -> 8 8 -> 9 9 -> 10 10 -> 11 11 -> 12 12 -> 13);
 
 /// The motion of an unknown as a pose holds it, with the value of the unknown.
-pub fn motion<T, const LENGTH: usize>(held: &impl Entry<T, LENGTH>, value: T) -> Motion<T, LENGTH> {
+pub fn motion<T, const LENGTH: usize>(held: &impl PoseEntry<T, LENGTH>, value: T) -> Motion<T, LENGTH> {
     held.motion_from(value)
 }
 
@@ -223,10 +223,10 @@ where
         let (mut named, mut inputs, mut unknowns, mut outputs) = (None, None, None, None);
         while let Some(field) = map.next_key()? {
             match field {
-                Field::Mechanism => named = Some(map.next_value_seed(NameOf::<M>(PhantomData))?),
-                Field::Inputs => inputs = Some(map.next_value_seed(INPUTS.of::<M, _, _>())?),
-                Field::Unknowns => unknowns = Some(map.next_value_seed(UNKNOWNS.of::<M, _, _>())?),
-                Field::Outputs => outputs = Some(map.next_value_seed(OUTPUTS.of::<M, _, _>())?),
+                PoseField::Mechanism => named = Some(map.next_value_seed(NameOf::<M>(PhantomData))?),
+                PoseField::Inputs => inputs = Some(map.next_value_seed(INPUTS.of::<M, _, _>())?),
+                PoseField::Unknowns => unknowns = Some(map.next_value_seed(UNKNOWNS.of::<M, _, _>())?),
+                PoseField::Outputs => outputs = Some(map.next_value_seed(OUTPUTS.of::<M, _, _>())?),
             }
         }
         let missing = A::Error::missing_field;
@@ -241,7 +241,7 @@ where
 
 #[derive(serde::Deserialize)]
 #[serde(field_identifier, rename_all = "snake_case")]
-enum Field {
+enum PoseField {
     Mechanism,
     Inputs,
     Unknowns,
@@ -344,7 +344,7 @@ impl<'de, V: Deserialize<'de> + Copy, R: Row<Option<V>>> Visitor<'de> for Group<
         let name = |index: usize| self.quantities.get(index).map(|quantity| quantity.name);
         let mut row = R::splat(None);
         while let Some(index) = map
-            .next_key_seed(Name(name))
+            .next_key_seed(IndexedName(name))
             .map_err(|error| A::Error::custom(format_args!("{group}: {error}")))?
         {
             let fault = |fault: &dyn Display| {

@@ -10,9 +10,9 @@ use serde::ser::{Serialize, SerializeTuple, Serializer};
 use crate::number::Row;
 
 /// The values of a row, to be written.
-pub(super) struct Values<'a, T>(pub(super) &'a [T]);
+pub(super) struct RowValues<'a, T>(pub(super) &'a [T]);
 
-impl<T: Serialize> Serialize for Values<'_, T> {
+impl<T: Serialize> Serialize for RowValues<'_, T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut row = serializer.serialize_tuple(self.0.len())?;
         for value in self.0 {

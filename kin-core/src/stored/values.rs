@@ -23,7 +23,7 @@ struct SpaceForm<'a, T> {
 #[derive(serde::Serialize)]
 struct DirectionForm<'a, T> {
     unit: PlaneForm<'a, T>,
-    rates: rows::Values<'a, T>,
+    rates: rows::RowValues<'a, T>,
 }
 
 impl<T: Serialize> Serialize for Plane<T> {
@@ -68,7 +68,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Space<T> {
 /// The rows of the matrix.
 impl<T: Serialize> Serialize for Rotation<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        finite::write(&rows::Values(self.as_rows()), serializer)
+        finite::write(&rows::RowValues(self.as_rows()), serializer)
     }
 }
 
@@ -82,7 +82,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Rotation<T> {
 /// The value and its derivatives, in ascending order.
 impl<T: Serialize, const N: usize> Serialize for Motion<T, N> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        finite::write(&rows::Values(self.as_slice()), serializer)
+        finite::write(&rows::RowValues(self.as_slice()), serializer)
     }
 }
 
@@ -98,7 +98,7 @@ impl<T: Serialize, const N: usize> Serialize for Direction<T, N> {
         let (Plane { x, y }, rates) = self.parts();
         let form = DirectionForm {
             unit: PlaneForm { x, y },
-            rates: rows::Values(rates),
+            rates: rows::RowValues(rates),
         };
         finite::write(&form, serializer)
     }

@@ -107,7 +107,7 @@ pub(crate) fn by_time(derivatives: &Motion<f64, READ>, order: usize, rate: f64) 
 
 /// A straight line in the space of the inputs, at constant speed.
 #[derive(Clone, Copy, Debug)]
-pub struct Line<M: Mechanism<Scalar = f64>> {
+pub struct StraightLine<M: Mechanism<Scalar = f64>> {
     pub(super) from: M::Inputs<f64>,
     pub(super) to: M::Inputs<f64>,
     /// The first input that moves.
@@ -116,7 +116,7 @@ pub struct Line<M: Mechanism<Scalar = f64>> {
     pub(super) speed: f64,
 }
 
-impl<M: Mechanism<Scalar = f64>> Line<M> {
+impl<M: Mechanism<Scalar = f64>> StraightLine<M> {
     pub(super) fn new(from: M::Inputs<f64>, to: M::Inputs<f64>) -> Self {
         let ends = from.as_ref().iter().zip(to.as_ref());
         let lead = ends.clone().position(|(from, to)| from != to).unwrap_or(0);
@@ -152,7 +152,7 @@ impl<M: Mechanism<Scalar = f64>> Line<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Drive<M> for Line<M> {
+impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
     fn variable(&self) -> Variable {
         Variable::Input(self.lead)
     }
@@ -177,7 +177,7 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Line<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Line<M> {
+impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for StraightLine<M> {
     fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
         Row::from_fn(|input| Motion::at_constant_speed(self.value(input, at), self.slope(input)))
     }
@@ -211,9 +211,9 @@ where
 
 /// Motions over time, given by formulas.
 #[derive(Clone, Copy, Debug)]
-pub struct Formula<F>(pub(super) F);
+pub struct ByFormula<F>(pub(super) F);
 
-impl<M, F> Drive<M> for Formula<F>
+impl<M, F> Drive<M> for ByFormula<F>
 where
     M: Mechanism<Scalar = f64>,
     F: Fn(Instant) -> M::Inputs<Instant>,
@@ -228,7 +228,7 @@ where
     }
 }
 
-impl<M, F> SmoothDrive<M> for Formula<F>
+impl<M, F> SmoothDrive<M> for ByFormula<F>
 where
     M: Mechanism<Scalar = f64>,
     F: Fn(Instant) -> M::Inputs<Instant>,
@@ -351,7 +351,7 @@ mod tests {
     /// The other input moves in proportion, and both arrive exactly.
     #[test]
     fn a_line_leads_all_inputs_to_their_ends() {
-        let mut line = Line::<FiveBar>::new([1.0, 2.0], [4.0, 0.1]);
+        let mut line = StraightLine::<FiveBar>::new([1.0, 2.0], [4.0, 0.1]);
         line.speed = 6.0;
         let motions = |at| Drive::<FiveBar>::motions(&line, at).map(|motion| motion.derivatives());
         assert_eq!(motions(1.0)[1][0], 2.0);

@@ -67,7 +67,9 @@ mod walk;
 
 #[cfg(feature = "alloc")]
 pub use columns::{ColumnOf, Label, Unit};
-pub use drive::{Along, Drive, Formula, InputMotions, Instant, Laws, Line, Local, OverTime, SmoothDrive, Variable};
+pub use drive::{
+    Along, ByFormula, Drive, InputMotions, Instant, Laws, Local, OverTime, SmoothDrive, StraightLine, Variable,
+};
 #[cfg(feature = "alloc")]
 pub(crate) use drive::{READ, by_time};
 #[cfg(feature = "alloc")]
@@ -144,7 +146,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     ///
     /// The speed is 1 unless [`speed`](Course::speed) tells another one, so that rates are per unit of the input. A mechanism of several
     /// inputs takes [`between`](Self::between).
-    pub fn over(self, range: RangeInclusive<f64>, rows: usize) -> Course<M, Line<M>>
+    pub fn over(self, range: RangeInclusive<f64>, rows: usize) -> Course<M, StraightLine<M>>
     where
         M: Mechanism<Inputs<f64> = [f64; 1]>,
     {
@@ -165,8 +167,8 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// assert_eq!(table.column("beta_velocity")?[0], -3.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Course<M, Line<M>> {
-        let line = Line::<M>::new(from, to);
+    pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Course<M, StraightLine<M>> {
+        let line = StraightLine::<M>::new(from, to);
         let range = from[line.lead]..=to[line.lead];
         self.course(line, &range, rows)
     }
@@ -211,11 +213,11 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// println!("{} m/s³", swing.peak("s_jerk")?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
-    pub fn by_formula<F>(self, range: RangeInclusive<f64>, rows: usize, formula: F) -> Course<M, Formula<F>>
+    pub fn by_formula<F>(self, range: RangeInclusive<f64>, rows: usize, formula: F) -> Course<M, ByFormula<F>>
     where
         F: Fn(Instant) -> M::Inputs<Instant>,
     {
-        self.course(Formula(formula), &range, rows)
+        self.course(ByFormula(formula), &range, rows)
     }
 
     /// Over a range of the time, with a [motion law](crate::law) for each input.
@@ -257,7 +259,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>> Course<M, Line<M>> {
+impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
     /// The velocity of the input, or of the first input that moves.
     pub fn speed(mut self, speed: f64) -> Self {
         self.drive.speed = speed;

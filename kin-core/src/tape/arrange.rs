@@ -4,7 +4,9 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::tape::recorder::{Event, Noted, Recorder};
-use crate::tape::{Argument, Check, Condition, Node, Role, Search, Solution, Step, System, Tape, Value};
+use crate::tape::{
+    Argument, Condition, LinearSolution, NewtonSearch, Role, System, Tape, TapeCheck, TapeNode, TapeStep, Value,
+};
 
 /// Which nodes are needed, and where.
 struct Needs<'a> {
@@ -36,8 +38,8 @@ impl<'a> Needs<'a> {
             let node = self.recorder.nodes[value.index()];
             node.operands(|operand| open.push(operand));
             match node {
-                Node::Root { search, .. } => self.search(search, &mut open),
-                Node::Solution { solution, .. } if !self.solutions[solution] => {
+                TapeNode::Root { search, .. } => self.search(search, &mut open),
+                TapeNode::Solution { solution, .. } if !self.solutions[solution] => {
                     self.solutions[solution] = true;
                     let (system, right) = &self.recorder.solutions[solution];
                     open.extend(right);
@@ -86,13 +88,13 @@ fn dependences(recorder: &Recorder, arguments: &[Argument]) -> (Vec<usize>, Vec<
         };
         node.operands(&mut join);
         match *node {
-            Node::Argument(argument) => {
+            TapeNode::Argument(argument) => {
                 if let Role::Input { order: own, .. } = arguments[argument].role {
                     order = own;
                 }
             }
-            Node::Unknown { search: own, .. } => search = Some(own),
-            Node::Solution { solution, .. } => {
+            TapeNode::Unknown { search: own, .. } => search = Some(own),
+            TapeNode::Solution { solution, .. } => {
                 let (_, right) = &recorder.solutions[solution];
                 right.iter().copied().for_each(join);
             }
@@ -105,15 +107,15 @@ fn dependences(recorder: &Recorder, arguments: &[Argument]) -> (Vec<usize>, Vec<
 }
 
 /// Whether a node is computed by a step of its own.
-fn is_step(node: Node) -> bool {
+fn is_step(node: TapeNode) -> bool {
     !matches!(
         node,
-        Node::Argument(_)
-            | Node::Constant(_)
-            | Node::Certain(_)
-            | Node::Unknown { .. }
-            | Node::Root { .. }
-            | Node::Solution { .. }
+        TapeNode::Argument(_)
+            | TapeNode::Constant(_)
+            | TapeNode::Certain(_)
+            | TapeNode::Unknown { .. }
+            | TapeNode::Root { .. }
+            | TapeNode::Solution { .. }
     )
 }
 
@@ -162,19 +164,19 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Note
     let value = |old: Value| Value(u32::try_from(moved[old.index()]).unwrap_or(u32::MAX));
     let all = |old: &[Value]| -> Vec<Value> { old.iter().map(|own| value(*own)).collect() };
     let rows = |old: &[Vec<Value>]| -> Vec<Vec<Value>> { old.iter().map(|row| all(row)).collect() };
-    let is_kept = |(index, _): &(usize, &Node)| needs.is_needed[*index];
+    let is_kept = |(index, _): &(usize, &TapeNode)| needs.is_needed[*index];
     let nodes = recorder.nodes.iter().enumerate().filter(is_kept);
     tape.nodes = nodes
         .map(|(_, node)| match node.with_operands(value) {
-            Node::Unknown { search, index } => Node::Unknown {
+            TapeNode::Unknown { search, index } => TapeNode::Unknown {
                 search: new_searches[search],
                 index,
             },
-            Node::Root { search, index } => Node::Root {
+            TapeNode::Root { search, index } => TapeNode::Root {
                 search: new_searches[search],
                 index,
             },
-            Node::Solution { solution, index } => Node::Solution {
+            TapeNode::Solution { solution, index } => TapeNode::Solution {
                 solution: new_solutions[solution],
                 index,
             },
@@ -188,7 +190,7 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Note
     let new_checks = numbers(&wanted);
     for (check, steps) in recorder.checks.iter().zip(&cold) {
         if is_wanted(check) {
-            tape.checks.push(Check {
+            tape.checks.push(TapeCheck {
                 name: check.name,
                 block: block(check),
                 order: order_of(check),
@@ -211,7 +213,7 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Note
         let body = (0..recorder.nodes.len()).filter(|node| {
             searches[*node] == Some(index) && is_step_of_its_own[*node] && is_step(recorder.nodes[*node])
         });
-        tape.searches.push(Search {
+        tape.searches.push(NewtonSearch {
             guess: all(&sought.guess),
             sizes: all(&sought.sizes),
             body: body
@@ -231,7 +233,7 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Note
     }
     let solutions = recorder.solutions.iter().enumerate();
     for (_, (system, right)) in solutions.filter(|(index, _)| needs.solutions[*index]) {
-        tape.solutions.push(Solution {
+        tape.solutions.push(LinearSolution {
             system: new_systems[*system],
             right: all(right),
         });
@@ -241,19 +243,24 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Note
     for index in 0..=recorder.nodes.len() {
         while let Some((_, event)) = events.next_if(|(before, _)| *before <= index) {
             match *event {
-                Event::Check(check) if wanted[check] => tape.steps.push(Step::Check(new_checks[check])),
-                Event::Search(search) if needs.searches[search] => tape.steps.push(Step::Search(new_searches[search])),
-                Event::Factor(system) if needs.systems[system] => tape.steps.push(Step::Factor(new_systems[system])),
+                Event::Check(check) if wanted[check] => tape.steps.push(TapeStep::Check(new_checks[check])),
+                Event::Search(search) if needs.searches[search] => {
+                    tape.steps.push(TapeStep::Search(new_searches[search]))
+                }
+                Event::Factor(system) if needs.systems[system] => {
+                    tape.steps.push(TapeStep::Factor(new_systems[system]))
+                }
                 Event::Solve(solution) if needs.solutions[solution] => {
-                    tape.steps.push(Step::Solve(new_solutions[solution]));
+                    tape.steps.push(TapeStep::Solve(new_solutions[solution]));
                 }
                 _ => {}
             }
         }
-        let is_computed = |node: &Node| is_step(*node) && is_step_of_its_own[index] && searches[index].is_none();
+        let is_computed = |node: &TapeNode| is_step(*node) && is_step_of_its_own[index] && searches[index].is_none();
         if recorder.nodes.get(index).is_some_and(is_computed) {
-            tape.steps
-                .push(Step::Compute(Value(u32::try_from(moved[index]).unwrap_or(u32::MAX))));
+            tape.steps.push(TapeStep::Compute(Value(
+                u32::try_from(moved[index]).unwrap_or(u32::MAX),
+            )));
         }
     }
 }

@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use crate::tape::signature::Signature;
 use crate::tape::writer::{Dialect, Writer};
-use crate::tape::{Condition, Function, Node, Step, Tape, Value};
+use crate::tape::{Condition, Function, Tape, TapeNode, TapeStep, Value};
 
 /// The ways in which a language writes statements.
 pub(super) trait Language: Dialect + Sized {
@@ -42,20 +42,25 @@ pub(super) trait Language: Dialect + Sized {
     fn is_singular(system: usize) -> [String; 2];
 
     /// Writes a check that fails under a condition.
-    fn check(body: &mut Body<'_, Self>, index: usize, fails: &str, margin: impl FnOnce(&mut Body<'_, Self>) -> String);
+    fn check(
+        body: &mut FunctionBody<'_, Self>,
+        index: usize,
+        fails: &str,
+        margin: impl FnOnce(&mut FunctionBody<'_, Self>) -> String,
+    );
 
     /// Writes a search.
-    fn search(body: &mut Body<'_, Self>, index: usize);
+    fn search(body: &mut FunctionBody<'_, Self>, index: usize);
 
     /// The factors of a matrix.
-    fn factor(body: &mut Body<'_, Self>, index: usize, rows: &str);
+    fn factor(body: &mut FunctionBody<'_, Self>, index: usize, rows: &str);
 
     /// The solution of a linear system.
-    fn solve(body: &mut Body<'_, Self>, index: usize, system: usize, right: &str);
+    fn solve(body: &mut FunctionBody<'_, Self>, index: usize, system: usize, right: &str);
 }
 
 /// The body of a function.
-pub(super) struct Body<'a, L> {
+pub(super) struct FunctionBody<'a, L> {
     pub(super) tape: &'a Tape,
     pub(super) writer: Writer<'a, L>,
     /// The longest operand without a name of its own.
@@ -65,16 +70,16 @@ pub(super) struct Body<'a, L> {
     pub(super) text: String,
 }
 
-impl<'a, L: Language> Body<'a, L> {
+impl<'a, L: Language> FunctionBody<'a, L> {
     /// A body in which the arguments have these names.
     pub(super) fn new(tape: &'a Tape, language: L, limit: Option<usize>, argument: impl Fn(usize) -> String) -> Self {
         let mut writer = Writer::new(tape, language);
         for (place, node) in tape.nodes.iter().enumerate() {
             let name = match *node {
-                Node::Argument(index) => argument(index),
-                Node::Unknown { index, .. } => L::unknown(index),
-                Node::Root { search, index } => L::root(search, index),
-                Node::Solution { solution, index } => L::solution(solution, index),
+                TapeNode::Argument(index) => argument(index),
+                TapeNode::Unknown { index, .. } => L::unknown(index),
+                TapeNode::Root { search, index } => L::root(search, index),
+                TapeNode::Solution { solution, index } => L::solution(solution, index),
                 _ => continue,
             };
             writer.name(Value(u32::try_from(place).unwrap_or(u32::MAX)), name);
@@ -98,7 +103,8 @@ impl<'a, L: Language> Body<'a, L> {
 
     /// Computes a node, and gives it a name.
     fn compute(&mut self, value: Value, indent: usize) {
-        let Node::Call(function @ (Function::Sine | Function::Cosine), angle) = self.tape.nodes[value.index()] else {
+        let TapeNode::Call(function @ (Function::Sine | Function::Cosine), angle) = self.tape.nodes[value.index()]
+        else {
             let (name, text) = (value.to_string(), self.writer.operation(value).text);
             self.line(indent, &L::assignment(&[&name], &text));
             self.writer.name(value, name);
@@ -167,19 +173,19 @@ impl<'a, L: Language> Body<'a, L> {
     pub(super) fn steps(&mut self) {
         let tape = self.tape;
         // Between checks all nodes are one group.
-        let all: Vec<Value> = tape.steps.iter().filter_map(Step::computed).collect();
+        let all: Vec<Value> = tape.steps.iter().filter_map(TapeStep::computed).collect();
         let named = BTreeSet::from_iter(self.writer.named(&all, self.limit));
         for step in &tape.steps {
             match *step {
-                Step::Compute(value) if named.contains(&value) => self.compute(value, 1),
-                Step::Compute(_) => {}
-                Step::Check(index) => self.check(index),
-                Step::Search(index) => L::search(self, index),
-                Step::Factor(index) => {
+                TapeStep::Compute(value) if named.contains(&value) => self.compute(value, 1),
+                TapeStep::Compute(_) => {}
+                TapeStep::Check(index) => self.check(index),
+                TapeStep::Search(index) => L::search(self, index),
+                TapeStep::Factor(index) => {
                     let rows = self.rows(&tape.systems[index].rows);
                     L::factor(self, index, &rows);
                 }
-                Step::Solve(index) => {
+                TapeStep::Solve(index) => {
                     let solution = &tape.solutions[index];
                     let right = self.list(&solution.right);
                     L::solve(self, index, solution.system, &right);

@@ -21,12 +21,12 @@ pub(super) enum Binding {
 
 /// A piece of code with the binding of its outermost operator.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Expression {
+pub(super) struct Code {
     pub(super) text: String,
     binding: Binding,
 }
 
-impl Expression {
+impl Code {
     /// A name, a call, or something in brackets.
     pub(super) fn whole(text: impl Into<String>) -> Self {
         Self {
@@ -104,17 +104,17 @@ impl Expression {
 
 #[cfg(test)]
 mod tests {
-    use super::Expression;
-    use crate::tape::{Comparison, Constant, Precision};
+    use super::Code;
+    use crate::tape::{Comparison, Constant, NumberType};
 
-    fn name(own: &str) -> Expression {
-        Expression::whole(own)
+    fn name(own: &str) -> Code {
+        Code::whole(own)
     }
 
     #[test]
     fn parentheses_stand_where_the_order_needs_them() {
         let [a, b, c] = ["a", "b", "c"].map(name);
-        let minus = |value: f64| Expression::constant(Constant::new(value), Precision::Double);
+        let minus = |value: f64| Code::constant(Constant::new(value), NumberType::Double);
         let cases = [
             (a.sum("-", &b.sum("-", &c)), "a - (b - c)"),
             (a.sum("-", &b).sum("-", &c), "a - b - c"),
@@ -140,7 +140,7 @@ mod tests {
             (a.both(&b).both(&c), "(a && b) && c"),
             (a.select(&b, &c).sum("+", &a), "(a ? b : c) + a"),
             (a.select(&b.select(&a, &c), &c), "a ? (b ? a : c) : c"),
-            (Expression::call("f", &[&a.sum("+", &b), &c]), "f(a + b, c)"),
+            (Code::call("f", &[&a.sum("+", &b), &c]), "f(a + b, c)"),
         ];
         for (own, expected) in cases {
             assert_eq!(own.text, expected);
@@ -149,13 +149,13 @@ mod tests {
 
     #[test]
     fn numbers_are_read_as_the_same_numbers() {
-        let double = |value: f64| Expression::constant(Constant::new(value), Precision::Double).text;
+        let double = |value: f64| Code::constant(Constant::new(value), NumberType::Double).text;
         for value in [0.1, 1e300, 5e-324, f64::MAX, 1.0, 3.0e-7, -0.0, -2.5] {
             assert_eq!(double(value).parse::<f64>().unwrap().to_bits(), value.to_bits());
         }
         assert_eq!(double(f64::NEG_INFINITY), "-HUGE_VAL");
         assert_eq!(double(f64::NAN), "(double)NAN");
-        let single = Expression::constant(Constant::new(f64::from(0.1_f32)), Precision::Single).text;
+        let single = Code::constant(Constant::new(f64::from(0.1_f32)), NumberType::Single).text;
         assert_eq!(single, "0.1f");
     }
 }

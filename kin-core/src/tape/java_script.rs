@@ -4,13 +4,13 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::tape::body::{Body, Language};
-use crate::tape::expression::Expression;
-use crate::tape::runtime::{self, Parts};
-use crate::tape::signature::{Entry, Signature, head};
+use crate::tape::body::{FunctionBody, Language};
+use crate::tape::expression::Code;
+use crate::tape::runtime::{self, RuntimeParts};
+use crate::tape::signature::{Signature, SignatureEntry, head};
 use crate::tape::words::{lines, quoted};
 use crate::tape::writer::Dialect;
-use crate::tape::{Function, Node, Tape, Value};
+use crate::tape::{Function, Tape, TapeNode, Value};
 
 /// The words of the language, and the names that the module uses itself.
 const TAKEN: &[&str] = &[
@@ -108,24 +108,24 @@ const TAKEN: &[&str] = &[
 pub(super) struct JavaScript;
 
 impl Dialect for JavaScript {
-    fn number(&self, value: f64) -> Expression {
+    fn number(&self, value: f64) -> Code {
         let size = value.abs();
         if value.is_nan() {
-            return Expression::whole("NaN");
+            return Code::whole("NaN");
         }
         let own = if size.is_infinite() {
-            Expression::whole("Infinity")
+            Code::whole("Infinity")
         } else {
-            Expression::whole(format!("{size:?}").trim_end_matches(".0"))
+            Code::whole(format!("{size:?}").trim_end_matches(".0"))
         };
         if value.is_sign_negative() { own.negated() } else { own }
     }
 
-    fn truth(&self, holds: bool) -> Expression {
-        Expression::whole(holds.to_string())
+    fn truth(&self, holds: bool) -> Code {
+        Code::whole(holds.to_string())
     }
 
-    fn call(&self, function: Function, argument: &Expression) -> Expression {
+    fn call(&self, function: Function, argument: &Code) -> Code {
         let name = match function {
             Function::Negate => return argument.negated(),
             Function::Magnitude => "Math.abs",
@@ -146,15 +146,15 @@ impl Dialect for JavaScript {
             Function::Round => "kinRound",
             Function::Raise => "Math.ceil",
         };
-        Expression::call(name, &[argument])
+        Code::call(name, &[argument])
     }
 
-    fn angle(&self, y: &Expression, x: &Expression) -> Expression {
-        Expression::call("kinAtan2", &[y, x])
+    fn angle(&self, y: &Code, x: &Code) -> Code {
+        Code::call("kinAtan2", &[y, x])
     }
 
-    fn is_finite(&self, number: &Expression) -> Expression {
-        Expression::call("Number.isFinite", &[number])
+    fn is_finite(&self, number: &Code) -> Code {
+        Code::call("Number.isFinite", &[number])
     }
 }
 
@@ -197,14 +197,19 @@ impl Language for JavaScript {
         ["code", "detail"].map(|part| format!("system{system}$.{part}"))
     }
 
-    fn check(body: &mut Body<'_, Self>, index: usize, fails: &str, margin: impl FnOnce(&mut Body<'_, Self>) -> String) {
+    fn check(
+        body: &mut FunctionBody<'_, Self>,
+        index: usize,
+        fails: &str,
+        margin: impl FnOnce(&mut FunctionBody<'_, Self>) -> String,
+    ) {
         body.line(1, &format!("if ({fails}) {{"));
         let margin = margin(body);
         body.line(2, &format!("return failed({index}, {margin});"));
         body.line(1, "}");
     }
 
-    fn search(body: &mut Body<'_, Self>, index: usize) {
+    fn search(body: &mut FunctionBody<'_, Self>, index: usize) {
         let search = &body.tape.searches[index];
         let (guess, sizes) = (body.list(&search.guess), body.list(&search.sizes));
         body.line(
@@ -217,11 +222,11 @@ impl Language for JavaScript {
         body.line(1, "});");
     }
 
-    fn factor(body: &mut Body<'_, Self>, index: usize, rows: &str) {
+    fn factor(body: &mut FunctionBody<'_, Self>, index: usize, rows: &str) {
         body.line(1, &format!("const system{index}$ = kinFactor({rows});"));
     }
 
-    fn solve(body: &mut Body<'_, Self>, index: usize, system: usize, right: &str) {
+    fn solve(body: &mut FunctionBody<'_, Self>, index: usize, system: usize, right: &str) {
         let text = format!("const solution{index}$ = kinSubstitute(system{system}$, {right});");
         body.line(1, &text);
     }
@@ -269,7 +274,7 @@ impl Tape {
     /// ```
     #[must_use]
     pub fn java_script(&self) -> String {
-        Module::new(self, None).text()
+        JavaScriptModule::new(self, None).text()
     }
 }
 
@@ -306,7 +311,7 @@ impl Tape {
     #[must_use]
     pub fn java_script_names(&self) -> JavaScriptNames {
         let signature = Signature::new(self, TAKEN);
-        let names = |entries: &[Entry]| entries.iter().map(|entry| entry.name.clone()).collect();
+        let names = |entries: &[SignatureEntry]| entries.iter().map(|entry| entry.name.clone()).collect();
         JavaScriptNames {
             parameters: names(&signature.parameters),
             inputs: names(&signature.inputs),
@@ -318,12 +323,12 @@ impl Tape {
 }
 
 /// A module while it is written.
-pub(super) struct Module<'a> {
+pub(super) struct JavaScriptModule<'a> {
     signature: Signature,
-    body: Body<'a, JavaScript>,
+    body: FunctionBody<'a, JavaScript>,
 }
 
-impl<'a> Module<'a> {
+impl<'a> JavaScriptModule<'a> {
     pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
         let signature = Signature::new(tape, TAKEN);
         let mut arguments = std::vec![String::new(); tape.arguments.len()];
@@ -339,7 +344,7 @@ impl<'a> Module<'a> {
         for entry in signature.near.iter().chain(&signature.assemblies) {
             arguments[entry.places[0]] = format!("{}$near", entry.name);
         }
-        let body = Body::new(tape, JavaScript, limit, |index| arguments[index].clone());
+        let body = FunctionBody::new(tape, JavaScript, limit, |index| arguments[index].clone());
         Self { signature, body }
     }
 
@@ -348,7 +353,7 @@ impl<'a> Module<'a> {
     }
 
     fn opening(&mut self) {
-        let read = |entries: &[Entry]| {
+        let read = |entries: &[SignatureEntry]| {
             entries
                 .iter()
                 .map(|entry| entry.name.clone())
@@ -369,7 +374,7 @@ impl<'a> Module<'a> {
             let rates: Vec<String> = (1..orders).map(|order| format!(", {name}${order} = 0")).collect();
             self.line(1, &format!("const [{name}{}] = inputs.{name};", rates.concat()));
         }
-        let names = |entries: &[Entry]| entries.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
+        let names = |entries: &[SignatureEntry]| entries.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
         for name in names(&self.signature.near) {
             self.line(1, &format!("const {name}$near = assembly.{name};"));
         }
@@ -399,7 +404,7 @@ impl<'a> Module<'a> {
         self.closing();
         let tape = self.body.tape;
         let mut text = comment(&head(tape), "");
-        let parts = Parts::of(tape);
+        let parts = RuntimeParts::of(tape);
         let functions = runtime::java_script(parts);
         text.push_str(
             "\n/** The assemblies of a choice between two. */\nexport const OPEN = 1;\nexport const CROSSED = -1;\n",
@@ -424,7 +429,7 @@ impl<'a> Module<'a> {
         if tape
             .nodes
             .iter()
-            .any(|node| matches!(node, Node::Call(Function::Round, _)))
+            .any(|node| matches!(node, TapeNode::Call(Function::Round, _)))
         {
             text.push_str(ROUND);
         }
@@ -439,7 +444,7 @@ impl<'a> Module<'a> {
     fn documentation(&self) -> String {
         let signature = &self.signature;
         let mut text = String::new();
-        let mut define = |name: &str, of: &str, entries: &[Entry], kind: &str| {
+        let mut define = |name: &str, of: &str, entries: &[SignatureEntry], kind: &str| {
             let mut lines = Vec::from([of.to_string(), format!("@typedef {{object}} {name}")]);
             lines.extend(
                 entries

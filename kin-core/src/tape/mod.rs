@@ -2,8 +2,8 @@
 //!
 //! A [`Tape`] is the solver of a mechanism as straight-line code. It is recorded by solving with a number that writes down what is
 //! done with it, so it does what `solve` does, operation by operation. The choice between assemblies is an argument, and so are the
-//! dimensions, unless they are folded in. A decision of the solver is a [`Check`] with its margin, a block without a closed form is a
-//! [`Search`], and a matrix whose pivots are chosen at run time is a [`System`].
+//! dimensions, unless they are folded in. A decision of the solver is a [`TapeCheck`] with its margin, a block without a closed form is a
+//! [`NewtonSearch`], and a matrix whose pivots are chosen at run time is a [`System`].
 //!
 //! ```
 //! use kin_core::library::SliderCrank;
@@ -41,12 +41,13 @@ mod tests;
 
 pub use c::C;
 pub use java_script::JavaScriptNames;
-pub use node::{Comparison, Constant, Function, Node, Operator, Value};
+pub use node::{Comparison, Constant, Function, Operator, TapeNode, Value};
 #[doc(hidden)]
 pub use record::record_at;
 pub use record::{Options, Plain, RecordError, record, record_with_sensitivities};
 pub use recorded::Recorded;
 pub use run::Stop;
 pub use structure::{
-    Argument, Check, Condition, Outcome, Precision, ResultOf, Role, Search, Solution, Step, System, Tape,
+    Argument, Condition, LinearSolution, NewtonSearch, NumberType, ResultOf, Role, System, Tape, TapeCheck, TapeResult,
+    TapeStep,
 };

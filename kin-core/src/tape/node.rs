@@ -47,12 +47,12 @@ impl fmt::Debug for Constant {
 
 /// One operation. Its result is a number, or a truth: the answer to a comparison.
 ///
-/// Each operation is rounded once, to the [number type](crate::tape::Precision) of the tape, and nothing may be merged: `Add` of a
-/// `Multiply` is two roundings. Only [`PlusProduct`](Node::PlusProduct) and [`MinusProduct`](Node::MinusProduct) may be rounded once
+/// Each operation is rounded once, to the [number type](crate::tape::NumberType) of the tape, and nothing may be merged: `Add` of a
+/// `Multiply` is two roundings. Only [`PlusProduct`](TapeNode::PlusProduct) and [`MinusProduct`](TapeNode::MinusProduct) may be rounded once
 /// instead of twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Node {
+pub enum TapeNode {
     /// The argument with this index among the [arguments](crate::tape::Tape::arguments).
     Argument(usize),
     /// A number.
@@ -79,7 +79,7 @@ pub enum Node {
     Either(Value, Value),
     /// Whether a truth does not hold.
     Not(Value),
-    /// An unknown of a search, inside of its [body](crate::tape::Search::body): where residuals and Jacobian are wanted.
+    /// An unknown of a search, inside of its [body](crate::tape::NewtonSearch::body): where residuals and Jacobian are wanted.
     Unknown {
         /// The index of the search.
         search: usize,
@@ -102,7 +102,7 @@ pub enum Node {
     },
 }
 
-impl Node {
+impl TapeNode {
     /// Whether the result is a truth; otherwise it is a number.
     #[must_use]
     pub const fn is_truth(&self) -> bool {

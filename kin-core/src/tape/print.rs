@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Display, Formatter};
 
-use crate::tape::{Comparison, Condition, Function, Node, Operator, ResultOf, Role, Step, Tape, Value};
+use crate::tape::{Comparison, Condition, Function, Operator, ResultOf, Role, Tape, TapeNode, TapeStep, Value};
 
 /// Writes the arguments, the steps and the results, one on each line.
 impl Display for Tape {
@@ -11,7 +11,7 @@ impl Display for Tape {
         for (place, node) in self.nodes.iter().enumerate() {
             let value = Value(u32::try_from(place).unwrap_or(u32::MAX));
             match node {
-                Node::Argument(argument) => {
+                TapeNode::Argument(argument) => {
                     let own = &self.arguments[*argument];
                     let order = match own.role {
                         Role::Input { order, .. } => order,
@@ -19,10 +19,12 @@ impl Display for Tape {
                     };
                     writeln!(formatter, "{value} = argument {}{}", own.name, "'".repeat(order))?;
                 }
-                Node::Constant(constant) => writeln!(formatter, "{value} = {constant:?}")?,
-                Node::Unknown { search, index } => writeln!(formatter, "{value} = unknown {index} of search {search}")?,
-                Node::Root { search, index } => writeln!(formatter, "{value} = root {index} of search {search}")?,
-                Node::Solution { solution, index } => {
+                TapeNode::Constant(constant) => writeln!(formatter, "{value} = {constant:?}")?,
+                TapeNode::Unknown { search, index } => {
+                    writeln!(formatter, "{value} = unknown {index} of search {search}")?
+                }
+                TapeNode::Root { search, index } => writeln!(formatter, "{value} = root {index} of search {search}")?,
+                TapeNode::Solution { solution, index } => {
                     writeln!(formatter, "{value} = entry {index} of solution {solution}")?;
                 }
                 _ => {}
@@ -30,8 +32,8 @@ impl Display for Tape {
         }
         for step in &self.steps {
             match *step {
-                Step::Compute(value) => self.line(formatter, "", value)?,
-                Step::Check(index) => {
+                TapeStep::Compute(value) => self.line(formatter, "", value)?,
+                TapeStep::Check(index) => {
                     let check = &self.checks[index];
                     write!(formatter, "check {} ({}): ", check.name, check.block)?;
                     match check.condition {
@@ -46,7 +48,7 @@ impl Display for Tape {
                         writeln!(formatter, "    margin {margin}")?;
                     }
                 }
-                Step::Search(index) => {
+                TapeStep::Search(index) => {
                     let search = &self.searches[index];
                     writeln!(formatter, "search {index} from {}", List(&search.guess))?;
                     for value in &search.body {
@@ -57,13 +59,13 @@ impl Display for Tape {
                         writeln!(formatter, "    jacobian {}", List(row))?;
                     }
                 }
-                Step::Factor(index) => {
+                TapeStep::Factor(index) => {
                     writeln!(formatter, "factor system {index}")?;
                     for row in &self.systems[index].rows {
                         writeln!(formatter, "    {}", List(row))?;
                     }
                 }
-                Step::Solve(index) => {
+                TapeStep::Solve(index) => {
                     let solution = &self.solutions[index];
                     let right = List(&solution.right);
                     writeln!(formatter, "solution {index} of system {} for {right}", solution.system)?;
@@ -91,10 +93,10 @@ impl Tape {
     fn line(&self, formatter: &mut Formatter<'_>, indent: &str, value: Value) -> fmt::Result {
         write!(formatter, "{indent}{value} = ")?;
         match self.nodes[value.index()] {
-            Node::Call(Function::Negate, one) => writeln!(formatter, "-{one}"),
-            Node::Call(function, one) => writeln!(formatter, "{function:?}({one})"),
-            Node::Binary(Operator::ArcTangent, y, x) => writeln!(formatter, "ArcTangent({y}, {x})"),
-            Node::Binary(operator, one, other) => {
+            TapeNode::Call(Function::Negate, one) => writeln!(formatter, "-{one}"),
+            TapeNode::Call(function, one) => writeln!(formatter, "{function:?}({one})"),
+            TapeNode::Binary(Operator::ArcTangent, y, x) => writeln!(formatter, "ArcTangent({y}, {x})"),
+            TapeNode::Binary(operator, one, other) => {
                 let sign = match operator {
                     Operator::Add => "+",
                     Operator::Subtract => "-",
@@ -103,10 +105,10 @@ impl Tape {
                 };
                 writeln!(formatter, "{one} {sign} {other}")
             }
-            Node::PlusProduct(sum, one, other) => writeln!(formatter, "{sum} + {one} * {other}"),
-            Node::MinusProduct(sum, one, other) => writeln!(formatter, "{sum} - {one} * {other}"),
-            Node::Select(truth, one, other) => writeln!(formatter, "{truth} ? {one} : {other}"),
-            Node::Compare(comparison, one, other) => {
+            TapeNode::PlusProduct(sum, one, other) => writeln!(formatter, "{sum} + {one} * {other}"),
+            TapeNode::MinusProduct(sum, one, other) => writeln!(formatter, "{sum} - {one} * {other}"),
+            TapeNode::Select(truth, one, other) => writeln!(formatter, "{truth} ? {one} : {other}"),
+            TapeNode::Compare(comparison, one, other) => {
                 let sign = match comparison {
                     Comparison::AtLeast => ">=",
                     Comparison::Exceeds => ">",
@@ -114,10 +116,10 @@ impl Tape {
                 };
                 writeln!(formatter, "{one} {sign} {other}")
             }
-            Node::IsFinite(one) => writeln!(formatter, "finite({one})"),
-            Node::Both(one, other) => writeln!(formatter, "{one} and {other}"),
-            Node::Either(one, other) => writeln!(formatter, "{one} or {other}"),
-            Node::Not(one) => writeln!(formatter, "not {one}"),
+            TapeNode::IsFinite(one) => writeln!(formatter, "finite({one})"),
+            TapeNode::Both(one, other) => writeln!(formatter, "{one} and {other}"),
+            TapeNode::Either(one, other) => writeln!(formatter, "{one} or {other}"),
+            TapeNode::Not(one) => writeln!(formatter, "not {one}"),
             node => writeln!(formatter, "{node:?}"),
         }
     }

@@ -16,10 +16,10 @@ use crate::mechanism::Description;
 use crate::number::elementary::FUSED;
 use crate::picture::Outline;
 use crate::quantity::Dimension;
-use crate::tape::runtime::{self, Parts};
+use crate::tape::runtime::{self, RuntimeParts};
 use crate::tape::{
-    Argument, Check, Comparison, Condition, Constant, Function, Node, Operator, Outcome, Precision, ResultOf, Role,
-    Search, Solution, Step, System, Tape, Value,
+    Argument, Comparison, Condition, Constant, Function, LinearSolution, NewtonSearch, NumberType, Operator, ResultOf,
+    Role, System, Tape, TapeCheck, TapeNode, TapeResult, TapeStep, Value,
 };
 use crate::verify::Random;
 
@@ -67,17 +67,17 @@ const PLATFORM_UNITS: f64 = 4.0;
 /// A tape while it is made.
 struct Maker {
     random: Random,
-    nodes: Vec<Node>,
-    steps: Vec<Step>,
+    nodes: Vec<TapeNode>,
+    steps: Vec<TapeStep>,
     /// The numbers that may be needed again: arguments, constants, roots and solutions.
     lasting: Vec<Value>,
     /// Numbers and truths that no operation needs yet; they are taken first.
     numbers: Vec<Value>,
     truths: Vec<Value>,
-    checks: Vec<Check>,
-    searches: Vec<Search>,
+    checks: Vec<TapeCheck>,
+    searches: Vec<NewtonSearch>,
     systems: Vec<System>,
-    solutions: Vec<Solution>,
+    solutions: Vec<LinearSolution>,
 }
 
 impl Maker {
@@ -95,13 +95,13 @@ impl Maker {
             solutions: Vec::new(),
         };
         for index in 0..ARGUMENTS {
-            own.last(Node::Argument(index));
+            own.last(TapeNode::Argument(index));
         }
         for constant in CONSTANTS {
-            own.last(Node::Constant(Constant::new(constant)));
+            own.last(TapeNode::Constant(Constant::new(constant)));
         }
         for holds in [true, false] {
-            own.put(Node::Certain(holds));
+            own.put(TapeNode::Certain(holds));
         }
         own
     }
@@ -117,19 +117,19 @@ impl Maker {
         self.random.between(0.0, 1.0) < share
     }
 
-    fn put(&mut self, node: Node) -> Value {
+    fn put(&mut self, node: TapeNode) -> Value {
         let value = Value(u32::try_from(self.nodes.len()).unwrap());
         self.nodes.push(node);
         value
     }
 
-    fn last(&mut self, node: Node) {
+    fn last(&mut self, node: TapeNode) {
         let value = self.put(node);
         self.lasting.push(value);
     }
 
     fn constant(&mut self, value: f64) -> Value {
-        self.put(Node::Constant(Constant::new(value)))
+        self.put(TapeNode::Constant(Constant::new(value)))
     }
 
     /// A number that is finite unless an argument is not.
@@ -157,33 +157,33 @@ impl Maker {
         if self.chance(0.8) { self.truths.pop() } else { None }
     }
 
-    fn compute(&mut self, node: Node) -> Value {
+    fn compute(&mut self, node: TapeNode) -> Value {
         let value = self.put(node);
-        self.steps.push(Step::Compute(value));
+        self.steps.push(TapeStep::Compute(value));
         value
     }
 
-    fn operation(&mut self) -> Node {
+    fn operation(&mut self) -> TapeNode {
         let operators = [Operator::Add, Operator::Subtract, Operator::Multiply, Operator::Divide];
         let comparisons = [Comparison::AtLeast, Comparison::Exceeds, Comparison::Equals];
         let (a, b) = (self.number(), self.number());
         match self.pick(14) {
-            0..=4 => Node::Binary(operators[self.pick(4)], a, b),
-            5 => Node::Binary(Operator::ArcTangent, a, b),
-            6 => Node::PlusProduct(a, b, self.number()),
-            7 => Node::MinusProduct(a, b, self.number()),
-            8 | 9 => Node::Call(EXACT[self.pick(EXACT.len())], a),
+            0..=4 => TapeNode::Binary(operators[self.pick(4)], a, b),
+            5 => TapeNode::Binary(Operator::ArcTangent, a, b),
+            6 => TapeNode::PlusProduct(a, b, self.number()),
+            7 => TapeNode::MinusProduct(a, b, self.number()),
+            8 | 9 => TapeNode::Call(EXACT[self.pick(EXACT.len())], a),
             10 => match self.truth() {
-                Some(truth) => Node::Select(truth, a, b),
-                None => Node::Call(Function::Sine, self.plain()),
+                Some(truth) => TapeNode::Select(truth, a, b),
+                None => TapeNode::Call(Function::Sine, self.plain()),
             },
-            11 => Node::Compare(comparisons[self.pick(3)], a, b),
-            12 => Node::IsFinite(a),
+            11 => TapeNode::Compare(comparisons[self.pick(3)], a, b),
+            12 => TapeNode::IsFinite(a),
             _ => match (self.truth(), self.truth()) {
-                (Some(one), Some(other)) if self.chance(0.5) => Node::Both(one, other),
-                (Some(one), Some(other)) => Node::Either(one, other),
-                (Some(one), None) | (None, Some(one)) => Node::Not(one),
-                (None, None) => Node::Call(Function::Cosine, self.plain()),
+                (Some(one), Some(other)) if self.chance(0.5) => TapeNode::Both(one, other),
+                (Some(one), Some(other)) => TapeNode::Either(one, other),
+                (Some(one), None) | (None, Some(one)) => TapeNode::Not(one),
+                (None, None) => TapeNode::Call(Function::Cosine, self.plain()),
             },
         }
     }
@@ -206,14 +206,14 @@ impl Maker {
         if let Condition::Holds(_) = condition {
             // Its margin is a difference within a sine, which only it needs.
             let (one, other) = (self.plain(), self.plain());
-            let difference = self.put(Node::Binary(Operator::Subtract, one, other));
-            let sine = self.put(Node::Call(Function::Sine, difference));
-            let whole = self.put(Node::Binary(Operator::Multiply, sine, one));
+            let difference = self.put(TapeNode::Binary(Operator::Subtract, one, other));
+            let sine = self.put(TapeNode::Call(Function::Sine, difference));
+            let whole = self.put(TapeNode::Binary(Operator::Multiply, sine, one));
             cold = vec![difference, sine, whole];
             margin = Some(whole);
         }
-        self.steps.push(Step::Check(self.checks.len()));
-        self.checks.push(Check {
+        self.steps.push(TapeStep::Check(self.checks.len()));
+        self.checks.push(TapeCheck {
             name,
             block: ["x, y", "z"][self.checks.len() % 2],
             order: 0,
@@ -226,7 +226,7 @@ impl Maker {
     /// A check that holds for most arguments.
     fn decision(&mut self) {
         let (one, limit) = (self.plain(), self.constant(-2.5));
-        let truth = self.compute(Node::Compare(Comparison::AtLeast, one, limit));
+        let truth = self.compute(TapeNode::Compare(Comparison::AtLeast, one, limit));
         self.check("a decision", Condition::Holds(truth));
     }
 
@@ -239,32 +239,32 @@ impl Maker {
         let truth = self.truth();
         let first = self.nodes.len();
         let unknowns: Vec<Value> = (0..count)
-            .map(|index| self.put(Node::Unknown { search, index }))
+            .map(|index| self.put(TapeNode::Unknown { search, index }))
             .collect();
         let (mut body, mut residuals, mut jacobian) = (Vec::new(), Vec::new(), Vec::new());
         for row in 0..count {
             let (unknown, next) = (unknowns[row], unknowns[(row + 1) % count]);
             let wanted = self.plain();
-            let mut own = |maker: &mut Self, node: Node| {
+            let mut own = |maker: &mut Self, node: TapeNode| {
                 let value = maker.put(node);
                 body.push(value);
                 value
             };
             let factor = match truth {
-                Some(truth) => own(self, Node::Select(truth, one, tenth)),
+                Some(truth) => own(self, TapeNode::Select(truth, one, tenth)),
                 None => tenth,
             };
-            let square = own(self, Node::Binary(Operator::Multiply, unknown, unknown));
-            let cube = own(self, Node::Binary(Operator::Multiply, square, unknown));
-            let sum = own(self, Node::PlusProduct(unknown, factor, cube));
-            let sum = own(self, Node::PlusProduct(sum, tenth, next));
-            residuals.push(own(self, Node::Binary(Operator::Subtract, sum, wanted)));
-            let slope = own(self, Node::Binary(Operator::Multiply, three, factor));
-            let slope = own(self, Node::PlusProduct(one, slope, square));
+            let square = own(self, TapeNode::Binary(Operator::Multiply, unknown, unknown));
+            let cube = own(self, TapeNode::Binary(Operator::Multiply, square, unknown));
+            let sum = own(self, TapeNode::PlusProduct(unknown, factor, cube));
+            let sum = own(self, TapeNode::PlusProduct(sum, tenth, next));
+            residuals.push(own(self, TapeNode::Binary(Operator::Subtract, sum, wanted)));
+            let slope = own(self, TapeNode::Binary(Operator::Multiply, three, factor));
+            let slope = own(self, TapeNode::PlusProduct(one, slope, square));
             let mut entries = vec![zero; count];
             entries[(row + 1) % count] = tenth;
             entries[row] = if count == 1 {
-                own(self, Node::Binary(Operator::Add, slope, tenth))
+                own(self, TapeNode::Binary(Operator::Add, slope, tenth))
             } else {
                 slope
             };
@@ -272,17 +272,17 @@ impl Maker {
         }
         assert!(first < self.nodes.len());
         let guess = (0..count).map(|_| self.entry()).collect();
-        self.searches.push(Search {
+        self.searches.push(NewtonSearch {
             guess,
             sizes: vec![one; count],
             body,
             residuals,
             jacobian,
         });
-        self.steps.push(Step::Search(search));
+        self.steps.push(TapeStep::Search(search));
         self.check("convergence", Condition::Found(search));
         for index in 0..count {
-            self.last(Node::Root { search, index });
+            self.last(TapeNode::Root { search, index });
         }
     }
 
@@ -294,7 +294,7 @@ impl Maker {
         let (one, other) = (self.plain(), self.plain());
         let operators = [Operator::Add, Operator::Subtract, Operator::Multiply];
         let operator = operators[self.pick(3)];
-        self.compute(Node::Binary(operator, one, other))
+        self.compute(TapeNode::Binary(operator, one, other))
     }
 
     fn system(&mut self) {
@@ -302,15 +302,15 @@ impl Maker {
         let system = self.systems.len();
         let rows = (0..count).map(|_| (0..count).map(|_| self.entry()).collect()).collect();
         self.systems.push(System { rows });
-        self.steps.push(Step::Factor(system));
+        self.steps.push(TapeStep::Factor(system));
         self.check("determinant", Condition::Regular(system));
         for _ in 0..=self.pick(2) {
             let solution = self.solutions.len();
             let right = (0..count).map(|_| self.entry()).collect();
-            self.solutions.push(Solution { system, right });
-            self.steps.push(Step::Solve(solution));
+            self.solutions.push(LinearSolution { system, right });
+            self.steps.push(TapeStep::Solve(solution));
             for index in 0..count {
-                self.last(Node::Solution { solution, index });
+                self.last(TapeNode::Solution { solution, index });
             }
         }
     }
@@ -331,7 +331,7 @@ impl Maker {
         rows.copied().for_each(&mut mark);
         let rights = self.solutions.iter().flat_map(|solution| &solution.right);
         rights.copied().for_each(&mut mark);
-        let computed = self.steps.iter().filter_map(Step::computed);
+        let computed = self.steps.iter().filter_map(TapeStep::computed);
         computed.filter(|value| !used[value.index()]).collect()
     }
 
@@ -353,7 +353,7 @@ impl Maker {
         self.numbers.clear();
         for value in self.unused() {
             let number = if self.nodes[value.index()].is_truth() {
-                self.compute(Node::Select(value, one, other))
+                self.compute(TapeNode::Select(value, one, other))
             } else {
                 value
             };
@@ -362,17 +362,17 @@ impl Maker {
         // Functions of the platform stand last, where their differences do not grow.
         for _ in 0..2 {
             let (function, argument) = (OF_THE_PLATFORM[self.pick(OF_THE_PLATFORM.len())], self.plain());
-            let value = self.compute(Node::Call(function, argument));
+            let value = self.compute(TapeNode::Call(function, argument));
             self.numbers.push(value);
         }
         let mut values = self.numbers.clone();
         let roots = self.nodes.iter().enumerate();
         values.extend(
             roots
-                .filter(|(_, node)| matches!(node, Node::Root { .. } | Node::Solution { .. }))
+                .filter(|(_, node)| matches!(node, TapeNode::Root { .. } | TapeNode::Solution { .. }))
                 .map(|(place, _)| Value(u32::try_from(place).unwrap())),
         );
-        let outcome = |(index, value): (usize, &Value)| Outcome {
+        let outcome = |(index, value): (usize, &Value)| TapeResult {
             quantity: ResultOf::Output(index),
             order: 0,
             name: format!("result{index}"),
@@ -390,7 +390,7 @@ impl Maker {
         Tape {
             description: Description::__new(name, &[], &[], &[], &[], &[TEXT], &[], 0, &[]),
             outline: Outline::NONE,
-            precision: Precision::Double,
+            precision: NumberType::Double,
             order: 0,
             folded: Vec::new(),
             arguments: (0..ARGUMENTS).map(argument).collect(),
@@ -415,24 +415,24 @@ fn arguments(tape: u64) -> Vec<f64> {
 }
 
 /// A kind of node has a number.
-fn kind(node: &Node) -> usize {
+fn kind(node: &TapeNode) -> usize {
     match node {
-        Node::Argument(_) => 0,
-        Node::Constant(_) => 1,
-        Node::Certain(_) => 2,
-        Node::Call(function, _) => 3 + *function as usize,
-        Node::Binary(operator, ..) => 21 + *operator as usize,
-        Node::PlusProduct(..) => 26,
-        Node::MinusProduct(..) => 27,
-        Node::Select(..) => 28,
-        Node::Compare(comparison, ..) => 29 + *comparison as usize,
-        Node::IsFinite(_) => 32,
-        Node::Both(..) => 33,
-        Node::Either(..) => 34,
-        Node::Not(_) => 35,
-        Node::Unknown { .. } => 36,
-        Node::Root { .. } => 37,
-        Node::Solution { .. } => 38,
+        TapeNode::Argument(_) => 0,
+        TapeNode::Constant(_) => 1,
+        TapeNode::Certain(_) => 2,
+        TapeNode::Call(function, _) => 3 + *function as usize,
+        TapeNode::Binary(operator, ..) => 21 + *operator as usize,
+        TapeNode::PlusProduct(..) => 26,
+        TapeNode::MinusProduct(..) => 27,
+        TapeNode::Select(..) => 28,
+        TapeNode::Compare(comparison, ..) => 29 + *comparison as usize,
+        TapeNode::IsFinite(_) => 32,
+        TapeNode::Both(..) => 33,
+        TapeNode::Either(..) => 34,
+        TapeNode::Not(_) => 35,
+        TapeNode::Unknown { .. } => 36,
+        TapeNode::Root { .. } => 37,
+        TapeNode::Solution { .. } => 38,
     }
 }
 
@@ -508,7 +508,7 @@ impl Folder {
                         for ((result, one), other) in tape.results.iter().zip(found).zip(own) {
                             let node = tape.nodes[result.value.index()];
                             let is_of_the_platform =
-                                matches!(node, Node::Call(function, _) if OF_THE_PLATFORM.contains(&function));
+                                matches!(node, TapeNode::Call(function, _) if OF_THE_PLATFORM.contains(&function));
                             let is_close =
                                 is_of_the_platform && (one - other).abs() <= PLATFORM_UNITS * f64::EPSILON * one.abs();
                             assert!(
@@ -555,7 +555,7 @@ fn c_computes_random_tapes() {
         );
         folder.write(&format!("{name}.h"), &c.header);
         // What all sources carry along stands once, or the compiler would take minutes for it.
-        let carried = runtime::c(Parts::of(tape), Precision::Double);
+        let carried = runtime::c(RuntimeParts::of(tape), NumberType::Double);
         sources.push(c.source.replace(&carried, "") + &kernel);
         table.extend([format!("CASE({name}, {})\n", tape.results.len())]);
     }
@@ -582,14 +582,14 @@ int main(void)
     );
     let flags = "-std=c99 -O0 -ffp-contract=off -Wall -Wextra -Wconversion -Wpedantic -Werror -c";
     let words: Vec<String> = flags.split(' ').map(str::to_string).collect();
-    let all = Parts {
+    let all = RuntimeParts {
         sine_cosine: true,
         arc_tangent: true,
         factors: true,
         newton: true,
         unknowns: 4,
     };
-    let carried = runtime::c(all, Precision::Double);
+    let carried = runtime::c(all, NumberType::Double);
     let parts: Vec<String> = (0..4).map(|part| format!("part{part}")).collect();
     for (part, sources) in parts.iter().zip(sources.chunks(sources.len().div_ceil(parts.len()))) {
         folder.write(&format!("{part}.c"), carried.clone() + &sources.concat());
@@ -616,7 +616,7 @@ fn java_script_computes_random_tapes() {
     }
     let (folder, tapes) = (Folder::new("javascript"), random_tapes());
     for (tape, seed) in tapes.iter().zip(1..) {
-        let text = super::java_script::Module::new(tape, Some(usize::MAX)).text();
+        let text = super::java_script::JavaScriptModule::new(tape, Some(usize::MAX)).text();
         folder.write(&format!("tape{seed}.mjs"), text);
     }
     let counts: Vec<String> = tapes.iter().map(|tape| tape.results.len().to_string()).collect();
@@ -661,7 +661,7 @@ fn numpy_computes_random_tapes() {
     }
     let (folder, tapes) = (Folder::new("numpy"), random_tapes());
     for (tape, seed) in tapes.iter().zip(1..) {
-        let text = super::python::Module::new(tape, Some(usize::MAX)).text();
+        let text = super::python::PythonModule::new(tape, Some(usize::MAX)).text();
         folder.write(&format!("tape{seed}.py"), text);
     }
     folder.write(

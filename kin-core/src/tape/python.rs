@@ -4,13 +4,13 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::tape::body::{Body, Language};
-use crate::tape::expression::Expression;
-use crate::tape::runtime::{self, Parts};
-use crate::tape::signature::{Entry, Signature, head};
+use crate::tape::body::{FunctionBody, Language};
+use crate::tape::expression::Code;
+use crate::tape::runtime::{self, RuntimeParts};
+use crate::tape::signature::{Signature, SignatureEntry, head};
 use crate::tape::words::{lines, quoted};
 use crate::tape::writer::Dialect;
-use crate::tape::{Function, Node, Tape, Value};
+use crate::tape::{Function, Tape, TapeNode, Value};
 
 /// The words of the language, and the names that the module uses itself.
 const TAKEN: &[&str] = &[
@@ -82,24 +82,24 @@ const TAKEN: &[&str] = &[
 pub(super) struct Python;
 
 impl Dialect for Python {
-    fn number(&self, value: f64) -> Expression {
+    fn number(&self, value: f64) -> Code {
         let size = value.abs();
         if value.is_nan() {
-            return Expression::whole("np.nan");
+            return Code::whole("np.nan");
         }
         let own = if size.is_infinite() {
-            Expression::whole("np.inf")
+            Code::whole("np.inf")
         } else {
-            Expression::whole(format!("{size:?}"))
+            Code::whole(format!("{size:?}"))
         };
         if value.is_sign_negative() { own.negated() } else { own }
     }
 
-    fn truth(&self, holds: bool) -> Expression {
-        Expression::whole(if holds { "np.True_" } else { "np.False_" })
+    fn truth(&self, holds: bool) -> Code {
+        Code::whole(if holds { "np.True_" } else { "np.False_" })
     }
 
-    fn call(&self, function: Function, argument: &Expression) -> Expression {
+    fn call(&self, function: Function, argument: &Code) -> Code {
         let name = match function {
             Function::Negate => return argument.negated(),
             Function::Magnitude => "np.abs",
@@ -120,36 +120,36 @@ impl Dialect for Python {
             Function::Round => "_round",
             Function::Raise => "np.ceil",
         };
-        Expression::call(name, &[argument])
+        Code::call(name, &[argument])
     }
 
-    fn angle(&self, y: &Expression, x: &Expression) -> Expression {
-        Expression::call("_atan2", &[y, x])
+    fn angle(&self, y: &Code, x: &Code) -> Code {
+        Code::call("_atan2", &[y, x])
     }
 
     /// Python's own numbers, which constants are, refuse to be divided by zero.
-    fn quotient(&self, one: &Expression, other: &Expression) -> Expression {
-        Expression::call("np.divide", &[one, other])
+    fn quotient(&self, one: &Code, other: &Code) -> Code {
+        Code::call("np.divide", &[one, other])
     }
 
-    fn is_finite(&self, number: &Expression) -> Expression {
-        Expression::call("np.isfinite", &[number])
+    fn is_finite(&self, number: &Code) -> Code {
+        Code::call("np.isfinite", &[number])
     }
 
-    fn select(&self, truth: &Expression, one: &Expression, other: &Expression) -> Expression {
-        Expression::call("np.where", &[truth, one, other])
+    fn select(&self, truth: &Code, one: &Code, other: &Code) -> Code {
+        Code::call("np.where", &[truth, one, other])
     }
 
-    fn both(&self, one: &Expression, other: &Expression) -> Expression {
-        Expression::call("np.logical_and", &[one, other])
+    fn both(&self, one: &Code, other: &Code) -> Code {
+        Code::call("np.logical_and", &[one, other])
     }
 
-    fn either(&self, one: &Expression, other: &Expression) -> Expression {
-        Expression::call("np.logical_or", &[one, other])
+    fn either(&self, one: &Code, other: &Code) -> Code {
+        Code::call("np.logical_or", &[one, other])
     }
 
-    fn not(&self, truth: &Expression) -> Expression {
-        Expression::call("np.logical_not", &[truth])
+    fn not(&self, truth: &Code) -> Code {
+        Code::call("np.logical_not", &[truth])
     }
 }
 
@@ -192,7 +192,12 @@ impl Language for Python {
         ]
     }
 
-    fn check(body: &mut Body<'_, Self>, index: usize, fails: &str, margin: impl FnOnce(&mut Body<'_, Self>) -> String) {
+    fn check(
+        body: &mut FunctionBody<'_, Self>,
+        index: usize,
+        fails: &str,
+        margin: impl FnOnce(&mut FunctionBody<'_, Self>) -> String,
+    ) {
         body.line(1, &format!("_failing = np.logical_and(_check < 0, {fails})"));
         body.line(1, "if np.any(_failing):");
         let margin = margin(body);
@@ -200,7 +205,7 @@ impl Language for Python {
         body.line(2, &format!("_margin = np.where(_failing, {margin}, _margin)"));
     }
 
-    fn search(body: &mut Body<'_, Self>, index: usize) {
+    fn search(body: &mut FunctionBody<'_, Self>, index: usize) {
         let search = &body.tape.searches[index];
         let outer = body.tape.given(index);
         let given = body.list(&outer);
@@ -238,11 +243,11 @@ impl Language for Python {
         body.line(1, ")");
     }
 
-    fn factor(body: &mut Body<'_, Self>, index: usize, rows: &str) {
+    fn factor(body: &mut FunctionBody<'_, Self>, index: usize, rows: &str) {
         body.line(1, &format!("_system{index} = _Factors(_stacked({rows}, _poses))"));
     }
 
-    fn solve(body: &mut Body<'_, Self>, index: usize, system: usize, right: &str) {
+    fn solve(body: &mut FunctionBody<'_, Self>, index: usize, system: usize, right: &str) {
         body.line(
             1,
             &format!("_solution{index} = _system{system}.solve(_stacked({right}, _poses))"),
@@ -299,14 +304,14 @@ impl Tape {
     /// ```
     #[must_use]
     pub fn python(&self) -> String {
-        Module::new(self, None).text()
+        PythonModule::new(self, None).text()
     }
 }
 
 /// A module while it is written.
-pub(super) struct Module<'a> {
+pub(super) struct PythonModule<'a> {
     signature: Signature,
-    body: Body<'a, Python>,
+    body: FunctionBody<'a, Python>,
 }
 
 /// The name of an argument. A name that ends with an underscore and a digit behind two is never that of a quantity.
@@ -314,11 +319,11 @@ fn argument(place: usize) -> String {
     format!("_a{place}")
 }
 
-impl<'a> Module<'a> {
+impl<'a> PythonModule<'a> {
     pub(super) fn new(tape: &'a Tape, limit: Option<usize>) -> Self {
         Self {
             signature: Signature::new(tape, TAKEN),
-            body: Body::new(tape, Python, limit, argument),
+            body: FunctionBody::new(tape, Python, limit, argument),
         }
     }
 
@@ -407,11 +412,11 @@ impl<'a> Module<'a> {
         if tape
             .nodes
             .iter()
-            .any(|node| matches!(node, Node::Call(Function::Round, _)))
+            .any(|node| matches!(node, TapeNode::Call(Function::Round, _)))
         {
             text.push_str(ROUND);
         }
-        let functions = runtime::python(Parts::of(tape));
+        let functions = runtime::python(RuntimeParts::of(tape));
         if !functions.is_empty() {
             text.push_str("\n\n");
             text.push_str(&functions);
@@ -423,7 +428,7 @@ impl<'a> Module<'a> {
     fn documentation(&self) -> String {
         let signature = &self.signature;
         let mut text = String::new();
-        let mut define = |name: &str, of: &str, entries: &[Entry], kind: &str| {
+        let mut define = |name: &str, of: &str, entries: &[SignatureEntry], kind: &str| {
             text.extend([format!("\n\nclass {name}(TypedDict):\n")]);
             text.push_str(&docstring(&[of.to_string()], "    "));
             for entry in entries {

@@ -10,17 +10,17 @@ use crate::assembly::Assembly;
 use crate::failure::SolveError;
 use crate::mechanism::{Mechanism, Partials, Pose, Sensitive};
 use crate::number::{Number, Row};
-use crate::picture::{Outline, Place, Places};
+use crate::picture::{Outline, PlaneOrSpace, PointArray};
 use crate::quantity::{Dimension, Quantity};
 use crate::solve::Scalar;
 use crate::tape::arrange::arrange;
-use crate::tape::recorder::{self, Recorder, Source, with};
-use crate::tape::{Argument, Node, Outcome, Precision, Recorded, ResultOf, Role, Tape, Value};
+use crate::tape::recorder::{self, AssemblySource, Recorder, with};
+use crate::tape::{Argument, NumberType, Recorded, ResultOf, Role, Tape, TapeNode, TapeResult, Value};
 
 /// A number type for which tapes are recorded: `f64` or `f32`.
 pub trait Plain: Scalar + sealed::Sealed {
     /// The number type as a value.
-    const PRECISION: Precision;
+    const PRECISION: NumberType;
 }
 
 mod sealed {
@@ -30,11 +30,11 @@ mod sealed {
 }
 
 impl Plain for f64 {
-    const PRECISION: Precision = Precision::Double;
+    const PRECISION: NumberType = NumberType::Double;
 }
 
 impl Plain for f32 {
-    const PRECISION: Precision = Precision::Single;
+    const PRECISION: NumberType = NumberType::Single;
 }
 
 /// What a tape contains.
@@ -158,7 +158,7 @@ where
 }
 
 /// The partial derivatives as results.
-fn partials<M, R>(mechanism: &R, pose: &R::Pose) -> Vec<Outcome>
+fn partials<M, R>(mechanism: &R, pose: &R::Pose) -> Vec<TapeResult>
 where
     M: Mechanism<Scalar: Plain>,
     R: Sensitive + Mechanism<Scalar = Recorded<M::Scalar>>,
@@ -186,8 +186,8 @@ where
 }
 
 /// All orders of a quantity.
-fn orders<F>(own: ResultOf, name: &str, quantity: &Quantity, motion: &[Recorded<F>]) -> Vec<Outcome> {
-    let outcome = |(order, number): (usize, &Recorded<F>)| Outcome {
+fn orders<F>(own: ResultOf, name: &str, quantity: &Quantity, motion: &[Recorded<F>]) -> Vec<TapeResult> {
+    let outcome = |(order, number): (usize, &Recorded<F>)| TapeResult {
         quantity: own,
         order,
         name: name.to_string(),
@@ -200,7 +200,7 @@ fn orders<F>(own: ResultOf, name: &str, quantity: &Quantity, motion: &[Recorded<
 
 /// What a run of the solver is to find out besides.
 #[derive(Clone, Copy, Default)]
-struct Probe {
+struct RunOptions {
     /// The choice that is crossed; the others are open.
     crossed_choice: Option<usize>,
     crossed_side: Option<usize>,
@@ -211,14 +211,14 @@ struct Probe {
 struct Run {
     recorder: Recorder,
     arguments: Vec<Argument>,
-    results: Result<Vec<Outcome>, SolveError>,
+    results: Result<Vec<TapeResult>, SolveError>,
 }
 
 /// The tape, with the values `at` of the arguments wherever the solver asks for values.
 pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
     options: &Options,
     at: &[f64],
-    more: impl Fn(&M::With<Recorded<M::Scalar>>, &<M::With<Recorded<M::Scalar>> as Mechanism>::Pose) -> Vec<Outcome>,
+    more: impl Fn(&M::With<Recorded<M::Scalar>>, &<M::With<Recorded<M::Scalar>> as Mechanism>::Pose) -> Vec<TapeResult>,
 ) -> Result<Tape, RecordError> {
     let description = M::DESCRIPTION;
     if let Some(folded) = &options.folded
@@ -234,12 +234,17 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
     } else {
         0
     };
-    let run = |sources: &[Source], probe: Probe| run::<M>(options, at, choices, sources, probe, &more);
+    let run = |sources: &[AssemblySource], probe: RunOptions| run::<M>(options, at, choices, sources, probe, &more);
 
     // Which choice of the caller, or which side, each of the assemblies follows that the solver asks for.
-    let plain = run(&[], Probe::default());
-    let mut sources: Vec<Source> = plain.recorder.asked.iter().map(|own| Source::Fixed(*own)).collect();
-    let mut follow = |probe: Probe, source: &dyn Fn(bool) -> Source| {
+    let plain = run(&[], RunOptions::default());
+    let mut sources: Vec<AssemblySource> = plain
+        .recorder
+        .asked
+        .iter()
+        .map(|own| AssemblySource::Fixed(*own))
+        .collect();
+    let mut follow = |probe: RunOptions, source: &dyn Fn(bool) -> AssemblySource| {
         let crossed = run(&[], probe).recorder.asked;
         let asked = plain.recorder.asked.iter().zip(crossed);
         for (own, (open, crossed)) in sources.iter_mut().zip(asked) {
@@ -249,31 +254,31 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
         }
     };
     for index in 0..choices {
-        let probe = Probe {
+        let probe = RunOptions {
             crossed_choice: Some(index),
-            ..Probe::default()
+            ..RunOptions::default()
         };
-        follow(probe, &|is_mirrored| Source::Choice { index, is_mirrored });
+        follow(probe, &|is_mirrored| AssemblySource::Choice { index, is_mirrored });
     }
     for index in 0..plain.recorder.sides.len() {
-        let probe = Probe {
+        let probe = RunOptions {
             crossed_side: Some(index),
-            ..Probe::default()
+            ..RunOptions::default()
         };
-        follow(probe, &|is_mirrored| Source::Side { index, is_mirrored });
+        follow(probe, &|is_mirrored| AssemblySource::Side { index, is_mirrored });
     }
 
     let Run {
         recorder,
         arguments,
         results,
-    } = run(&sources, Probe::default());
+    } = run(&sources, RunOptions::default());
     let results = results.map_err(|error| RecordError::NeverSolved { block: error.block })?;
     if recorder.is_read && at.is_empty() {
         return Err(RecordError::DecidedByValue);
     }
     let order = description.order.min(options.order.unwrap_or(usize::MAX));
-    let is_wanted = |result: &Outcome| result.order <= order;
+    let is_wanted = |result: &TapeResult| result.order <= order;
     let mut tape = Tape {
         description,
         outline: if options.has_skeleton {
@@ -297,9 +302,9 @@ pub(super) fn recorded<M: Mechanism<Scalar: Plain>>(
         if !at.is_empty() {
             return "";
         }
-        let probe = Probe {
+        let probe = RunOptions {
             fails: Some(check.number),
-            ..Probe::default()
+            ..RunOptions::default()
         };
         run(&sources, probe).results.err().map_or("", |error| error.block)
     });
@@ -311,9 +316,9 @@ fn run<M: Mechanism<Scalar: Plain>>(
     options: &Options,
     at: &[f64],
     choices: usize,
-    sources: &[Source],
-    probe: Probe,
-    more: &impl Fn(&M::With<Recorded<M::Scalar>>, &<M::With<Recorded<M::Scalar>> as Mechanism>::Pose) -> Vec<Outcome>,
+    sources: &[AssemblySource],
+    probe: RunOptions,
+    more: &impl Fn(&M::With<Recorded<M::Scalar>>, &<M::With<Recorded<M::Scalar>> as Mechanism>::Pose) -> Vec<TapeResult>,
 ) -> Run {
     type R<M> = <M as Mechanism>::With<Recorded<<M as Mechanism>::Scalar>>;
     type Found<M> = Recorded<<M as Mechanism>::Scalar>;
@@ -333,7 +338,7 @@ fn run<M: Mechanism<Scalar: Plain>>(
             dimension,
             description: text,
         });
-        Recorded::at(with(|recorder| recorder.put(Node::Argument(index))))
+        Recorded::at(with(|recorder| recorder.put(TapeNode::Argument(index))))
     };
     let parameters = <<R<M> as Mechanism>::Parameters<Found<M>> as Row<_>>::from_fn(|index| {
         if let Some(folded) = &options.folded {
@@ -419,7 +424,7 @@ where
 }
 
 /// The motions of the unknowns and of the outputs.
-fn results_of<R, F>(pose: &R::Pose) -> Vec<Outcome>
+fn results_of<R, F>(pose: &R::Pose) -> Vec<TapeResult>
 where
     R: Mechanism<Scalar = Recorded<F>>,
     Recorded<F>: Scalar,
@@ -446,7 +451,7 @@ where
     results
 }
 
-fn joints<R, F>(mechanism: &R, inputs: R::Inputs<Recorded<F>>, unknowns: R::Unknowns<Recorded<F>>) -> Vec<Outcome>
+fn joints<R, F>(mechanism: &R, inputs: R::Inputs<Recorded<F>>, unknowns: R::Unknowns<Recorded<F>>) -> Vec<TapeResult>
 where
     R: Mechanism<Scalar = Recorded<F>>,
     Recorded<F>: Scalar,
@@ -458,7 +463,7 @@ where
     for (index, place) in places.iter().enumerate() {
         let point = place.in_space();
         let axes = [("x", point.x), ("y", point.y), ("z", point.z)];
-        let is_plane = <<R::Places as Places>::Point as Place>::IS_PLANE;
+        let is_plane = <<R::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE;
         for (axis, (letter, number)) in axes.into_iter().enumerate().take(if is_plane { 2 } else { 3 }) {
             let (quantity, name) = if index < count {
                 (
@@ -469,7 +474,7 @@ where
                 let slide = index - count;
                 (ResultOf::Slide { slide, axis }, format!("slides.{slide}.{letter}"))
             };
-            results.push(Outcome {
+            results.push(TapeResult {
                 quantity,
                 order: 0,
                 name,

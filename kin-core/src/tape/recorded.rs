@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{Check, Choose, Factors, Measure, Real, Scalar};
 use crate::tape::recorder::{Event, Sought, with};
-use crate::tape::{Comparison, Condition, Function, Node, Operator, Value};
+use crate::tape::{Comparison, Condition, Function, Operator, TapeNode, Value};
 
 /// A number that writes down what is done with it, for a tape in the number type `F`.
 ///
@@ -41,19 +41,19 @@ impl<F> Recorded<F> {
     }
 
     fn call(self, function: Function) -> Self {
-        put(Node::Call(function, self.value))
+        put(TapeNode::Call(function, self.value))
     }
 
     fn with(self, operator: Operator, other: Self) -> Self {
-        put(Node::Binary(operator, self.value, other.value))
+        put(TapeNode::Binary(operator, self.value, other.value))
     }
 }
 
-fn put<F>(node: Node) -> Recorded<F> {
+fn put<F>(node: TapeNode) -> Recorded<F> {
     Recorded::at(with(|recorder| recorder.put(node)))
 }
 
-fn truth(node: Node) -> Value {
+fn truth(node: TapeNode) -> Value {
     with(|recorder| recorder.put(node))
 }
 
@@ -113,21 +113,21 @@ impl<F: Number> Number for Recorded<F> {
                 // The solver looks for the number that made the check fail.
                 return !numbers.iter().any(|number| recorder.failed.contains(&number.value));
             }
-            let mut all = recorder.put(Node::Certain(true));
+            let mut all = recorder.put(TapeNode::Certain(true));
             for number in numbers {
-                let finite = recorder.put(Node::IsFinite(number.value));
-                all = recorder.put(Node::Both(all, finite));
+                let finite = recorder.put(TapeNode::IsFinite(number.value));
+                all = recorder.put(TapeNode::Both(all, finite));
             }
             let before = recorder.nodes.len();
             // The margin of a number that is not finite is not finite: the sum of all, times zero, and infinity.
             let zero = recorder.constant(0.0);
             let mut sum = zero;
             for number in numbers {
-                let nothing = recorder.put(Node::Binary(Operator::Multiply, number.value, zero));
-                sum = recorder.put(Node::Binary(Operator::Add, sum, nothing));
+                let nothing = recorder.put(TapeNode::Binary(Operator::Multiply, number.value, zero));
+                sum = recorder.put(TapeNode::Binary(Operator::Add, sum, nothing));
             }
             let infinite = recorder.constant(f64::INFINITY);
-            let margin = recorder.put(Node::Binary(Operator::Add, infinite, sum));
+            let margin = recorder.put(TapeNode::Binary(Operator::Add, infinite, sum));
             let holds = recorder.check("finite numbers", Condition::Holds(all), Some(margin), before);
             if !holds {
                 recorder.failed = numbers.iter().map(|number| number.value).collect();
@@ -151,11 +151,11 @@ impl<F: Number> Number for Recorded<F> {
     }
 
     fn plus_product(self, a: Self, b: Self) -> Self {
-        put(Node::PlusProduct(self.value, a.value, b.value))
+        put(TapeNode::PlusProduct(self.value, a.value, b.value))
     }
 
     fn minus_product(self, a: Self, b: Self) -> Self {
-        put(Node::MinusProduct(self.value, a.value, b.value))
+        put(TapeNode::MinusProduct(self.value, a.value, b.value))
     }
 }
 
@@ -179,42 +179,42 @@ impl<F: Number> Real for Recorded<F> {
     }
 
     fn is_at_least(self, other: Self) -> Value {
-        truth(Node::Compare(Comparison::AtLeast, self.value, other.value))
+        truth(TapeNode::Compare(Comparison::AtLeast, self.value, other.value))
     }
 
     fn exceeds(self, other: Self) -> Value {
-        truth(Node::Compare(Comparison::Exceeds, self.value, other.value))
+        truth(TapeNode::Compare(Comparison::Exceeds, self.value, other.value))
     }
 
     fn equals(self, other: Self) -> Value {
-        truth(Node::Compare(Comparison::Equals, self.value, other.value))
+        truth(TapeNode::Compare(Comparison::Equals, self.value, other.value))
     }
 
     fn is_finite(self) -> Value {
-        truth(Node::IsFinite(self.value))
+        truth(TapeNode::IsFinite(self.value))
     }
 
     fn certainly(answer: bool) -> Value {
-        truth(Node::Certain(answer))
+        truth(TapeNode::Certain(answer))
     }
 
     fn both(one: Value, other: impl FnOnce() -> Value) -> Value {
         let other = other();
-        truth(Node::Both(one, other))
+        truth(TapeNode::Both(one, other))
     }
 
     fn either(one: Value, other: impl FnOnce() -> Value) -> Value {
         let other = other();
-        truth(Node::Either(one, other))
+        truth(TapeNode::Either(one, other))
     }
 
     fn not(own: Value) -> Value {
-        truth(Node::Not(own))
+        truth(TapeNode::Not(own))
     }
 
     fn choose(truth: Value, one: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
         let (one, other) = (one(), other());
-        put(Node::Select(truth, one.value, other.value))
+        put(TapeNode::Select(truth, one.value, other.value))
     }
 }
 
@@ -222,8 +222,8 @@ impl<F: Number> Real for Recorded<F> {
 fn all<const K: usize>(conditions: [Value; K]) -> Value {
     conditions
         .into_iter()
-        .reduce(|one, other| truth(Node::Both(one, other)))
-        .unwrap_or_else(|| truth(Node::Certain(true)))
+        .reduce(|one, other| truth(TapeNode::Both(one, other)))
+        .unwrap_or_else(|| truth(TapeNode::Certain(true)))
 }
 
 impl<F: Number> Scalar for Recorded<F> {
@@ -250,7 +250,7 @@ impl<F: Number> Scalar for Recorded<F> {
             Ok((truth, is_mirrored)) => {
                 let (open, crossed) = (open(), crossed());
                 let [one, other] = if is_mirrored { [crossed, open] } else { [open, crossed] };
-                put(Node::Select(truth, one.value, other.value))
+                put(TapeNode::Select(truth, one.value, other.value))
             }
             Err(known) => {
                 let (open, crossed) = (open(), crossed());
@@ -330,7 +330,8 @@ impl<F: Number> Scalar for Recorded<F> {
         mut evaluate: impl FnMut([Self; N]) -> ([Self; N], [[Self; N]; N]),
     ) -> Result<[Self; N], Failure> {
         let mut sought_with = |search: usize| {
-            let (residuals, jacobian) = evaluate(core::array::from_fn(|index| put(Node::Unknown { search, index })));
+            let (residuals, jacobian) =
+                evaluate(core::array::from_fn(|index| put(TapeNode::Unknown { search, index })));
             Sought {
                 guess: values(&guess),
                 sizes: values(&sizes),
@@ -360,7 +361,7 @@ impl<F: Number> Scalar for Recorded<F> {
         if !holds {
             return Err(Failure::NotFinite { quantity: "root" });
         }
-        Ok(core::array::from_fn(|index| put(Node::Root { search, index })))
+        Ok(core::array::from_fn(|index| put(TapeNode::Root { search, index })))
     }
 
     fn factored<const N: usize>(matrix: [[Self; N]; N]) -> Result<Factors<Self, N>, Failure> {
@@ -399,7 +400,7 @@ impl<F: Number> Scalar for Recorded<F> {
                 solution
             })
         });
-        core::array::from_fn(|index| put(Node::Solution { solution, index }))
+        core::array::from_fn(|index| put(TapeNode::Solution { solution, index }))
     }
 }
 

@@ -6,10 +6,10 @@ use std::vec::Vec;
 
 use crate::assembly::Assembly;
 use crate::tape::run::{called, combined};
-use crate::tape::{Comparison, Condition, Constant, Function, Node, Operator, Precision, Value};
+use crate::tape::{Comparison, Condition, Constant, Function, NumberType, Operator, TapeNode, Value};
 
 std::thread_local! {
-    static RECORDER: RefCell<Recorder> = RefCell::new(Recorder::new(Precision::Double, Vec::new(), &[]));
+    static RECORDER: RefCell<Recorder> = RefCell::new(Recorder::new(NumberType::Double, Vec::new(), &[]));
 }
 
 /// Calls `work` with the recorder of this thread.
@@ -24,7 +24,7 @@ pub(super) fn begin(recorder: Recorder) -> Recorder {
 
 /// Where an assembly comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Source {
+pub(super) enum AssemblySource {
     /// It is known beforehand.
     Fixed(Assembly),
     /// The choice of the caller with this index, or its opposite.
@@ -67,9 +67,9 @@ pub(super) struct Sought {
 
 /// Everything that one run of a solver writes down.
 pub(super) struct Recorder {
-    pub(super) precision: Precision,
-    pub(super) nodes: Vec<Node>,
-    known: HashMap<Node, Value>,
+    pub(super) precision: NumberType,
+    pub(super) nodes: Vec<TapeNode>,
+    known: HashMap<TapeNode, Value>,
     /// What happened, each with the number of nodes in front of it.
     pub(super) events: Vec<(usize, Event)>,
     pub(super) checks: Vec<Noted>,
@@ -86,7 +86,7 @@ pub(super) struct Recorder {
     /// The assemblies that the solver asked for, in order.
     pub(super) asked: Vec<Assembly>,
     /// Where they come from, as far as it is known.
-    pub(super) sources: Vec<Source>,
+    pub(super) sources: Vec<AssemblySource>,
     /// The node of each choice of the caller.
     pub(super) choices: Vec<Value>,
     /// The truths on which sides depend, in order.
@@ -102,7 +102,7 @@ pub(super) struct Recorder {
 }
 
 impl Recorder {
-    pub(super) fn new(precision: Precision, sources: Vec<Source>, at: &[f64]) -> Self {
+    pub(super) fn new(precision: NumberType, sources: Vec<AssemblySource>, at: &[f64]) -> Self {
         Self {
             precision,
             nodes: Vec::new(),
@@ -128,10 +128,10 @@ impl Recorder {
     }
 
     /// The node of an operation: a new one, or the one that does the same already.
-    pub(super) fn put(&mut self, node: Node) -> Value {
+    pub(super) fn put(&mut self, node: TapeNode) -> Value {
         let node = self.simplified(node);
-        if let Node::Call(Function::Magnitude, value) = node
-            && matches!(self.node(value), Node::Call(Function::Magnitude, _))
+        if let TapeNode::Call(Function::Magnitude, value) = node
+            && matches!(self.node(value), TapeNode::Call(Function::Magnitude, _))
         {
             return value;
         }
@@ -157,34 +157,34 @@ impl Recorder {
         self.values.get(value.index()).copied().unwrap_or(f64::NAN)
     }
 
-    fn value_of(&self, node: Node) -> f64 {
+    fn value_of(&self, node: TapeNode) -> f64 {
         let of = |value: Value| self.values.get(value.index()).copied().unwrap_or(f64::NAN);
         let truth = |holds: bool| f64::from(u8::from(holds));
         match node {
-            Node::Argument(argument) => self.at.get(argument).copied().unwrap_or(f64::NAN),
-            Node::Constant(constant) => constant.value(),
-            Node::Certain(holds) => truth(holds),
-            Node::Call(function, one) => called(function, of(one)),
-            Node::Binary(operator, one, other) => combined(operator, of(one), of(other)),
-            Node::PlusProduct(sum, one, other) => of(sum) + of(one) * of(other),
-            Node::MinusProduct(sum, one, other) => of(sum) - of(one) * of(other),
-            Node::Select(own, one, other) => of(if of(own) > 0.0 { one } else { other }),
-            Node::Compare(comparison, one, other) => truth(comparison.holds(of(one), of(other))),
-            Node::IsFinite(one) => truth(of(one).is_finite()),
-            Node::Both(one, other) => of(one) * of(other),
-            Node::Either(one, other) => of(one).max(of(other)),
-            Node::Not(one) => 1.0 - of(one),
-            Node::Root { search, index } => {
+            TapeNode::Argument(argument) => self.at.get(argument).copied().unwrap_or(f64::NAN),
+            TapeNode::Constant(constant) => constant.value(),
+            TapeNode::Certain(holds) => truth(holds),
+            TapeNode::Call(function, one) => called(function, of(one)),
+            TapeNode::Binary(operator, one, other) => combined(operator, of(one), of(other)),
+            TapeNode::PlusProduct(sum, one, other) => of(sum) + of(one) * of(other),
+            TapeNode::MinusProduct(sum, one, other) => of(sum) - of(one) * of(other),
+            TapeNode::Select(own, one, other) => of(if of(own) > 0.0 { one } else { other }),
+            TapeNode::Compare(comparison, one, other) => truth(comparison.holds(of(one), of(other))),
+            TapeNode::IsFinite(one) => truth(of(one).is_finite()),
+            TapeNode::Both(one, other) => of(one) * of(other),
+            TapeNode::Either(one, other) => of(one).max(of(other)),
+            TapeNode::Not(one) => 1.0 - of(one),
+            TapeNode::Root { search, index } => {
                 let guess = self.searches.get(search).and_then(|sought| sought.guess.get(index));
                 guess.map_or(f64::NAN, |guess| of(*guess))
             }
-            Node::Unknown { .. } | Node::Solution { .. } => 1.0,
+            TapeNode::Unknown { .. } | TapeNode::Solution { .. } => 1.0,
         }
     }
 
     pub(super) fn constant(&mut self, value: f64) -> Value {
         let value = self.rounded(value);
-        self.put(Node::Constant(Constant::new(value)))
+        self.put(TapeNode::Constant(Constant::new(value)))
     }
 
     /// Notes a check, unless the same was made before. The answer is whether it holds: a check holds except for the one that is
@@ -198,7 +198,7 @@ impl Recorder {
     ) -> bool {
         let number = self.made;
         self.made += 1;
-        let is_certain = matches!(condition, Condition::Holds(truth) if self.node(truth) == Node::Certain(true));
+        let is_certain = matches!(condition, Condition::Holds(truth) if self.node(truth) == TapeNode::Certain(true));
         let is_repeated = self.checks.iter().any(|check| check.condition == condition);
         if !is_certain && !is_repeated {
             let at = self.checks.len();
@@ -231,31 +231,37 @@ impl Recorder {
         let number = self.asked.len();
         self.asked.push(assembly);
         match self.sources.get(number).copied() {
-            Some(Source::Choice { index, is_mirrored }) => {
+            Some(AssemblySource::Choice { index, is_mirrored }) => {
                 let (sign, is_mirrored) = (self.choices[index], is_mirrored);
                 let zero = self.constant(0.0);
-                Ok((self.put(Node::Compare(Comparison::AtLeast, sign, zero)), is_mirrored))
+                Ok((
+                    self.put(TapeNode::Compare(Comparison::AtLeast, sign, zero)),
+                    is_mirrored,
+                ))
             }
-            Some(Source::Side { index, is_mirrored }) => Ok((self.sides[index], is_mirrored)),
-            Some(Source::Fixed(known)) => Err(known),
+            Some(AssemblySource::Side { index, is_mirrored }) => Ok((self.sides[index], is_mirrored)),
+            Some(AssemblySource::Fixed(known)) => Err(known),
             None => Err(assembly),
         }
     }
 
-    pub(super) fn node(&self, value: Value) -> Node {
-        self.nodes.get(value.index()).copied().unwrap_or(Node::Certain(false))
+    pub(super) fn node(&self, value: Value) -> TapeNode {
+        self.nodes
+            .get(value.index())
+            .copied()
+            .unwrap_or(TapeNode::Certain(false))
     }
 
     fn number(&self, value: Value) -> Option<f64> {
         match self.node(value) {
-            Node::Constant(constant) => Some(constant.value()),
+            TapeNode::Constant(constant) => Some(constant.value()),
             _ => None,
         }
     }
 
     fn truth(&self, value: Value) -> Option<bool> {
         match self.node(value) {
-            Node::Certain(truth) => Some(truth),
+            TapeNode::Certain(truth) => Some(truth),
             _ => None,
         }
     }
@@ -264,39 +270,39 @@ impl Recorder {
     #[expect(clippy::cast_possible_truncation, reason = "this rounds to single precision")]
     fn rounded(&self, value: f64) -> f64 {
         match self.precision {
-            Precision::Single => f64::from(value as f32),
-            Precision::Double => value,
+            NumberType::Single => f64::from(value as f32),
+            NumberType::Double => value,
         }
     }
 
     /// The operand that an operation returns unchanged, bit by bit.
-    fn same(&self, node: Node) -> Option<Value> {
+    fn same(&self, node: TapeNode) -> Option<Value> {
         let is = |value: Value, wanted: f64| self.number(value) == Some(wanted);
         match node {
-            Node::Binary(Operator::Multiply, one, other) if is(other, 1.0) => Some(one),
-            Node::Binary(Operator::Multiply, one, other) if is(one, 1.0) => Some(other),
-            Node::Binary(Operator::Divide, one, other) if is(other, 1.0) => Some(one),
-            Node::Select(truth, one, other) => match self.truth(truth) {
+            TapeNode::Binary(Operator::Multiply, one, other) if is(other, 1.0) => Some(one),
+            TapeNode::Binary(Operator::Multiply, one, other) if is(one, 1.0) => Some(other),
+            TapeNode::Binary(Operator::Divide, one, other) if is(other, 1.0) => Some(one),
+            TapeNode::Select(truth, one, other) => match self.truth(truth) {
                 Some(true) => Some(one),
                 Some(false) => Some(other),
                 None => (one == other).then_some(one),
             },
-            Node::Both(one, other) => match (self.truth(one), self.truth(other)) {
+            TapeNode::Both(one, other) => match (self.truth(one), self.truth(other)) {
                 (Some(true), _) => Some(other),
                 (_, Some(true)) => Some(one),
                 _ => (one == other).then_some(one),
             },
-            Node::Either(one, other) => match (self.truth(one), self.truth(other)) {
+            TapeNode::Either(one, other) => match (self.truth(one), self.truth(other)) {
                 (Some(false), _) => Some(other),
                 (_, Some(false)) => Some(one),
                 _ => (one == other).then_some(one),
             },
-            Node::Call(Function::Negate, one) => match self.node(one) {
-                Node::Call(Function::Negate, own) => Some(own),
+            TapeNode::Call(Function::Negate, one) => match self.node(one) {
+                TapeNode::Call(Function::Negate, own) => Some(own),
                 _ => None,
             },
-            Node::Not(one) => match self.node(one) {
-                Node::Not(own) => Some(own),
+            TapeNode::Not(one) => match self.node(one) {
+                TapeNode::Not(own) => Some(own),
                 _ => None,
             },
             _ => None,
@@ -305,10 +311,10 @@ impl Recorder {
 
     /// The operation on constants carried out, if its result has the same bits everywhere, and operands that may change places in
     /// one order.
-    fn simplified(&self, node: Node) -> Node {
-        let constant = |value: f64| Node::Constant(Constant::new(self.rounded(value)));
+    fn simplified(&self, node: TapeNode) -> TapeNode {
+        let constant = |value: f64| TapeNode::Constant(Constant::new(self.rounded(value)));
         match node {
-            Node::Call(function, one) => {
+            TapeNode::Call(function, one) => {
                 let Some(one) = self.number(one) else { return node };
                 match function {
                     Function::Negate => constant(-one),
@@ -318,30 +324,30 @@ impl Recorder {
                     _ => node,
                 }
             }
-            Node::Binary(operator, one, other) => match (self.number(one), self.number(other), operator) {
+            TapeNode::Binary(operator, one, other) => match (self.number(one), self.number(other), operator) {
                 (Some(one), Some(other), Operator::Add) => constant(one + other),
                 (Some(one), Some(other), Operator::Subtract) => constant(one - other),
                 (Some(one), Some(other), Operator::Multiply) => constant(one * other),
                 (Some(one), Some(other), Operator::Divide) => constant(one / other),
-                (_, _, Operator::Add | Operator::Multiply) if other < one => Node::Binary(operator, other, one),
+                (_, _, Operator::Add | Operator::Multiply) if other < one => TapeNode::Binary(operator, other, one),
                 _ => node,
             },
-            Node::PlusProduct(sum, one, other) if other < one => Node::PlusProduct(sum, other, one),
-            Node::MinusProduct(sum, one, other) if other < one => Node::MinusProduct(sum, other, one),
-            Node::Compare(comparison, one, other) => match (self.number(one), self.number(other)) {
-                (Some(one), Some(other)) => Node::Certain(comparison.holds(one, other)),
+            TapeNode::PlusProduct(sum, one, other) if other < one => TapeNode::PlusProduct(sum, other, one),
+            TapeNode::MinusProduct(sum, one, other) if other < one => TapeNode::MinusProduct(sum, other, one),
+            TapeNode::Compare(comparison, one, other) => match (self.number(one), self.number(other)) {
+                (Some(one), Some(other)) => TapeNode::Certain(comparison.holds(one, other)),
                 _ => node,
             },
-            Node::IsFinite(one) => self
+            TapeNode::IsFinite(one) => self
                 .number(one)
-                .map_or(node, |number| Node::Certain(number.is_finite())),
-            Node::Both(one, other) if self.truth(one) == Some(false) || self.truth(other) == Some(false) => {
-                Node::Certain(false)
+                .map_or(node, |number| TapeNode::Certain(number.is_finite())),
+            TapeNode::Both(one, other) if self.truth(one) == Some(false) || self.truth(other) == Some(false) => {
+                TapeNode::Certain(false)
             }
-            Node::Either(one, other) if self.truth(one) == Some(true) || self.truth(other) == Some(true) => {
-                Node::Certain(true)
+            TapeNode::Either(one, other) if self.truth(one) == Some(true) || self.truth(other) == Some(true) => {
+                TapeNode::Certain(true)
             }
-            Node::Not(one) => self.truth(one).map_or(node, |truth| Node::Certain(!truth)),
+            TapeNode::Not(one) => self.truth(one).map_or(node, |truth| TapeNode::Certain(!truth)),
             _ => node,
         }
     }

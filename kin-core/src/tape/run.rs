@@ -9,7 +9,7 @@ use num_traits::Float;
 
 use crate::number::Number;
 use crate::solve;
-use crate::tape::{Condition, Function, Node, Operator, Plain, Step, Tape, Value};
+use crate::tape::{Condition, Function, Operator, Plain, Tape, TapeNode, TapeStep, Value};
 
 /// The check that failed in a run of a tape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Stop {
     pub name: &'static str,
     /// The unknowns of the block in which it was made, separated by commas.
     pub block: &'static str,
-    /// The distance from passing; see [`Check::margin`](crate::tape::Check::margin).
+    /// The distance from passing; see [`TapeCheck::margin`](crate::tape::TapeCheck::margin).
     pub margin: f64,
 }
 
@@ -61,8 +61,8 @@ impl Tape {
     /// ```
     pub fn run(&self, arguments: &[f64]) -> Result<Vec<f64>, Stop> {
         match self.precision {
-            crate::tape::Precision::Single => self.run_in::<f32>(arguments),
-            crate::tape::Precision::Double => self.run_in::<f64>(arguments),
+            crate::tape::NumberType::Single => self.run_in::<f32>(arguments),
+            crate::tape::NumberType::Double => self.run_in::<f64>(arguments),
         }
     }
 
@@ -70,11 +70,11 @@ impl Tape {
         let mut run = Run::<F>::new(self, arguments);
         for step in &self.steps {
             match *step {
-                Step::Compute(value) => run.compute(value),
-                Step::Check(check) => run.check(check)?,
-                Step::Search(search) => run.search(search),
-                Step::Factor(system) => run.factor(system),
-                Step::Solve(solution) => run.solve(solution),
+                TapeStep::Compute(value) => run.compute(value),
+                TapeStep::Check(check) => run.check(check)?,
+                TapeStep::Search(search) => run.search(search),
+                TapeStep::Factor(system) => run.factor(system),
+                TapeStep::Solve(solution) => run.solve(solution),
             }
         }
         let results = self.results.iter();
@@ -119,11 +119,11 @@ impl<'a, F: Plain + Float> Run<'a, F> {
         };
         for (place, node) in tape.nodes.iter().enumerate() {
             match *node {
-                Node::Argument(argument) => {
+                TapeNode::Argument(argument) => {
                     run.numbers[place] = arguments.get(argument).map_or_else(F::nan, |own| F::constant(*own));
                 }
-                Node::Constant(constant) => run.numbers[place] = F::constant(constant.value()),
-                Node::Certain(truth) => run.truths[place] = truth,
+                TapeNode::Constant(constant) => run.numbers[place] = F::constant(constant.value()),
+                TapeNode::Certain(truth) => run.truths[place] = truth,
                 _ => {}
             }
         }
@@ -132,11 +132,11 @@ impl<'a, F: Plain + Float> Run<'a, F> {
 
     fn number(&self, value: Value) -> F {
         match self.tape.nodes[value.index()] {
-            Node::Root { search, index } => match &self.roots[search] {
+            TapeNode::Root { search, index } => match &self.roots[search] {
                 Ok(roots) => roots[index],
                 Err(_) => F::nan(),
             },
-            Node::Solution { solution, index } => self.solutions[solution][index],
+            TapeNode::Solution { solution, index } => self.solutions[solution][index],
             _ => self.numbers[value.index()],
         }
     }
@@ -158,27 +158,27 @@ impl<'a, F: Plain + Float> Run<'a, F> {
         }
     }
 
-    fn decided(&self, node: Node) -> bool {
+    fn decided(&self, node: TapeNode) -> bool {
         match node {
-            Node::Compare(comparison, one, other) => {
+            TapeNode::Compare(comparison, one, other) => {
                 comparison.holds(self.number(one).real(), self.number(other).real())
             }
-            Node::IsFinite(one) => Number::is_finite(self.number(one)),
-            Node::Both(one, other) => self.truth(one) && self.truth(other),
-            Node::Either(one, other) => self.truth(one) || self.truth(other),
-            Node::Not(one) => !self.truth(one),
+            TapeNode::IsFinite(one) => Number::is_finite(self.number(one)),
+            TapeNode::Both(one, other) => self.truth(one) && self.truth(other),
+            TapeNode::Either(one, other) => self.truth(one) || self.truth(other),
+            TapeNode::Not(one) => !self.truth(one),
             _ => false,
         }
     }
 
-    fn computed(&self, node: Node) -> F {
+    fn computed(&self, node: TapeNode) -> F {
         let own = |value: Value| self.number(value);
         match node {
-            Node::Call(function, one) => called(function, own(one)),
-            Node::Binary(operator, one, other) => combined(operator, own(one), own(other)),
-            Node::PlusProduct(sum, one, other) => own(sum).plus_product(own(one), own(other)),
-            Node::MinusProduct(sum, one, other) => own(sum).minus_product(own(one), own(other)),
-            Node::Select(truth, one, other) => own(if self.truth(truth) { one } else { other }),
+            TapeNode::Call(function, one) => called(function, own(one)),
+            TapeNode::Binary(operator, one, other) => combined(operator, own(one), own(other)),
+            TapeNode::PlusProduct(sum, one, other) => own(sum).plus_product(own(one), own(other)),
+            TapeNode::MinusProduct(sum, one, other) => own(sum).minus_product(own(one), own(other)),
+            TapeNode::Select(truth, one, other) => own(if self.truth(truth) { one } else { other }),
             _ => F::nan(),
         }
     }
@@ -208,7 +208,7 @@ impl<'a, F: Plain + Float> Run<'a, F> {
             let (guess, sizes) = (run.all(&search.guess), run.all(&search.sizes));
             let unknowns: Vec<(usize, usize)> = (run.tape.nodes.iter().enumerate())
                 .filter_map(|(place, node)| match *node {
-                    Node::Unknown { search, index: unknown } if search == index => Some((place, unknown)),
+                    TapeNode::Unknown { search, index: unknown } if search == index => Some((place, unknown)),
                     _ => None,
                 })
                 .collect();

@@ -7,11 +7,11 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::quantity::Dimension;
-use crate::tape::words::Names;
+use crate::tape::words::DistinctNames;
 use crate::tape::{ResultOf, Role, Tape};
 
 /// A quantity with its rates.
-pub(super) struct Entry {
+pub(super) struct SignatureEntry {
     /// Its name in the language.
     pub(super) name: String,
     /// Its name as declared.
@@ -22,7 +22,7 @@ pub(super) struct Entry {
     pub(super) places: Vec<usize>,
 }
 
-impl Entry {
+impl SignatureEntry {
     /// A line about the quantity: its description, its dimension and its rates.
     pub(super) fn text(&self) -> String {
         let mut text = self.description.trim().trim_end_matches('.').to_string();
@@ -48,13 +48,13 @@ impl Entry {
 
 /// The quantities of a tape.
 pub(super) struct Signature {
-    pub(super) parameters: Vec<Entry>,
-    pub(super) inputs: Vec<Entry>,
+    pub(super) parameters: Vec<SignatureEntry>,
+    pub(super) inputs: Vec<SignatureEntry>,
     /// The values near unknowns, of a mechanism with coupled blocks.
-    pub(super) near: Vec<Entry>,
-    pub(super) assemblies: Vec<Entry>,
+    pub(super) near: Vec<SignatureEntry>,
+    pub(super) assemblies: Vec<SignatureEntry>,
     /// The unknowns, the outputs and the partial derivatives.
-    pub(super) results: Vec<Entry>,
+    pub(super) results: Vec<SignatureEntry>,
     /// The places among the results of the coordinates of each joint.
     pub(super) joints: Vec<Vec<usize>>,
     /// The same of the direction of each slide.
@@ -70,7 +70,7 @@ impl Signature {
 
     /// The quantities with names that are none of `taken`. A quantity has one name wherever it occurs.
     pub(super) fn new(tape: &Tape, taken: &'static [&'static str]) -> Self {
-        let mut names = Names::new(taken);
+        let mut names = DistinctNames::new(taken);
         let mut known = BTreeMap::new();
         let mut name = |declared: &str| -> String {
             let own = known
@@ -96,7 +96,7 @@ impl Signature {
             };
             match list.last_mut() {
                 Some(last) if order > 0 => last.places.push(place),
-                _ => list.push(Entry {
+                _ => list.push(SignatureEntry {
                     name: name(&argument.name),
                     declared: argument.name.clone(),
                     dimension: argument.dimension,
@@ -131,7 +131,7 @@ impl Signature {
             };
             match own.results.last_mut() {
                 Some(last) if result.order > 0 => last.places.push(place),
-                _ => own.results.push(Entry {
+                _ => own.results.push(SignatureEntry {
                     name: name(&declared),
                     declared,
                     dimension: result.dimension,

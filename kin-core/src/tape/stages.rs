@@ -3,7 +3,7 @@
 use std::vec;
 use std::vec::Vec;
 
-use crate::tape::{Condition, Node, Step, Tape, Value};
+use crate::tape::{Condition, Tape, TapeNode, TapeStep, Value};
 
 /// The lowest order that needs each node, search, system and solution; `usize::MAX` for a node that only a margin needs.
 pub(super) struct Stages {
@@ -68,8 +68,8 @@ impl Stages {
             let node = tape.nodes[place];
             node.operands(|operand| own.need(operand, order));
             match node {
-                Node::Root { search, .. } => own.search(tape, search, order),
-                Node::Solution { solution, .. } => {
+                TapeNode::Root { search, .. } => own.search(tape, search, order),
+                TapeNode::Solution { solution, .. } => {
                     own.solutions[solution] = own.solutions[solution].min(order);
                     for value in &tape.solutions[solution].right {
                         own.need(*value, order);
@@ -114,13 +114,13 @@ impl Stages {
     }
 
     /// The order of a step.
-    pub(super) fn of_step(&self, tape: &Tape, step: Step) -> usize {
+    pub(super) fn of_step(&self, tape: &Tape, step: TapeStep) -> usize {
         match step {
-            Step::Compute(value) => self.of(value),
-            Step::Check(check) => self.of_order(tape.checks[check].order),
-            Step::Search(search) => self.searches[search],
-            Step::Factor(system) => self.systems[system],
-            Step::Solve(solution) => self.solutions[solution],
+            TapeStep::Compute(value) => self.of(value),
+            TapeStep::Check(check) => self.of_order(tape.checks[check].order),
+            TapeStep::Search(search) => self.searches[search],
+            TapeStep::Factor(system) => self.systems[system],
+            TapeStep::Solve(solution) => self.solutions[solution],
         }
     }
 }

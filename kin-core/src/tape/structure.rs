@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::mechanism::Description;
 use crate::picture::Outline;
 use crate::quantity::Dimension;
-use crate::tape::{Node, Value};
+use crate::tape::{TapeNode, Value};
 
 /// A solver as straight-line code: arguments, operations, checks, results.
 ///
@@ -21,7 +21,7 @@ pub struct Tape {
     /// Which of the joints among the results belong together. It is [`Outline::NONE`] unless the skeleton was asked for.
     pub outline: Outline,
     /// The number type for which the tape was recorded. Its ε and its smallest number are in the constants.
-    pub precision: Precision,
+    pub precision: NumberType,
     /// The highest time derivative among the results.
     pub order: usize,
     /// The dimensions that were folded in as constants: all of them in the order of the description, or none.
@@ -29,19 +29,19 @@ pub struct Tape {
     /// What the function is given, in the order of their indices.
     pub arguments: Vec<Argument>,
     /// The operations. Every node is used, directly or indirectly, by a result or by a check.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<TapeNode>,
     /// What is done, in this order.
-    pub steps: Vec<Step>,
+    pub steps: Vec<TapeStep>,
     /// What is found, position by position: all orders of a quantity follow each other.
-    pub results: Vec<Outcome>,
+    pub results: Vec<TapeResult>,
     /// The decisions. If one fails, there is no pose.
-    pub checks: Vec<Check>,
+    pub checks: Vec<TapeCheck>,
     /// The blocks that Newton's method solves.
-    pub searches: Vec<Search>,
+    pub searches: Vec<NewtonSearch>,
     /// The linear systems whose pivots are chosen at run time.
     pub systems: Vec<System>,
     /// The solutions of those systems.
-    pub solutions: Vec<Solution>,
+    pub solutions: Vec<LinearSolution>,
 }
 
 impl Tape {
@@ -52,7 +52,7 @@ impl Tape {
         let mut need = |value: Value| {
             let is_plain = matches!(
                 self.nodes[value.index()],
-                Node::Constant(_) | Node::Certain(_) | Node::Unknown { .. }
+                TapeNode::Constant(_) | TapeNode::Certain(_) | TapeNode::Unknown { .. }
             );
             if !is_plain && !own.body.contains(&value) {
                 given.insert(value);
@@ -69,7 +69,7 @@ impl Tape {
 
 /// A number type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Precision {
+pub enum NumberType {
     /// `f32`, the `float` of C.
     Single,
     /// `f64`, the `double` of C.
@@ -113,7 +113,7 @@ pub enum Role {
 /// A number that a tape finds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Outcome {
+pub struct TapeResult {
     /// The quantity to which it belongs.
     pub quantity: ResultOf,
     /// The order of its time derivative; 0 is the position.
@@ -170,7 +170,7 @@ pub enum ResultOf {
 
 /// Something that is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
+pub enum TapeStep {
     /// The node is computed. Constants and arguments have no step.
     Compute(Value),
     /// The check with this index is made.
@@ -186,7 +186,7 @@ pub enum Step {
 /// A decision. If it fails, there is no pose: the function returns the index of the check and the margin.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Check {
+pub struct TapeCheck {
     /// The subject of the check, in a few words.
     pub name: &'static str,
     /// The unknowns of the block in which it is made, separated by commas, as in the error of `solve`.
@@ -219,12 +219,12 @@ pub enum Condition {
 /// method.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Search {
+pub struct NewtonSearch {
     /// The guess of each unknown.
     pub guess: Vec<Value>,
     /// The natural size of each unknown.
     pub sizes: Vec<Value>,
-    /// The nodes of residuals and Jacobian that depend on the [unknowns](Node::Unknown), in the order in which they are computed.
+    /// The nodes of residuals and Jacobian that depend on the [unknowns](TapeNode::Unknown), in the order in which they are computed.
     pub body: Vec<Value>,
     /// The residual of each equation.
     pub residuals: Vec<Value>,
@@ -243,7 +243,7 @@ pub struct System {
 /// The solution of a linear system for one right-hand side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Solution {
+pub struct LinearSolution {
     /// The index of the system.
     pub system: usize,
     /// The right-hand side.

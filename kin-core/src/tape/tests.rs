@@ -105,7 +105,7 @@ fn tapes_have_their_number_type() {
     let is_there = |wanted: f64| {
         tape.nodes
             .iter()
-            .any(|node| matches!(node, super::Node::Constant(own) if own.value() == wanted))
+            .any(|node| matches!(node, super::TapeNode::Constant(own) if own.value() == wanted))
     };
     assert!(is_there(smallest) && !is_there(2.0 * f64::MIN_POSITIVE));
 }

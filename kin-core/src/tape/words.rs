@@ -8,12 +8,12 @@ use std::vec::Vec;
 use crate::quantity::in_small_letters;
 
 /// Names that are told apart, none of which is a word of the language.
-pub(crate) struct Names {
+pub(crate) struct DistinctNames {
     keywords: &'static [&'static str],
     taken: BTreeSet<String>,
 }
 
-impl Names {
+impl DistinctNames {
     pub(crate) fn new(keywords: &'static [&'static str]) -> Self {
         Self {
             keywords,
@@ -158,11 +158,11 @@ pub(crate) fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Names, lines, snake};
+    use super::{DistinctNames, lines, snake};
 
     #[test]
     fn names_are_told_apart_and_are_no_keywords() {
-        let mut names = Names::new(&["int", "double"]);
+        let mut names = DistinctNames::new(&["int", "double"]);
         let declared = [
             "p.x", "p_x", "int", "int_", "θ", "theta", "Θ2", "v12", "_a", "__b", "2x", "été", "r#double",
         ];

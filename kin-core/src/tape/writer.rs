@@ -4,54 +4,54 @@ use std::string::{String, ToString as _};
 use std::vec;
 use std::vec::Vec;
 
-use crate::tape::expression::Expression;
-use crate::tape::{Function, Node, Operator, Step, Tape, Value};
+use crate::tape::expression::Code;
+use crate::tape::{Function, Operator, Tape, TapeNode, TapeStep, Value};
 
 /// The ways in which a language writes operations.
 pub(super) trait Dialect {
     /// A number that is read as itself.
-    fn number(&self, value: f64) -> Expression;
+    fn number(&self, value: f64) -> Code;
 
     /// A truth.
-    fn truth(&self, holds: bool) -> Expression;
+    fn truth(&self, holds: bool) -> Code;
 
     /// A function of one number. The change of sign is none of them, and neither are sine and cosine, which are found
     /// together.
-    fn call(&self, function: Function, argument: &Expression) -> Expression;
+    fn call(&self, function: Function, argument: &Code) -> Code;
 
     /// The angle from the x axis to the point (x, y).
-    fn angle(&self, y: &Expression, x: &Expression) -> Expression;
+    fn angle(&self, y: &Code, x: &Code) -> Code;
 
     /// One number over another.
-    fn quotient(&self, one: &Expression, other: &Expression) -> Expression {
+    fn quotient(&self, one: &Code, other: &Code) -> Code {
         one.product("/", other)
     }
 
     /// Whether a number is finite.
-    fn is_finite(&self, number: &Expression) -> Expression;
+    fn is_finite(&self, number: &Code) -> Code;
 
     /// One of two numbers.
-    fn select(&self, truth: &Expression, one: &Expression, other: &Expression) -> Expression {
+    fn select(&self, truth: &Code, one: &Code, other: &Code) -> Code {
         truth.select(one, other)
     }
 
     /// Whether both truths hold.
-    fn both(&self, one: &Expression, other: &Expression) -> Expression {
+    fn both(&self, one: &Code, other: &Code) -> Code {
         one.both(other)
     }
 
     /// Whether at least one truth holds.
-    fn either(&self, one: &Expression, other: &Expression) -> Expression {
+    fn either(&self, one: &Code, other: &Code) -> Code {
         one.either(other)
     }
 
     /// Whether a truth does not hold.
-    fn not(&self, truth: &Expression) -> Expression {
+    fn not(&self, truth: &Code) -> Code {
         truth.not()
     }
 }
 
-impl Step {
+impl TapeStep {
     /// The node that the step computes.
     pub(super) fn computed(&self) -> Option<Value> {
         match *self {
@@ -141,7 +141,7 @@ impl<'a, D: Dialect> Writer<'a, D> {
             let mut own = 4;
             node.operands(|operand| own += length[operand.index()].max(5));
             let place = value.index();
-            let is_pair = matches!(node, Node::Call(Function::Sine | Function::Cosine, _));
+            let is_pair = matches!(node, TapeNode::Call(Function::Sine | Function::Cosine, _));
             if self.uses[place] == 1 && within[place] == 1 && own <= limit && !is_pair {
                 length[place] = own;
             } else {
@@ -152,38 +152,38 @@ impl<'a, D: Dialect> Writer<'a, D> {
     }
 
     /// A node by its name, or its operation if it has none.
-    pub(super) fn value(&self, value: Value) -> Expression {
+    pub(super) fn value(&self, value: Value) -> Code {
         match &self.names[value.index()] {
-            Some(name) => Expression::whole(name.clone()),
+            Some(name) => Code::whole(name.clone()),
             None => self.operation(value),
         }
     }
 
     /// The operation of a node.
-    pub(super) fn operation(&self, value: Value) -> Expression {
+    pub(super) fn operation(&self, value: Value) -> Code {
         let of = |operand: Value| self.value(operand);
         let dialect = &self.dialect;
         match self.tape.nodes[value.index()] {
-            Node::Constant(constant) => dialect.number(constant.value()),
-            Node::Certain(holds) => dialect.truth(holds),
-            Node::Call(Function::Negate, one) => of(one).negated(),
-            Node::Call(function, one) => dialect.call(function, &of(one)),
-            Node::Binary(Operator::Add, one, other) => of(one).sum("+", &of(other)),
-            Node::Binary(Operator::Subtract, one, other) => of(one).sum("-", &of(other)),
-            Node::Binary(Operator::Multiply, one, other) => of(one).product("*", &of(other)),
-            Node::Binary(Operator::Divide, one, other) => dialect.quotient(&of(one), &of(other)),
-            Node::Binary(Operator::ArcTangent, y, x) => dialect.angle(&of(y), &of(x)),
-            Node::PlusProduct(sum, one, other) => of(sum).sum("+", &of(one).product("*", &of(other))),
-            Node::MinusProduct(sum, one, other) => of(sum).sum("-", &of(one).product("*", &of(other))),
-            Node::Select(truth, one, other) => dialect.select(&of(truth), &of(one), &of(other)),
-            Node::Compare(comparison, one, other) => of(one).compared(comparison, &of(other)),
-            Node::IsFinite(one) => dialect.is_finite(&of(one)),
-            Node::Both(one, other) => dialect.both(&of(one), &of(other)),
-            Node::Either(one, other) => dialect.either(&of(one), &of(other)),
-            Node::Not(one) => dialect.not(&of(one)),
+            TapeNode::Constant(constant) => dialect.number(constant.value()),
+            TapeNode::Certain(holds) => dialect.truth(holds),
+            TapeNode::Call(Function::Negate, one) => of(one).negated(),
+            TapeNode::Call(function, one) => dialect.call(function, &of(one)),
+            TapeNode::Binary(Operator::Add, one, other) => of(one).sum("+", &of(other)),
+            TapeNode::Binary(Operator::Subtract, one, other) => of(one).sum("-", &of(other)),
+            TapeNode::Binary(Operator::Multiply, one, other) => of(one).product("*", &of(other)),
+            TapeNode::Binary(Operator::Divide, one, other) => dialect.quotient(&of(one), &of(other)),
+            TapeNode::Binary(Operator::ArcTangent, y, x) => dialect.angle(&of(y), &of(x)),
+            TapeNode::PlusProduct(sum, one, other) => of(sum).sum("+", &of(one).product("*", &of(other))),
+            TapeNode::MinusProduct(sum, one, other) => of(sum).sum("-", &of(one).product("*", &of(other))),
+            TapeNode::Select(truth, one, other) => dialect.select(&of(truth), &of(one), &of(other)),
+            TapeNode::Compare(comparison, one, other) => of(one).compared(comparison, &of(other)),
+            TapeNode::IsFinite(one) => dialect.is_finite(&of(one)),
+            TapeNode::Both(one, other) => dialect.both(&of(one), &of(other)),
+            TapeNode::Either(one, other) => dialect.either(&of(one), &of(other)),
+            TapeNode::Not(one) => dialect.not(&of(one)),
             // These have names in every language.
-            Node::Argument(_) | Node::Unknown { .. } | Node::Root { .. } | Node::Solution { .. } => {
-                Expression::whole(value.to_string())
+            TapeNode::Argument(_) | TapeNode::Unknown { .. } | TapeNode::Root { .. } | TapeNode::Solution { .. } => {
+                Code::whole(value.to_string())
             }
         }
     }

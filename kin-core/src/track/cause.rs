@@ -4,9 +4,9 @@ use super::obstacle::FIRM;
 use super::rounding::{blur, is_indistinct};
 use super::sides::Sides;
 use super::steps::Steps;
-use super::way::{Point, Way, largest};
+use super::way::{Way, WayPoint, largest};
 use super::{
-    ANCHOR, BLUR, FAR, Halt, Obstacle, ObstacleOf, SECANTS, Station, TrackError, TrackErrorOf, predicted, rates,
+    ANCHOR, BLUR, FAR, Halt, Obstacle, ObstacleOf, SECANTS, TrackError, TrackErrorOf, TrackPoint, predicted, rates,
 };
 use crate::failure::{Failure, SolveError};
 use crate::mechanism::Mechanism;
@@ -22,7 +22,7 @@ const BISECTIONS: usize = 64;
 /// beyond.
 fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    point: &Point<M>,
+    point: &WayPoint<M>,
     sides: &Sides<M>,
     beginning: &Sides<M>,
 ) -> TrackErrorOf<M> {
@@ -37,9 +37,9 @@ fn crossed_or_ended<M: Mechanism<Scalar = f64>>(
 /// The change point to which ever shorter steps lead. It is located from an earlier station if that is more exact.
 pub(super) fn crossed_near<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    near: &Point<M>,
+    near: &WayPoint<M>,
     sides: &Sides<M>,
-    anchor: &Station<M>,
+    anchor: &TrackPoint<M>,
     beginning: &Sides<M>,
 ) -> TrackErrorOf<M> {
     let (point, sides) = crossing(way, near, anchor).unwrap_or((*near, *sides));
@@ -47,7 +47,7 @@ pub(super) fn crossed_near<M: Mechanism<Scalar = f64>>(
 }
 
 /// Whether the links are out of reach beyond a point.
-fn is_out_of_reach<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> bool {
+fn is_out_of_reach<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &WayPoint<M>) -> bool {
     [ANCHOR, 0.1 * ANCHOR].into_iter().all(|beyond| {
         let inputs = way.inputs(point.travel + beyond);
         let failure = way.mechanism.solve_position_near(inputs, point.unknowns).err();
@@ -58,8 +58,8 @@ fn is_out_of_reach<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -
 /// The cause where no step succeeds, however short. `error` is the last error of the solvers.
 pub(super) fn blocked<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    here: &Station<M>,
-    anchor: &Station<M>,
+    here: &TrackPoint<M>,
+    anchor: &TrackPoint<M>,
     beginning: &Sides<M>,
     error: Option<SolveError>,
     steps: &Steps,
@@ -91,7 +91,7 @@ pub(super) fn blocked<M: Mechanism<Scalar = f64>>(
 }
 
 /// The place at which an unknown goes to infinity, if it is close.
-fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<ObstacleOf<M>> {
+fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &TrackPoint<M>) -> Option<ObstacleOf<M>> {
     let values = here.point.unknowns;
     let grown = |index: &usize| values[*index].abs() / way.sizes[*index];
     let index = (0..Way::<M>::COUNT).max_by(|one, other| grown(one).total_cmp(&grown(other)))?;
@@ -123,7 +123,7 @@ fn pole<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<O
 }
 
 /// The error of the first place close ahead that lies outside the domain of a function.
-fn end_of_domain<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<SolveError> {
+fn end_of_domain<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &TrackPoint<M>) -> Option<SolveError> {
     let is_outside = |error: &SolveError| matches!(error.failure, Failure::OutsideDomain { .. });
     let is_of_a_block = |error: &SolveError| M::DESCRIPTION.blocks.iter().any(|block| block.unknowns == error.block);
     let (travel, error) = first_failure(way, here, is_outside)?;
@@ -142,7 +142,7 @@ fn end_of_domain<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) ->
 /// error.
 fn first_failure<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    here: &Station<M>,
+    here: &TrackPoint<M>,
     is_wanted: impl Fn(&SolveError) -> bool,
 ) -> Option<(f64, SolveError)> {
     let error_at = |travel: f64| {
@@ -173,7 +173,7 @@ fn first_failure<M: Mechanism<Scalar = f64>>(
 }
 
 /// Places ahead at growing distances, all of them close.
-fn ahead<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> impl Iterator<Item = f64> {
+fn ahead<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &TrackPoint<M>) -> impl Iterator<Item = f64> {
     let (start, end, shortest) = (here.point.travel, way.length, way.shortest());
     let steps = core::iter::successors(Some(shortest), |step| Some(4.0 * step));
     let steps = steps.take_while(move |step| *step <= BLUR.max(256.0 * shortest));
@@ -182,13 +182,13 @@ fn ahead<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> impl It
 
 /// The error of a block solved by Newton's method at the end of the domain of a function of its unknowns: ahead of it
 /// the closure is not finite, and the solvers find nothing.
-fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -> Option<SolveError> {
+fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &TrackPoint<M>) -> Option<SolveError> {
     let rates = rates(here, &M::Unknowns::splat(1.0));
     ahead(way, here).find_map(|travel| {
         // Near such an end the higher terms of a series are useless.
         let along = |index: usize| rates[index] * (travel - here.point.travel);
         let unknowns = M::Unknowns::from_fn(|index| here.point.unknowns[index] + along(index));
-        if way.linearise(&Point { unknowns, travel }).is_some() {
+        if way.linearise(&WayPoint { unknowns, travel }).is_some() {
             return None;
         }
         let error = way.mechanism.solve_motion_near(way.motions(travel), unknowns).err()?;
@@ -206,14 +206,14 @@ fn end_of_closure<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>) -
 /// station.
 fn crossing<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    near: &Point<M>,
-    anchor: &Station<M>,
-) -> Option<(Point<M>, Sides<M>)> {
+    near: &WayPoint<M>,
+    anchor: &TrackPoint<M>,
+) -> Option<(WayPoint<M>, Sides<M>)> {
     let travel = near.travel;
     let at = |step: f64| {
         let (unknowns, _) = predicted(anchor, step);
         let travel = anchor.point.travel + step;
-        let point = Point { unknowns, travel };
+        let point = WayPoint { unknowns, travel };
         let linear = way.linearise(&point)?;
         Some((point, Sides::of(&linear)))
     };
@@ -241,7 +241,7 @@ fn crossing<M: Mechanism<Scalar = f64>>(
 }
 
 /// Whether an extrapolated point is so close to another point that it is what blocks the path there.
-fn is_beside<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, here: &Point<M>) -> bool {
+fn is_beside<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &WayPoint<M>, here: &WayPoint<M>) -> bool {
     let pairs = point.unknowns.as_ref().iter().zip(here.unknowns.as_ref());
     let sizes = way.sizes_at(here);
     let distances = pairs
@@ -252,7 +252,7 @@ fn is_beside<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, here: &
 
 pub(super) fn obstacle<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    point: &Point<M>,
+    point: &WayPoint<M>,
     sides: &Sides<M>,
     beginning: &Sides<M>,
 ) -> ObstacleOf<M> {
@@ -269,7 +269,7 @@ pub(super) fn obstacle<M: Mechanism<Scalar = f64>>(
 /// The place where the track stopped.
 pub(super) fn halt<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    point: &Point<M>,
+    point: &WayPoint<M>,
     steps: &Steps,
 ) -> Halt<M::Inputs<f64>, M::Unknowns<f64>> {
     Halt {

@@ -19,7 +19,7 @@ use rounding::{blur, is_crossed};
 use sides::Sides;
 use steps::Steps;
 use turning::Passage;
-use way::{Linear, Point, Way, largest};
+use way::{Linear, Way, WayPoint, largest};
 
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose, PoseOf};
@@ -193,8 +193,8 @@ fn retyped<M: Mechanism>(error: TrackErrorOf<M::With<f64>>) -> TrackErrorOf<M> {
 
 /// A point of the track and everything known there.
 #[derive(Clone, Copy)]
-struct Station<M: Mechanism> {
-    point: Point<M>,
+struct TrackPoint<M: Mechanism> {
+    point: WayPoint<M>,
     /// The unknowns in all orders, with angles on the turns they have reached.
     motions: M::Unknowns<M::Motion<f64>>,
     /// The sizes of the unknowns at this station.
@@ -322,19 +322,19 @@ fn station<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
     travel: f64,
     near: M::Unknowns<f64>,
-) -> Result<Station<M>, Missing> {
+) -> Result<TrackPoint<M>, Missing> {
     let pose = way
         .mechanism
         .solve_motion_near(way.motions(travel), near)
         .map_err(Missing::Unsolved)?;
     let turns = Row::from_fn(|index| near[index]);
     let motions = pose.unknown_motions_near(turns);
-    let point = Point {
+    let point = WayPoint {
         unknowns: M::Unknowns::from_fn(|index| motions[index][0]),
         travel,
     };
     let linear: Linear<M> = way.linearise(&point).ok_or(Missing::Elsewhere)?;
-    Ok(Station {
+    Ok(TrackPoint {
         point,
         motions,
         sizes: way.sizes_at(&point),
@@ -343,11 +343,15 @@ fn station<M: Mechanism<Scalar = f64>>(
 }
 
 /// The station at the end of a step, if it certainly lies on the same branch and nothing happens in between.
-fn attempted<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>, travel: f64) -> Result<Station<M>, Missing> {
+fn attempted<M: Mechanism<Scalar = f64>>(
+    way: &Way<M>,
+    here: &TrackPoint<M>,
+    travel: f64,
+) -> Result<TrackPoint<M>, Missing> {
     let step = travel - here.point.travel;
     for part in [0.25, 0.5, 0.75, 1.0] {
         let (unknowns, _) = predicted(here, part * step);
-        let point = Point {
+        let point = WayPoint {
             unknowns,
             travel: here.point.travel + part * step,
         };
@@ -384,12 +388,12 @@ fn attempted<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Station<M>, travel
 
 /// Whether a station belongs to the given assembly. Assemblies that depend on the dimensions have no names to compare;
 /// the determinants distinguish them.
-fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, way: &Way<M>, there: &Station<M>, assembly: M::Assembly) -> bool {
+fn has<M: Mechanism<Scalar = f64>>(mechanism: &M, way: &Way<M>, there: &TrackPoint<M>, assembly: M::Assembly) -> bool {
     M::ASSEMBLY_COUNT == 0 || mechanism.assembly_near(way.inputs(there.point.travel), there.point.unknowns) == assembly
 }
 
 /// The first derivatives with respect to the travel, in units of the given sizes.
-fn rates<M: Mechanism<Scalar = f64>>(here: &Station<M>, sizes: &M::Unknowns<f64>) -> M::Unknowns<f64> {
+fn rates<M: Mechanism<Scalar = f64>>(here: &TrackPoint<M>, sizes: &M::Unknowns<f64>) -> M::Unknowns<f64> {
     let motions = here.motions;
     M::Unknowns::from_fn(|index| {
         let rate = motions[index].as_ref().get(1).copied().unwrap_or(0.0);
@@ -398,7 +402,7 @@ fn rates<M: Mechanism<Scalar = f64>>(here: &Station<M>, sizes: &M::Unknowns<f64>
 }
 
 /// The unknowns after a step by Taylor's series, and their rates in the sizes before the step.
-fn predicted<M: Mechanism<Scalar = f64>>(here: &Station<M>, step: f64) -> (M::Unknowns<f64>, M::Unknowns<f64>) {
+fn predicted<M: Mechanism<Scalar = f64>>(here: &TrackPoint<M>, step: f64) -> (M::Unknowns<f64>, M::Unknowns<f64>) {
     let motions = here.motions;
     let series = |index: usize, lowest: usize| {
         // Horner's scheme for the sum of derivative · stepⁿ / n!.
@@ -418,7 +422,7 @@ fn predicted<M: Mechanism<Scalar = f64>>(here: &Station<M>, step: f64) -> (M::Un
 
 /// The step after which the last two terms of the series are small. The first order is straight and does not count. For
 /// a series without other orders, only the comparison with the solution limits the step.
-fn trusted<M: Mechanism<Scalar = f64>>(here: &Station<M>) -> f64 {
+fn trusted<M: Mechanism<Scalar = f64>>(here: &TrackPoint<M>) -> f64 {
     let motions = here.motions;
     let mut step = f64::INFINITY;
     for (motion, size) in motions.as_ref().iter().zip(here.sizes.as_ref()) {
@@ -441,7 +445,7 @@ fn trusted<M: Mechanism<Scalar = f64>>(here: &Station<M>) -> f64 {
 /// The result of following the curve of solutions with an unknown as its parameter.
 enum Arrival<M: Mechanism> {
     /// A station from which steps of the inputs continue.
-    Station(Station<M>),
+    Station(TrackPoint<M>),
     /// The end of the track.
     End(M::Unknowns<f64>),
     /// No result.
@@ -450,8 +454,8 @@ enum Arrival<M: Mechanism> {
 
 fn round_the_turn<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    here: &Station<M>,
-    anchor: &Station<M>,
+    here: &TrackPoint<M>,
+    anchor: &TrackPoint<M>,
     beginning: &Sides<M>,
     steps: &mut Steps,
 ) -> Result<Arrival<M>, TrackErrorOf<M>> {

@@ -4,7 +4,7 @@ use core::error::Error;
 use core::fmt::{self, Debug};
 
 use crate::failure::SolveError;
-use crate::quantity::{Digits, Quantity, Told};
+use crate::quantity::{Digits, Quantity, WithUnit};
 
 /// The largest effect of rounding errors on the unknowns. Beyond it, nothing is certain about the neighbourhood.
 pub(super) const FIRM: f64 = 1e-3;
@@ -99,7 +99,7 @@ impl fmt::Display for Location<'_> {
                 formatter,
                 "{before}{} = {}",
                 name.name,
-                Told::new(*value, name.dimension)
+                WithUnit::new(*value, name.dimension)
             )?;
         }
         write!(formatter, ", after {} of the way", Digits(self.fraction))

@@ -1,7 +1,7 @@
 //! The effect of rounding errors on a position.
 
 use super::sides::{Sides, bordered, whole};
-use super::way::{Linear, Point, Way, largest};
+use super::way::{Linear, Way, WayPoint, largest};
 use crate::mechanism::Mechanism;
 use crate::mechanism::factored_matrix::FactoredMatrix;
 use crate::number::Row;
@@ -13,7 +13,7 @@ const UNITS: f64 = 4.0;
 /// the sizes. It is not finite if the system is singular.
 pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    point: &Point<M>,
+    point: &WayPoint<M>,
     system: &FactoredMatrix<M>,
 ) -> M::Unknowns<f64> {
     let terms = way.terms(point);
@@ -31,7 +31,7 @@ pub(super) fn rounding<M: Mechanism<Scalar = f64>>(
 
 /// The largest effect of rounding errors on the unknowns at a point, in units of their sizes. It is not finite if the
 /// equations are singular.
-pub(super) fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> f64 {
+pub(super) fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &WayPoint<M>) -> f64 {
     way.linearise(point).map_or(f64::INFINITY, |linear| {
         largest(rounding(way, point, &whole(&linear)).as_ref().iter().copied())
     })
@@ -39,7 +39,7 @@ pub(super) fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -
 
 /// Whether rounding errors may change the determinant of a block by half or more. A position where it is zero is then
 /// too close to be ruled out.
-pub(super) fn is_indistinct<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>) -> bool {
+pub(super) fn is_indistinct<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &WayPoint<M>) -> bool {
     let Some(linear) = way.linearise(point) else {
         return false;
     };
@@ -53,7 +53,7 @@ pub(super) fn is_indistinct<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Po
 
 /// [`is_indistinct`] with an unknown as the parameter. If it holds, a crossing of branches is too close to be ruled
 /// out.
-pub(super) fn is_crossed<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, parameter: usize) -> bool {
+pub(super) fn is_crossed<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &WayPoint<M>, parameter: usize) -> bool {
     let Some(linear) = way.linearise(point) else {
         return false;
     };
@@ -72,7 +72,7 @@ pub(super) fn is_crossed<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point
 /// in between, a determinant may have any size; other code handles that.
 fn any_beside<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    point: &Point<M>,
+    point: &WayPoint<M>,
     shift: &M::Unknowns<f64>,
     parameter: Option<usize>,
     holds: impl Fn(&Linear<M>) -> bool,

@@ -7,7 +7,7 @@ use std::{format, vec};
 use super::rounding::{blur, is_crossed, is_indistinct};
 use super::sides::Sides;
 use super::turning::fastest;
-use super::way::{Point, Way, largest};
+use super::way::{Way, WayPoint, largest};
 use super::{CORRECTION, TrackError, TrackErrorOf, attempted, predicted, rates, station, track};
 use crate::assembly::Assembly;
 use crate::failure::Failure;
@@ -355,10 +355,10 @@ fn orientations_are_those_of_determinants() {
 }
 
 /// The position at a crank angle, on the track to another angle.
-fn on_the_way(linkage: &FourBar, assembly: Assembly, angle: f64) -> (Way<FourBar>, Point<FourBar>) {
+fn on_the_way(linkage: &FourBar, assembly: Assembly, angle: f64) -> (Way<FourBar>, WayPoint<FourBar>) {
     let unknowns = linkage.position(angle, assembly).unwrap().unknowns();
     let way = Way::new(*linkage, [angle], &unknowns, [3.0]);
-    (way, Point { unknowns, travel: 0.0 })
+    (way, WayPoint { unknowns, travel: 0.0 })
 }
 
 /// At a limit the determinant changes its sign, and rounding moves the unknowns by its square root.
@@ -392,7 +392,7 @@ fn rounding_moves_positions_more_where_they_are_sensitive() {
     for (angle, is_near) in [(1e-9, true), (1e-2, false)] {
         let unknowns = [0.0, angle];
         let way = Way::new(parallelogram, [angle], &unknowns, [3.0]);
-        let point = Point { unknowns, travel: 0.0 };
+        let point = WayPoint { unknowns, travel: 0.0 };
         assert_eq!(is_crossed(&way, &point, 1), is_near, "{angle}");
     }
 }

@@ -8,7 +8,7 @@
 use super::rounding::{is_crossed, rounding};
 use super::sides::{Sides, bordered};
 use super::steps::Steps;
-use super::way::{Linear, Point, Way, largest};
+use super::way::{Linear, Way, WayPoint, largest};
 use super::{BLUR, CREEPING, FAR, MOST_CREEPING};
 use crate::mechanism::Mechanism;
 use crate::mechanism::factored_matrix::{FactoredMatrix, Orientation};
@@ -30,22 +30,22 @@ const NOISE: f64 = 1e-7;
 /// The result of following the curve.
 pub(super) enum Passage<M: Mechanism> {
     /// The unknowns have become slow again.
-    Onwards(Point<M>),
+    Onwards(WayPoint<M>),
     /// The inputs have reached their target, the unknowns nearly.
     Target(M::Unknowns<f64>),
     /// The curve turns back before the target.
-    Limit(Point<M>, Sides<M>),
+    Limit(WayPoint<M>, Sides<M>),
     /// Ever shorter steps lead to this place, where the curve has no single direction.
-    ChangePoint(Point<M>, Sides<M>),
+    ChangePoint(WayPoint<M>, Sides<M>),
     /// The curve cannot be followed further, for another reason.
     Lost,
     /// No steps are left.
-    Spent(Point<M>),
+    Spent(WayPoint<M>),
 }
 
 /// The curve to second order near one of its points.
-struct Local<M: Mechanism> {
-    point: Point<M>,
+struct LocalCurve<M: Mechanism> {
+    point: WayPoint<M>,
     /// The derivatives with respect to the parameter, in sizes.
     rates: M::Unknowns<f64>,
     travel_rate: f64,
@@ -57,9 +57,9 @@ struct Local<M: Mechanism> {
     sides: Sides<M>,
 }
 
-impl<M: Mechanism<Scalar = f64>> Local<M> {
+impl<M: Mechanism<Scalar = f64>> LocalCurve<M> {
     /// The curve at a point, or `None` if the closure is not finite there or another parameter is needed.
-    fn new(way: &Way<M>, point: Point<M>, parameter: usize) -> Option<Self> {
+    fn new(way: &Way<M>, point: WayPoint<M>, parameter: usize) -> Option<Self> {
         let linear = way.linearise(&point)?;
         let system = bordered(&linear, parameter);
         let column = M::Unknowns::from_fn(|row| -linear.jacobian[row][parameter]);
@@ -82,9 +82,9 @@ impl<M: Mechanism<Scalar = f64>> Local<M> {
     }
 
     /// The point after a step of the parameter, to second order.
-    fn predicted(&self, way: &Way<M>, step: f64) -> Point<M> {
+    fn predicted(&self, way: &Way<M>, step: f64) -> WayPoint<M> {
         let along = |index: usize| (self.rates[index] + self.bends[index] * step) * step;
-        Point {
+        WayPoint {
             unknowns: M::Unknowns::from_fn(|index| self.point.unknowns[index] + along(index) * way.sizes[index]),
             travel: self.point.travel + (self.travel_rate + self.travel_bend * step) * step,
         }
@@ -114,7 +114,7 @@ pub(super) fn fastest<R: Row<f64>>(rates: &R) -> usize {
 }
 
 /// The point of the curve with the same value of the parameter, by Newton's method.
-fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: Point<M>, parameter: usize) -> Option<Point<M>> {
+fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: WayPoint<M>, parameter: usize) -> Option<WayPoint<M>> {
     let mut point = start;
     let mut previous = f64::INFINITY;
     for _ in 0..ITERATIONS {
@@ -143,7 +143,7 @@ fn corrected<M: Mechanism<Scalar = f64>>(way: &Way<M>, start: Point<M>, paramete
 
 /// The distance from the curve that rounding errors may cause. It is zero if it exceeds a fifth of the longest step,
 /// because it would then excuse any deviation.
-fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, system: &FactoredMatrix<M>) -> f64 {
+fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &WayPoint<M>, system: &FactoredMatrix<M>) -> f64 {
     let size = largest(rounding(way, point, system).as_ref().iter().copied());
     if size <= 0.2 * LONGEST { size } else { 0.0 }
 }
@@ -153,12 +153,12 @@ fn blur<M: Mechanism<Scalar = f64>>(way: &Way<M>, point: &Point<M>, system: &Fac
 /// `rates` are the rates of the unknowns with respect to the travel, in sizes.
 pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    start: Point<M>,
+    start: WayPoint<M>,
     rates: &M::Unknowns<f64>,
     steps: &mut Steps,
 ) -> Passage<M> {
     let mut parameter = fastest(rates);
-    let Some(mut here) = Local::new(way, start, parameter) else {
+    let Some(mut here) = LocalCurve::new(way, start, parameter) else {
         return Passage::Lost;
     };
     let entry = here.orientation.logarithm;
@@ -167,7 +167,7 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
     loop {
         let best = here.fastest();
         if best != parameter {
-            let Some(again) = Local::new(way, here.point, best) else {
+            let Some(again) = LocalCurve::new(way, here.point, best) else {
                 return Passage::Lost;
             };
             (parameter, here) = (best, again);
@@ -240,12 +240,12 @@ pub(super) fn pass<M: Mechanism<Scalar = f64>>(
 /// position lies within the step.
 fn attempted<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    here: &Local<M>,
+    here: &LocalCurve<M>,
     parameter: usize,
     size: f64,
-) -> Option<Local<M>> {
+) -> Option<LocalCurve<M>> {
     let step = size.copysign(here.travel_rate);
-    let middle = Local::new(way, here.predicted(way, 0.5 * step), parameter)?;
+    let middle = LocalCurve::new(way, here.predicted(way, 0.5 * step), parameter)?;
     let there = here.moved(way, parameter, step)?;
     let predicted = here.predicted(way, step);
     let pairs = there.point.unknowns.as_ref().iter().zip(predicted.unknowns.as_ref());
@@ -281,13 +281,13 @@ fn attempted<M: Mechanism<Scalar = f64>>(
 /// The limit position within a step, and the step to it. It is the zero of the travel's rate.
 fn turned<M: Mechanism<Scalar = f64>>(
     way: &Way<M>,
-    here: &Local<M>,
+    here: &LocalCurve<M>,
     parameter: usize,
     step: f64,
-) -> Option<(Local<M>, f64)> {
+) -> Option<(LocalCurve<M>, f64)> {
     let (mut low, mut high) = (0.0, step);
     let mut reach = -here.travel_rate / (2.0 * here.travel_bend);
-    let mut best: Option<(Local<M>, f64)> = None;
+    let mut best: Option<(LocalCurve<M>, f64)> = None;
     for _ in 0..ITERATIONS {
         if !(reach - low).is_finite() || (reach - low) * (reach - high) > 0.0 {
             reach = 0.5 * (low + high);
@@ -318,7 +318,12 @@ fn turned<M: Mechanism<Scalar = f64>>(
 }
 
 /// The unknowns where the inputs reach their target, within a step along which the inputs only advance.
-fn arrived<M: Mechanism<Scalar = f64>>(way: &Way<M>, here: &Local<M>, parameter: usize, step: f64) -> M::Unknowns<f64> {
+fn arrived<M: Mechanism<Scalar = f64>>(
+    way: &Way<M>,
+    here: &LocalCurve<M>,
+    parameter: usize,
+    step: f64,
+) -> M::Unknowns<f64> {
     let (mut low, mut high) = (0.0, step);
     let mut reach = (way.length - here.point.travel) / here.travel_rate;
     let mut unknowns = here.point.unknowns;
@@ -359,13 +364,13 @@ mod tests {
     };
 
     /// The track between two crank angles, both before a limit, and the curve at its start.
-    fn begin(assembly: Assembly, from: f64, to: f64) -> (Way<FourBar>, Local<FourBar>, usize) {
+    fn begin(assembly: Assembly, from: f64, to: f64) -> (Way<FourBar>, LocalCurve<FourBar>, usize) {
         let unknowns = LINKAGE.solve_position([from], assembly).unwrap();
         let way = Way::new(LINKAGE, [from], &unknowns, [to]);
-        let point = Point { unknowns, travel: 0.0 };
-        let first = Local::new(&way, point, 0).unwrap();
+        let point = WayPoint { unknowns, travel: 0.0 };
+        let first = LocalCurve::new(&way, point, 0).unwrap();
         let parameter = first.fastest();
-        let here = Local::new(&way, point, parameter).unwrap();
+        let here = LocalCurve::new(&way, point, parameter).unwrap();
         (way, here, parameter)
     }
 

@@ -10,7 +10,7 @@ type Second = Series<3>;
 
 /// A point on the curve of solutions over the line of inputs.
 #[derive(Clone, Copy)]
-pub(super) struct Point<M: Mechanism> {
+pub(super) struct WayPoint<M: Mechanism> {
     /// The unknowns in their own units.
     pub(super) unknowns: M::Unknowns<f64>,
     /// The distance that the inputs have covered.
@@ -68,7 +68,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     pub(super) const COUNT: usize = <M::Unknowns<f64> as Row<f64>>::LENGTH;
 
     /// The sizes of the unknowns at a point. A length or a number may have grown.
-    pub(super) fn sizes_at(&self, point: &Point<M>) -> M::Unknowns<f64> {
+    pub(super) fn sizes_at(&self, point: &WayPoint<M>) -> M::Unknowns<f64> {
         M::Unknowns::from_fn(|index| {
             let size = self.sizes[index];
             match M::DESCRIPTION.unknowns[index].dimension {
@@ -116,7 +116,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     /// The residuals as series, where unknowns and travel are polynomials of first degree.
     fn residuals(
         &self,
-        point: &Point<M>,
+        point: &WayPoint<M>,
         rate: impl Fn(usize) -> f64,
         travel_rate: f64,
     ) -> <M::With<Second> as Mechanism>::Residuals<Second> {
@@ -134,7 +134,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     /// quantity causes.
     ///
     /// Terms that cancel count in full, for example those of a long crank in a loop of short links.
-    pub(super) fn terms(&self, point: &Point<M>) -> M::Unknowns<f64> {
+    pub(super) fn terms(&self, point: &WayPoint<M>) -> M::Unknowns<f64> {
         let parameters = self.mechanism.parameters();
         let inputs = self.inputs(point.travel);
         let all = [parameters.as_ref(), inputs.as_ref(), point.unknowns.as_ref()];
@@ -159,7 +159,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     }
 
     /// The closure near a point; `None` if it is not finite there.
-    pub(super) fn linearise(&self, point: &Point<M>) -> Option<Linear<M>> {
+    pub(super) fn linearise(&self, point: &WayPoint<M>) -> Option<Linear<M>> {
         let along = self.residuals(point, |_| 0.0, 1.0);
         let of = |row: usize, order: usize| along[row].coefficients()[order];
         let mut linear: Linear<M> = Linear {
@@ -180,7 +180,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     }
 
     /// The second-order coefficients of the residuals along a straight line through the point.
-    pub(super) fn bend(&self, point: &Point<M>, rates: &M::Unknowns<f64>, travel_rate: f64) -> M::Unknowns<f64> {
+    pub(super) fn bend(&self, point: &WayPoint<M>, rates: &M::Unknowns<f64>, travel_rate: f64) -> M::Unknowns<f64> {
         let series = self.residuals(point, |index| rates[index], travel_rate);
         M::Unknowns::from_fn(|row| series[row].coefficients()[2])
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
-use super::graph::Constant;
+use super::graph::FiniteNumber;
 use super::{Graph, Misfit, Node, NodeKind, Symbol};
 use crate::algebra::{Calculation, Function};
 
@@ -23,7 +23,7 @@ fn times(a: f64, b: f64, misfit: &mut Option<Misfit>) -> f64 {
 
 impl Graph {
     pub(crate) fn number(&mut self, value: f64) -> Node {
-        self.intern(NodeKind::Number(Constant::new(value)))
+        self.intern(NodeKind::Number(FiniteNumber::new(value)))
     }
 
     pub(crate) fn zero(&mut self) -> Node {
@@ -69,7 +69,7 @@ impl Graph {
         let mut collected: BTreeMap<Node, f64> = BTreeMap::new();
         let mut misfit = None;
         for &(node, coefficient) in terms {
-            let mut times = |factor: Constant| times(coefficient, factor.get(), &mut misfit);
+            let mut times = |factor: FiniteNumber| times(coefficient, factor.get(), &mut misfit);
             match self.kind(node) {
                 NodeKind::Number(value) if !self.keeps_numbers => constant += times(*value),
                 NodeKind::Sum(inner, inner_terms) if inner_terms.len() <= LONGEST_SUM => {
@@ -97,9 +97,9 @@ impl Graph {
         }
         let terms = collected
             .into_iter()
-            .map(|(node, coefficient)| (node, Constant::new(coefficient)))
+            .map(|(node, coefficient)| (node, FiniteNumber::new(coefficient)))
             .collect();
-        self.intern(NodeKind::Sum(Constant::new(constant), terms))
+        self.intern(NodeKind::Sum(FiniteNumber::new(constant), terms))
     }
 
     pub(crate) fn multiply(&mut self, a: Node, b: Node) -> Node {

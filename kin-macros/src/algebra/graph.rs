@@ -52,9 +52,9 @@ pub(crate) enum Symbol {
 
 /// A number that can be compared and hashed: never NaN, never negative zero.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub(crate) struct Constant(u64);
+pub(crate) struct FiniteNumber(u64);
 
-impl Constant {
+impl FiniteNumber {
     pub(crate) fn new(value: f64) -> Self {
         // adding zero turns negative zero into positive zero
         Self((value + 0.0).to_bits())
@@ -96,12 +96,12 @@ impl Display for Misfit {
 /// The content of a node, in normal form.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(crate) enum NodeKind {
-    Number(Constant),
+    Number(FiniteNumber),
     /// π, kept apart from numbers so that quarter turns are found exactly.
     Pi,
     Symbol(Symbol),
     /// constant + Σ coefficient · node. The nodes ascend, none is a number or a short sum, and no coefficient is zero.
-    Sum(Constant, Vec<(Node, Constant)>),
+    Sum(FiniteNumber, Vec<(Node, FiniteNumber)>),
     /// Π node^exponent. The nodes ascend, none is a number or a short product, and no exponent is zero.
     Product(Vec<(Node, i32)>),
     Call(Function, Vec<Node>),
@@ -317,7 +317,7 @@ impl Graph {
 
     /// The largest distance of a node's own constants from 1, as an absolute logarithm. Zero is ignored.
     pub(crate) fn extremity(&self, node: Node) -> f64 {
-        let size = |number: &Constant| {
+        let size = |number: &FiniteNumber| {
             if number.get() == 0.0 {
                 0.0
             } else {

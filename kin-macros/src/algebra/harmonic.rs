@@ -101,9 +101,9 @@ impl Monomial {
 
 /// Coefficients by monomial. No coefficient is zero.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub(crate) struct Polynomial(pub(crate) BTreeMap<Monomial, Node>);
+pub(crate) struct TrigonometricPolynomial(pub(crate) BTreeMap<Monomial, Node>);
 
-impl Polynomial {
+impl TrigonometricPolynomial {
     fn constant(graph: &Graph, value: Node) -> Self {
         let mut terms = BTreeMap::new();
         if !graph.is_zero(value) {
@@ -220,8 +220,8 @@ fn multiply_harmonics(left: &Harmonic, right: &Harmonic) -> Vec<(Harmonic, f64)>
 /// A quotient of two polynomials.
 #[derive(Clone)]
 pub(super) struct Fraction {
-    above: Polynomial,
-    below: Polynomial,
+    above: TrigonometricPolynomial,
+    below: TrigonometricPolynomial,
 }
 
 /// An expansion that has been made, and whether it is complete.
@@ -271,19 +271,19 @@ impl<'a> Expansion<'a> {
     }
 
     /// An equation `node == 0`, multiplied by its denominators.
-    pub(crate) fn equation(&mut self, node: Node) -> Polynomial {
+    pub(crate) fn equation(&mut self, node: Node) -> TrigonometricPolynomial {
         self.expanded(node).above.cleaned(self.graph)
     }
 
     /// An expression as a polynomial, if no variable stands in a denominator.
-    pub(crate) fn polynomial(&mut self, node: Node) -> Option<Polynomial> {
+    pub(crate) fn polynomial(&mut self, node: Node) -> Option<TrigonometricPolynomial> {
         let fraction = self.expanded(node);
         if !fraction.below.is_constant() {
             return None;
         }
         let below = fraction.below.free_term(self.graph);
         let factor = self.graph.power(below, -1);
-        let mut result = Polynomial::default();
+        let mut result = TrigonometricPolynomial::default();
         result.add(self.graph, &fraction.above, factor);
         Some(result.cleaned(self.graph))
     }
@@ -298,11 +298,11 @@ impl<'a> Expansion<'a> {
         self.graph.varies(node, self.variables)
     }
 
-    fn whole(&mut self, above: Polynomial) -> Fraction {
+    fn whole(&mut self, above: TrigonometricPolynomial) -> Fraction {
         let one = self.graph.one();
         Fraction {
             above,
-            below: Polynomial::constant(self.graph, one),
+            below: TrigonometricPolynomial::constant(self.graph, one),
         }
     }
 
@@ -312,7 +312,7 @@ impl<'a> Expansion<'a> {
             powers: BTreeMap::from([(node, 1)]),
             harmonic: Harmonic::One,
         };
-        self.whole(Polynomial(BTreeMap::from([(monomial, one)])))
+        self.whole(TrigonometricPolynomial(BTreeMap::from([(monomial, one)])))
     }
 
     fn multiplied(&mut self, left: &Fraction, right: &Fraction) -> Fraction {
@@ -379,14 +379,14 @@ impl<'a> Expansion<'a> {
 
     fn expand(&mut self, node: Node) -> Fraction {
         if !self.varies(node) {
-            let above = Polynomial::constant(self.graph, node);
+            let above = TrigonometricPolynomial::constant(self.graph, node);
             return self.whole(above);
         }
         match self.graph.kind(node).clone() {
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Symbol(_) => self.atom(node),
             NodeKind::Sum(constant, terms) => {
                 let constant = self.graph.number(constant.get());
-                let above = Polynomial::constant(self.graph, constant);
+                let above = TrigonometricPolynomial::constant(self.graph, constant);
                 let mut sum = self.whole(above);
                 for (part, coefficient) in terms {
                     let part = self.fraction(part);
@@ -413,12 +413,12 @@ impl<'a> Expansion<'a> {
             }
             NodeKind::Product(factors) => {
                 let one = self.graph.one();
-                let above = Polynomial::constant(self.graph, one);
+                let above = TrigonometricPolynomial::constant(self.graph, one);
                 let mut product = self.whole(above);
                 for (part, exponent) in factors {
                     if exponent < 0 && self.is_known_divisor(part) {
                         let divisor = self.graph.power(part, exponent);
-                        let divisor = Polynomial::constant(self.graph, divisor);
+                        let divisor = TrigonometricPolynomial::constant(self.graph, divisor);
                         product.above = product.above.multiply(self.graph, &divisor);
                         continue;
                     }
@@ -460,7 +460,7 @@ impl<'a> Expansion<'a> {
             Function::Sin => (sine_rest, self.graph.scale(sign, cosine_rest)),
             _ => (cosine_rest, self.graph.scale(-sign, sine_rest)),
         };
-        let mut above = Polynomial::default();
+        let mut above = TrigonometricPolynomial::default();
         let monomial = |harmonic| Monomial {
             powers: BTreeMap::new(),
             harmonic,
@@ -497,7 +497,7 @@ impl<'a> Expansion<'a> {
     }
 }
 
-impl Polynomial {
+impl TrigonometricPolynomial {
     /// The unknowns among the variables that occur.
     pub(crate) fn unknowns(&self, graph: &Graph, variables: Variables<'_>) -> BTreeSet<usize> {
         let mut found = BTreeSet::new();

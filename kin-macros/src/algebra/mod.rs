@@ -17,8 +17,8 @@ mod print;
 mod probe;
 mod substitute;
 
-pub(crate) use function::{Calculation, Checked, Function, Gives, Inverse, InverseFunction, Takes, Work};
-pub(crate) use graph::{Constant, Graph, Misfit, Node, NodeKind, Symbol, Variables};
-pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, Polynomial};
+pub(crate) use function::{Calculation, Checked, Function, Gives, Inverse, InverseFunction, Takes, WorkUnit};
+pub(crate) use graph::{FiniteNumber, Graph, Misfit, Node, NodeKind, Symbol, Variables};
+pub(crate) use harmonic::{Angle, Expansion, Harmonic, Monomial, TrigonometricPolynomial};
 pub(crate) use hash::HashMap;
 pub(crate) use probe::Probe;

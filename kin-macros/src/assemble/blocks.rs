@@ -9,11 +9,11 @@ use super::units::Units;
 use crate::algebra::{Graph, InverseFunction, Node, NodeKind, Symbol};
 use crate::derive::Regularity;
 use crate::passes::Passes;
-use crate::program::{Argument, Choice, Limits, Mode, Names, Solver, Stage, Step};
+use crate::program::{Choice, DeclaredRange, FormArgument, Mode, Names, Solver, Stage, Step};
 use crate::structure::{Block, ClosedForm, ComplexNode, Method, Part};
 
 /// The steps that find the position, the directions and roots that they make known, and the remaining choices.
-pub(crate) struct Assembled {
+pub(crate) struct PositionSteps {
     pub(crate) stage: Stage<Node>,
     pub(crate) units: Units,
     /// The values that the position finds to be nonzero.
@@ -39,10 +39,10 @@ pub(crate) fn assemble(
     graph: &mut Graph,
     names: &mut Names,
     blocks: &[Block],
-    ranges: &BTreeMap<usize, Limits>,
+    ranges: &BTreeMap<usize, DeclaredRange>,
     jacobians: &[Regularity],
     passes: Passes,
-) -> Assembled {
+) -> PositionSteps {
     steps(graph, names, blocks, ranges, Some(jacobians), passes)
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn assemble_every(
     graph: &mut Graph,
     names: &mut Names,
     blocks: &[Block],
-    ranges: &BTreeMap<usize, Limits>,
+    ranges: &BTreeMap<usize, DeclaredRange>,
     passes: Passes,
 ) -> Option<Stage<Node>> {
     let is_algebraic = blocks.iter().all(|block| !block.is_coupled() || block.all.is_some());
@@ -63,10 +63,10 @@ fn steps(
     graph: &mut Graph,
     names: &mut Names,
     blocks: &[Block],
-    ranges: &BTreeMap<usize, Limits>,
+    ranges: &BTreeMap<usize, DeclaredRange>,
     jacobians: Option<&[Regularity]>,
     passes: Passes,
-) -> Assembled {
+) -> PositionSteps {
     let mut builder = Builder {
         graph,
         names,
@@ -107,7 +107,7 @@ fn steps(
             builder.steps.push(Step::Close { part: number });
         }
     }
-    Assembled {
+    PositionSteps {
         stage: Stage::new(builder.steps),
         units: builder.units,
         nonzero: builder.nonzero,
@@ -135,7 +135,7 @@ impl Builder<'_> {
     }
 
     /// Moves the unknowns of a part, just found, to the requested turn or into the declared range.
-    fn bounds(&mut self, part: &Part, ranges: &BTreeMap<usize, Limits>) {
+    fn bounds(&mut self, part: &Part, ranges: &BTreeMap<usize, DeclaredRange>) {
         for &unknown in &part.unknowns {
             let own = Symbol::Unknown(unknown);
             let turns = self
@@ -192,7 +192,7 @@ impl Builder<'_> {
         self.names.of(Symbol::Unknown(unknown)).to_owned()
     }
 
-    pub(super) fn solve(&mut self, solver: Solver, arguments: Vec<Argument<Node>>, results: Vec<Symbol>) {
+    pub(super) fn solve(&mut self, solver: Solver, arguments: Vec<FormArgument<Node>>, results: Vec<Symbol>) {
         self.steps.push(Step::Solve {
             solver,
             arguments,
@@ -211,12 +211,12 @@ impl Builder<'_> {
                 let square = self.known(*square);
                 self.solve(
                     Solver::SquareRoot,
-                    vec![Argument::Scalar(square)],
+                    vec![FormArgument::Scalar(square)],
                     vec![Symbol::Unknown(*unknown)],
                 );
             }
             ClosedForm::Quadratic { unknown, a, b, c } => {
-                let arguments = [*a, *b, *c].map(|node| Argument::Scalar(self.known(node))).to_vec();
+                let arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
                 self.solve(Solver::Quadratic, arguments, vec![Symbol::Unknown(*unknown)]);
             }
             ClosedForm::InverseCosine { unknown, radius, width } => {
@@ -232,7 +232,7 @@ impl Builder<'_> {
                 self.turn_vector(*unknown, *radius, ComplexNode::new(found, known));
             }
             ClosedForm::CosineSine { unknown, a, b, c } => {
-                let arguments = [*a, *b, *c].map(|node| Argument::Scalar(self.known(node))).to_vec();
+                let arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
                 let ([x, y], unit) = self.fresh_plane(&self.unknown_name(*unknown));
                 self.solve(Solver::CosineSine, arguments, vec![x, y]);
                 self.turn(*unknown, unit);
@@ -258,7 +258,7 @@ impl Builder<'_> {
                 ..
             } => {
                 self.names.name(*result, "inverse");
-                let arguments = [*value, *growth].map(|node| Argument::Scalar(self.known(node)));
+                let arguments = [*value, *growth].map(|node| FormArgument::Scalar(self.known(node)));
                 self.solve(Solver::EvenInverse(inverse), arguments.to_vec(), vec![*result]);
                 self.linear(*unknown, *coefficient, *right);
             }
@@ -271,7 +271,7 @@ impl Builder<'_> {
                 let right = right.map(|entry| self.known(entry));
                 self.solve(
                     Solver::LinearPair,
-                    vec![Argument::Matrix(matrix), Argument::Pair(right)],
+                    vec![FormArgument::Matrix(matrix), FormArgument::Pair(right)],
                     unknowns.iter().map(|&unknown| Symbol::Unknown(unknown)).collect(),
                 );
             }
@@ -308,8 +308,8 @@ impl Builder<'_> {
             self.steps.push(Step::Define { symbol, value: node });
         } else {
             let arguments = vec![
-                Argument::Scalar(self.known(coefficient)),
-                Argument::Scalar(self.known(right)),
+                FormArgument::Scalar(self.known(coefficient)),
+                FormArgument::Scalar(self.known(right)),
             ];
             self.solve(Solver::Linear, arguments, vec![symbol]);
         }
@@ -329,7 +329,7 @@ impl Builder<'_> {
         }
         let (symbol, found) = self.fresh(&format!("{wish}_{other}"));
         let square = self.root(symbol, found);
-        let arguments = vec![Argument::Scalar(given), Argument::Scalar(radius)];
+        let arguments = vec![FormArgument::Scalar(given), FormArgument::Scalar(radius)];
         self.solve(solver, arguments, vec![symbol, square]);
         (given, found)
     }
@@ -391,7 +391,11 @@ impl Builder<'_> {
                 });
             }
             InverseFunction::Checked(function) => {
-                self.solve(Solver::Inverse(function), vec![Argument::Scalar(value)], vec![result]);
+                self.solve(
+                    Solver::Inverse(function),
+                    vec![FormArgument::Scalar(value)],
+                    vec![result],
+                );
             }
         }
     }

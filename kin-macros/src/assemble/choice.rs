@@ -3,16 +3,21 @@
 use std::collections::BTreeMap;
 
 use crate::algebra::{Graph, Node, Symbol};
-use crate::program::{Limits, Mode};
+use crate::program::{DeclaredRange, Mode};
 use crate::structure::{ClosedForm, Method, Part};
 
 /// The mode in which a part's solution is chosen. `assemblies` counts the choices left to the caller.
-pub(super) fn mode(graph: &Graph, part: &Part, ranges: &BTreeMap<usize, Limits>, assemblies: &mut usize) -> Mode {
+pub(super) fn mode(
+    graph: &Graph,
+    part: &Part,
+    ranges: &BTreeMap<usize, DeclaredRange>,
+    assemblies: &mut usize,
+) -> Mode {
     let form = match &part.method {
         Method::Closed(form) if form.has_assemblies() => form,
         _ => return Mode::Only,
     };
-    let ranged: Vec<(usize, Limits)> = part
+    let ranged: Vec<(usize, DeclaredRange)> = part
         .unknowns
         .iter()
         .filter_map(|&unknown| Some((unknown, *ranges.get(&unknown)?)))
@@ -99,7 +104,7 @@ fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
 }
 
 /// Whether a range chooses the open solution, `None` if the range does not decide for all dimensions.
-fn fixed_by_range(graph: &Graph, form: &ClosedForm, unknown: usize, limits: Limits) -> Option<bool> {
+fn fixed_by_range(graph: &Graph, form: &ClosedForm, unknown: usize, limits: DeclaredRange) -> Option<bool> {
     use std::f64::consts::{FRAC_PI_2, PI};
     const SLACK: f64 = 1e-12;
     let within = |low: f64, high: f64| limits.low >= low - SLACK && limits.high <= high + SLACK;
@@ -116,7 +121,7 @@ fn fixed_by_range(graph: &Graph, form: &ClosedForm, unknown: usize, limits: Limi
     }
 }
 
-fn by_sign(limits: Limits) -> Option<bool> {
+fn by_sign(limits: DeclaredRange) -> Option<bool> {
     if limits.low >= 0.0 {
         Some(true)
     } else if limits.high <= 0.0 {
@@ -190,7 +195,7 @@ mod tests {
             (&root, -1.0, 0.0, Some(false)),
             (&root, -1.0, 1.0, None),
         ] {
-            let limits = Limits { low, high };
+            let limits = DeclaredRange { low, high };
             assert_eq!(
                 fixed_by_range(&graph, form, 0, limits),
                 expected,

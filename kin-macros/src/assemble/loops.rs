@@ -3,7 +3,7 @@
 use super::blocks::Builder;
 use super::reciprocals::KnownRoot;
 use crate::algebra::{Node, Symbol};
-use crate::program::{Argument, Solver, Step};
+use crate::program::{FormArgument, Solver, Step};
 use crate::structure::{Arm, ComplexNode};
 
 impl Builder<'_> {
@@ -70,9 +70,9 @@ impl Builder<'_> {
             self.solve(
                 Solver::CircleCircle,
                 vec![
-                    Argument::Scalar(a),
-                    Argument::Scalar(b),
-                    Argument::Plane([target.re, target.im]),
+                    FormArgument::Scalar(a),
+                    FormArgument::Scalar(b),
+                    FormArgument::Plane([target.re, target.im]),
                 ],
                 vec![x, y, area, area_squared],
             );
@@ -107,9 +107,9 @@ impl Builder<'_> {
             self.solve(
                 Solver::CircleCircleSquared,
                 vec![
-                    Argument::Scalar(a2),
-                    Argument::Scalar(b2),
-                    Argument::Plane([target.re, target.im]),
+                    FormArgument::Scalar(a2),
+                    FormArgument::Scalar(b2),
+                    FormArgument::Plane([target.re, target.im]),
                 ],
                 vec![x, y],
             );
@@ -233,16 +233,16 @@ impl Builder<'_> {
         };
         let is_along_x = self.graph.is_one(direction.re) && self.graph.is_zero(direction.im);
         let is_along_y = self.graph.is_one(direction.im) && self.graph.is_zero(direction.re);
-        let mut arguments = vec![Argument::Scalar(square)];
+        let mut arguments = vec![FormArgument::Scalar(square)];
         let solver = if is_along_x {
             Solver::CircleLineX
         } else if is_along_y {
             Solver::CircleLineY
         } else {
-            arguments.push(Argument::Plane([direction.re, direction.im]));
+            arguments.push(FormArgument::Plane([direction.re, direction.im]));
             Solver::CircleLine
         };
-        arguments.push(Argument::Plane([target.re, target.im]));
+        arguments.push(FormArgument::Plane([target.re, target.im]));
         let mut results;
         let link;
         if is_along_x || is_along_y {
@@ -298,12 +298,12 @@ impl Builder<'_> {
         let target = self.define_complex("span", target);
         let own_length = self.graph.symbol(Symbol::Unknown(length));
         let has_offset = !(self.graph.is_zero(offset.re) && self.graph.is_zero(offset.im));
-        let given = Argument::Plane([target.re, target.im]);
+        let given = FormArgument::Plane([target.re, target.im]);
         if has_offset {
             let ([x, y], unit) = self.fresh_plane(&self.unknown_name(angle));
             self.solve(
                 Solver::PolarOffset,
-                vec![Argument::Plane([offset.re, offset.im]), given],
+                vec![FormArgument::Plane([offset.re, offset.im]), given],
                 vec![Symbol::Unknown(length), x, y],
             );
             let unit = self.upright(unit, mirrored);

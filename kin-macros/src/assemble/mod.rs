@@ -11,7 +11,7 @@ mod reciprocals;
 mod unit_vectors;
 mod units;
 
-pub(crate) use blocks::{Assembled, assemble, assemble_every};
+pub(crate) use blocks::{PositionSteps, assemble, assemble_every};
 pub(crate) use reciprocals::{KnownRoot, Reciprocals};
 pub(crate) use unit_vectors::{define, drop_idle, leave_angles};
 pub(crate) use units::Units;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::blocks::Builder;
 use crate::algebra::{Node, NodeKind, Symbol};
 use crate::program::{Mode, Step};
-use crate::structure::{PolynomialSystem, Variable};
+use crate::structure::{PolynomialSystem, PolynomialVariable};
 
 impl Builder<'_> {
     /// The step that finds a part's unknowns from the caller's guess.
@@ -67,12 +67,12 @@ impl Builder<'_> {
         let mut angles = Vec::new();
         for &variable in &all.variables {
             match variable {
-                Variable::Turning(unknown) => {
+                PolynomialVariable::Turning(unknown) => {
                     let ([x, y], unit) = self.fresh_plane(&self.unknown_name(unknown));
                     results.extend([x, y]);
                     angles.push((unknown, unit));
                 }
-                Variable::Plain(unknown) => results.push(Symbol::Unknown(unknown)),
+                PolynomialVariable::Plain(unknown) => results.push(Symbol::Unknown(unknown)),
             }
         }
         self.steps.push(Step::Every {

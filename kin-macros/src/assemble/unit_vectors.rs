@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::units::Units;
 use crate::algebra::{Graph, Node, Symbol};
-use crate::program::{DirectionSymbols, Directions, Limits, Names, Stage, Step};
+use crate::program::{DeclaredRange, DirectionSymbols, Directions, Names, Stage, Step};
 
 /// The steps that find cosine and sine after the closed forms.
 pub(crate) fn define(
@@ -56,7 +56,7 @@ pub(crate) fn drop_idle(
     directions: &mut Directions,
     graph: &mut Graph,
     stages: &mut [Stage<Node>],
-    ranges: &BTreeMap<usize, Limits>,
+    ranges: &BTreeMap<usize, DeclaredRange>,
 ) {
     for (&unknown, direction) in &mut directions.0 {
         let own = Symbol::Unknown(unknown);

@@ -133,7 +133,7 @@ fn influence(graph: &mut Graph, terms: &[(Node, f64)], passes: Passes) -> (f64, 
 }
 
 /// A coefficient in a collected expression.
-pub(super) struct Found {
+pub(super) struct FoundCoefficient {
     pub(super) node: Node,
     /// The motion that the coefficient multiplies.
     pub(super) by: Option<Mover>,
@@ -148,14 +148,14 @@ pub(super) fn influences(
     (node, number): (Node, f64),
     movers: &BTreeMap<Node, Mover>,
     seen: &mut BTreeSet<Node>,
-    found: &mut Vec<Found>,
+    found: &mut Vec<FoundCoefficient>,
 ) {
     if !seen.insert(node) {
         return;
     }
     let is_opposite = number < 0.0;
     match graph.kind(node) {
-        NodeKind::Sum(..) if graph.depends_on_position_alone(node) => found.push(Found {
+        NodeKind::Sum(..) if graph.depends_on_position_alone(node) => found.push(FoundCoefficient {
             node,
             by: None,
             is_opposite,
@@ -178,7 +178,7 @@ pub(super) fn influences(
             );
             for (node, exponent) in position {
                 if exponent > 0 && matches!(graph.kind(node), NodeKind::Sum(..)) && seen.insert(node) {
-                    found.push(Found { node, by, is_opposite });
+                    found.push(FoundCoefficient { node, by, is_opposite });
                 }
             }
             for (factor, exponent) in motion {

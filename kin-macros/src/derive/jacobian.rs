@@ -16,7 +16,7 @@ const CRAMER: usize = 3;
 
 /// A Jacobian after all reductions.
 pub(super) struct Jacobian {
-    turns: Vec<Turn>,
+    turns: Vec<EquationTurn>,
     /// The remaining equations, by their indices in the block.
     rows: Vec<usize>,
     /// The remaining unknowns.
@@ -36,7 +36,7 @@ pub(crate) enum Regularity {
 }
 
 /// A step of the reduction: two equations that contain an unknown are turned so that only the first one does.
-struct Turn {
+struct EquationTurn {
     rows: [usize; 2],
     entries: [Node; 2],
     unknown: usize,
@@ -105,7 +105,7 @@ impl Jacobian {
             }
             self.core[rows[1]][place] = across;
         }
-        self.turns.push(Turn {
+        self.turns.push(EquationTurn {
             rows: rows.map(|row| self.rows[row]),
             entries,
             unknown: self.unknowns[column],

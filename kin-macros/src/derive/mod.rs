@@ -15,11 +15,11 @@ pub(crate) use influence::Influences;
 pub(crate) use jacobian::Regularity;
 pub(crate) use sensitivity::{Definition, Dependent};
 
-use influence::Found;
+use influence::FoundCoefficient;
 use jacobian::Jacobian;
-use rates::Rates;
+use rates::KnownRates;
 
-use crate::algebra::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
+use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
 use crate::passes::Passes;
 use crate::structure::Block;
 
@@ -34,7 +34,7 @@ pub(crate) struct Derivatives {
     /// Divisors of the rates, besides the determinants, that do not vanish unless a determinant does.
     pub(crate) guaranteed: Vec<Node>,
     rights: Vec<(Node, Hint)>,
-    rates: Rates,
+    rates: KnownRates,
     jacobians: Vec<Jacobian>,
 }
 
@@ -111,7 +111,7 @@ const TERMS_FOR_EACH_NODE: usize = 2;
 
 /// Equations and outputs in a form that can be differentiated.
 #[derive(Clone)]
-pub(crate) struct Formulas {
+pub(crate) struct Differentiable {
     pub(crate) residuals: Vec<Node>,
     pub(crate) outputs: Vec<Node>,
     /// Whether multiplying out was given up for size.
@@ -120,18 +120,19 @@ pub(crate) struct Formulas {
 
 /// Equations and outputs, as typed or multiplied out. In either form, the equations contain no quotient of varying
 /// expressions.
-pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], expand: bool) -> Formulas {
+pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], expand: bool) -> Differentiable {
     let mut is_given_up = false;
-    let mut choose = |graph: &mut Graph, typed: Node, multiplied_out: Option<Polynomial>, is_complete: bool| {
-        let Some(polynomial) = multiplied_out else {
-            return typed;
+    let mut choose =
+        |graph: &mut Graph, typed: Node, multiplied_out: Option<TrigonometricPolynomial>, is_complete: bool| {
+            let Some(polynomial) = multiplied_out else {
+                return typed;
+            };
+            if is_complete && polynomial.0.len() <= TERMS_FOR_EACH_NODE * graph.reachable(&[typed]).len() {
+                return polynomial.node(graph);
+            }
+            is_given_up = true;
+            typed
         };
-        if is_complete && polynomial.0.len() <= TERMS_FOR_EACH_NODE * graph.reachable(&[typed]).len() {
-            return polynomial.node(graph);
-        }
-        is_given_up = true;
-        typed
-    };
     let residuals = residuals
         .iter()
         .map(|&residual| {
@@ -151,7 +152,7 @@ pub(crate) fn formulas(graph: &mut Graph, residuals: &[Node], outputs: &[Node], 
             choose(graph, output, formula, is_complete)
         })
         .collect();
-    Formulas {
+    Differentiable {
         residuals,
         outputs,
         is_given_up,
@@ -178,7 +179,7 @@ impl Derivatives {
                 .flat_map(|jacobian| jacobian.guaranteed(graph))
                 .collect(),
             rights: Vec::new(),
-            rates: Rates::new(task.passes),
+            rates: KnownRates::new(task.passes),
             jacobians,
         };
         for order in 1..=order {
@@ -284,7 +285,7 @@ impl Derivatives {
                 let unknown = Symbol::Unknown(unknown);
                 let mut found = Vec::new();
                 influence::influences(graph, (value, 1.0), &movers, &mut seen, &mut found);
-                hints.extend(found.into_iter().map(|Found { node, by, is_opposite }| {
+                hints.extend(found.into_iter().map(|FoundCoefficient { node, by, is_opposite }| {
                     let hint = Hint::Influence {
                         unknown,
                         by,

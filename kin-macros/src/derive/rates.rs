@@ -10,7 +10,7 @@ use crate::algebra::{Function, Graph, Node, NodeKind, Symbol};
 use crate::passes::{Pass, Passes};
 
 /// The derivatives found so far.
-pub(super) struct Rates {
+pub(super) struct KnownRates {
     passes: Passes,
     known: BTreeMap<(Node, usize), Node>,
     envelopes: BTreeMap<(Node, Node, usize), (Node, Node)>,
@@ -29,7 +29,7 @@ pub(super) fn binomial(n: usize, k: usize) -> f64 {
     })
 }
 
-impl Rates {
+impl KnownRates {
     pub(super) const fn new(passes: Passes) -> Self {
         Self {
             passes,
@@ -337,7 +337,7 @@ mod tests {
             }
         };
         for passes in [Passes::ALL, Passes::without(Pass::LinkVectors)] {
-            let mut rates = Rates::new(passes);
+            let mut rates = KnownRates::new(passes);
             for node in [cosine, sine, link, quotient, exponential, root, arc] {
                 for order in 1..=6 {
                     let derivative = rates.total(&mut graph, node, order);
@@ -359,7 +359,7 @@ mod tests {
     #[test]
     fn orders_add_up() {
         let mut graph = Graph::new();
-        let mut rates = Rates::new(Passes::ALL);
+        let mut rates = KnownRates::new(Passes::ALL);
         let with_order: [fn(usize) -> Symbol; 3] = [
             |order| Symbol::InputRate(2, order),
             |order| Symbol::UnknownRate(1, order),

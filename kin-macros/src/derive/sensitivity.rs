@@ -14,7 +14,7 @@
 use std::collections::BTreeMap;
 
 use super::jacobian::Jacobian;
-use super::rates::{Rates, binomial};
+use super::rates::{KnownRates, binomial};
 use super::{Derivatives, Influences, Rate, Subject, TooLarge};
 use crate::algebra::{Graph, Node, NodeKind, Symbol};
 
@@ -103,7 +103,7 @@ impl Derivatives {
 struct Derivation<'a> {
     graph: &'a mut Graph,
     task: Subject<'a>,
-    rates: &'a mut Rates,
+    rates: &'a mut KnownRates,
     definitions: Vec<Definition>,
     partials: BTreeMap<(Dependent, Symbol), Node>,
     /// The symbols of the time derivatives of partial derivatives, as the sums refer to them.

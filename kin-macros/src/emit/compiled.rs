@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use crate::algebra::Symbol;
 use crate::formulas::Formulas;
-use crate::model::{Dimension, Model, Request, Shape};
+use crate::model::{Dimension, Model, Request, ValueShape};
 use crate::program::{Mode, Names, Solvers, order_name};
 use crate::structure::{Block, Part};
 use crate::syntax::Declaration;
@@ -175,7 +175,7 @@ impl Compiled<'_> {
     }
 
     /// The type of an output whose numbers have the type `T`: `T`, `Plane<T>` or `Space<T>`.
-    pub(super) fn output_type(&self, shape: Shape, number: &TokenStream) -> TokenStream {
+    pub(super) fn output_type(&self, shape: ValueShape, number: &TokenStream) -> TokenStream {
         let runtime = self.runtime;
         if let Some(vector) = vector_type(shape) {
             quote!(#runtime::#vector<#number>)
@@ -203,7 +203,7 @@ impl Compiled<'_> {
         for (index, parameter) in self.model.parameters.iter().enumerate() {
             let name = &parameter.name;
             let shape = parameter.dimension.shape();
-            if shape == Shape::Scalar {
+            if shape == ValueShape::Scalar {
                 scalars.push((name.to_string(), quote!(self.#name), parameter.dimension, index));
             }
             for axis in shape.axes() {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::name::Name;
-use super::names::Names;
-use super::term::Term;
+use super::names::NotationNames;
+use super::term::Notation;
 use super::typed::{complex, elementary};
 use crate::algebra::{Function, Graph, Node, NodeKind, Symbol};
 use crate::syntax::Axis;
@@ -24,14 +24,14 @@ const LONGEST_DECIMAL: usize = 5;
 /// Turns expressions into terms.
 pub(super) struct Expressions<'a> {
     pub(super) graph: &'a Graph,
-    pub(super) names: &'a Names,
+    pub(super) names: &'a NotationNames,
     /// The names of results within a solution.
     pub(super) results: &'a BTreeMap<Symbol, Name>,
 }
 
 /// A number times factors, and the unit vector of an angle.
 #[derive(Clone, PartialEq)]
-struct Turning {
+struct TurningVector {
     coefficient: f64,
     factors: Vec<(Node, i32)>,
     /// The angle of the unit vector, if there is one.
@@ -45,23 +45,23 @@ struct Turning {
 
 impl Expressions<'_> {
     /// A scalar; `None` if it is too long to be read.
-    pub(super) fn scalar(&self, node: Node) -> Option<Term> {
+    pub(super) fn scalar(&self, node: Node) -> Option<Notation> {
         let mut room = LARGEST;
         self.convert(node, &mut room)
     }
 
     /// A scalar that stands among others; `None` if it is too long to be read.
-    pub(super) fn coefficient(&self, node: Node) -> Option<Term> {
+    pub(super) fn coefficient(&self, node: Node) -> Option<Notation> {
         let mut room = LARGEST_COEFFICIENT;
         self.convert(node, &mut room)
     }
 
-    fn convert(&self, node: Node, room: &mut usize) -> Option<Term> {
+    fn convert(&self, node: Node, room: &mut usize) -> Option<Notation> {
         *room = room.checked_sub(1)?;
         Some(match self.graph.kind(node) {
             NodeKind::Number(value) => number(value.get()),
-            NodeKind::Pi => Term::Pi,
-            NodeKind::Symbol(symbol) => Term::Name(self.name(*symbol)?),
+            NodeKind::Pi => Notation::Pi,
+            NodeKind::Symbol(symbol) => Notation::Name(self.name(*symbol)?),
             NodeKind::Sum(constant, terms) => {
                 let mut sum = Vec::new();
                 for &(node, coefficient) in terms {
@@ -73,7 +73,7 @@ impl Expressions<'_> {
             }
             NodeKind::Product(factors) => self.factors(factors, room)?,
             NodeKind::Call(function, arguments) => {
-                let arguments: Option<Vec<Term>> =
+                let arguments: Option<Vec<Notation>> =
                     arguments.iter().map(|&argument| self.convert(argument, room)).collect();
                 elementary(*function, arguments?)
             }
@@ -85,7 +85,7 @@ impl Expressions<'_> {
     }
 
     /// A product of powers, as a quotient if some exponents are negative. Functions come last.
-    fn factors(&self, factors: &[(Node, i32)], room: &mut usize) -> Option<Term> {
+    fn factors(&self, factors: &[(Node, i32)], room: &mut usize) -> Option<Notation> {
         let (mut above, mut below) = (Vec::new(), Vec::new());
         for &(node, exponent) in factors {
             let term = self.convert(node, room)?;
@@ -102,7 +102,7 @@ impl Expressions<'_> {
 
     /// A vector of the plane as a complex number; `None` if it is too long to be read. Sines and cosines with one factor
     /// become unit vectors, and the parts of a vector become the vector.
-    pub(super) fn complex(&self, re: Node, im: Node) -> Option<Term> {
+    pub(super) fn complex(&self, re: Node, im: Node) -> Option<Notation> {
         let (re, mut im) = (self.terms(re), self.terms(im));
         let (mut turning, mut real) = (Vec::new(), Vec::new());
         for (coefficient, factors) in re {
@@ -111,7 +111,7 @@ impl Expressions<'_> {
                 None => real.push((coefficient, factors)),
             }
         }
-        let plain = |(coefficient, factors), is_quarter| Turning {
+        let plain = |(coefficient, factors), is_quarter| TurningVector {
             coefficient,
             factors,
             angle: None,
@@ -125,7 +125,7 @@ impl Expressions<'_> {
 
         let mut room = LARGEST;
         let (mut sum, mut imaginary) = (Vec::new(), Vec::new());
-        for Turning {
+        for TurningVector {
             coefficient,
             factors,
             angle,
@@ -135,20 +135,20 @@ impl Expressions<'_> {
         } in turning
         {
             let mut parts = Vec::new();
-            parts.extend((is_quarter && angle.is_some()).then_some(Term::Imaginary));
+            parts.extend((is_quarter && angle.is_some()).then_some(Notation::Imaginary));
             parts.push(self.factors(&factors, &mut room)?);
-            parts.extend(vector.map(Term::Name));
+            parts.extend(vector.map(Notation::Name));
             if let Some(angle) = angle {
                 let angle = self.convert(angle, &mut room)?;
-                parts.push(Term::direction(if is_mirrored { angle.negative() } else { angle }));
-                sum.push(scaled(coefficient, Term::product(parts)));
+                parts.push(Notation::direction(if is_mirrored { angle.negative() } else { angle }));
+                sum.push(scaled(coefficient, Notation::product(parts)));
             } else if is_quarter {
-                imaginary.push(scaled(coefficient, Term::product(parts)));
+                imaginary.push(scaled(coefficient, Notation::product(parts)));
             } else {
-                sum.push(scaled(coefficient, Term::product(parts)));
+                sum.push(scaled(coefficient, Notation::product(parts)));
             }
         }
-        sum.push(complex(Term::Number(0.0), positive_first(imaginary)));
+        sum.push(complex(Notation::Number(0.0), positive_first(imaginary)));
         Some(positive_first(sum))
     }
 
@@ -179,7 +179,7 @@ impl Expressions<'_> {
         coefficient: f64,
         factors: &[(Node, i32)],
         imaginary: &mut Vec<(f64, Vec<(Node, i32)>)>,
-    ) -> Option<Turning> {
+    ) -> Option<TurningVector> {
         let without = |factors: &[(Node, i32)], place: usize| {
             let mut rest = factors.to_vec();
             rest.remove(place);
@@ -207,7 +207,7 @@ impl Expressions<'_> {
             imaginary.remove(index);
             // c (cos + i sin), c (cos - i sin), c (i cos - sin), c (i cos + sin)
             let is_quarter = *function == Function::Sin;
-            return Some(Turning {
+            return Some(TurningVector {
                 coefficient: if is_quarter { other } else { coefficient },
                 factors: rest,
                 angle: Some(angle),
@@ -220,8 +220,8 @@ impl Expressions<'_> {
     }
 
     /// Joins the terms of a vector's two parts, `p_x + i p_y`.
-    fn merge(&self, terms: &mut Vec<Turning>) {
-        let part = |turning: &Turning, wanted: Axis| {
+    fn merge(&self, terms: &mut Vec<TurningVector>) {
+        let part = |turning: &TurningVector, wanted: Axis| {
             turning
                 .factors
                 .iter()
@@ -238,7 +238,7 @@ impl Expressions<'_> {
         while first < terms.len() {
             let found = part(&terms[first], Axis::X).filter(|_| !terms[first].is_quarter);
             let joined = found.and_then(|(name, rest)| {
-                let whole = Turning {
+                let whole = TurningVector {
                     factors: rest,
                     vector: Some(name),
                     ..terms[first].clone()
@@ -246,7 +246,7 @@ impl Expressions<'_> {
                 let partner = terms.iter().position(|other| {
                     other.is_quarter
                         && part(other, Axis::Y).is_some_and(|(name, rest)| {
-                            let other = Turning {
+                            let other = TurningVector {
                                 factors: rest,
                                 vector: Some(name),
                                 is_quarter: false,
@@ -268,7 +268,7 @@ impl Expressions<'_> {
 }
 
 /// A number of either sign: short decimals as they are, others as fractions of small numbers where they are such.
-fn number(value: f64) -> Term {
+fn number(value: f64) -> Notation {
     let size = value.abs();
     if size.to_string().len() > LONGEST_DECIMAL {
         let [all, powers_of_two] = LARGEST_DIVISORS;
@@ -276,22 +276,22 @@ fn number(value: f64) -> Term {
         for divisor in (2..=powers_of_two).filter(is_allowed) {
             let dividend = (size * f64::from(divisor)).round();
             if dividend > 0.0 && dividend < 1e6 && dividend / f64::from(divisor) == size {
-                let fraction = Term::Number(dividend).over(Term::Number(f64::from(divisor)));
+                let fraction = Notation::Number(dividend).over(Notation::Number(f64::from(divisor)));
                 return if value < 0.0 { fraction.negative() } else { fraction };
             }
         }
     }
-    Term::number(value)
+    Notation::number(value)
 }
 
 /// A number times a term. Fractions become one fraction, and signs are taken into sums of both signs.
-fn scaled(coefficient: f64, term: Term) -> Term {
+fn scaled(coefficient: f64, term: Notation) -> Notation {
     let (mut above, mut below) = (Vec::new(), Vec::new());
     let inverse = 1.0 / coefficient.abs();
     match number(coefficient.abs()) {
         // a half rather than 0.5
-        _ if [2.0, 4.0, 8.0].contains(&inverse) => below.push(Term::Number(inverse)),
-        Term::Quotient(dividend, divisor) => {
+        _ if [2.0, 4.0, 8.0].contains(&inverse) => below.push(Notation::Number(inverse)),
+        Notation::Quotient(dividend, divisor) => {
             above.push(*dividend);
             below.push(*divisor);
         }
@@ -301,11 +301,11 @@ fn scaled(coefficient: f64, term: Term) -> Term {
         return opposite(term);
     }
     let (first, rest) = match term {
-        Term::Product(mut factors) if !below.is_empty() => (factors.remove(0), factors),
+        Notation::Product(mut factors) if !below.is_empty() => (factors.remove(0), factors),
         other => (other, Vec::new()),
     };
     let rest = match first {
-        Term::Quotient(dividend, divisor) => {
+        Notation::Quotient(dividend, divisor) => {
             above.push(*dividend);
             below.push(*divisor);
             rest
@@ -316,39 +316,39 @@ fn scaled(coefficient: f64, term: Term) -> Term {
             Vec::new()
         }
     };
-    let fraction = Term::product(above).over(Term::product(below));
-    let product = Term::product([fraction].into_iter().chain(rest));
+    let fraction = Notation::product(above).over(Notation::product(below));
+    let product = Notation::product([fraction].into_iter().chain(rest));
     if coefficient < 0.0 { product.negative() } else { product }
 }
 
 /// The opposite of a term. A sum of both signs changes its signs, and so does a fraction with such a sum above.
-fn opposite(term: Term) -> Term {
+fn opposite(term: Notation) -> Notation {
     match term {
-        Term::Sum(terms) if terms.iter().any(|term| matches!(term, Term::Negative(_))) => {
-            positive_first(terms.into_iter().map(Term::negative).collect())
+        Notation::Sum(terms) if terms.iter().any(|term| matches!(term, Notation::Negative(_))) => {
+            positive_first(terms.into_iter().map(Notation::negative).collect())
         }
-        Term::Quotient(dividend, divisor) => opposite(*dividend).over(*divisor),
+        Notation::Quotient(dividend, divisor) => opposite(*dividend).over(*divisor),
         other => other.negative(),
     }
 }
 
 /// A product with the functions behind all other factors, so that their arguments need no parentheses.
-pub(super) fn functions_last(factors: Vec<Term>) -> Term {
-    let is_function = |term: &Term| match term {
-        Term::Call(..) => true,
-        Term::Power(base, _) => matches!(**base, Term::Call(..)),
+pub(super) fn functions_last(factors: Vec<Notation>) -> Notation {
+    let is_function = |term: &Notation| match term {
+        Notation::Call(..) => true,
+        Notation::Power(base, _) => matches!(**base, Notation::Call(..)),
         _ => false,
     };
-    let (functions, others): (Vec<Term>, Vec<Term>) = factors.into_iter().partition(is_function);
-    Term::product(others.into_iter().chain(functions))
+    let (functions, others): (Vec<Notation>, Vec<Notation>) = factors.into_iter().partition(is_function);
+    Notation::product(others.into_iter().chain(functions))
 }
 
 /// A sum that begins with a positive term, if it has one.
-fn positive_first(mut terms: Vec<Term>) -> Term {
-    terms.retain(|term| *term != Term::Number(0.0));
-    if let Some(positive) = terms.iter().position(|term| !matches!(term, Term::Negative(_))) {
+fn positive_first(mut terms: Vec<Notation>) -> Notation {
+    terms.retain(|term| *term != Notation::Number(0.0));
+    if let Some(positive) = terms.iter().position(|term| !matches!(term, Notation::Negative(_))) {
         let first = terms.remove(positive);
         terms.insert(0, first);
     }
-    Term::sum(terms)
+    Notation::sum(terms)
 }

@@ -6,7 +6,7 @@ use super::name::{Base, Name, command};
 
 /// The form in which a formula is printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Form {
+pub(super) enum Typesetting {
     /// Text for a terminal or an editor.
     Text {
         /// Whether a name looks like the base or the imaginary unit of e^(iθ). Then cis(θ) is written instead.
@@ -16,7 +16,7 @@ pub(super) enum Form {
     Latex,
 }
 
-impl Form {
+impl Typesetting {
     /// A name with its indices, and a time derivative of it.
     pub(super) fn name(self, name: &Name, order: usize) -> String {
         let total = name.dots + order;
@@ -273,8 +273,9 @@ mod tests {
     #[test]
     fn names_look_as_in_a_book() {
         let name = Name::of_identifier("theta3");
-        let text = Form::Text { is_cis: false };
-        let all = |name: &Name, order| [text, Form::MathMl, Form::Latex].map(|form| form.name(name, order));
+        let text = Typesetting::Text { is_cis: false };
+        let all =
+            |name: &Name, order| [text, Typesetting::MathMl, Typesetting::Latex].map(|form| form.name(name, order));
         assert_eq!(
             all(&name, 0),
             ["θ₃", "<msub><mi>θ</mi><mn>3</mn></msub>", "\\theta_{3}"]

@@ -21,11 +21,11 @@ use std::collections::BTreeSet;
 use crate::algebra::{Graph, Node};
 use crate::model::Model;
 use crate::structure::Block;
-use crate::syntax::{Comparison, Declaration, RangeKind, Statement};
-use names::Names;
+use crate::syntax::{Declaration, RangeKind, Relation, Statement};
+use names::NotationNames;
 use rates::{Residuals, equations, partials, recurrence, velocity};
 use solution::Solutions;
-use term::{Line, Term};
+use term::{DisplayLine, Notation};
 use typed::term;
 
 /// A formula, or several below each other, in three forms.
@@ -61,9 +61,9 @@ pub(crate) fn formulas(
     residuals: &[Node],
     blocks: &[Block],
 ) -> Formulas {
-    let names = Names::new(declaration, model);
+    let names = NotationNames::new(declaration, model);
     let is_cis = names.look_complex();
-    let formula = |lines: &[Line]| print::formula(lines, is_cis);
+    let formula = |lines: &[DisplayLine]| print::formula(lines, is_cis);
     let partials = partials(&mut graph, model, residuals);
     let residuals = Residuals::new(declaration, model, &names, residuals);
     let position = {
@@ -87,7 +87,7 @@ pub(crate) fn formulas(
 }
 
 /// The equations, after the abbreviations that they use, and before the ranges of the unknowns.
-fn closure(declaration: &Declaration, names: &Names) -> Vec<Line> {
+fn closure(declaration: &Declaration, names: &NotationNames) -> Vec<DisplayLine> {
     let mut used = BTreeSet::new();
     for equation in equations(declaration) {
         for side in [&equation.left, &equation.right] {
@@ -99,7 +99,7 @@ fn closure(declaration: &Declaration, names: &Names) -> Vec<Line> {
     let mut lines = abbreviations(declaration, names, used);
     lines.extend(
         equations(declaration)
-            .map(|equation| Line::equation(term(names, &equation.left), term(names, &equation.right))),
+            .map(|equation| DisplayLine::equation(term(names, &equation.left), term(names, &equation.right))),
     );
     for statement in &declaration.statements {
         let Statement::Unknowns(items) = statement else {
@@ -115,7 +115,7 @@ fn closure(declaration: &Declaration, names: &Names) -> Vec<Line> {
 }
 
 /// The outputs, after the abbreviations that only they use.
-fn outputs(declaration: &Declaration, names: &Names) -> Vec<Line> {
+fn outputs(declaration: &Declaration, names: &NotationNames) -> Vec<DisplayLine> {
     let outputs = || {
         declaration.statements.iter().filter_map(|statement| match statement {
             Statement::Output(output) => Some(output),
@@ -130,13 +130,14 @@ fn outputs(declaration: &Declaration, names: &Names) -> Vec<Line> {
     }
     let mut lines = abbreviations(declaration, names, used);
     lines.extend(
-        outputs().map(|output| Line::equation(named(names, &output.name.to_string()), term(names, &output.value))),
+        outputs()
+            .map(|output| DisplayLine::equation(named(names, &output.name.to_string()), term(names, &output.value))),
     );
     lines
 }
 
 /// The abbreviations among some names, and those that they use themselves, in the order of the declaration.
-fn abbreviations(declaration: &Declaration, names: &Names, mut used: BTreeSet<String>) -> Vec<Line> {
+fn abbreviations(declaration: &Declaration, names: &NotationNames, mut used: BTreeSet<String>) -> Vec<DisplayLine> {
     let mut lines = Vec::new();
     // an abbreviation comes after those that it uses
     for statement in declaration.statements.iter().rev() {
@@ -146,7 +147,7 @@ fn abbreviations(declaration: &Declaration, names: &Names, mut used: BTreeSet<St
             statement.value.visit_names(&mut |name| {
                 used.insert(name.to_string());
             });
-            lines.push(Line::equation(
+            lines.push(DisplayLine::equation(
                 named(names, &statement.name.to_string()),
                 term(names, &statement.value),
             ));
@@ -157,8 +158,8 @@ fn abbreviations(declaration: &Declaration, names: &Names, mut used: BTreeSet<St
 }
 
 /// The range of an unknown, as one or two comparisons.
-fn range(names: &Names, unknown: &str, kind: &RangeKind) -> Vec<Line> {
-    let line = |relation, bound| Line {
+fn range(names: &NotationNames, unknown: &str, kind: &RangeKind) -> Vec<DisplayLine> {
+    let line = |relation, bound| DisplayLine {
         left: named(names, unknown),
         relation,
         right: term(names, bound),
@@ -166,10 +167,10 @@ fn range(names: &Names, unknown: &str, kind: &RangeKind) -> Vec<Line> {
     match kind {
         RangeKind::Comparison { comparison, bound, .. } => {
             let relation = match comparison {
-                Comparison::Less => "<",
-                Comparison::LessOrEqual => "≤",
-                Comparison::Greater => ">",
-                Comparison::GreaterOrEqual => "≥",
+                Relation::Less => "<",
+                Relation::LessOrEqual => "≤",
+                Relation::Greater => ">",
+                Relation::GreaterOrEqual => "≥",
             };
             vec![line(relation, bound)]
         }
@@ -179,8 +180,8 @@ fn range(names: &Names, unknown: &str, kind: &RangeKind) -> Vec<Line> {
     }
 }
 
-fn named(names: &Names, identifier: &str) -> Term {
+fn named(names: &NotationNames, identifier: &str) -> Notation {
     names
         .of(identifier)
-        .map_or(Term::Dots, |(name, _)| Term::Name(name.clone()))
+        .map_or(Notation::Dots, |(name, _)| Notation::Name(name.clone()))
 }

@@ -5,12 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::name::{Base, Name};
 use super::typed::shape;
 use crate::algebra::Symbol;
-use crate::model::{Model, Shape};
+use crate::model::{Model, ValueShape};
 use crate::syntax::{Axis, Declaration, Statement};
 
 /// The notation of every name of a declaration, and the names that are still free.
-pub(super) struct Names {
-    known: BTreeMap<String, (Name, Shape)>,
+pub(super) struct NotationNames {
+    known: BTreeMap<String, (Name, ValueShape)>,
     /// Each scalar parameter: its vector's name and its axis, or its own name.
     parameters: Vec<(Name, Option<Axis>)>,
     inputs: Vec<Name>,
@@ -18,9 +18,9 @@ pub(super) struct Names {
     taken: Vec<Name>,
 }
 
-impl Names {
+impl NotationNames {
     pub(super) fn new(declaration: &Declaration, model: &Model) -> Self {
-        let mut known: BTreeMap<String, (Name, Shape)> = BTreeMap::new();
+        let mut known: BTreeMap<String, (Name, ValueShape)> = BTreeMap::new();
         let mut seen: BTreeMap<String, usize> = BTreeMap::new();
         let identifiers = identifiers(declaration, model);
         let notation = |identifier: &str| Name::of_identifier(identifier);
@@ -39,11 +39,11 @@ impl Names {
                 }));
             let is_unique = seen[&printed(&name)] == 1 && !is_rate;
             let name = if is_unique { name } else { Name::verbatim(&identifier) };
-            let is_vector = matches!(shape, Shape::Plane | Shape::Space);
+            let is_vector = matches!(shape, ValueShape::Plane | ValueShape::Space);
             known.insert(identifier, (name.marked_as_vector(is_vector), shape));
         }
         let of = |identifier: &str| {
-            let entry: Option<&(Name, Shape)> = known.get(identifier);
+            let entry: Option<&(Name, ValueShape)> = known.get(identifier);
             entry.map_or_else(|| Name::verbatim(identifier), |(name, _)| name.clone())
         };
         let mut names = Self {
@@ -73,7 +73,7 @@ impl Names {
     }
 
     /// The notation and the shape of a declared name.
-    pub(super) fn of(&self, identifier: &str) -> Option<&(Name, Shape)> {
+    pub(super) fn of(&self, identifier: &str) -> Option<&(Name, ValueShape)> {
         self.known.get(identifier)
     }
 
@@ -156,20 +156,25 @@ pub(super) fn component(name: Name, axis: Axis) -> Name {
 }
 
 /// All declared names with their shapes, in the order of the declaration.
-fn identifiers(declaration: &Declaration, model: &Model) -> Vec<(String, Shape)> {
-    let mut all: Vec<(String, Shape)> = Vec::new();
+fn identifiers(declaration: &Declaration, model: &Model) -> Vec<(String, ValueShape)> {
+    let mut all: Vec<(String, ValueShape)> = Vec::new();
     all.extend(
         model
             .parameters
             .iter()
             .map(|parameter| (parameter.name.to_string(), parameter.dimension.shape())),
     );
-    all.extend(model.inputs.iter().map(|input| (input.name.to_string(), Shape::Scalar)));
+    all.extend(
+        model
+            .inputs
+            .iter()
+            .map(|input| (input.name.to_string(), ValueShape::Scalar)),
+    );
     all.extend(
         model
             .unknowns
             .iter()
-            .map(|unknown| (unknown.name.to_string(), Shape::Scalar)),
+            .map(|unknown| (unknown.name.to_string(), ValueShape::Scalar)),
     );
     all.extend(
         model
@@ -177,7 +182,7 @@ fn identifiers(declaration: &Declaration, model: &Model) -> Vec<(String, Shape)>
             .iter()
             .map(|output| (output.name.to_string(), output.dimension.shape())),
     );
-    let mut shapes: BTreeMap<String, Shape> = all.iter().cloned().collect();
+    let mut shapes: BTreeMap<String, ValueShape> = all.iter().cloned().collect();
     for statement in &declaration.statements {
         if let Statement::Let(statement) = statement {
             let name = statement.name.to_string();

@@ -1,9 +1,9 @@
 //! Terms as text, MathML and LaTeX, by one printer.
 
 use super::Formula;
-use super::form::{Form, superscript_text};
+use super::form::{Typesetting, superscript_text};
 use super::name::Name;
-use super::term::{Line, Term};
+use super::term::{DisplayLine, Notation};
 use crate::precedence::Precedence;
 
 /// The cell before a relation. Chromium knows no `columnalign`, and others no `-webkit-right`.
@@ -13,29 +13,29 @@ const RIGHT: &str = "<mtd style=\"text-align:-webkit-right;padding-right:0\">";
 const LEFT: &str = "<mtd style=\"text-align:-webkit-left;padding-left:0\">";
 
 /// Lines below each other, with their relations below each other, in all three forms.
-pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
-    let both = |line: &Line, form: Form| {
+pub(super) fn formula(lines: &[DisplayLine], is_cis: bool) -> Formula {
+    let both = |line: &DisplayLine, form: Typesetting| {
         let right = Printer::of(&line.right, form, &form.operator(line.relation));
         (Printer::of(&line.left, form, ""), right)
     };
     let text: Vec<String> = lines
         .iter()
         .map(|line| {
-            let (left, right) = both(line, Form::Text { is_cis });
+            let (left, right) = both(line, Typesetting::Text { is_cis });
             format!("{left}{right}")
         })
         .collect();
     let mathml: String = lines
         .iter()
         .map(|line| {
-            let (left, right) = both(line, Form::MathMl);
+            let (left, right) = both(line, Typesetting::MathMl);
             ["<mtr>", RIGHT, &left, "</mtd>", LEFT, &right, "</mtd></mtr>"].concat()
         })
         .collect();
     let latex: Vec<String> = lines
         .iter()
         .map(|line| {
-            let (left, right) = both(line, Form::Latex);
+            let (left, right) = both(line, Typesetting::Latex);
             format!("{left} &{right}")
         })
         .collect();
@@ -57,7 +57,7 @@ pub(super) fn formula(lines: &[Line], is_cis: bool) -> Formula {
 
 /// Prints terms one after the other.
 struct Printer {
-    form: Form,
+    form: Typesetting,
     text: String,
     /// Whether the nearest fence outside is a bar, which cannot be told from a second one.
     is_between_bars: bool,
@@ -65,13 +65,13 @@ struct Printer {
 
 /// The surroundings of a formula.
 #[derive(Clone, Copy)]
-struct Place {
+struct Surroundings {
     precedence: Precedence,
     /// Whether nothing follows in the same product that could be taken for a part of an argument.
     is_last: bool,
 }
 
-impl Place {
+impl Surroundings {
     const fn new(precedence: Precedence, is_last: bool) -> Self {
         Self { precedence, is_last }
     }
@@ -82,13 +82,13 @@ impl Place {
 
 impl Printer {
     /// A term behind a beginning.
-    fn of(term: &Term, form: Form, beginning: &str) -> String {
+    fn of(term: &Notation, form: Typesetting, beginning: &str) -> String {
         let mut printer = Self {
             form,
             text: beginning.to_owned(),
             is_between_bars: false,
         };
-        printer.term(term, Place::ALONE);
+        printer.term(term, Surroundings::ALONE);
         printer.text
     }
 
@@ -97,114 +97,120 @@ impl Printer {
     }
 
     const fn is_text(&self) -> bool {
-        matches!(self.form, Form::Text { .. })
+        matches!(self.form, Typesetting::Text { .. })
     }
 
     /// How tightly the outermost operator binds. A fraction with a bar needs parentheses only as the base of a power.
-    fn precedence(&self, term: &Term) -> Precedence {
+    fn precedence(&self, term: &Notation) -> Precedence {
         match term {
-            Term::Sum(_) | Term::Negative(_) | Term::Either(_) => Precedence::Sum,
-            Term::Product(_) | Term::Dot(..) | Term::Cross(..) => Precedence::Product,
-            Term::Number(value) if is_scientific(*value) => Precedence::Product,
-            Term::Quotient(..) if self.is_text() => Precedence::Product,
-            Term::Quotient(..) | Term::Power(..) | Term::Direction(_) | Term::Call(..) => Precedence::Sign,
-            Term::Number(_)
-            | Term::Degrees(_)
-            | Term::Pi
-            | Term::Imaginary
-            | Term::Dots
-            | Term::Words(_)
-            | Term::Name(_)
-            | Term::Rate(..)
-            | Term::Change(..)
-            | Term::Root(_)
-            | Term::Norm(_)
-            | Term::Function(..)
-            | Term::Tuple(_) => Precedence::Atom,
+            Notation::Sum(_) | Notation::Negative(_) | Notation::Either(_) => Precedence::Sum,
+            Notation::Product(_) | Notation::Dot(..) | Notation::Cross(..) => Precedence::Product,
+            Notation::Number(value) if is_scientific(*value) => Precedence::Product,
+            Notation::Quotient(..) if self.is_text() => Precedence::Product,
+            Notation::Quotient(..) | Notation::Power(..) | Notation::Direction(_) | Notation::Call(..) => {
+                Precedence::Sign
+            }
+            Notation::Number(_)
+            | Notation::Degrees(_)
+            | Notation::Pi
+            | Notation::Imaginary
+            | Notation::Dots
+            | Notation::Words(_)
+            | Notation::Name(_)
+            | Notation::Rate(..)
+            | Notation::Change(..)
+            | Notation::Root(_)
+            | Notation::Norm(_)
+            | Notation::Function(..)
+            | Notation::Tuple(_) => Precedence::Atom,
         }
     }
 
-    fn term(&mut self, term: &Term, place: Place) {
+    fn term(&mut self, term: &Notation, place: Surroundings) {
         let own = self.precedence(term);
         // a time derivative above the line would be taken for a power, and the other way round
-        let is_crowded = place.precedence == Precedence::Atom && matches!(term, Term::Rate(_, 3..));
-        let is_in_bars = self.is_between_bars && matches!(term, Term::Norm(_));
+        let is_crowded = place.precedence == Precedence::Atom && matches!(term, Notation::Rate(_, 3..));
+        let is_in_bars = self.is_between_bars && matches!(term, Notation::Norm(_));
         if own.needs_parentheses(place.precedence) || is_crowded || is_in_bars {
-            self.fenced('(', ')', |printer| printer.bare(term, Place::ALONE));
+            self.fenced('(', ')', |printer| printer.bare(term, Surroundings::ALONE));
         } else {
             self.bare(term, place);
         }
     }
 
     /// A term without parentheses around it.
-    fn bare(&mut self, term: &Term, place: Place) {
+    fn bare(&mut self, term: &Notation, place: Surroundings) {
         match term {
-            Term::Number(value) => self.number(*value),
-            Term::Degrees(value) => {
+            Notation::Number(value) => self.number(*value),
+            Notation::Degrees(value) => {
                 self.number(*value);
-                let sign = if self.form == Form::Latex { "^{\\circ}" } else { "°" };
-                if self.form == Form::MathMl {
+                let sign = if self.form == Typesetting::Latex {
+                    "^{\\circ}"
+                } else {
+                    "°"
+                };
+                if self.form == Typesetting::MathMl {
                     self.push("<mi mathvariant=\"normal\">°</mi>");
                 } else {
                     self.push(sign);
                 }
             }
-            Term::Pi => self.word("π"),
-            Term::Imaginary => self.word("i"),
-            Term::Dots => self.push(match self.form {
-                Form::Text { .. } => "…",
-                Form::MathMl => "<mi>…</mi>",
-                Form::Latex => "\\dots",
+            Notation::Pi => self.word("π"),
+            Notation::Imaginary => self.word("i"),
+            Notation::Dots => self.push(match self.form {
+                Typesetting::Text { .. } => "…",
+                Typesetting::MathMl => "<mi>…</mi>",
+                Typesetting::Latex => "\\dots",
             }),
-            Term::Name(name) => self.name(name, 0),
-            Term::Rate(name, order) => self.name(name, *order),
-            Term::Change(letter, name) => {
+            Notation::Name(name) => self.name(name, 0),
+            Notation::Rate(name, order) => self.name(name, *order),
+            Notation::Change(letter, name) => {
                 match (self.form, letter) {
-                    (Form::Latex, '∂') => self.push("\\partial "),
-                    (Form::Latex, _) => self.push("\\Delta "),
-                    (Form::MathMl, _) => self.push(&format!("<mi mathvariant=\"normal\">{letter}</mi>")),
-                    (Form::Text { .. }, _) => self.text.push(*letter),
+                    (Typesetting::Latex, '∂') => self.push("\\partial "),
+                    (Typesetting::Latex, _) => self.push("\\Delta "),
+                    (Typesetting::MathMl, _) => self.push(&format!("<mi mathvariant=\"normal\">{letter}</mi>")),
+                    (Typesetting::Text { .. }, _) => self.text.push(*letter),
                 }
                 self.name(name, 0);
             }
-            Term::Words(words) => self.push(&match self.form {
-                Form::Text { .. } => (*words).to_owned(),
-                Form::MathMl => format!("<mtext>{words}</mtext>"),
-                Form::Latex => format!("\\text{{{words}}}"),
+            Notation::Words(words) => self.push(&match self.form {
+                Typesetting::Text { .. } => (*words).to_owned(),
+                Typesetting::MathMl => format!("<mtext>{words}</mtext>"),
+                Typesetting::Latex => format!("\\text{{{words}}}"),
             }),
-            Term::Negative(of) => {
+            Notation::Negative(of) => {
                 self.push(&self.form.sign("−"));
-                self.term(of, Place::new(Precedence::Product, place.is_last));
+                self.term(of, Surroundings::new(Precedence::Product, place.is_last));
             }
-            Term::Either(of) => {
+            Notation::Either(of) => {
                 self.push(&self.form.sign("±"));
-                self.term(of, Place::new(Precedence::Product, place.is_last));
+                self.term(of, Surroundings::new(Precedence::Product, place.is_last));
             }
-            Term::Sum(terms) => self.sum(terms),
-            Term::Product(factors) => self.product(factors, place.is_last),
-            Term::Dot(left, right) => self.two(left, "·", right),
-            Term::Cross(left, right) => self.two(left, "×", right),
-            Term::Quotient(dividend, divisor) => self.quotient(dividend, divisor),
-            Term::Power(base, exponent) => self.power(base, *exponent, place.is_last),
-            Term::Direction(angle) => self.direction(angle),
-            Term::Root(of) => match self.form {
-                Form::Text { .. } => {
+            Notation::Sum(terms) => self.sum(terms),
+            Notation::Product(factors) => self.product(factors, place.is_last),
+            Notation::Dot(left, right) => self.two(left, "·", right),
+            Notation::Cross(left, right) => self.two(left, "×", right),
+            Notation::Quotient(dividend, divisor) => self.quotient(dividend, divisor),
+            Notation::Power(base, exponent) => self.power(base, *exponent, place.is_last),
+            Notation::Direction(angle) => self.direction(angle),
+            Notation::Root(of) => match self.form {
+                Typesetting::Text { .. } => {
                     self.push("√");
-                    self.fenced('(', ')', |printer| printer.term(of, Place::ALONE));
+                    self.fenced('(', ')', |printer| printer.term(of, Surroundings::ALONE));
                 }
-                Form::MathMl => self.element("msqrt", |printer| printer.term(of, Place::ALONE)),
-                Form::Latex => self.element("\\sqrt", |printer| printer.term(of, Place::ALONE)),
+                Typesetting::MathMl => self.element("msqrt", |printer| printer.term(of, Surroundings::ALONE)),
+                Typesetting::Latex => self.element("\\sqrt", |printer| printer.term(of, Surroundings::ALONE)),
             },
-            Term::Norm(of) => self.fenced('|', '|', |printer| printer.term(of, Place::ALONE)),
-            Term::Call(function, arguments) => {
+            Notation::Norm(of) => self.fenced('|', '|', |printer| printer.term(of, Surroundings::ALONE)),
+            Notation::Call(function, arguments) => {
                 self.word(function);
                 self.arguments(arguments, place.is_last);
             }
-            Term::Function(name, arguments) => {
+            Notation::Function(name, arguments) => {
                 self.name(name, 0);
                 self.list(arguments);
             }
-            Term::Tuple(terms) => self.list(terms),
+            Notation::Tuple(terms) => self.list(terms),
         }
     }
 
@@ -242,35 +248,35 @@ impl Printer {
         self.push(&digits);
         self.push(&self.form.operator("·"));
         match self.form {
-            Form::Text { .. } => self.push(&format!("10{}", superscript_text(exponent))),
-            Form::MathMl => {
+            Typesetting::Text { .. } => self.push(&format!("10{}", superscript_text(exponent))),
+            Typesetting::MathMl => {
                 let minus = if exponent.starts_with('-') { "<mo>−</mo>" } else { "" };
                 let digits = exponent.trim_start_matches('-');
                 self.push(&format!(
                     "<msup><mn>10</mn><mrow>{minus}<mn>{digits}</mn></mrow></msup>"
                 ));
             }
-            Form::Latex => self.push(&format!("10^{{{exponent}}}")),
+            Typesetting::Latex => self.push(&format!("10^{{{exponent}}}")),
         }
     }
 
-    fn sum(&mut self, terms: &[Term]) {
+    fn sum(&mut self, terms: &[Notation]) {
         for (index, term) in terms.iter().enumerate() {
             let (sign, of) = match term {
-                Term::Negative(of) => ("−", &**of),
-                Term::Either(of) => ("±", &**of),
+                Notation::Negative(of) => ("−", &**of),
+                Notation::Either(of) => ("±", &**of),
                 _ => ("+", term),
             };
             if index == 0 {
-                self.term(term, Place::ALONE);
+                self.term(term, Surroundings::ALONE);
             } else {
                 self.push(&self.form.operator(sign));
-                self.term(of, Place::new(Precedence::Product, true));
+                self.term(of, Surroundings::new(Precedence::Product, true));
             }
         }
     }
 
-    fn product(&mut self, factors: &[Term], is_last: bool) {
+    fn product(&mut self, factors: &[Notation], is_last: bool) {
         for (index, factor) in factors.iter().enumerate() {
             let rest = &factors[index + 1..];
             // only a function can follow the argument of another without parentheses
@@ -285,40 +291,40 @@ impl Printer {
             }
             // a power of ten in front is read as a part of the product
             let place = match factor {
-                Term::Number(_) if index == 0 => Precedence::Product,
+                Notation::Number(_) if index == 0 => Precedence::Product,
                 _ => Precedence::Sign,
             };
-            self.term(factor, Place::new(place, is_last));
+            self.term(factor, Surroundings::new(place, is_last));
         }
     }
 
     /// Two vectors with the sign of their product between them.
-    fn two(&mut self, left: &Term, operator: &str, right: &Term) {
-        self.term(left, Place::new(Precedence::Sign, false));
+    fn two(&mut self, left: &Notation, operator: &str, right: &Notation) {
+        self.term(left, Surroundings::new(Precedence::Sign, false));
         self.push(&self.form.operator(operator));
-        self.term(right, Place::new(Precedence::Sign, false));
+        self.term(right, Surroundings::new(Precedence::Sign, false));
     }
 
-    fn quotient(&mut self, dividend: &Term, divisor: &Term) {
+    fn quotient(&mut self, dividend: &Notation, divisor: &Notation) {
         match self.form {
-            Form::Text { .. } => {
-                self.term(dividend, Place::new(Precedence::Product, false));
+            Typesetting::Text { .. } => {
+                self.term(dividend, Surroundings::new(Precedence::Product, false));
                 self.push("/");
-                self.term(divisor, Place::new(Precedence::Sign, false));
+                self.term(divisor, Surroundings::new(Precedence::Sign, false));
             }
-            Form::MathMl => self.element("mfrac", |printer| {
-                printer.element("mrow", |printer| printer.term(dividend, Place::ALONE));
-                printer.element("mrow", |printer| printer.term(divisor, Place::ALONE));
+            Typesetting::MathMl => self.element("mfrac", |printer| {
+                printer.element("mrow", |printer| printer.term(dividend, Surroundings::ALONE));
+                printer.element("mrow", |printer| printer.term(divisor, Surroundings::ALONE));
             }),
-            Form::Latex => {
-                self.element("\\frac", |printer| printer.term(dividend, Place::ALONE));
-                self.element("", |printer| printer.term(divisor, Place::ALONE));
+            Typesetting::Latex => {
+                self.element("\\frac", |printer| printer.term(dividend, Surroundings::ALONE));
+                self.element("", |printer| printer.term(divisor, Surroundings::ALONE));
             }
         }
     }
 
-    fn power(&mut self, base: &Term, exponent: i32, is_last: bool) {
-        if let Term::Call(function @ ("sin" | "cos" | "tan"), arguments) = base
+    fn power(&mut self, base: &Notation, exponent: i32, is_last: bool) {
+        if let Notation::Call(function @ ("sin" | "cos" | "tan"), arguments) = base
             && exponent > 0
         {
             // sin² θ
@@ -326,23 +332,23 @@ impl Printer {
             self.arguments(arguments, is_last);
         } else {
             self.raised(exponent, |printer| {
-                printer.term(base, Place::new(Precedence::Atom, false));
+                printer.term(base, Surroundings::new(Precedence::Atom, false));
             });
         }
     }
 
     fn raised(&mut self, exponent: i32, base: impl FnOnce(&mut Self)) {
         match self.form {
-            Form::Text { .. } => {
+            Typesetting::Text { .. } => {
                 base(self);
                 self.push(&superscript_text(&exponent.to_string()));
             }
-            Form::MathMl => self.element("msup", |printer| {
+            Typesetting::MathMl => self.element("msup", |printer| {
                 printer.element("mrow", base);
                 let (minus, digits) = (if exponent < 0 { "<mo>−</mo>" } else { "" }, exponent.unsigned_abs());
                 printer.push(&format!("<mrow>{minus}<mn>{digits}</mn></mrow>"));
             }),
-            Form::Latex => {
+            Typesetting::Latex => {
                 // the braces keep two powers apart
                 self.element("", base);
                 self.push(&format!("^{{{exponent}}}"));
@@ -351,50 +357,50 @@ impl Printer {
     }
 
     /// e with the angle above the line.
-    fn direction(&mut self, angle: &Term) {
+    fn direction(&mut self, angle: &Notation) {
         let exponent = exponent(angle);
         match self.form {
-            Form::Text { is_cis: true } => {
+            Typesetting::Text { is_cis: true } => {
                 self.push("cis");
-                self.fenced('(', ')', |printer| printer.term(angle, Place::ALONE));
+                self.fenced('(', ')', |printer| printer.term(angle, Surroundings::ALONE));
             }
-            Form::Text { is_cis: false } => {
+            Typesetting::Text { is_cis: false } => {
                 self.push("e^");
-                self.fenced('(', ')', |printer| printer.term(&exponent, Place::ALONE));
+                self.fenced('(', ')', |printer| printer.term(&exponent, Surroundings::ALONE));
             }
-            Form::MathMl => self.element("msup", |printer| {
+            Typesetting::MathMl => self.element("msup", |printer| {
                 printer.push("<mi mathvariant=\"normal\">e</mi>");
-                printer.element("mrow", |printer| printer.term(&exponent, Place::ALONE));
+                printer.element("mrow", |printer| printer.term(&exponent, Surroundings::ALONE));
             }),
-            Form::Latex => self.element("\\mathrm{e}^", |printer| printer.term(&exponent, Place::ALONE)),
+            Typesetting::Latex => self.element("\\mathrm{e}^", |printer| printer.term(&exponent, Surroundings::ALONE)),
         }
     }
 
     /// The arguments of a function. A single short one stands without parentheses where nothing can be mistaken for a
     /// part of it.
-    fn arguments(&mut self, arguments: &[Term], is_last: bool) {
+    fn arguments(&mut self, arguments: &[Notation], is_last: bool) {
         match arguments {
             [only] if is_last && is_short(only) && !self.is_text() => {
                 // a command of LaTeX ends with a space of its own
-                if self.form == Form::MathMl {
+                if self.form == Typesetting::MathMl {
                     self.push("<mspace width=\"0.17em\"></mspace>");
                 }
-                self.term(only, Place::new(Precedence::Product, true));
+                self.term(only, Surroundings::new(Precedence::Product, true));
             }
             _ => self.list(arguments),
         }
     }
 
-    fn list(&mut self, terms: &[Term]) {
+    fn list(&mut self, terms: &[Notation]) {
         self.fenced('(', ')', |printer| {
             for (index, term) in terms.iter().enumerate() {
                 if index > 0 {
                     printer.push(match printer.form {
-                        Form::MathMl => "<mo>,</mo>",
-                        Form::Text { .. } | Form::Latex => ", ",
+                        Typesetting::MathMl => "<mo>,</mo>",
+                        Typesetting::Text { .. } | Typesetting::Latex => ", ",
                     });
                 }
-                printer.term(term, Place::ALONE);
+                printer.term(term, Surroundings::ALONE);
             }
         });
     }
@@ -410,7 +416,7 @@ impl Printer {
 
     /// Content within the tags of MathML or the braces of LaTeX.
     fn element(&mut self, name: &str, inside: impl FnOnce(&mut Self)) {
-        if self.form == Form::MathMl {
+        if self.form == Typesetting::MathMl {
             self.push(&format!("<{name}>"));
             inside(self);
             self.push(&format!("</{name}>"));
@@ -428,38 +434,38 @@ fn is_scientific(value: f64) -> bool {
 }
 
 /// i times an angle, with signs and numbers in front.
-fn exponent(angle: &Term) -> Term {
+fn exponent(angle: &Notation) -> Notation {
     match angle {
-        Term::Negative(of) => exponent(of).negative(),
-        Term::Product(factors) => {
+        Notation::Negative(of) => exponent(of).negative(),
+        Notation::Product(factors) => {
             let numbers = factors
                 .iter()
-                .take_while(|factor| matches!(factor, Term::Number(_)))
+                .take_while(|factor| matches!(factor, Notation::Number(_)))
                 .count();
             let mut factors = factors.clone();
-            factors.insert(numbers, Term::Imaginary);
-            Term::Product(factors)
+            factors.insert(numbers, Notation::Imaginary);
+            Notation::Product(factors)
         }
-        Term::Number(_) => Term::Product(vec![angle.clone(), Term::Imaginary]),
-        other => Term::Product(vec![Term::Imaginary, other.clone()]),
+        Notation::Number(_) => Notation::Product(vec![angle.clone(), Notation::Imaginary]),
+        other => Notation::Product(vec![Notation::Imaginary, other.clone()]),
     }
 }
 
-fn is_call(term: &Term) -> bool {
+fn is_call(term: &Notation) -> bool {
     match term {
-        Term::Call(..) => true,
-        Term::Power(base, _) => matches!(**base, Term::Call("sin" | "cos" | "tan", _)),
+        Notation::Call(..) => true,
+        Notation::Power(base, _) => matches!(**base, Notation::Call("sin" | "cos" | "tan", _)),
         _ => false,
     }
 }
 
 /// Whether an argument needs no parentheses: a name, a number, or a number of times a name.
-fn is_short(term: &Term) -> bool {
+fn is_short(term: &Notation) -> bool {
     match term {
-        Term::Name(_) | Term::Pi | Term::Degrees(_) => true,
-        Term::Number(value) => !is_scientific(*value),
-        Term::Product(factors) => match factors.as_slice() {
-            [number @ Term::Number(_), Term::Name(_) | Term::Pi] => is_short(number),
+        Notation::Name(_) | Notation::Pi | Notation::Degrees(_) => true,
+        Notation::Number(value) => !is_scientific(*value),
+        Notation::Product(factors) => match factors.as_slice() {
+            [number @ Notation::Number(_), Notation::Name(_) | Notation::Pi] => is_short(number),
             _ => false,
         },
         _ => false,
@@ -467,26 +473,26 @@ fn is_short(term: &Term) -> bool {
 }
 
 /// Whether a space keeps the factor apart from its neighbours.
-fn is_wide(factor: &Term) -> bool {
+fn is_wide(factor: &Notation) -> bool {
     match factor {
-        Term::Name(name) | Term::Rate(name, _) => name.is_word(),
-        Term::Power(base, _) => is_wide(base),
-        Term::Words(_)
-        | Term::Call(..)
-        | Term::Quotient(..)
-        | Term::Root(_)
-        | Term::Function(..)
-        | Term::Change(..) => true,
+        Notation::Name(name) | Notation::Rate(name, _) => name.is_word(),
+        Notation::Power(base, _) => is_wide(base),
+        Notation::Words(_)
+        | Notation::Call(..)
+        | Notation::Quotient(..)
+        | Notation::Root(_)
+        | Notation::Function(..)
+        | Notation::Change(..) => true,
         _ => false,
     }
 }
 
 /// Whether a factor would be read as the continuation of a number in front of it.
-fn begins_with_digit(factor: &Term) -> bool {
+fn begins_with_digit(factor: &Notation) -> bool {
     match factor {
-        Term::Number(value) => !is_scientific(*value),
-        Term::Degrees(_) => true,
-        Term::Power(base, _) => begins_with_digit(base),
+        Notation::Number(value) => !is_scientific(*value),
+        Notation::Degrees(_) => true,
+        Notation::Power(base, _) => begins_with_digit(base),
         _ => false,
     }
 }

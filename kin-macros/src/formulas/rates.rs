@@ -4,27 +4,32 @@ use std::collections::BTreeMap;
 
 use super::expression::{Expressions, functions_last};
 use super::name::Name;
-use super::names::Names;
-use super::term::{Line, Term};
+use super::names::NotationNames;
+use super::term::{DisplayLine, Notation};
 use super::typed::{complex, term};
 use crate::algebra::{Graph, Node, Symbol};
-use crate::model::{Model, Shape};
+use crate::model::{Model, ValueShape};
 use crate::room::with_room;
 use crate::structure::Block;
 use crate::syntax::{Declaration, EquationStatement, Statement};
 
 /// The scalar equations f = 0, with their names.
 pub(super) struct Residuals<'a> {
-    names: &'a Names,
+    names: &'a NotationNames,
     nodes: &'a [Node],
     /// For each scalar equation, the declared one to which it belongs.
     origins: Vec<usize>,
-    shapes: Vec<Shape>,
+    shapes: Vec<ValueShape>,
     equations: Vec<&'a EquationStatement>,
 }
 
 impl<'a> Residuals<'a> {
-    pub(super) fn new(declaration: &'a Declaration, model: &Model, names: &'a Names, nodes: &'a [Node]) -> Self {
+    pub(super) fn new(
+        declaration: &'a Declaration,
+        model: &Model,
+        names: &'a NotationNames,
+        nodes: &'a [Node],
+    ) -> Self {
         let (_, origins) = model.scalar_equations();
         Self {
             names,
@@ -55,7 +60,7 @@ impl<'a> Residuals<'a> {
     }
 
     /// The definitions of the names of some scalar equations.
-    pub(super) fn definitions(&self, places: &[usize]) -> Vec<Line> {
+    pub(super) fn definitions(&self, places: &[usize]) -> Vec<DisplayLine> {
         let mut declared: Vec<usize> = places.iter().map(|&place| self.origins[place]).collect();
         declared.sort_unstable();
         declared.dedup();
@@ -63,15 +68,15 @@ impl<'a> Residuals<'a> {
             .into_iter()
             .map(|equation| {
                 let parts = (0..self.nodes.len()).filter(|&place| self.origins[place] == equation);
-                let mut parts: Vec<Term> = parts.map(|place| Term::Name(self.name(place))).collect();
+                let mut parts: Vec<Notation> = parts.map(|place| Notation::Name(self.name(place))).collect();
                 let left = match (self.shapes[equation], parts.len()) {
-                    (Shape::Plane, 2) => complex(parts.remove(0), parts.remove(0)),
+                    (ValueShape::Plane, 2) => complex(parts.remove(0), parts.remove(0)),
                     (_, 1) => parts.remove(0),
-                    _ => Term::Tuple(parts),
+                    _ => Notation::Tuple(parts),
                 };
                 let typed = self.equations[equation];
                 let right = term(self.names, &typed.left).minus(term(self.names, &typed.right));
-                Line::equation(left, right)
+                DisplayLine::equation(left, right)
             })
             .collect()
     }
@@ -86,8 +91,8 @@ pub(super) fn equations(declaration: &Declaration) -> impl Iterator<Item = &Equa
 }
 
 /// ∂f/∂x
-pub(super) fn change_over(of: &Name, by: &Name) -> Term {
-    Term::Change('∂', of.clone()).over(Term::Change('∂', by.clone()))
+pub(super) fn change_over(of: &Name, by: &Name) -> Notation {
+    Notation::Change('∂', of.clone()).over(Notation::Change('∂', by.clone()))
 }
 
 /// The partial derivatives of each scalar equation by the unknowns and inputs that it contains, without zeros.
@@ -117,7 +122,7 @@ pub(super) fn velocity(
     partials: &[Vec<(Symbol, Node)>],
     residuals: &Residuals<'_>,
     block: &Block,
-) -> Vec<Line> {
+) -> Vec<DisplayLine> {
     let names = residuals.names;
     let is_own = |symbol| matches!(symbol, Symbol::Unknown(unknown) if block.unknowns.contains(&unknown));
     let (mut rows, mut named) = (Vec::new(), Vec::new());
@@ -130,11 +135,11 @@ pub(super) fn velocity(
                 names,
                 results: &BTreeMap::new(),
             };
-            let rate = Term::Rate(name.clone(), 1);
+            let rate = Notation::Rate(name.clone(), 1);
             let term = expressions.coefficient(partial).map_or_else(
                 || {
                     named.push(place);
-                    Term::product([change_over(&residuals.name(place), &name), rate.clone()])
+                    Notation::product([change_over(&residuals.name(place), &name), rate.clone()])
                 },
                 |coefficient| times(coefficient, rate.clone()),
             );
@@ -144,7 +149,7 @@ pub(super) fn velocity(
                 right.push(term.negative());
             }
         }
-        rows.push(Line::equation(Term::sum(left), Term::sum(right)));
+        rows.push(DisplayLine::equation(Notation::sum(left), Notation::sum(right)));
     }
     let mut lines = residuals.definitions(&named);
     lines.extend(rows);
@@ -152,41 +157,41 @@ pub(super) fn velocity(
 }
 
 /// A coefficient times a rate, which stands before the functions.
-fn times(coefficient: Term, rate: Term) -> Term {
+fn times(coefficient: Notation, rate: Notation) -> Notation {
     match coefficient {
-        Term::Negative(of) => times(*of, rate).negative(),
-        Term::Product(mut factors) => {
+        Notation::Negative(of) => times(*of, rate).negative(),
+        Notation::Product(mut factors) => {
             factors.push(rate);
             functions_last(factors)
         }
         // a sum begins with a minus sign only if all its terms do
-        Term::Sum(terms) if matches!(terms.first(), Some(Term::Negative(_))) => {
-            let opposite = Term::sum(terms.into_iter().map(Term::negative));
-            Term::Product(vec![opposite, rate]).negative()
+        Notation::Sum(terms) if matches!(terms.first(), Some(Notation::Negative(_))) => {
+            let opposite = Notation::sum(terms.into_iter().map(Notation::negative));
+            Notation::Product(vec![opposite, rate]).negative()
         }
-        sum @ Term::Sum(_) => Term::Product(vec![sum, rate]),
+        sum @ Notation::Sum(_) => Notation::Product(vec![sum, rate]),
         other => functions_last(vec![other, rate]),
     }
 }
 
 /// The same linear equations at the orders from acceleration to `order`, by Leibniz's rule from A ẋ = b.
-pub(super) fn recurrence(names: &Names, orders: std::ops::RangeInclusive<usize>) -> Vec<Line> {
+pub(super) fn recurrence(names: &NotationNames, orders: std::ops::RangeInclusive<usize>) -> Vec<DisplayLine> {
     let [matrix, right, unknowns] = ['A', 'b', 'x'].map(|letter| names.fresh(letter).marked_as_vector(true));
     let derivative = |name: &Name, order: usize| match order {
-        0 => Term::Name(name.clone()),
-        order => Term::Rate(name.clone(), order),
+        0 => Notation::Name(name.clone()),
+        order => Notation::Rate(name.clone(), order),
     };
     let row = |order: usize| {
         let mut terms = vec![derivative(&right, order - 1)];
         let mut binomial = 1;
         for below in 1..order {
             binomial = binomial * (order - below) / below;
-            let factor = Term::Number(f64::from(u32::try_from(binomial).unwrap_or(u32::MAX)));
+            let factor = Notation::Number(f64::from(u32::try_from(binomial).unwrap_or(u32::MAX)));
             let product = [factor, derivative(&matrix, below), derivative(&unknowns, order - below)];
-            terms.push(Term::product(product).negative());
+            terms.push(Notation::product(product).negative());
         }
-        let left = Term::product([Term::Name(matrix.clone()), derivative(&unknowns, order)]);
-        Line::equation(left, Term::sum(terms))
+        let left = Notation::product([Notation::Name(matrix.clone()), derivative(&unknowns, order)]);
+        DisplayLine::equation(left, Notation::sum(terms))
     };
     orders.map(row).collect()
 }

@@ -4,7 +4,7 @@ use super::name::Name;
 
 /// A formula in the notation of the field.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Term {
+pub(super) enum Notation {
     /// A number that is not negative.
     Number(f64),
     /// An angle in degrees that is not negative.
@@ -19,39 +19,39 @@ pub(super) enum Term {
     Rate(Name, usize),
     /// Words between formulas.
     Words(&'static str),
-    Negative(Box<Term>),
+    Negative(Box<Notation>),
     /// One of both signs.
-    Either(Box<Term>),
-    Sum(Vec<Term>),
-    Product(Vec<Term>),
-    Dot(Box<Term>, Box<Term>),
-    Cross(Box<Term>, Box<Term>),
-    Quotient(Box<Term>, Box<Term>),
-    Power(Box<Term>, i32),
+    Either(Box<Notation>),
+    Sum(Vec<Notation>),
+    Product(Vec<Notation>),
+    Dot(Box<Notation>, Box<Notation>),
+    Cross(Box<Notation>, Box<Notation>),
+    Quotient(Box<Notation>, Box<Notation>),
+    Power(Box<Notation>, i32),
     /// The unit vector of an angle.
-    Direction(Box<Term>),
-    Root(Box<Term>),
-    Norm(Box<Term>),
+    Direction(Box<Notation>),
+    Root(Box<Notation>),
+    Norm(Box<Notation>),
     /// A function of the field, by its name in upright letters.
-    Call(&'static str, Vec<Term>),
+    Call(&'static str, Vec<Notation>),
     /// A quantity as a function of others.
-    Function(Name, Vec<Term>),
-    Tuple(Vec<Term>),
+    Function(Name, Vec<Notation>),
+    Tuple(Vec<Notation>),
     /// A change of a quantity: a letter in front of its name, as in ∂f and Δx.
     Change(char, Name),
 }
 
 /// One line of a display: two formulas and the relation between them.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Line {
-    pub(super) left: Term,
+pub(super) struct DisplayLine {
+    pub(super) left: Notation,
     pub(super) relation: &'static str,
-    pub(super) right: Term,
+    pub(super) right: Notation,
 }
 
-impl Line {
+impl DisplayLine {
     /// `left = right`
-    pub(super) const fn equation(left: Term, right: Term) -> Self {
+    pub(super) const fn equation(left: Notation, right: Notation) -> Self {
         Self {
             left,
             relation: "=",
@@ -60,7 +60,7 @@ impl Line {
     }
 }
 
-impl Term {
+impl Notation {
     /// A number of either sign.
     pub(super) fn number(value: f64) -> Self {
         if value < 0.0 {

@@ -10,7 +10,7 @@ use quote::quote;
 
 use super::name::Name;
 use super::print;
-use super::term::{Line, Term};
+use super::term::{DisplayLine, Notation};
 use super::{Formula, Formulas, formulas};
 use crate::mistakes::Mistakes;
 use crate::testing::library::library;
@@ -228,25 +228,25 @@ impl Random {
         self.0 % limit
     }
 
-    fn term(&mut self, depth: usize) -> Term {
+    fn term(&mut self, depth: usize) -> Notation {
         let kind = if depth == 0 { self.below(3) } else { self.below(12) };
         let one = |random: &mut Self| random.term(depth - 1);
-        let many = |random: &mut Self| -> Vec<Term> {
+        let many = |random: &mut Self| -> Vec<Notation> {
             let count = 2 + random.below(2);
             (0..count).map(|_| random.term(depth - 1)).collect()
         };
         match kind {
-            0 => Term::Number([2.0, 3.0, 0.5, 2.5e-6][usize::try_from(self.below(4)).unwrap_or(0)]),
-            1 => Term::Name(Name::letter(
+            0 => Notation::Number([2.0, 3.0, 0.5, 2.5e-6][usize::try_from(self.below(4)).unwrap_or(0)]),
+            1 => Notation::Name(Name::letter(
                 ['a', 'b', 'c'][usize::try_from(self.below(3)).unwrap_or(0)],
             )),
-            2 => Term::Name(Name::of_identifier("theta3")),
+            2 => Notation::Name(Name::of_identifier("theta3")),
             3 => one(self).negative(),
-            4 | 5 => Term::sum(many(self)),
-            6 | 7 => Term::product(many(self)),
+            4 | 5 => Notation::sum(many(self)),
+            6 | 7 => Notation::product(many(self)),
             8 => one(self).over(one(self)),
             9 => one(self).power([-2, 2, 3][usize::try_from(self.below(3)).unwrap_or(0)]),
-            10 => Term::Call(
+            10 => Notation::Call(
                 ["sin", "cos", "arctan"][usize::try_from(self.below(3)).unwrap_or(0)],
                 vec![one(self)],
             ),
@@ -256,26 +256,26 @@ impl Random {
 }
 
 /// The value of a term, with 1.3 for a, 0.7 for b, 1.9 for c, and 0.4 for θ₃.
-fn value(term: &Term) -> f64 {
+fn value(term: &Notation) -> f64 {
     match term {
-        Term::Number(value) => *value,
-        Term::Name(name) => match &name.base {
+        Notation::Number(value) => *value,
+        Notation::Name(name) => match &name.base {
             super::name::Base::Letter('a') => 1.3,
             super::name::Base::Letter('b') => 0.7,
             super::name::Base::Letter('c') => 1.9,
             _ => 0.4,
         },
-        Term::Negative(of) => -value(of),
-        Term::Sum(terms) => terms.iter().map(value).sum(),
-        Term::Product(factors) => factors.iter().map(value).product(),
-        Term::Quotient(dividend, divisor) => value(dividend) / value(divisor),
-        Term::Power(base, exponent) => value(base).powi(*exponent),
-        Term::Norm(of) => value(of).abs(),
+        Notation::Negative(of) => -value(of),
+        Notation::Sum(terms) => terms.iter().map(value).sum(),
+        Notation::Product(factors) => factors.iter().map(value).product(),
+        Notation::Quotient(dividend, divisor) => value(dividend) / value(divisor),
+        Notation::Power(base, exponent) => value(base).powi(*exponent),
+        Notation::Norm(of) => value(of).abs(),
         // the sine of a large number has no accurate digits
-        Term::Call("sin" | "cos", arguments) if value(&arguments[0]).abs() > 1e3 => f64::NAN,
-        Term::Call("sin", arguments) => value(&arguments[0]).sin(),
-        Term::Call("cos", arguments) => value(&arguments[0]).cos(),
-        Term::Call(_, arguments) => value(&arguments[0]).atan(),
+        Notation::Call("sin" | "cos", arguments) if value(&arguments[0]).abs() > 1e3 => f64::NAN,
+        Notation::Call("sin", arguments) => value(&arguments[0]).sin(),
+        Notation::Call("cos", arguments) => value(&arguments[0]).cos(),
+        Notation::Call(_, arguments) => value(&arguments[0]).atan(),
         other => panic!("{other:?} is not drawn"),
     }
 }
@@ -293,7 +293,7 @@ fn terms_are_read_back_with_their_values() {
             continue;
         }
         compared += 1;
-        let formula = print::formula(&[Line::equation(Term::Number(0.0), term)], false);
+        let formula = print::formula(&[DisplayLine::equation(Notation::Number(0.0), term)], false);
         for (form, tokens) in [
             (&formula.text, reading::text(&formula.text)),
             (&formula.mathml, reading::mathml(&formula.mathml)),

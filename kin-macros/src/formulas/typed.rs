@@ -1,63 +1,67 @@
 //! Formulas of the declaration, as typed, in the notation of the field.
 
-use super::names::{Names, component};
-use super::term::Term;
+use super::names::{NotationNames, component};
+use super::term::Notation;
 use crate::algebra::Function;
-use crate::model::Shape;
-use crate::syntax::{Callee, Formula, FormulaKind, Operator};
+use crate::model::ValueShape;
+use crate::syntax::{ArithmeticOperator, Callee, FormulaKind, TypedFormula};
 
 /// The largest number of symbols of a formula that is printed.
 const LARGEST: usize = 400;
 
 /// A formula; dots if it is too long to be read.
-pub(super) fn term(names: &Names, formula: &Formula) -> Term {
+pub(super) fn term(names: &NotationNames, formula: &TypedFormula) -> Notation {
     let term = convert(names, formula);
-    if term.size(LARGEST) > LARGEST { Term::Dots } else { term }
+    if term.size(LARGEST) > LARGEST {
+        Notation::Dots
+    } else {
+        term
+    }
 }
 
-fn convert(names: &Names, formula: &Formula) -> Term {
+fn convert(names: &NotationNames, formula: &TypedFormula) -> Notation {
     match &formula.kind {
-        FormulaKind::Number { value, .. } => Term::Number(*value),
-        FormulaKind::Degrees { value, .. } => Term::Degrees(*value),
-        FormulaKind::Pi => Term::Pi,
+        FormulaKind::Number { value, .. } => Notation::Number(*value),
+        FormulaKind::Degrees { value, .. } => Notation::Degrees(*value),
+        FormulaKind::Pi => Notation::Pi,
         FormulaKind::Name(name) => names
             .of(&name.to_string())
-            .map_or(Term::Dots, |(name, _)| Term::Name(name.clone())),
+            .map_or(Notation::Dots, |(name, _)| Notation::Name(name.clone())),
         FormulaKind::Negate(of) => convert(names, of).negative(),
         FormulaKind::Parenthesis(inner) => convert(names, inner),
         FormulaKind::Sum { first, rest } => {
             let rest = rest.iter().map(|operand| {
                 let term = convert(names, &operand.formula);
                 match operand.operator {
-                    Operator::Subtract => term.negative(),
+                    ArithmeticOperator::Subtract => term.negative(),
                     _ => term,
                 }
             });
-            Term::sum([convert(names, first)].into_iter().chain(rest))
+            Notation::sum([convert(names, first)].into_iter().chain(rest))
         }
         FormulaKind::Product { first, rest } => {
             let mut done = convert(names, first);
             let mut factors = Vec::new();
             for operand in rest {
                 let term = convert(names, &operand.formula);
-                if operand.operator == Operator::Divide {
-                    done = Term::product([done].into_iter().chain(factors.drain(..))).over(term);
+                if operand.operator == ArithmeticOperator::Divide {
+                    done = Notation::product([done].into_iter().chain(factors.drain(..))).over(term);
                 } else {
                     factors.push(term);
                 }
             }
-            Term::product([done].into_iter().chain(factors))
+            Notation::product([done].into_iter().chain(factors))
         }
         FormulaKind::Power { base, exponent, .. } => convert(names, base).power(*exponent),
         FormulaKind::Part { of, axis } => {
             if let FormulaKind::Name(name) = &of.kind
                 && let Some((name, _)) = names.of(&name.to_string())
             {
-                return Term::Name(component(name.clone(), *axis));
+                return Notation::Name(component(name.clone(), *axis));
             }
             // the part of a formula is its product with the unit vector of the axis
             let unit = component(names.fresh('e'), *axis).marked_as_vector(true);
-            Term::Dot(Box::new(convert(names, of)), Box::new(Term::Name(unit)))
+            Notation::Dot(Box::new(convert(names, of)), Box::new(Notation::Name(unit)))
         }
         FormulaKind::Call { callee, arguments, .. } => {
             let terms = arguments.iter().map(|argument| convert(names, argument)).collect();
@@ -66,68 +70,68 @@ fn convert(names: &Names, formula: &Formula) -> Term {
     }
 }
 
-fn call(callee: Callee, mut terms: Vec<Term>) -> Term {
+fn call(callee: Callee, mut terms: Vec<Notation>) -> Notation {
     match (callee, terms.as_mut_slice()) {
         (Callee::Elementary(function), _) => elementary(function, terms),
-        (Callee::Cis, [angle]) => Term::direction(angle.clone()),
-        (Callee::Polar, [length, angle]) => Term::product([length.clone(), Term::direction(angle.clone())]),
+        (Callee::Cis, [angle]) => Notation::direction(angle.clone()),
+        (Callee::Polar, [length, angle]) => Notation::product([length.clone(), Notation::direction(angle.clone())]),
         (Callee::Vec2, [x, y]) => complex(x.clone(), y.clone()),
-        (Callee::Dot, [left, right]) => Term::Dot(Box::new(left.clone()), Box::new(right.clone())),
-        (Callee::Cross, [left, right]) => Term::Cross(Box::new(left.clone()), Box::new(right.clone())),
+        (Callee::Dot, [left, right]) => Notation::Dot(Box::new(left.clone()), Box::new(right.clone())),
+        (Callee::Cross, [left, right]) => Notation::Cross(Box::new(left.clone()), Box::new(right.clone())),
         (Callee::Norm, [of]) => of.clone().norm(),
-        (Callee::RotX, _) => Term::Call("Rot_x", terms),
-        (Callee::RotY, _) => Term::Call("Rot_y", terms),
-        (Callee::RotZ, _) => Term::Call("Rot_z", terms),
-        (Callee::Rot, _) => Term::Call("Rot", terms),
-        _ => Term::Tuple(terms),
+        (Callee::RotX, _) => Notation::Call("Rot_x", terms),
+        (Callee::RotY, _) => Notation::Call("Rot_y", terms),
+        (Callee::RotZ, _) => Notation::Call("Rot_z", terms),
+        (Callee::Rot, _) => Notation::Call("Rot", terms),
+        _ => Notation::Tuple(terms),
     }
 }
 
 /// x + i y
-pub(super) fn complex(x: Term, y: Term) -> Term {
+pub(super) fn complex(x: Notation, y: Notation) -> Notation {
     let imaginary = match y {
-        Term::Number(0.0) => Term::Number(0.0),
-        y => Term::product([Term::Imaginary, y]),
+        Notation::Number(0.0) => Notation::Number(0.0),
+        y => Notation::product([Notation::Imaginary, y]),
     };
-    Term::sum([x, imaginary])
+    Notation::sum([x, imaginary])
 }
 
 /// A call of an elementary function.
-pub(super) fn elementary(function: Function, mut arguments: Vec<Term>) -> Term {
+pub(super) fn elementary(function: Function, mut arguments: Vec<Notation>) -> Notation {
     if function == Function::Sqrt && arguments.len() == 1 {
         return arguments.remove(0).root();
     }
-    Term::Call(function.notation(), arguments)
+    Notation::Call(function.notation(), arguments)
 }
 
 /// The shape of a formula without mistakes; `known` gives the shapes of the names.
-pub(super) fn shape(formula: &Formula, known: &dyn Fn(&str) -> Option<Shape>) -> Shape {
+pub(super) fn shape(formula: &TypedFormula, known: &dyn Fn(&str) -> Option<ValueShape>) -> ValueShape {
     match &formula.kind {
         FormulaKind::Number { .. }
         | FormulaKind::Degrees { .. }
         | FormulaKind::Pi
         | FormulaKind::Power { .. }
-        | FormulaKind::Part { .. } => Shape::Scalar,
-        FormulaKind::Name(name) => known(&name.to_string()).unwrap_or(Shape::Scalar),
+        | FormulaKind::Part { .. } => ValueShape::Scalar,
+        FormulaKind::Name(name) => known(&name.to_string()).unwrap_or(ValueShape::Scalar),
         FormulaKind::Negate(of) | FormulaKind::Parenthesis(of) => shape(of, known),
         FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {
             let others = rest.iter().map(|operand| shape(&operand.formula, known));
             others.fold(shape(first, known), |left, right| match (left, right) {
-                (Shape::Scalar, other) => other,
+                (ValueShape::Scalar, other) => other,
                 // a rotation turns the vector behind it
-                (Shape::Rotation, Shape::Space) => Shape::Space,
+                (ValueShape::Rotation, ValueShape::Space) => ValueShape::Space,
                 (own, _) => own,
             })
         }
         FormulaKind::Call { callee, arguments, .. } => match callee {
-            Callee::Cis | Callee::Polar | Callee::Vec2 => Shape::Plane,
-            Callee::Vec3 => Shape::Space,
-            Callee::RotX | Callee::RotY | Callee::RotZ | Callee::Rot => Shape::Rotation,
+            Callee::Cis | Callee::Polar | Callee::Vec2 => ValueShape::Plane,
+            Callee::Vec3 => ValueShape::Space,
+            Callee::RotX | Callee::RotY | Callee::RotZ | Callee::Rot => ValueShape::Rotation,
             Callee::Cross => match arguments.first().map(|first| shape(first, known)) {
-                Some(Shape::Space) => Shape::Space,
-                _ => Shape::Scalar,
+                Some(ValueShape::Space) => ValueShape::Space,
+                _ => ValueShape::Scalar,
             },
-            Callee::Elementary(_) | Callee::Dot | Callee::Norm => Shape::Scalar,
+            Callee::Elementary(_) | Callee::Dot | Callee::Norm => ValueShape::Scalar,
         },
     }
 }

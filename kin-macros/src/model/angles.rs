@@ -9,7 +9,9 @@ use std::f64::consts::{PI, TAU};
 use crate::algebra::{Gives, Takes};
 use crate::mistakes::{Extent, Mistakes};
 use crate::model::{Dimension, Range};
-use crate::syntax::{Callee, Declaration, Formula, FormulaKind, Operator, RangeClause, RangeKind, Statement};
+use crate::syntax::{
+    ArithmeticOperator, Callee, Declaration, FormulaKind, RangeClause, RangeKind, Statement, TypedFormula,
+};
 
 /// The largest number that passes for radians: a turn, which may have been typed in few digits.
 const LARGEST: f64 = TAU * 1.001;
@@ -189,7 +191,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn sort(&mut self, formula: &Formula) -> Sort {
+    fn sort(&mut self, formula: &TypedFormula) -> Sort {
         match &formula.kind {
             FormulaKind::Number { value, .. } => Sort::of_number(*value),
             FormulaKind::Degrees { value, .. } => Sort {
@@ -218,7 +220,7 @@ impl Search<'_> {
                 }
             }
             FormulaKind::Sum { first, rest } => {
-                let mut terms = vec![(Operator::Add, self.sort(first), first.extent)];
+                let mut terms = vec![(ArithmeticOperator::Add, self.sort(first), first.extent)];
                 for term in rest {
                     terms.push((term.operator, self.sort(&term.formula), term.formula.extent));
                 }
@@ -226,7 +228,7 @@ impl Search<'_> {
             }
             FormulaKind::Product { first, rest } => {
                 let mut product = self.sort(first);
-                let mut factors = vec![(Operator::Multiply, product)];
+                let mut factors = vec![(ArithmeticOperator::Multiply, product)];
                 for factor in rest {
                     let sort = self.sort(&factor.formula);
                     product = Self::product(product, factor.operator, sort);
@@ -254,11 +256,15 @@ impl Search<'_> {
         }
     }
 
-    fn sum(&mut self, terms: &[(Operator, Sort, Extent)]) -> Sort {
+    fn sum(&mut self, terms: &[(ArithmeticOperator, Sort, Extent)]) -> Sort {
         let numbers: Option<f64> = terms
             .iter()
             .map(|(operator, sort, _)| {
-                let sign = if *operator == Operator::Subtract { -1.0 } else { 1.0 };
+                let sign = if *operator == ArithmeticOperator::Subtract {
+                    -1.0
+                } else {
+                    1.0
+                };
                 sort.number.map(|number| sign * number)
             })
             .sum();
@@ -284,14 +290,14 @@ impl Search<'_> {
         }
     }
 
-    fn product(left: Sort, operator: Operator, right: Sort) -> Sort {
+    fn product(left: Sort, operator: ArithmeticOperator, right: Sort) -> Sort {
         let number = left.number.zip(right.number).map(|(left, right)| match operator {
-            Operator::Divide => left / right,
+            ArithmeticOperator::Divide => left / right,
             _ => left * right,
         });
         let is_plain = left.is_plain && right.is_plain;
         let is_angle = match operator {
-            Operator::Divide => left.is_angle && !right.is_angle,
+            ArithmeticOperator::Divide => left.is_angle && !right.is_angle,
             _ => left.is_angle != right.is_angle,
         };
         Sort {
@@ -302,7 +308,7 @@ impl Search<'_> {
         }
     }
 
-    fn call(&mut self, callee: Callee, arguments: &[Formula]) -> Sort {
+    fn call(&mut self, callee: Callee, arguments: &[TypedFormula]) -> Sort {
         let sorts: Vec<Sort> = arguments.iter().map(|argument| self.sort(argument)).collect();
         let angle = match callee {
             Callee::Cis | Callee::RotX | Callee::RotY | Callee::RotZ => Some(0),
@@ -350,21 +356,21 @@ impl Search<'_> {
 }
 
 /// The value of a product of constants.
-fn constant(factors: &[(Operator, Sort)]) -> Option<f64> {
+fn constant(factors: &[(ArithmeticOperator, Sort)]) -> Option<f64> {
     factors.iter().try_fold(1.0, |product, (operator, sort)| {
         let factor = sort.constant?;
         Some(match operator {
-            Operator::Divide => product / factor,
+            ArithmeticOperator::Divide => product / factor,
             _ => product * factor,
         })
     })
 }
 
 /// The conversion by a product of one angle and constants.
-fn conversion(factors: &[(Operator, Sort)]) -> Option<Conversion> {
+fn conversion(factors: &[(ArithmeticOperator, Sort)]) -> Option<Conversion> {
     let (constants, others): (Vec<_>, Vec<_>) = factors.iter().partition(|(_, sort)| sort.constant.is_some());
     match others.as_slice() {
-        [(Operator::Multiply, angle)] if angle.is_angle => Conversion::of_factor(constant(&constants)?),
+        [(ArithmeticOperator::Multiply, angle)] if angle.is_angle => Conversion::of_factor(constant(&constants)?),
         _ => None,
     }
 }

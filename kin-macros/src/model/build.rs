@@ -1,12 +1,14 @@
 //! The model of a declaration, statement by statement.
 
 use super::dimension::{Exponent, common};
-use super::length::Lengths;
+use super::length::PathLengths;
 use super::lower::Lowering;
-use super::scope::{Meaning, Role, Scope};
+use super::scope::{Meaning, NameRole, Scope};
 use super::usage::{missing_statements, unknowns_in_equations, unused_names};
-use super::value::{Typed, Value};
-use super::{Equation, Model, Output, Parameter, Quantity, Shape, Unknown, angles, order, picture, range, request};
+use super::value::{FormulaValue, Typed};
+use super::{
+    DeclaredParameter, Equation, Model, Output, Quantity, Unknown, ValueShape, angles, order, picture, range, request,
+};
 use crate::algebra::{Graph, Symbol};
 use crate::mistakes::{Extent, Mistakes};
 use crate::syntax::{self, Declaration, Statement};
@@ -55,7 +57,7 @@ fn parameters(
     graph: &mut Graph,
     scope: &mut Scope<'_>,
     mistakes: &mut Mistakes,
-) -> Vec<Parameter> {
+) -> Vec<DeclaredParameter> {
     let mut parameters = Vec::new();
     let mut count = 0;
     for field in &declaration.parameters {
@@ -68,16 +70,16 @@ fn parameters(
         };
         let exponent = dimension.exponent();
         let value = match dimension.shape() {
-            Shape::Plane => Value::plane(next(), next()),
-            Shape::Space => Value::space([next(), next(), next()]),
-            Shape::Scalar | Shape::Rotation => Value::scalar(next()),
+            ValueShape::Plane => FormulaValue::plane(next(), next()),
+            ValueShape::Space => FormulaValue::space([next(), next(), next()]),
+            ValueShape::Scalar | ValueShape::Rotation => FormulaValue::scalar(next()),
         };
         let typed = Typed {
             value,
             exponent: Some(exponent),
         };
-        scope.declare(&field.name, Role::Parameter, Meaning::Value(typed), mistakes);
-        parameters.push(Parameter {
+        scope.declare(&field.name, NameRole::Parameter, Meaning::Value(typed), mistakes);
+        parameters.push(DeclaredParameter {
             name: field.name.clone(),
             visibility: field.visibility.clone(),
             attributes: field.attributes.clone(),
@@ -102,7 +104,7 @@ fn quantities(
                 for item in items {
                     let node = graph.symbol(Symbol::Input(inputs.len()));
                     let typed = Typed::scalar(node, item.dimension.exponent());
-                    scope.declare(&item.name, Role::Input, Meaning::Value(typed), mistakes);
+                    scope.declare(&item.name, NameRole::Input, Meaning::Value(typed), mistakes);
                     inputs.push(Quantity {
                         name: item.name.clone(),
                         documentation: item.documentation.clone(),
@@ -114,7 +116,7 @@ fn quantities(
                 for syntax::UnknownItem { quantity, range } in items {
                     let node = graph.symbol(Symbol::Unknown(unknowns.len()));
                     let typed = Typed::scalar(node, quantity.dimension.exponent());
-                    scope.declare(&quantity.name, Role::Unknown, Meaning::Value(typed), mistakes);
+                    scope.declare(&quantity.name, NameRole::Unknown, Meaning::Value(typed), mistakes);
                     unknowns.push(Unknown {
                         name: quantity.name.clone(),
                         documentation: quantity.documentation.clone(),
@@ -126,10 +128,10 @@ fn quantities(
                 }
             }
             Statement::Let(statement) => {
-                scope.declare(&statement.name, Role::Let, Meaning::Later, mistakes);
+                scope.declare(&statement.name, NameRole::Let, Meaning::Later, mistakes);
             }
             Statement::Output(statement) => {
-                scope.declare(&statement.name, Role::Output, Meaning::Result, mistakes);
+                scope.declare(&statement.name, NameRole::Output, Meaning::Result, mistakes);
             }
             _ => {}
         }
@@ -147,7 +149,7 @@ fn formulas(
 ) -> (Vec<Option<Equation>>, Vec<Output>) {
     let mut equations = Vec::new();
     let mut outputs = Vec::new();
-    let mut lengths = Lengths::default();
+    let mut lengths = PathLengths::default();
     let drawn = picture::abbreviations(declaration);
     for statement in &declaration.statements {
         let mut lowering = Lowering {
@@ -198,12 +200,12 @@ fn output(
     let fits = (declared.shape == actual.shape || actual.is_zero()) && common(declared, actual).is_some();
     if !fits {
         let remedy = match (actual.shape, actual.exponent) {
-            (Shape::Rotation, _) => "write the vector that it turns, `rotation * vec3(x, y, z)`",
-            (Shape::Scalar, Some(Exponent::LENGTH)) => "declare it `Length`",
-            (Shape::Scalar, Some(Exponent::NUMBER)) => "declare it `Angle` or `Scalar`",
-            (Shape::Plane, Some(Exponent::LENGTH)) => "declare it `Point` or `Vector`",
-            (Shape::Space, Some(Exponent::LENGTH)) => "declare it `Point3` or `Vector3`",
-            (Shape::Plane | Shape::Space, Some(Exponent::NUMBER)) => "multiply it by a length",
+            (ValueShape::Rotation, _) => "write the vector that it turns, `rotation * vec3(x, y, z)`",
+            (ValueShape::Scalar, Some(Exponent::LENGTH)) => "declare it `Length`",
+            (ValueShape::Scalar, Some(Exponent::NUMBER)) => "declare it `Angle` or `Scalar`",
+            (ValueShape::Plane, Some(Exponent::LENGTH)) => "declare it `Point` or `Vector`",
+            (ValueShape::Space, Some(Exponent::LENGTH)) => "declare it `Point3` or `Vector3`",
+            (ValueShape::Plane | ValueShape::Space, Some(Exponent::NUMBER)) => "multiply it by a length",
             _ => "divide or multiply it by lengths until it is one",
         };
         mistakes.error(

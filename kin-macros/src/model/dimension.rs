@@ -4,7 +4,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::syntax::{Dimension, Shape};
+use crate::syntax::{Dimension, ValueShape};
 
 /// A power of a length, as a fraction in lowest terms with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,33 +79,33 @@ impl Display for Exponent {
 
 /// The shape and the dimension of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Measure {
-    pub(crate) shape: Shape,
+pub(crate) struct FormulaType {
+    pub(crate) shape: ValueShape,
     /// `None` for zero, which fits every dimension.
     pub(crate) exponent: Option<Exponent>,
 }
 
-impl Measure {
+impl FormulaType {
     /// Whether the formula is zero, and so fits both a scalar and a vector.
     pub(crate) fn is_zero(self) -> bool {
-        self.shape == Shape::Scalar && self.exponent.is_none()
+        self.shape == ValueShape::Scalar && self.exponent.is_none()
     }
 
     /// Whether this is a number without dimension.
     pub(crate) fn is_number(self) -> bool {
-        self.shape == Shape::Scalar && self.exponent.is_none_or(|exponent| exponent == Exponent::NUMBER)
+        self.shape == ValueShape::Scalar && self.exponent.is_none_or(|exponent| exponent == Exponent::NUMBER)
     }
 }
 
 /// The measure of a sum or difference, `None` if the powers of length differ. Zero takes the measure of the other term.
 /// The shapes are known to fit.
-pub(crate) fn common(left: Measure, right: Measure) -> Option<Measure> {
+pub(crate) fn common(left: FormulaType, right: FormulaType) -> Option<FormulaType> {
     let fits = match (left.exponent, right.exponent) {
         (Some(left), Some(right)) => left == right,
         _ => true,
     };
-    fits.then_some(Measure {
-        shape: if left.shape == Shape::Scalar {
+    fits.then_some(FormulaType {
+        shape: if left.shape == ValueShape::Scalar {
             right.shape
         } else {
             left.shape
@@ -120,13 +120,13 @@ pub(crate) fn product(left: Option<Exponent>, right: Option<Exponent>) -> Option
 }
 
 /// Prints the measure in words, with an article.
-impl Display for Measure {
+impl Display for FormulaType {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let vector = match self.shape {
-            Shape::Scalar => return scalar(self.exponent, f),
-            Shape::Rotation => return f.write_str("a rotation"),
-            Shape::Plane => "plane vector",
-            Shape::Space => "space vector",
+            ValueShape::Scalar => return scalar(self.exponent, f),
+            ValueShape::Rotation => return f.write_str("a rotation"),
+            ValueShape::Plane => "plane vector",
+            ValueShape::Space => "space vector",
         };
         match self.exponent {
             None => write!(f, "a zero {vector}"),
@@ -156,8 +156,8 @@ impl Dimension {
         }
     }
 
-    pub(super) fn measure(self) -> Measure {
-        Measure {
+    pub(super) fn measure(self) -> FormulaType {
+        FormulaType {
             shape: self.shape(),
             exponent: Some(self.exponent()),
         }
@@ -190,20 +190,35 @@ mod tests {
 
     #[test]
     fn measures_have_words() {
-        let words = |shape, exponent| Measure { shape, exponent }.to_string();
-        assert_eq!(words(Shape::Scalar, Some(Exponent::LENGTH)), "a length");
-        assert_eq!(words(Shape::Scalar, Some(Exponent::NUMBER)), "an angle or plain number");
-        assert_eq!(words(Shape::Scalar, Some(Exponent::whole(2))), "an area (length^2)");
-        assert_eq!(words(Shape::Scalar, Some(Exponent::whole(-1))), "a length^-1");
-        assert_eq!(words(Shape::Scalar, Some(Exponent::LENGTH.half())), "a length^(1/2)");
-        assert_eq!(words(Shape::Plane, Some(Exponent::LENGTH)), "a plane vector of lengths");
+        let words = |shape, exponent| FormulaType { shape, exponent }.to_string();
+        assert_eq!(words(ValueShape::Scalar, Some(Exponent::LENGTH)), "a length");
         assert_eq!(
-            words(Shape::Plane, Some(Exponent::whole(2))),
+            words(ValueShape::Scalar, Some(Exponent::NUMBER)),
+            "an angle or plain number"
+        );
+        assert_eq!(
+            words(ValueShape::Scalar, Some(Exponent::whole(2))),
+            "an area (length^2)"
+        );
+        assert_eq!(words(ValueShape::Scalar, Some(Exponent::whole(-1))), "a length^-1");
+        assert_eq!(
+            words(ValueShape::Scalar, Some(Exponent::LENGTH.half())),
+            "a length^(1/2)"
+        );
+        assert_eq!(
+            words(ValueShape::Plane, Some(Exponent::LENGTH)),
+            "a plane vector of lengths"
+        );
+        assert_eq!(
+            words(ValueShape::Plane, Some(Exponent::whole(2))),
             "a plane vector of length^2"
         );
-        assert_eq!(words(Shape::Scalar, None), "zero");
-        assert_eq!(words(Shape::Plane, None), "a zero plane vector");
-        assert_eq!(words(Shape::Space, Some(Exponent::LENGTH)), "a space vector of lengths");
-        assert_eq!(words(Shape::Rotation, Some(Exponent::NUMBER)), "a rotation");
+        assert_eq!(words(ValueShape::Scalar, None), "zero");
+        assert_eq!(words(ValueShape::Plane, None), "a zero plane vector");
+        assert_eq!(
+            words(ValueShape::Space, Some(Exponent::LENGTH)),
+            "a space vector of lengths"
+        );
+        assert_eq!(words(ValueShape::Rotation, Some(Exponent::NUMBER)), "a rotation");
     }
 }

@@ -9,9 +9,9 @@ const LONGEST: usize = 10_000;
 
 /// The longest path to each node of a graph, as a number of operations.
 #[derive(Default)]
-pub(super) struct Lengths(Vec<usize>);
+pub(super) struct PathLengths(Vec<usize>);
 
-impl Lengths {
+impl PathLengths {
     /// Whether no path to these nodes is too long. A longer one is reported at `extent`.
     pub(super) fn allow(&mut self, graph: &Graph, nodes: &[Node], extent: Extent, mistakes: &mut Mistakes) -> bool {
         for node in graph.nodes_from(self.0.len()) {

@@ -6,11 +6,13 @@ use proc_macro2::Span;
 
 use crate::algebra::{Function, Gives, Graph, Node, Takes};
 use crate::mistakes::{Extent, Mistakes};
-use crate::model::Value;
-use crate::model::dimension::{Exponent, Measure, common, product};
+use crate::model::FormulaValue;
+use crate::model::dimension::{Exponent, FormulaType, common, product};
 use crate::model::scope::Scope;
 use crate::model::value::Typed;
-use crate::syntax::{Axis, Callee, EquationStatement, Formula, FormulaKind, Operand, Operator, Shape};
+use crate::syntax::{
+    ArithmeticOperator, Axis, Callee, EquationStatement, FormulaKind, Operand, TypedFormula, ValueShape,
+};
 
 /// The state of lowering. Every method reports mistakes and returns `None` after one.
 pub(super) struct Lowering<'a, 'b> {
@@ -26,23 +28,23 @@ const LARGEST_POWER: u32 = 1024;
 
 impl Lowering<'_, '_> {
     /// The difference of the two sides.
-    pub(super) fn residual(&mut self, equation: &EquationStatement) -> Option<Value> {
+    pub(super) fn residual(&mut self, equation: &EquationStatement) -> Option<FormulaValue> {
         let left = self.formula(&equation.left);
         let right = self.formula(&equation.right);
         let (left, right) = (left?, right?);
         let (left_measure, right_measure) = (left.measure(), right.measure());
-        if left_measure.shape != right_measure.shape || left_measure.shape == Shape::Rotation {
+        if left_measure.shape != right_measure.shape || left_measure.shape == ValueShape::Rotation {
             let remedy = match clash(left_measure, right_measure) {
                 Some(remedy) => Some(remedy),
                 None if left_measure.is_zero() || right_measure.is_zero() => None,
                 None => Some("write `vec2(s, 0)` to place a scalar s along x, or compare `.x` and `.y` one by one"),
             };
             if let Some(remedy) = remedy {
-                let kind = |measure: Measure| match measure.shape {
-                    Shape::Scalar => "a scalar",
-                    Shape::Plane => "a plane vector",
-                    Shape::Space => "a space vector",
-                    Shape::Rotation => "a rotation",
+                let kind = |measure: FormulaType| match measure.shape {
+                    ValueShape::Scalar => "a scalar",
+                    ValueShape::Plane => "a plane vector",
+                    ValueShape::Space => "a space vector",
+                    ValueShape::Rotation => "a rotation",
                 };
                 self.mistakes.error(
                     equation.operator,
@@ -70,10 +72,10 @@ impl Lowering<'_, '_> {
         self.fitting(equation.operator, residual)
     }
 
-    pub(super) fn formula(&mut self, formula: &Formula) -> Option<Typed> {
+    pub(super) fn formula(&mut self, formula: &TypedFormula) -> Option<Typed> {
         let typed = match &formula.kind {
             FormulaKind::Number { value, .. } => Typed {
-                value: Value::scalar(self.graph.number(*value)),
+                value: FormulaValue::scalar(self.graph.number(*value)),
                 exponent: (*value != 0.0).then_some(Exponent::NUMBER),
             },
             FormulaKind::Degrees { value, .. } => {
@@ -85,7 +87,7 @@ impl Lowering<'_, '_> {
             FormulaKind::Parenthesis(inner) => self.formula(inner)?,
             FormulaKind::Negate(of) => {
                 let of = self.formula(of)?;
-                if of.value.shape() == Shape::Rotation {
+                if of.value.shape() == ValueShape::Rotation {
                     self.mistakes.error_at(
                         formula.extent.first,
                         "a rotation cannot be negated: write `-(rotation * vector)`, or turn by the opposite angle",
@@ -127,7 +129,7 @@ impl Lowering<'_, '_> {
                     return None;
                 }
                 Typed {
-                    value: Value::scalar(self.graph.power(node, *exponent)),
+                    value: FormulaValue::scalar(self.graph.power(node, *exponent)),
                     exponent: match typed.exponent {
                         Some(of_base) => Some(of_base.times(*exponent)),
                         None => (*exponent == 0).then_some(Exponent::NUMBER),
@@ -140,13 +142,13 @@ impl Lowering<'_, '_> {
                 let Some(part) = axes.iter().position(|own| own == axis) else {
                     let measure = typed.measure();
                     let complaint = match measure.shape {
-                        Shape::Scalar => {
+                        ValueShape::Scalar => {
                             format!("only a vector has a part `{axis}`, but `{of}` is {measure}: write it alone")
                         }
-                        Shape::Plane | Shape::Space => format!(
+                        ValueShape::Plane | ValueShape::Space => format!(
                             "`{of}` is {measure} and has no part `{axis}`: write `vec3(v.x, v.y, 0)` to place a plane vector v in space"
                         ),
-                        Shape::Rotation => format!(
+                        ValueShape::Rotation => format!(
                             "only a vector has a part `{axis}`, but `{of}` is {measure}: write a vector that it turns, as in `({of} * v).{axis}`"
                         ),
                     };
@@ -154,7 +156,7 @@ impl Lowering<'_, '_> {
                     return None;
                 };
                 Typed {
-                    value: Value::scalar(typed.value.nodes()[part]),
+                    value: FormulaValue::scalar(typed.value.nodes()[part]),
                     exponent: typed.exponent,
                 }
             }
@@ -164,25 +166,28 @@ impl Lowering<'_, '_> {
     }
 
     /// Refuses `exp(i * angle)`, which is written `cis(angle)`.
-    fn expect_real(&mut self, exponential: &Formula, exponent: &Formula) -> Option<()> {
+    fn expect_real(&mut self, exponential: &TypedFormula, exponent: &TypedFormula) -> Option<()> {
         let FormulaKind::Product { first, rest } = &exponent.kind else {
             return Some(());
         };
         let factors = || iter::once(&**first).chain(rest.iter().map(|operation| &operation.formula));
-        let is_imaginary = |factor: &&Formula| {
+        let is_imaginary = |factor: &&TypedFormula| {
             let FormulaKind::Name(name) = &factor.kind else {
                 return false;
             };
             let word = name.to_string();
             (word == "i" || word == "j") && self.scope.is_free(&word)
         };
-        if rest.iter().any(|operation| operation.operator == Operator::Divide) || !factors().any(|it| is_imaginary(&it))
+        if rest
+            .iter()
+            .any(|operation| operation.operator == ArithmeticOperator::Divide)
+            || !factors().any(|it| is_imaginary(&it))
         {
             return Some(());
         }
         let angle: Vec<String> = factors()
             .filter(|it| !is_imaginary(it))
-            .map(Formula::to_string)
+            .map(TypedFormula::to_string)
             .collect();
         exponent.visit_names(&mut |name| self.scope.mean(&name.to_string()));
         self.mistakes.error(
@@ -196,7 +201,7 @@ impl Lowering<'_, '_> {
     }
 
     /// A new value, if its constants and powers are within the limits. Its operands have been checked before.
-    fn fitting(&mut self, extent: Extent, value: Value) -> Option<Value> {
+    fn fitting(&mut self, extent: Extent, value: FormulaValue) -> Option<FormulaValue> {
         if let Some(misfit) = self.graph.take_misfit() {
             self.mistakes.error(
                 extent,
@@ -228,21 +233,21 @@ impl Lowering<'_, '_> {
     }
 
     /// A sum. A scalar beside a vector lies along x.
-    fn sum(&mut self, first: &Formula, rest: &[Operand]) -> Option<Typed> {
+    fn sum(&mut self, first: &TypedFormula, rest: &[Operand]) -> Option<Typed> {
         let first = self.formula(first);
         let mut measure = first.as_ref().map(Typed::measure);
-        let mut terms: Vec<(Value, f64)> = first.into_iter().map(|first| (first.value, 1.0)).collect();
+        let mut terms: Vec<(FormulaValue, f64)> = first.into_iter().map(|first| (first.value, 1.0)).collect();
         for operation in rest {
             let term = self.formula(&operation.formula);
             measure = self.measure_of_sum(measure, operation, term.as_ref().map(Typed::measure));
-            let sign = if operation.operator == Operator::Subtract {
+            let sign = if operation.operator == ArithmeticOperator::Subtract {
                 -1.0
             } else {
                 1.0
             };
             terms.extend(term.map(|term| (term.value, sign)));
         }
-        let Measure { shape, exponent } = measure?;
+        let FormulaType { shape, exponent } = measure?;
         let parts = (0..shape.axes().len().max(1)).map(|part| {
             let terms: Vec<(Node, f64)> = terms
                 .iter()
@@ -251,7 +256,7 @@ impl Lowering<'_, '_> {
             self.graph.linear(0.0, &terms)
         });
         Some(Typed {
-            value: Value::of(shape, parts.collect()),
+            value: FormulaValue::of(shape, parts.collect()),
             exponent,
         })
     }
@@ -259,15 +264,15 @@ impl Lowering<'_, '_> {
     /// The measure of a sum with one more term, `None` after a mistake.
     fn measure_of_sum(
         &mut self,
-        left: Option<Measure>,
+        left: Option<FormulaType>,
         operation: &Operand,
-        right: Option<Measure>,
-    ) -> Option<Measure> {
+        right: Option<FormulaType>,
+    ) -> Option<FormulaType> {
         let (left, right) = (left?, right?);
         let remedy = clash(left, right);
         let measure = common(left, right).filter(|_| remedy.is_none());
         if measure.is_none() {
-            let complaint = if operation.operator == Operator::Add {
+            let complaint = if operation.operator == ArithmeticOperator::Add {
                 format!("cannot add {left} and {right}")
             } else {
                 format!("cannot subtract {right} from {left}")
@@ -293,7 +298,7 @@ impl Lowering<'_, '_> {
     ) -> Option<Typed> {
         let (left, right) = (product?, factor?);
         let (span, extent) = (operation.span, operation.formula.extent);
-        let typed = if operation.operator == Operator::Divide {
+        let typed = if operation.operator == ArithmeticOperator::Divide {
             self.quotient(span, &left, &right, extent)?
         } else {
             self.product(span, &left, &right)?
@@ -307,22 +312,24 @@ impl Lowering<'_, '_> {
         let graph = &mut *self.graph;
         let (a, b) = (left.value.nodes(), right.value.nodes());
         let value = match (left.value.shape(), right.value.shape()) {
-            (Shape::Scalar, Shape::Scalar | Shape::Plane | Shape::Space) => {
+            (ValueShape::Scalar, ValueShape::Scalar | ValueShape::Plane | ValueShape::Space) => {
                 right.value.map(|part| graph.multiply(a[0], part))
             }
-            (Shape::Plane | Shape::Space, Shape::Scalar) => left.value.map(|part| graph.multiply(b[0], part)),
-            (Shape::Plane, Shape::Plane) => {
+            (ValueShape::Plane | ValueShape::Space, ValueShape::Scalar) => {
+                left.value.map(|part| graph.multiply(b[0], part))
+            }
+            (ValueShape::Plane, ValueShape::Plane) => {
                 let (ac, bd) = (graph.multiply(a[0], b[0]), graph.multiply(a[1], b[1]));
                 let (ad, bc) = (graph.multiply(a[0], b[1]), graph.multiply(a[1], b[0]));
-                Value::plane(graph.subtract(ac, bd), graph.add(ad, bc))
+                FormulaValue::plane(graph.subtract(ac, bd), graph.add(ad, bc))
             }
-            (Shape::Rotation, Shape::Space) => {
+            (ValueShape::Rotation, ValueShape::Space) => {
                 let rows = left.value.rows();
-                Value::space([0, 1, 2].map(|row| inner(graph, rows[row], &b)))
+                FormulaValue::space([0, 1, 2].map(|row| inner(graph, rows[row], &b)))
             }
-            (Shape::Rotation, Shape::Rotation) => {
+            (ValueShape::Rotation, ValueShape::Rotation) => {
                 let (rows, factor) = (left.value.rows(), right.value.rows());
-                Value::rotation([0, 1, 2].map(|row| {
+                FormulaValue::rotation([0, 1, 2].map(|row| {
                     [0, 1, 2].map(|column| {
                         let column = [factor[0][column], factor[1][column], factor[2][column]];
                         inner(graph, rows[row], &column)
@@ -331,12 +338,14 @@ impl Lowering<'_, '_> {
             }
             (left_shape, right_shape) => {
                 let remedy = match (left_shape, right_shape) {
-                    (Shape::Space, Shape::Space) => "write `dot(a, b)` or `cross(a, b)` for a product of space vectors",
-                    (Shape::Rotation, Shape::Plane) | (Shape::Plane, Shape::Rotation) => {
+                    (ValueShape::Space, ValueShape::Space) => {
+                        "write `dot(a, b)` or `cross(a, b)` for a product of space vectors"
+                    }
+                    (ValueShape::Rotation, ValueShape::Plane) | (ValueShape::Plane, ValueShape::Rotation) => {
                         "write `vec3(v.x, v.y, 0)` for the vector, or `v * cis(angle)` to turn it in the plane"
                     }
-                    (Shape::Space, Shape::Rotation) => "write `rotation * vector`, the rotation first",
-                    (Shape::Plane | Shape::Space, _) => {
+                    (ValueShape::Space, ValueShape::Rotation) => "write `rotation * vector`, the rotation first",
+                    (ValueShape::Plane | ValueShape::Space, _) => {
                         "write `vec3(v.x, v.y, 0)` for the plane vector, and `dot(a, b)` or `cross(a, b)` for the product"
                     }
                     _ => "write `s * (rotation * vector)` for a scalar s",
@@ -359,18 +368,18 @@ impl Lowering<'_, '_> {
             self.mistakes.error(
                 divisor,
                 match right.value.shape() {
-                    Shape::Space => "nothing can be divided by a space vector: divide by its length, `norm(v)`",
-                    Shape::Rotation => {
+                    ValueShape::Space => "nothing can be divided by a space vector: divide by its length, `norm(v)`",
+                    ValueShape::Rotation => {
                         "nothing can be divided by a rotation: turn by the opposite angle, as in `rot_z(-angle) * v`"
                     }
-                    Shape::Scalar | Shape::Plane => {
+                    ValueShape::Scalar | ValueShape::Plane => {
                         "nothing can be divided by a plane vector: multiply by `cis(-angle)` to turn by the opposite angle"
                     }
                 },
             );
             return None;
         };
-        if left.value.shape() == Shape::Rotation {
+        if left.value.shape() == ValueShape::Rotation {
             self.mistakes
                 .error_at(span, "a rotation cannot be divided: write `rotation * vector / s`");
             return None;
@@ -386,14 +395,14 @@ impl Lowering<'_, '_> {
         })
     }
 
-    fn call(&mut self, callee: Callee, arguments: &[Formula], typed: &[Typed]) -> Option<Typed> {
+    fn call(&mut self, callee: Callee, arguments: &[TypedFormula], typed: &[Typed]) -> Option<Typed> {
         match callee {
             Callee::Rot | Callee::Dot | Callee::Cross | Callee::Norm => self.call_of_vectors(callee, arguments, typed),
             _ => self.call_of_scalars(callee, arguments, typed),
         }
     }
 
-    fn call_of_scalars(&mut self, callee: Callee, arguments: &[Formula], typed: &[Typed]) -> Option<Typed> {
+    fn call_of_scalars(&mut self, callee: Callee, arguments: &[TypedFormula], typed: &[Typed]) -> Option<Typed> {
         let name = callee.name();
         let nodes: Vec<Option<Node>> = arguments
             .iter()
@@ -414,11 +423,11 @@ impl Lowering<'_, '_> {
                 })
             }
             (Callee::Vec2, &[x, y]) => Some(Typed {
-                value: Value::plane(x, y),
+                value: FormulaValue::plane(x, y),
                 exponent: self.same_dimension(name, arguments, typed)?.exponent,
             }),
             (Callee::Vec3, &[x, y, z]) => Some(Typed {
-                value: Value::space([x, y, z]),
+                value: FormulaValue::space([x, y, z]),
                 exponent: self.same_dimension(name, arguments, typed)?.exponent,
             }),
             (Callee::RotX, &[angle]) => self.rotation_about(Axis::X, name, &arguments[0], &typed[0], angle),
@@ -429,7 +438,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn call_of_vectors(&mut self, callee: Callee, arguments: &[Formula], typed: &[Typed]) -> Option<Typed> {
+    fn call_of_vectors(&mut self, callee: Callee, arguments: &[TypedFormula], typed: &[Typed]) -> Option<Typed> {
         let name = callee.name();
         match (callee, typed) {
             (Callee::Rot, [axis, angle]) => {
@@ -441,7 +450,7 @@ impl Lowering<'_, '_> {
             (Callee::Norm, [vector]) => {
                 self.vector_argument(name, &arguments[0], vector)?;
                 Some(Typed {
-                    value: Value::scalar(self.norm(&vector.value)),
+                    value: FormulaValue::scalar(self.norm(&vector.value)),
                     exponent: vector.exponent,
                 })
             }
@@ -467,9 +476,9 @@ impl Lowering<'_, '_> {
                     graph.subtract(first, second)
                 };
                 let value = match (callee, a.len()) {
-                    (Callee::Cross, 2) => Value::scalar(minor(0, 1)),
-                    (Callee::Cross, _) => Value::space([minor(1, 2), minor(2, 0), minor(0, 1)]),
-                    _ => Value::scalar(inner(graph, &a, &b)),
+                    (Callee::Cross, 2) => FormulaValue::scalar(minor(0, 1)),
+                    (Callee::Cross, _) => FormulaValue::space([minor(1, 2), minor(2, 0), minor(0, 1)]),
+                    _ => FormulaValue::scalar(inner(graph, &a, &b)),
                 };
                 Some(Typed {
                     value,
@@ -480,7 +489,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn norm(&mut self, vector: &Value) -> Node {
+    fn norm(&mut self, vector: &FormulaValue) -> Node {
         let parts = vector.nodes();
         let square = inner(self.graph, &parts, &parts);
         self.graph.call(Function::Sqrt, &[square])
@@ -490,7 +499,7 @@ impl Lowering<'_, '_> {
         &mut self,
         axis: Axis,
         name: &str,
-        argument: &Formula,
+        argument: &TypedFormula,
         typed: &Typed,
         angle: Node,
     ) -> Option<Typed> {
@@ -501,8 +510,8 @@ impl Lowering<'_, '_> {
     }
 
     /// A rotation about an axis of any nonzero length.
-    fn rotation(&mut self, argument: &Formula, axis: &Typed, angle: Node) -> Option<Typed> {
-        if axis.value.shape() == Shape::Plane {
+    fn rotation(&mut self, argument: &TypedFormula, axis: &Typed, angle: Node) -> Option<Typed> {
+        if axis.value.shape() == ValueShape::Plane {
             self.mistakes.error(
                 argument.extent,
                 "the axis of a rotation is a space vector, but this is a plane vector: write `vec3(v.x, v.y, 0)` for an axis in                  the plane, `rot_z(angle)` to turn the plane itself",
@@ -525,7 +534,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The rotation about a unit vector u: u uᵀ + cos θ (1 - u uᵀ) + sin θ u×.
-    fn rodrigues(&mut self, unit: [Node; 3], angle: Node) -> Value {
+    fn rodrigues(&mut self, unit: [Node; 3], angle: Node) -> FormulaValue {
         let graph = &mut *self.graph;
         let cosine = graph.call(Function::Cos, &[angle]);
         let sine = graph.call(Function::Sin, &[angle]);
@@ -549,23 +558,23 @@ impl Lowering<'_, '_> {
                 graph.sum(&[along, across, turned])
             })
         });
-        Value::rotation(rows)
+        FormulaValue::rotation(rows)
     }
 
     /// `length * (cos, sin)`
-    fn turned(&mut self, length: Option<Node>, angle: Node) -> Value {
+    fn turned(&mut self, length: Option<Node>, angle: Node) -> FormulaValue {
         let cosine = self.graph.call(Function::Cos, &[angle]);
         let sine = self.graph.call(Function::Sin, &[angle]);
         match length {
-            None => Value::plane(cosine, sine),
-            Some(length) => Value::plane(self.graph.multiply(length, cosine), self.graph.multiply(length, sine)),
+            None => FormulaValue::plane(cosine, sine),
+            Some(length) => FormulaValue::plane(self.graph.multiply(length, cosine), self.graph.multiply(length, sine)),
         }
     }
 
     fn elementary(
         &mut self,
         function: Function,
-        arguments: &[Formula],
+        arguments: &[TypedFormula],
         typed: &[Typed],
         nodes: &[Node],
     ) -> Option<Typed> {
@@ -604,19 +613,19 @@ impl Lowering<'_, '_> {
             return None;
         }
         Some(Typed {
-            value: Value::scalar(self.graph.call(function, nodes)),
+            value: FormulaValue::scalar(self.graph.call(function, nodes)),
             exponent,
         })
     }
 
     /// The argument of a function of scalars.
-    fn scalar_argument(&mut self, name: &str, argument: &Formula, typed: &Typed) -> Option<Node> {
+    fn scalar_argument(&mut self, name: &str, argument: &TypedFormula, typed: &Typed) -> Option<Node> {
         let measure = typed.measure();
         let remedy = match measure.shape {
-            Shape::Scalar => return typed.value.as_scalar(),
-            Shape::Plane => "write its part `.x` or `.y`",
-            Shape::Space => "write its part `.x`, `.y` or `.z`",
-            Shape::Rotation => "write the angle itself",
+            ValueShape::Scalar => return typed.value.as_scalar(),
+            ValueShape::Plane => "write its part `.x` or `.y`",
+            ValueShape::Space => "write its part `.x`, `.y` or `.z`",
+            ValueShape::Rotation => "write the angle itself",
         };
         self.mistakes.error(
             argument.extent,
@@ -625,12 +634,12 @@ impl Lowering<'_, '_> {
         None
     }
 
-    fn vector_argument(&mut self, name: &str, argument: &Formula, typed: &Typed) -> Option<()> {
+    fn vector_argument(&mut self, name: &str, argument: &TypedFormula, typed: &Typed) -> Option<()> {
         let measure = typed.measure();
         let remedy = match measure.shape {
-            Shape::Plane | Shape::Space => return Some(()),
-            Shape::Scalar => "write `vec3(x, y, z)`, or `vec2(x, y)` in the plane",
-            Shape::Rotation => "write a vector that it turns, `rotation * v`",
+            ValueShape::Plane | ValueShape::Space => return Some(()),
+            ValueShape::Scalar => "write `vec3(x, y, z)`, or `vec2(x, y)` in the plane",
+            ValueShape::Rotation => "write a vector that it turns, `rotation * v`",
         };
         self.mistakes.error(
             argument.extent,
@@ -639,14 +648,20 @@ impl Lowering<'_, '_> {
         None
     }
 
-    fn expect_angle(&mut self, name: &str, argument: &Formula, typed: &Typed) -> Option<()> {
+    fn expect_angle(&mut self, name: &str, argument: &TypedFormula, typed: &Typed) -> Option<()> {
         let remedy = Remedy::Divide {
             instead_of_length: "divide it by a length",
         };
         self.expect_number(name, "an angle", remedy, argument, typed)
     }
 
-    fn expect_second_angle(&mut self, name: &str, form: &'static str, argument: &Formula, typed: &Typed) -> Option<()> {
+    fn expect_second_angle(
+        &mut self,
+        name: &str,
+        form: &'static str,
+        argument: &TypedFormula,
+        typed: &Typed,
+    ) -> Option<()> {
         self.expect_number(
             name,
             "an angle as its second argument",
@@ -661,7 +676,7 @@ impl Lowering<'_, '_> {
         name: &str,
         wanted: &str,
         remedy: Remedy,
-        argument: &Formula,
+        argument: &TypedFormula,
         typed: &Typed,
     ) -> Option<()> {
         let measure = typed.measure();
@@ -682,15 +697,15 @@ impl Lowering<'_, '_> {
         None
     }
 
-    fn same_dimension(&mut self, name: &str, arguments: &[Formula], typed: &[Typed]) -> Option<Measure> {
-        let measures: Vec<Measure> = typed.iter().map(Typed::measure).collect();
+    fn same_dimension(&mut self, name: &str, arguments: &[TypedFormula], typed: &[Typed]) -> Option<FormulaType> {
+        let measures: Vec<FormulaType> = typed.iter().map(Typed::measure).collect();
         let shared = measures[1..]
             .iter()
             .try_fold(measures[0], |shared, &measure| common(shared, measure));
         if shared.is_none() {
             let quantity = if measures.len() == 2 { "both" } else { "all" };
             let (last, first) = measures.split_last()?;
-            let first: Vec<String> = first.iter().map(Measure::to_string).collect();
+            let first: Vec<String> = first.iter().map(FormulaType::to_string).collect();
             let remedy = if name == Callee::Vec2.name() {
                 "; a vector of a length and an angle is written `polar(length, angle)`"
             } else {
@@ -725,16 +740,20 @@ fn inner(graph: &mut Graph, a: &[Node], b: &[Node]) -> Node {
 
 /// The advice for two values of these shapes that are added or compared, `None` if this is allowed. Beside plane
 /// vectors a scalar lies along x, as a real number does beside complex numbers. In space no direction is preferred.
-fn clash(left: Measure, right: Measure) -> Option<&'static str> {
+fn clash(left: FormulaType, right: FormulaType) -> Option<&'static str> {
     match (left.shape, right.shape) {
-        (Shape::Rotation, _) | (_, Shape::Rotation) => {
+        (ValueShape::Rotation, _) | (_, ValueShape::Rotation) => {
             Some("write `rotation * vector` on both sides, or `a * b` for one rotation after another")
         }
-        (Shape::Plane, Shape::Space) | (Shape::Space, Shape::Plane) => {
+        (ValueShape::Plane, ValueShape::Space) | (ValueShape::Space, ValueShape::Plane) => {
             Some("write `vec3(v.x, v.y, 0)` to place a plane vector v in space")
         }
-        (Shape::Scalar, Shape::Space) if !left.is_zero() => Some("write `vec3(s, 0, 0)` to place a scalar s along x"),
-        (Shape::Space, Shape::Scalar) if !right.is_zero() => Some("write `vec3(s, 0, 0)` to place a scalar s along x"),
+        (ValueShape::Scalar, ValueShape::Space) if !left.is_zero() => {
+            Some("write `vec3(s, 0, 0)` to place a scalar s along x")
+        }
+        (ValueShape::Space, ValueShape::Scalar) if !right.is_zero() => {
+            Some("write `vec3(s, 0, 0)` to place a scalar s along x")
+        }
         _ => None,
     }
 }

@@ -21,18 +21,18 @@ use syn::{Attribute, Visibility};
 use crate::algebra::Graph;
 use crate::mistakes::Extent;
 
-pub(crate) use crate::syntax::{Dimension, Request, Shape};
+pub(crate) use crate::syntax::{Dimension, Request, ValueShape};
 pub(crate) use build::build;
 pub(crate) use equations::Origin;
 use request::Requested;
-pub(crate) use value::Value;
+pub(crate) use value::FormulaValue;
 
 /// A mechanism as declared, without mistakes in its formulas. The next pass decides whether it can be solved.
 pub(crate) struct Model {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,
     pub(crate) name: Ident,
-    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) parameters: Vec<DeclaredParameter>,
     pub(crate) inputs: Vec<Quantity>,
     pub(crate) unknowns: Vec<Unknown>,
     pub(crate) equations: Vec<Equation>,
@@ -47,7 +47,7 @@ pub(crate) struct Model {
 }
 
 /// A field of the struct.
-pub(crate) struct Parameter {
+pub(crate) struct DeclaredParameter {
     pub(crate) name: Ident,
     pub(crate) visibility: Visibility,
     pub(crate) attributes: Vec<Attribute>,
@@ -79,7 +79,7 @@ pub(crate) struct Range {
 
 pub(crate) struct Equation {
     /// The left side minus the right side.
-    pub(crate) residual: Value,
+    pub(crate) residual: FormulaValue,
     /// The whole equation, for errors that underline all of it.
     pub(crate) tokens: TokenStream,
     pub(crate) text: String,
@@ -90,7 +90,7 @@ pub(crate) struct Output {
     pub(crate) name: Ident,
     pub(crate) documentation: Vec<Attribute>,
     pub(crate) dimension: Dimension,
-    pub(crate) value: Value,
+    pub(crate) value: FormulaValue,
     pub(crate) text: String,
 }
 

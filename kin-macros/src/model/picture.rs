@@ -2,20 +2,20 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Shape;
-use super::dimension::{Measure, common};
+use super::ValueShape;
+use super::dimension::{FormulaType, common};
 use super::lower::Lowering;
 use super::scope::{Meaning, Scope};
 use super::value::Typed;
 use crate::algebra::Graph;
 use crate::mistakes::{Extent, Mistakes, suggestion};
-use crate::syntax::{Declaration, Formula, FormulaKind, OutputStatement, Statement};
+use crate::syntax::{Declaration, FormulaKind, OutputStatement, Statement, TypedFormula};
 
 /// The abbreviations that only the picture uses. The solvers shall not see them: what they cost depends on the order in which formulas are
 /// met.
 pub(super) fn abbreviations(declaration: &Declaration) -> BTreeSet<String> {
     let (mut solved, mut drawn) = (BTreeSet::new(), BTreeSet::new());
-    let add = |formula: &Formula, names: &mut BTreeSet<String>| {
+    let add = |formula: &TypedFormula, names: &mut BTreeSet<String>| {
         formula.visit_names(&mut |name| {
             names.insert(name.to_string());
         });
@@ -159,16 +159,16 @@ struct Points<'a, 'b, 'c> {
     scope: &'b mut Scope<'c>,
     mistakes: &'b mut Mistakes,
     /// The measure of all points, from the first that tells.
-    first: Option<Measure>,
+    first: Option<FormulaType>,
 }
 
 impl Points<'_, '_, '_> {
-    fn point(&mut self, formula: &Formula) {
+    fn point(&mut self, formula: &TypedFormula) {
         let Some(measure) = self.measure(formula) else { return };
         if measure.is_zero() {
             return;
         }
-        if measure.shape == Shape::Scalar || measure.shape == Shape::Rotation {
+        if measure.shape == ValueShape::Scalar || measure.shape == ValueShape::Rotation {
             self.mistakes.error(
                 formula.extent,
                 format!("a point is a vector, but this is {measure}: write `vec2(x, y)` or `vec3(x, y, z)`, or `0` for the origin"),
@@ -184,9 +184,9 @@ impl Points<'_, '_, '_> {
         }
     }
 
-    fn direction(&mut self, formula: &Formula) {
+    fn direction(&mut self, formula: &TypedFormula) {
         let Some(measure) = self.measure(formula) else { return };
-        if !matches!(measure.shape, Shape::Plane | Shape::Space) {
+        if !matches!(measure.shape, ValueShape::Plane | ValueShape::Space) {
             self.mistakes.error(
                 formula.extent,
                 format!("a direction is a vector, but this is {measure}: write `vec2(1, 0)`, `cis(angle)` or `vec3(0, 0, 1)`"),
@@ -195,7 +195,7 @@ impl Points<'_, '_, '_> {
     }
 
     /// The value of a formula; an output may be used as a name for its own.
-    fn measure(&mut self, formula: &Formula) -> Option<Measure> {
+    fn measure(&mut self, formula: &TypedFormula) -> Option<FormulaType> {
         if let FormulaKind::Name(name) = &formula.kind
             && let Some(output) = self.outputs.get(&name.to_string())
         {
@@ -204,7 +204,7 @@ impl Points<'_, '_, '_> {
         Some(self.lowered(formula)?.measure())
     }
 
-    fn lowered(&mut self, formula: &Formula) -> Option<Typed> {
+    fn lowered(&mut self, formula: &TypedFormula) -> Option<Typed> {
         let mut extreme: Option<(f64, Extent)> = None;
         Lowering {
             graph: &mut self.graph,

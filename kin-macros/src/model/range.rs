@@ -8,7 +8,7 @@ use crate::model::angles::is_range_in_radians;
 use crate::model::lower::Lowering;
 use crate::model::scope::Scope;
 use crate::model::{Dimension, Range};
-use crate::syntax::{Comparison, Declaration, Formula, RangeClause, RangeKind};
+use crate::syntax::{Declaration, RangeClause, RangeKind, Relation, TypedFormula};
 
 /// The ends of a range, `None` after a mistake.
 pub(super) fn range(
@@ -36,8 +36,8 @@ pub(super) fn range(
             }
             let bound = constant(bound, declaration, scope, mistakes)?;
             match comparison {
-                Comparison::Less | Comparison::LessOrEqual => (f64::NEG_INFINITY, bound),
-                Comparison::Greater | Comparison::GreaterOrEqual => (bound, f64::INFINITY),
+                Relation::Less | Relation::LessOrEqual => (f64::NEG_INFINITY, bound),
+                Relation::Greater | Relation::GreaterOrEqual => (bound, f64::INFINITY),
             }
         }
         RangeKind::Between { low, high, .. } => {
@@ -59,7 +59,12 @@ pub(super) fn range(
 }
 
 /// The end of a range, which consists of literals and PI.
-fn constant(bound: &Formula, declaration: &Declaration, scope: &mut Scope<'_>, mistakes: &mut Mistakes) -> Option<f64> {
+fn constant(
+    bound: &TypedFormula,
+    declaration: &Declaration,
+    scope: &mut Scope<'_>,
+    mistakes: &mut Mistakes,
+) -> Option<f64> {
     bound.visit_names(&mut |name| scope.mean(&name.to_string()));
     if let Some(name) = first_name(bound) {
         mistakes.error(
@@ -86,7 +91,7 @@ fn constant(bound: &Formula, declaration: &Declaration, scope: &mut Scope<'_>, m
     graph.constant_value(node)
 }
 
-fn first_name(formula: &Formula) -> Option<&Ident> {
+fn first_name(formula: &TypedFormula) -> Option<&Ident> {
     let mut first = None;
     formula.visit_names(&mut |name| first = first.or(Some(name)));
     first

@@ -9,7 +9,7 @@ use crate::model::value::Typed;
 use crate::syntax::{Declaration, Statement, form, is_keyword};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Role {
+pub(super) enum NameRole {
     Parameter,
     Input,
     Unknown,
@@ -17,7 +17,7 @@ pub(super) enum Role {
     Output,
 }
 
-impl Role {
+impl NameRole {
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Parameter => "parameter",
@@ -42,7 +42,7 @@ pub(super) enum Meaning {
 
 pub(super) struct Entry {
     pub(super) name: Ident,
-    pub(super) role: Role,
+    pub(super) role: NameRole,
     pub(super) meaning: Meaning,
     pub(super) used: bool,
 }
@@ -73,7 +73,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Adds a name. A second declaration of a name is a mistake, and the first stays.
-    pub(super) fn declare(&mut self, name: &Ident, role: Role, meaning: Meaning, mistakes: &mut Mistakes) {
+    pub(super) fn declare(&mut self, name: &Ident, role: NameRole, meaning: Meaning, mistakes: &mut Mistakes) {
         let word = name.to_string();
         if let Some(&place) = self.places.get(&word) {
             let first = &self.entries[place];
@@ -105,7 +105,7 @@ impl<'a> Scope<'a> {
     pub(super) fn define(&mut self, name: &Ident, meaning: Meaning) {
         if let Some(&place) = self.places.get(&name.to_string()) {
             let entry = &mut self.entries[place];
-            if entry.role == Role::Let && matches!(entry.meaning, Meaning::Later) {
+            if entry.role == NameRole::Let && matches!(entry.meaning, Meaning::Later) {
                 entry.meaning = meaning;
             }
         }
@@ -152,7 +152,7 @@ impl<'a> Scope<'a> {
         let usable: Vec<String> = self
             .entries
             .iter()
-            .filter(|entry| entry.role != Role::Output)
+            .filter(|entry| entry.role != NameRole::Output)
             .map(|entry| entry.name.to_string())
             .chain(broken.iter().filter(|name| !is_keyword(name)).cloned())
             .chain(["PI".to_owned()])
@@ -225,10 +225,10 @@ fn is_constant_of_rust(word: &str) -> bool {
     word.chars().filter(|letter| letter.is_uppercase()).count() > 1 && !word.chars().any(char::is_lowercase)
 }
 
-fn with_article(role: Role) -> String {
+fn with_article(role: NameRole) -> String {
     let article = match role {
-        Role::Input | Role::Unknown | Role::Output => "an",
-        Role::Parameter | Role::Let => "a",
+        NameRole::Input | NameRole::Unknown | NameRole::Output => "an",
+        NameRole::Parameter | NameRole::Let => "a",
     };
     format!("{article} {}", role.word())
 }

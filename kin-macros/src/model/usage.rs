@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::scope::{Role, Scope};
+use super::scope::{NameRole, Scope};
 use super::{Equation, Unknown};
 use crate::algebra::{Graph, Node};
 use crate::mistakes::Mistakes;
-use crate::syntax::{Declaration, Formula, Statement};
+use crate::syntax::{Declaration, Statement, TypedFormula};
 
 /// Reports missing inputs, unknowns or equations.
 pub(super) fn missing_statements(declaration: &Declaration, mistakes: &mut Mistakes) {
@@ -49,12 +49,12 @@ pub(super) fn unused_names(declaration: &Declaration, scope: &Scope<'_>, mistake
             continue;
         }
         let complaint = match entry.role {
-            Role::Parameter | Role::Input => format!(
+            NameRole::Parameter | NameRole::Input => format!(
                 "{} `{word}` is not used in any equation or output: use it, or remove it",
                 entry.role.word()
             ),
-            Role::Let => format!("`let {word}` is never used: use it, or remove it"),
-            Role::Unknown | Role::Output => continue,
+            NameRole::Let => format!("`let {word}` is never used: use it, or remove it"),
+            NameRole::Unknown | NameRole::Output => continue,
         };
         mistakes.error(&entry.name, complaint);
     }
@@ -165,7 +165,7 @@ fn declaration_mentions(written: &[BTreeSet<String>], equations: &[Option<Equati
 
 /// The names typed in each equation, including those in its abbreviations.
 fn written_names(declaration: &Declaration) -> Vec<BTreeSet<String>> {
-    let names_of = |expressions: &[&Formula]| {
+    let names_of = |expressions: &[&TypedFormula]| {
         let mut names = BTreeSet::new();
         for expression in expressions {
             expression.visit_names(&mut |name| {

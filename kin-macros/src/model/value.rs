@@ -1,52 +1,52 @@
 //! The value of a formula, as one scalar for each of its parts.
 
-use super::dimension::{Exponent, Measure};
+use super::dimension::{Exponent, FormulaType};
 use crate::algebra::{Graph, Node};
-use crate::syntax::Shape;
+use crate::syntax::ValueShape;
 
 /// A formula's value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Value {
-    shape: Shape,
+pub(crate) struct FormulaValue {
+    shape: ValueShape,
     parts: Vec<Node>,
 }
 
-impl Value {
+impl FormulaValue {
     pub(crate) fn scalar(node: Node) -> Self {
         Self {
-            shape: Shape::Scalar,
+            shape: ValueShape::Scalar,
             parts: vec![node],
         }
     }
 
     pub(crate) fn plane(x: Node, y: Node) -> Self {
         Self {
-            shape: Shape::Plane,
+            shape: ValueShape::Plane,
             parts: vec![x, y],
         }
     }
 
     pub(crate) fn space(parts: [Node; 3]) -> Self {
         Self {
-            shape: Shape::Space,
+            shape: ValueShape::Space,
             parts: parts.to_vec(),
         }
     }
 
     /// A value of as many parts as the shape has.
-    pub(crate) fn of(shape: Shape, parts: Vec<Node>) -> Self {
+    pub(crate) fn of(shape: ValueShape, parts: Vec<Node>) -> Self {
         Self { shape, parts }
     }
 
     /// A rotation from the rows of its matrix.
     pub(crate) fn rotation(rows: [[Node; 3]; 3]) -> Self {
         Self {
-            shape: Shape::Rotation,
+            shape: ValueShape::Rotation,
             parts: rows.concat(),
         }
     }
 
-    pub(crate) fn shape(&self) -> Shape {
+    pub(crate) fn shape(&self) -> ValueShape {
         self.shape
     }
 
@@ -57,7 +57,7 @@ impl Value {
 
     /// The node of a scalar.
     pub(crate) fn as_scalar(&self) -> Option<Node> {
-        (self.shape == Shape::Scalar).then(|| self.parts[0])
+        (self.shape == ValueShape::Scalar).then(|| self.parts[0])
     }
 
     /// The rows of a rotation's matrix.
@@ -87,8 +87,8 @@ impl Value {
     }
 
     /// A scalar as a vector along x; a vector as it is.
-    pub(crate) fn lifted(&self, graph: &mut Graph, shape: Shape) -> Self {
-        if self.shape != Shape::Scalar || shape == Shape::Scalar {
+    pub(crate) fn lifted(&self, graph: &mut Graph, shape: ValueShape) -> Self {
+        if self.shape != ValueShape::Scalar || shape == ValueShape::Scalar {
             return self.clone();
         }
         let mut parts = self.parts.clone();
@@ -100,27 +100,27 @@ impl Value {
 /// A formula's value and its measure.
 #[derive(Clone, Debug)]
 pub(super) struct Typed {
-    pub(super) value: Value,
+    pub(super) value: FormulaValue,
     pub(super) exponent: Option<Exponent>,
 }
 
 impl Typed {
     pub(super) fn scalar(node: Node, exponent: Exponent) -> Self {
         Self {
-            value: Value::scalar(node),
+            value: FormulaValue::scalar(node),
             exponent: Some(exponent),
         }
     }
 
-    pub(super) fn number(value: Value) -> Self {
+    pub(super) fn number(value: FormulaValue) -> Self {
         Self {
             value,
             exponent: Some(Exponent::NUMBER),
         }
     }
 
-    pub(super) fn measure(&self) -> Measure {
-        Measure {
+    pub(super) fn measure(&self) -> FormulaType {
+        FormulaType {
             shape: self.value.shape(),
             exponent: self.exponent,
         }

@@ -7,7 +7,7 @@ use super::guards::unguarded_divisors;
 use super::naming::{name_rates, name_sensitivities};
 use super::telltales::telltales;
 use crate::algebra::{Graph, Node, Symbol};
-use crate::assemble::{self, Assembled, KnownRoot, Reciprocals, Units};
+use crate::assemble::{self, KnownRoot, PositionSteps, Reciprocals, Units};
 use crate::derive::{Definition, Hint, Influences, Mover, Rate};
 use crate::passes::{Pass, Passes};
 use crate::program::{
@@ -123,7 +123,7 @@ impl<'a> Draft<'a> {
             &unknowns,
             task.outputs.len(),
         );
-        let Assembled {
+        let PositionSteps {
             stage,
             units,
             nonzero,

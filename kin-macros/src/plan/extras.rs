@@ -6,7 +6,9 @@ use super::Task;
 use crate::algebra::{Graph, Node, Symbol};
 use crate::assemble;
 use crate::passes::Passes;
-use crate::program::{Choice, Component, Expression, Form, Lengths, Mode, Names, Program, Step, TransmissionAngles};
+use crate::program::{
+    Choice, Component, Expression, FormLengths, Lengths, Mode, Names, Program, Step, TransmissionAngles,
+};
 use crate::schedule::{Style, schedule};
 use crate::structure::{Block, block_forms, dyads};
 
@@ -101,7 +103,7 @@ fn lengths(mut graph: Graph, task: &Task<'_>) -> Lengths {
     };
     let forms = block_forms(&mut graph, task.residuals, task.blocks)
         .into_iter()
-        .map(|form| Form {
+        .map(|form| FormLengths {
             kind: form.kind,
             driver: form.driver,
             lengths: form

@@ -2,18 +2,18 @@
 
 use super::Task;
 use crate::algebra::Graph;
-use crate::derive::{self, Derivatives, Formulas, Influences, TooLarge};
+use crate::derive::{self, Derivatives, Differentiable, Influences, TooLarge};
 use crate::passes::Pass;
 
 /// Equations and outputs in one form, and the graph of that form.
 #[derive(Clone)]
-pub(super) struct Form {
+pub(super) struct EquationForm {
     pub(super) graph: Graph,
-    pub(super) formulas: Formulas,
+    pub(super) formulas: Differentiable,
     pub(super) is_multiplied_out: bool,
 }
 
-impl Form {
+impl EquationForm {
     /// The equations in this form, to be differentiated.
     pub(super) fn task<'a>(&'a self, task: &Task<'a>, influences: Influences) -> derive::Subject<'a> {
         derive::Subject {
@@ -28,18 +28,18 @@ impl Form {
 }
 
 /// The multiplied-out form of the equations, and the typed form if it differs.
-pub(super) fn forms(task: &Task<'_>) -> Vec<Form> {
+pub(super) fn forms(task: &Task<'_>) -> Vec<EquationForm> {
     let mut graph = task.graph.clone();
     let mut form = |is_multiplied_out| {
         let formulas = derive::formulas(&mut graph, task.residuals, &task.outputs, is_multiplied_out);
-        Form {
+        EquationForm {
             graph: graph.clone(),
             formulas,
             is_multiplied_out,
         }
     };
     let (multiplied_out, typed) = (form(true), form(false));
-    let nodes = |form: &Form| [form.formulas.residuals.clone(), form.formulas.outputs.clone()];
+    let nodes = |form: &EquationForm| [form.formulas.residuals.clone(), form.formulas.outputs.clone()];
     if nodes(&multiplied_out) == nodes(&typed) || !task.passes.include(Pass::AsTyped) {
         return vec![multiplied_out];
     }
@@ -51,14 +51,14 @@ pub(super) fn forms(task: &Task<'_>) -> Vec<Form> {
 
 /// Equations and outputs in one form, with their derivatives.
 pub(super) struct Derived {
-    pub(super) form: Form,
+    pub(super) form: EquationForm,
     pub(super) influences: Influences,
     pub(super) graph: Graph,
     pub(super) derivatives: Derivatives,
 }
 
 impl Derived {
-    pub(super) fn new(task: &Task<'_>, form: Form, influences: Influences) -> Result<Self, TooLarge> {
+    pub(super) fn new(task: &Task<'_>, form: EquationForm, influences: Influences) -> Result<Self, TooLarge> {
         let mut graph = form.graph.clone();
         if !task.passes.include(Pass::ConstantFolding) {
             graph.keep_numbers();

@@ -16,7 +16,7 @@ mod tests;
 pub(crate) use task::Task;
 
 use candidate::Candidate;
-use forms::{Derived, Form, forms};
+use forms::{Derived, EquationForm, forms};
 
 use crate::derive::{Influences, TooLarge};
 use crate::passes::Pass;
@@ -54,7 +54,7 @@ pub(crate) fn plan(task: &Task<'_>) -> Result<Solvers, TooLarge> {
 /// One way to derive the program. Shared factors are taken out if that is cheaper.
 fn attempt(
     task: &Task<'_>,
-    form: Form,
+    form: EquationForm,
     influences: Influences,
     trials: &mut Vec<Trial>,
 ) -> Result<(Candidate, Derived), TooLarge> {

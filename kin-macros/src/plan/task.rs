@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::MOST_EXPRESSIONS;
 use crate::algebra::{Graph, Node, Symbol};
-use crate::model::{Dimension, Model, Request, Shape};
+use crate::model::{Dimension, Model, Request, ValueShape};
 use crate::passes::Passes;
-use crate::program::{Limits, Names, OWN_NAMES};
+use crate::program::{DeclaredRange, Names, OWN_NAMES};
 use crate::structure::{Block, Structure};
 
 /// The equations to solve, and the decisions about their solution.
@@ -14,7 +14,7 @@ pub(crate) struct Task<'a> {
     pub(crate) graph: &'a Graph,
     pub(crate) residuals: &'a [Node],
     pub(crate) blocks: &'a [Block],
-    pub(crate) ranges: BTreeMap<usize, Limits>,
+    pub(crate) ranges: BTreeMap<usize, DeclaredRange>,
     /// The unknown angles that are returned as unit vectors.
     pub(crate) directions: BTreeSet<usize>,
     /// The scalar parts of the outputs.
@@ -51,12 +51,12 @@ impl<'a> Task<'a> {
 }
 
 /// The ranges that were declared for unknowns.
-fn ranges(model: &Model) -> BTreeMap<usize, Limits> {
+fn ranges(model: &Model) -> BTreeMap<usize, DeclaredRange> {
     let unknowns = model.unknowns.iter().enumerate();
     unknowns
         .filter_map(|(index, unknown)| {
             let range = unknown.range.as_ref()?;
-            let limits = Limits {
+            let limits = DeclaredRange {
                 low: range.low,
                 high: range.high,
             };
@@ -114,7 +114,7 @@ fn names(model: &Model) -> Names {
     for output in &model.outputs {
         let name = output.name.to_string();
         let parts = match output.value.shape() {
-            Shape::Scalar => vec![format!("{name}_value")],
+            ValueShape::Scalar => vec![format!("{name}_value")],
             shape => shape.part_names(&name, "_"),
         };
         for part in parts {

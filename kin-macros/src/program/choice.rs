@@ -17,7 +17,7 @@ pub(crate) enum Mode {
 
 /// The range declared for an unknown, as far as the choice needs it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
+pub(crate) struct DeclaredRange {
     pub(crate) low: f64,
     pub(crate) high: f64,
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Add;
 
-use crate::algebra::Work;
+use crate::algebra::WorkUnit;
 
 /// A number of operations, by kind.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -30,9 +30,9 @@ impl Cost {
         others: 0,
     };
     /// One arctangent.
-    pub(crate) const ARC_TANGENT: Self = Self::of(&[Work::ArcTangent]);
+    pub(crate) const ARC_TANGENT: Self = Self::of(&[WorkUnit::ArcTangent]);
     /// A sine and a cosine of one angle.
-    pub(crate) const SINE_COSINE: Self = Self::of(&[Work::SineCosine]);
+    pub(crate) const SINE_COSINE: Self = Self::of(&[WorkUnit::SineCosine]);
 
     /// All operations except roots, trigonometry and other functions.
     pub(crate) const fn arithmetic(self) -> usize {
@@ -45,17 +45,17 @@ impl Cost {
     }
 
     /// The cost of a list of work.
-    pub(crate) const fn of(work: &[Work]) -> Self {
+    pub(crate) const fn of(work: &[WorkUnit]) -> Self {
         let mut cost = Self::NONE;
         let mut rest = work;
         while let [piece, others @ ..] = rest {
             let count = match piece {
-                Work::Multiplication => &mut cost.multiplications,
-                Work::Division => &mut cost.divisions,
-                Work::SquareRoot => &mut cost.square_roots,
-                Work::SineCosine => &mut cost.sine_cosines,
-                Work::ArcTangent => &mut cost.arc_tangents,
-                Work::Other => &mut cost.others,
+                WorkUnit::Multiplication => &mut cost.multiplications,
+                WorkUnit::Division => &mut cost.divisions,
+                WorkUnit::SquareRoot => &mut cost.square_roots,
+                WorkUnit::SineCosine => &mut cost.sine_cosines,
+                WorkUnit::ArcTangent => &mut cost.arc_tangents,
+                WorkUnit::Other => &mut cost.others,
             };
             *count += 1;
             rest = others;
@@ -147,7 +147,7 @@ mod tests {
     /// Each piece of work is counted under its kind, as often as it occurs.
     #[test]
     fn work_is_counted_by_kind() {
-        use Work::{ArcTangent, Division, Multiplication, Other, SineCosine, SquareRoot};
+        use WorkUnit::{ArcTangent, Division, Multiplication, Other, SineCosine, SquareRoot};
         let work = [
             Division,
             Other,

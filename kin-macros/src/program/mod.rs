@@ -16,14 +16,14 @@ mod stage;
 mod step;
 mod trials;
 
-pub(crate) use choice::{Choice, Limits, Mode};
+pub(crate) use choice::{Choice, DeclaredRange, Mode};
 pub(crate) use cost::Cost;
 pub(crate) use directions::{DirectionSymbols, Directions, UnitPart};
 pub(crate) use expression::Expression;
 pub(crate) use names::{Names, OWN_NAMES};
 pub(crate) use order::order_name;
-pub(crate) use solver::{Argument, Returns, Solver};
-pub(crate) use solvers::{Component, Form, Lengths, Solvers, TransmissionAngles};
+pub(crate) use solver::{FormArgument, Returns, Solver};
+pub(crate) use solvers::{Component, FormLengths, Lengths, Solvers, TransmissionAngles};
 pub(crate) use stage::{Carried, Program, Stage};
 pub(crate) use step::Step;
 pub(crate) use trials::{Approach, Trial, Trials};

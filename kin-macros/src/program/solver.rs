@@ -5,14 +5,14 @@ use crate::algebra::Checked;
 
 /// An argument of a closed form.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) enum Argument<E> {
+pub(crate) enum FormArgument<E> {
     Scalar(E),
     Plane([E; 2]),
     Pair([E; 2]),
     Matrix([[E; 2]; 2]),
 }
 
-impl<E> Argument<E> {
+impl<E> FormArgument<E> {
     /// The expressions in the argument, in the order in which they are written.
     pub(crate) fn expressions(&self) -> Vec<&E> {
         match self {
@@ -23,12 +23,12 @@ impl<E> Argument<E> {
     }
 
     /// The same argument with other expressions.
-    pub(crate) fn map<F>(&self, mut other: impl FnMut(&E) -> F) -> Argument<F> {
+    pub(crate) fn map<F>(&self, mut other: impl FnMut(&E) -> F) -> FormArgument<F> {
         match self {
-            Self::Scalar(value) => Argument::Scalar(other(value)),
-            Self::Plane(pair) => Argument::Plane(pair.each_ref().map(other)),
-            Self::Pair(pair) => Argument::Pair(pair.each_ref().map(other)),
-            Self::Matrix(rows) => Argument::Matrix(rows.each_ref().map(|row| row.each_ref().map(&mut other))),
+            Self::Scalar(value) => FormArgument::Scalar(other(value)),
+            Self::Plane(pair) => FormArgument::Plane(pair.each_ref().map(other)),
+            Self::Pair(pair) => FormArgument::Pair(pair.each_ref().map(other)),
+            Self::Matrix(rows) => FormArgument::Matrix(rows.each_ref().map(|row| row.each_ref().map(&mut other))),
         }
     }
 }

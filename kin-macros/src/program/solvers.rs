@@ -37,12 +37,12 @@ pub(crate) struct TransmissionAngles {
 
 /// The form of each block with its lengths, and the program that computes those that are no parameters.
 pub(crate) struct Lengths {
-    pub(crate) forms: Vec<Form>,
+    pub(crate) forms: Vec<FormLengths>,
     pub(crate) program: Program<Expression>,
 }
 
 /// The form of a block. A length is given by its two components; a length that changes is `None`.
-pub(crate) struct Form {
+pub(crate) struct FormLengths {
     pub(crate) kind: BlockKind,
     pub(crate) driver: Option<Symbol>,
     pub(crate) lengths: Vec<Option<[Component; 2]>>,

@@ -2,7 +2,7 @@
 
 use super::choice::Mode;
 use super::expression::Expression;
-use super::solver::{Argument, Solver};
+use super::solver::{FormArgument, Solver};
 use crate::algebra::{Checked, Node, Symbol};
 
 /// One step. Its expressions `E` are nodes of a graph until the program is scheduled, and ready to be written
@@ -26,7 +26,7 @@ pub(crate) enum Step<E> {
     /// A call of a closed form, with its results in order. Scheduling leaves out the results that nothing needs.
     Solve {
         solver: Solver,
-        arguments: Vec<Argument<E>>,
+        arguments: Vec<FormArgument<E>>,
         results: Vec<Option<Symbol>>,
     },
     /// The direction of a vector. If a length is given, it may be negative.
@@ -79,7 +79,7 @@ impl<E> Step<E> {
             Self::Define { value, .. } | Self::Regular { value } => vec![value],
             Self::Check { argument, .. } => vec![argument],
             Self::SineCosine { angle, .. } => vec![angle],
-            Self::Solve { arguments, .. } => arguments.iter().flat_map(Argument::expressions).collect(),
+            Self::Solve { arguments, .. } => arguments.iter().flat_map(FormArgument::expressions).collect(),
             Self::Angle { y, x, length, .. } => [y, x].into_iter().chain(length).collect(),
             Self::Newton {
                 given,

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::style::Style;
-use crate::algebra::{Constant, Function, Graph, HashMap, Node, NodeKind, Symbol};
+use crate::algebra::{FiniteNumber, Function, Graph, HashMap, Node, NodeKind, Symbol};
 use crate::passes::Pass;
 use crate::work;
 
@@ -18,7 +18,7 @@ pub(super) struct LineId(pub(super) usize);
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Line {
-    Number(Constant),
+    Number(FiniteNumber),
     Pi,
     Leaf(Symbol),
     /// Σ ± term; true means minus.
@@ -97,7 +97,7 @@ impl Lines {
     }
 
     fn number(&mut self, value: f64) -> LineId {
-        self.intern(Line::Number(Constant::new(value)))
+        self.intern(Line::Number(FiniteNumber::new(value)))
     }
 
     fn product(&mut self, mut factors: Vec<LineId>) -> LineId {
@@ -207,7 +207,7 @@ impl Lines {
                     // a number times a reciprocal is one division
                     let multiple = match *self.line(inner) {
                         Line::Quotient(above, below)
-                            if *self.line(above) == Line::Number(Constant::new(1.0))
+                            if *self.line(above) == Line::Number(FiniteNumber::new(1.0))
                                 && !self.shared_reciprocals.contains(&inner) =>
                         {
                             self.intern(Line::Quotient(number, below))

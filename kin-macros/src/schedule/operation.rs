@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::lines::{Line, LineId, Lines};
-use crate::algebra::{Constant, Function, HashMap, Symbol};
+use crate::algebra::{FiniteNumber, Function, HashMap, Symbol};
 use crate::program::Cost;
 
 /// The index of an operation; operands have lower indices.
@@ -12,7 +12,7 @@ pub(super) struct OperationId(pub(super) usize);
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Operation {
-    Number(Constant),
+    Number(FiniteNumber),
     Pi,
     Leaf(Symbol),
     Add(OperationId, OperationId),

@@ -27,7 +27,7 @@ type Multiplicity = [usize; 2];
 
 /// An element of a line, and whether the line is a sum: terms of sums and factors of products are never shared with
 /// each other.
-type Element = (bool, LineId);
+type LineMember = (bool, LineId);
 
 /// The elements of a line, each as often as it occurs.
 fn elements(line: &Line) -> Vec<(LineId, bool)> {
@@ -39,12 +39,12 @@ fn elements(line: &Line) -> Vec<(LineId, bool)> {
 }
 
 /// Elements that occur more than once, and for each other element the only line that contains it.
-struct Repeated {
-    elements: HashMap<Element, usize>,
-    only: HashMap<Element, usize>,
+struct Recurring {
+    elements: HashMap<LineMember, usize>,
+    only: HashMap<LineMember, usize>,
 }
 
-impl Repeated {
+impl Recurring {
     fn of(lines: &[Line]) -> Self {
         let mut repeated = Self {
             elements: HashMap::default(),
@@ -61,12 +61,12 @@ impl Repeated {
         repeated
     }
 
-    fn contain(&self, element: Element) -> bool {
+    fn contain(&self, element: LineMember) -> bool {
         self.elements.contains_key(&element)
     }
 
     /// Records that an element now occurs more than once. If this is new, the line that contained it is returned.
-    fn add(&mut self, element: Element) -> Option<usize> {
+    fn add(&mut self, element: LineMember) -> Option<usize> {
         let is_new = self.elements.insert(element, 0).is_none();
         is_new.then(|| self.only.get(&element).copied()).flatten()
     }
@@ -76,7 +76,7 @@ impl Repeated {
 type Elements = Vec<(LineId, Multiplicity)>;
 
 /// The elements of a line that occur more than once.
-fn repeated_elements(line: &Line, repeated: &Repeated) -> Elements {
+fn repeated_elements(line: &Line, repeated: &Recurring) -> Elements {
     let is_sum = matches!(line, Line::Sum(_));
     let mut counts: BTreeMap<LineId, Multiplicity> = BTreeMap::new();
     for (id, negative) in elements(line) {
@@ -145,7 +145,7 @@ struct Occurrences {
 
 impl Occurrences {
     /// Records the new state of a line.
-    fn update(&mut self, index: usize, line: &Line, repeated: &Repeated) {
+    fn update(&mut self, index: usize, line: &Line, repeated: &Recurring) {
         if self.elements.len() <= index {
             self.elements.resize_with(index + 1, Elements::new);
         }
@@ -199,7 +199,7 @@ pub(super) fn share(lines: &mut Lines) {
         return;
     }
     let mut occurrences = Occurrences::default();
-    let mut repeated = Repeated::of(&lines.list);
+    let mut repeated = Recurring::of(&lines.list);
     let mut changed: BTreeSet<usize> = (0..lines.list.len()).collect();
     while !changed.is_empty() {
         for index in mem::take(&mut changed) {

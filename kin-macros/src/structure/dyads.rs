@@ -7,7 +7,7 @@ use crate::algebra::{Graph, Node, Symbol};
 pub(crate) struct Dyad {
     /// The unknowns that the dyad determines, ascending.
     pub(crate) unknowns: Vec<usize>,
-    pub(crate) kind: Kind,
+    pub(crate) kind: DyadKind,
     /// The sine of the angle, times a positive factor. Its sign has no meaning.
     pub(crate) across: Node,
     /// The angle's cosine times the same factor.
@@ -16,12 +16,12 @@ pub(crate) struct Dyad {
 
 /// The joints of a dyad.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Kind {
+pub(crate) enum DyadKind {
     TwoLinks,
     LinkAndSlider,
 }
 
-impl Kind {
+impl DyadKind {
     /// The name of the dyad in documentation.
     pub(crate) fn description(self) -> &'static str {
         match self {
@@ -51,7 +51,7 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
                 let along = graph.negate(product.re);
                 dyads.push(Dyad {
                     unknowns: part.unknowns.clone(),
-                    kind: Kind::TwoLinks,
+                    kind: DyadKind::TwoLinks,
                     across: product.im,
                     along,
                 });
@@ -63,7 +63,7 @@ pub(crate) fn dyads(graph: &mut Graph, residuals: &[Node], blocks: &[Block]) -> 
                 let along = graph.negate(product.im);
                 dyads.push(Dyad {
                     unknowns: part.unknowns.clone(),
-                    kind: Kind::LinkAndSlider,
+                    kind: DyadKind::LinkAndSlider,
                     across: product.re,
                     along,
                 });
@@ -98,7 +98,7 @@ impl AxisSlider {
         unknowns.sort_unstable();
         Dyad {
             unknowns,
-            kind: Kind::LinkAndSlider,
+            kind: DyadKind::LinkAndSlider,
             across: graph.multiply(self.slope, coefficient),
             // x comes before y
             along: if self.is_along_first {

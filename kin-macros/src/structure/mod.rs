@@ -22,7 +22,7 @@ pub(crate) use closed_form::ClosedForm;
 pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use form::{BlockKind, block_forms};
-pub(crate) use polynomials::{PolynomialSystem, Variable};
+pub(crate) use polynomials::{PolynomialSystem, PolynomialVariable};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
 

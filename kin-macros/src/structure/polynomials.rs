@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::ClosedForm;
 use super::tear::Whole;
-use crate::algebra::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Polynomial, Symbol, Variables};
+use crate::algebra::{Angle, Expansion, Graph, Harmonic, Monomial, Node, Symbol, TrigonometricPolynomial, Variables};
 
 /// The largest number of paths that are followed.
 const LARGEST: usize = 1024;
@@ -15,7 +15,7 @@ const LARGEST: usize = 1024;
 /// Polynomial equations for the unknowns of a block.
 pub(crate) struct PolynomialSystem {
     /// The meaning of the variables.
-    pub(crate) variables: Vec<Variable>,
+    pub(crate) variables: Vec<PolynomialVariable>,
     /// The terms, equation by equation.
     pub(crate) terms: Vec<PolynomialTerm>,
     /// Their coefficients, free of the block's unknowns.
@@ -28,7 +28,7 @@ pub(crate) struct PolynomialSystem {
 
 /// The meaning of one variable, or of two.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Variable {
+pub(crate) enum PolynomialVariable {
     /// Cosine and sine of an unknown angle: two variables.
     Turning(usize),
     /// An unknown itself.
@@ -48,7 +48,7 @@ type Powers = BTreeMap<usize, u32>;
 /// The system of a block, if the block is algebraic and not too large.
 pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem> {
     let unknowns = whole.unknowns.clone();
-    let polynomials: Vec<Polynomial> = whole
+    let polynomials: Vec<TrigonometricPolynomial> = whole
         .equations
         .iter()
         .map(|&equation| Expansion::new(graph, Variables::Unknowns(&unknowns)).equation(equation))
@@ -80,10 +80,10 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
     for &unknown in &unknowns {
         places.insert(unknown, count);
         if turning.contains(&unknown) {
-            variables.push(Variable::Turning(unknown));
+            variables.push(PolynomialVariable::Turning(unknown));
             count += 2;
         } else {
-            variables.push(Variable::Plain(unknown));
+            variables.push(PolynomialVariable::Plain(unknown));
             count += 1;
         }
     }
@@ -124,7 +124,7 @@ pub(super) fn system(graph: &mut Graph, whole: Whole) -> Option<PolynomialSystem
 
 /// The degree of an equation in the variables. Terms with different harmonics are independent, so no term of the
 /// highest degree cancels.
-fn degree(polynomial: &Polynomial) -> usize {
+fn degree(polynomial: &TrigonometricPolynomial) -> usize {
     let of_monomial = |monomial: &Monomial| -> usize {
         let powers: usize = monomial
             .powers
@@ -150,7 +150,7 @@ impl PolynomialSystem {
         &mut self,
         graph: &mut Graph,
         equation: usize,
-        polynomial: &Polynomial,
+        polynomial: &TrigonometricPolynomial,
         places: &BTreeMap<usize, usize>,
     ) {
         // collect like terms from different harmonics, such as those of a double angle
@@ -211,13 +211,13 @@ fn expanded(graph: &Graph, monomial: &Monomial, places: &BTreeMap<usize, usize>)
 }
 
 /// A polynomial with numeric coefficients.
-type Numeric = BTreeMap<Powers, f64>;
+type NumericPolynomial = BTreeMap<Powers, f64>;
 
 /// cos and sin of an integer combination of angles, as polynomials in the cosines and sines of these angles: the parts
 /// of Π (c + i s)ⁿ, with the conjugate for negative n.
-fn turned(angle: &Angle, places: &BTreeMap<usize, usize>) -> (Numeric, Numeric) {
-    let mut cosine = Numeric::from([(Powers::new(), 1.0)]);
-    let mut sine = Numeric::new();
+fn turned(angle: &Angle, places: &BTreeMap<usize, usize>) -> (NumericPolynomial, NumericPolynomial) {
+    let mut cosine = NumericPolynomial::from([(Powers::new(), 1.0)]);
+    let mut sine = NumericPolynomial::new();
     for &(symbol, multiple) in &angle.0 {
         let Symbol::Unknown(unknown) = symbol else {
             continue;
@@ -237,7 +237,7 @@ fn turned(angle: &Angle, places: &BTreeMap<usize, usize>) -> (Numeric, Numeric) 
 }
 
 /// A polynomial times a variable and a number.
-fn times(polynomial: &Numeric, place: usize, factor: f64) -> Numeric {
+fn times(polynomial: &NumericPolynomial, place: usize, factor: f64) -> NumericPolynomial {
     polynomial
         .iter()
         .map(|(powers, value)| {
@@ -248,7 +248,7 @@ fn times(polynomial: &Numeric, place: usize, factor: f64) -> Numeric {
         .collect()
 }
 
-fn sum(left: &Numeric, right: &Numeric) -> Numeric {
+fn sum(left: &NumericPolynomial, right: &NumericPolynomial) -> NumericPolynomial {
     let mut sum = left.clone();
     for (powers, value) in right {
         *sum.entry(powers.clone()).or_insert(0.0) += value;
@@ -261,7 +261,7 @@ fn sum(left: &Numeric, right: &Numeric) -> Numeric {
 mod tests {
     use std::collections::BTreeMap;
 
-    use super::{Numeric, Variable, system, turned};
+    use super::{NumericPolynomial, PolynomialVariable, system, turned};
     use crate::algebra::{Angle, Graph, Symbol};
     use crate::structure::tear::Whole;
 
@@ -271,7 +271,7 @@ mod tests {
         let angles = [0.7_f64, -2.1];
         let places = BTreeMap::from([(4, 0), (6, 2)]);
         let variables = [angles[0].cos(), angles[0].sin(), angles[1].cos(), angles[1].sin()];
-        let value = |polynomial: &Numeric| -> f64 {
+        let value = |polynomial: &NumericPolynomial| -> f64 {
             let term = |powers: &BTreeMap<usize, u32>| -> f64 {
                 powers
                     .iter()
@@ -332,7 +332,11 @@ mod tests {
         .expect("it is algebraic");
         assert_eq!(
             system.variables,
-            [Variable::Plain(0), Variable::Turning(1), Variable::Plain(2)]
+            [
+                PolynomialVariable::Plain(0),
+                PolynomialVariable::Turning(1),
+                PolynomialVariable::Plain(2)
+            ]
         );
         // of degrees 2, 3, 2, and a circle of degree 2
         assert_eq!(system.paths, 24);

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Matching;
 use super::{ClosedForm, Method, Part, incidence, order, recognise, without_cancelling};
-use crate::algebra::{Expansion, Graph, Node, Polynomial, Symbol, Variables};
+use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
 
 /// The parts into which equations fall, in the order in which they are solved.
 pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
@@ -49,7 +49,7 @@ pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
 /// The parts of equations that cannot be ordered further.
 fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
     let mut is_complete = true;
-    let polynomials: Vec<Polynomial> = equations
+    let polynomials: Vec<TrigonometricPolynomial> = equations
         .iter()
         .map(|&equation| {
             let mut expansion = Expansion::new(graph, Variables::Unknowns(unknowns));
@@ -187,7 +187,12 @@ fn substituted(graph: &mut Graph, equations: &[Node], place: usize, unknown: usi
 }
 
 /// Takes out a link whose angle occurs only in the two equations of one loop.
-fn link(graph: &mut Graph, equations: &[Node], polynomials: &[Polynomial], unknowns: &[usize]) -> Option<Torn> {
+fn link(
+    graph: &mut Graph,
+    equations: &[Node],
+    polynomials: &[TrigonometricPolynomial],
+    unknowns: &[usize],
+) -> Option<Torn> {
     for &unknown in unknowns {
         let places: Vec<usize> = (0..equations.len())
             .filter(|&place| polynomials[place].contains(graph, unknown))

@@ -25,7 +25,7 @@ pub(crate) enum Dimension {
 
 /// The shape of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub(crate) enum ValueShape {
     Scalar,
     /// A vector of the plane.
     Plane,
@@ -35,7 +35,7 @@ pub(crate) enum Shape {
     Rotation,
 }
 
-impl Shape {
+impl ValueShape {
     /// The axes along which a vector has its parts. Scalars and rotations have none.
     pub(crate) fn axes(self) -> &'static [Axis] {
         match self {
@@ -85,11 +85,11 @@ impl Dimension {
     }
 
     /// The shape of a quantity of this dimension.
-    pub(crate) fn shape(self) -> Shape {
+    pub(crate) fn shape(self) -> ValueShape {
         match self {
-            Self::Length | Self::Angle | Self::Direction | Self::Scalar => Shape::Scalar,
-            Self::Point | Self::Vector => Shape::Plane,
-            Self::Point3 | Self::Vector3 => Shape::Space,
+            Self::Length | Self::Angle | Self::Direction | Self::Scalar => ValueShape::Scalar,
+            Self::Point | Self::Vector => ValueShape::Plane,
+            Self::Point3 | Self::Vector3 => ValueShape::Space,
         }
     }
 

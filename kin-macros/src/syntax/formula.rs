@@ -15,7 +15,8 @@ use crate::syntax::elsewhere::{
     about_suffix, differentiates, form_in_small_letters, instead_of_function, is_derivative, is_unit,
 };
 use crate::syntax::{
-    Axis, Callee, Formula, FormulaKind, Operand, Operator, callee, form, function_names, is_function, nesting,
+    ArithmeticOperator, Axis, Callee, FormulaKind, Operand, TypedFormula, callee, form, function_names, is_function,
+    nesting,
 };
 
 /// The largest exponent of `powi`: far larger than any mechanism needs, and small enough to multiply out.
@@ -45,7 +46,7 @@ pub(crate) enum Context {
     Point,
 }
 
-impl Formula {
+impl TypedFormula {
     /// A formula, unless it is nested too deep.
     fn new(kind: FormulaKind, extent: Extent) -> Result<Self> {
         let depth = match &kind {
@@ -98,7 +99,7 @@ impl Formula {
 }
 
 /// Reads a formula up to the end of its context.
-pub(crate) fn parse(input: ParseStream<'_>, place: Context) -> Result<Formula> {
+pub(crate) fn parse(input: ParseStream<'_>, place: Context) -> Result<TypedFormula> {
     let formula = sum(input)?;
     let ended = input.is_empty()
         || match place {
@@ -111,18 +112,18 @@ pub(crate) fn parse(input: ParseStream<'_>, place: Context) -> Result<Formula> {
     if ended { Ok(formula) } else { Err(stray(input, place)) }
 }
 
-fn deepest<'a>(formulas: impl IntoIterator<Item = &'a Formula>) -> usize {
+fn deepest<'a>(formulas: impl IntoIterator<Item = &'a TypedFormula>) -> usize {
     formulas.into_iter().map(|formula| formula.depth).max().unwrap_or(0)
 }
 
-fn sum(input: ParseStream<'_>) -> Result<Formula> {
+fn sum(input: ParseStream<'_>) -> Result<TypedFormula> {
     let first = product(input)?;
     let mut rest = Vec::new();
     loop {
         let operator = if input.peek(Token![+]) && !input.peek(Token![+=]) {
-            Operator::Add
+            ArithmeticOperator::Add
         } else if input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
-            Operator::Subtract
+            ArithmeticOperator::Subtract
         } else {
             return chain(first, rest, |first, rest| FormulaKind::Sum { first, rest });
         };
@@ -130,18 +131,18 @@ fn sum(input: ParseStream<'_>) -> Result<Formula> {
     }
 }
 
-fn product(input: ParseStream<'_>) -> Result<Formula> {
+fn product(input: ParseStream<'_>) -> Result<TypedFormula> {
     let first = unary(input)?;
     let mut rest = Vec::new();
     loop {
         let operator = if input.peek(Token![*]) && !input.peek(Token![*=]) {
-            Operator::Multiply
+            ArithmeticOperator::Multiply
         } else if input.peek(Token![/]) && !input.peek(Token![/=]) {
-            Operator::Divide
+            ArithmeticOperator::Divide
         } else {
             return chain(first, rest, |first, rest| FormulaKind::Product { first, rest });
         };
-        if operator == Operator::Multiply && input.peek2(Token![*]) {
+        if operator == ArithmeticOperator::Multiply && input.peek2(Token![*]) {
             return Err(input.error("there is no operator `**`: write `powi(x, 2)` for a power"));
         }
         rest.push(operation(input, operator, unary)?);
@@ -151,8 +152,8 @@ fn product(input: ParseStream<'_>) -> Result<Formula> {
 /// Reads an operator and the operand after it.
 fn operation(
     input: ParseStream<'_>,
-    operator: Operator,
-    operand: fn(ParseStream<'_>) -> Result<Formula>,
+    operator: ArithmeticOperator,
+    operand: fn(ParseStream<'_>) -> Result<TypedFormula>,
 ) -> Result<Operand> {
     let span = input.parse::<TokenTree>()?.span();
     expect_operand(input, span, operator.symbol())?;
@@ -165,16 +166,20 @@ fn operation(
 }
 
 /// A sum or a product. A single operand is returned as it is.
-fn chain(first: Formula, rest: Vec<Operand>, kind: fn(Box<Formula>, Vec<Operand>) -> FormulaKind) -> Result<Formula> {
+fn chain(
+    first: TypedFormula,
+    rest: Vec<Operand>,
+    kind: fn(Box<TypedFormula>, Vec<Operand>) -> FormulaKind,
+) -> Result<TypedFormula> {
     let Some(last) = rest.last() else {
         return Ok(first);
     };
     let extent = first.extent.to(last.formula.extent);
-    Formula::new(kind(Box::new(first), rest), extent)
+    TypedFormula::new(kind(Box::new(first), rest), extent)
 }
 
 /// Reads any number of signs and their operand.
-fn unary(input: ParseStream<'_>) -> Result<Formula> {
+fn unary(input: ParseStream<'_>) -> Result<TypedFormula> {
     let mut signs = Vec::new();
     while input.peek(Token![-]) && !input.peek(Token![-=]) && !input.peek(Token![->]) {
         let span = input.parse::<Token![-]>()?.span;
@@ -184,7 +189,7 @@ fn unary(input: ParseStream<'_>) -> Result<Formula> {
     let operand = postfix(input)?;
     signs.into_iter().rev().try_fold(operand, |of, span| {
         let extent = Extent::at(span).to(of.extent);
-        Formula::new(FormulaKind::Negate(Box::new(of)), extent)
+        TypedFormula::new(FormulaKind::Negate(Box::new(of)), extent)
     })
 }
 
@@ -201,7 +206,7 @@ fn expect_operand(input: ParseStream<'_>, span: Span, symbol: &str) -> Result<()
 }
 
 /// Reads an operand with the methods and parts after it.
-fn postfix(input: ParseStream<'_>) -> Result<Formula> {
+fn postfix(input: ParseStream<'_>) -> Result<TypedFormula> {
     let mut of = operand(input)?;
     loop {
         if input.peek(Token![.]) && !input.peek(Token![..]) {
@@ -220,7 +225,7 @@ fn postfix(input: ParseStream<'_>) -> Result<Formula> {
 }
 
 /// Reads the method or part after a `.`.
-fn member(input: ParseStream<'_>, dot: Span, of: Formula) -> Result<Formula> {
+fn member(input: ParseStream<'_>, dot: Span, of: TypedFormula) -> Result<TypedFormula> {
     if !input.peek(Ident::peek_any) {
         let at = if input.is_empty() { dot } else { input.span() };
         return Err(syn::Error::new(
@@ -281,10 +286,10 @@ fn member(input: ParseStream<'_>, dot: Span, of: Formula) -> Result<Formula> {
         }
     };
     let extent = of.extent.to(Extent::at(member.span()));
-    Formula::new(FormulaKind::Part { of: Box::new(of), axis }, extent)
+    TypedFormula::new(FormulaKind::Part { of: Box::new(of), axis }, extent)
 }
 
-fn operand(input: ParseStream<'_>) -> Result<Formula> {
+fn operand(input: ParseStream<'_>) -> Result<TypedFormula> {
     if input.peek(token::Paren) {
         return parenthesis(input);
     }
@@ -330,7 +335,7 @@ fn no_operand(input: ParseStream<'_>) -> &'static str {
     }
 }
 
-fn parenthesis(input: ParseStream<'_>) -> Result<Formula> {
+fn parenthesis(input: ParseStream<'_>) -> Result<TypedFormula> {
     let content;
     let parentheses = parenthesized!(content in input);
     let extent = Extent {
@@ -344,10 +349,10 @@ fn parenthesis(input: ParseStream<'_>) -> Result<Formula> {
         ));
     }
     let inner = parse(&content, Context::Parenthesis)?;
-    Formula::new(FormulaKind::Parenthesis(Box::new(inner)), extent)
+    TypedFormula::new(FormulaKind::Parenthesis(Box::new(inner)), extent)
 }
 
-fn literal(input: ParseStream<'_>) -> Result<Formula> {
+fn literal(input: ParseStream<'_>) -> Result<TypedFormula> {
     let literal: Lit = input.parse()?;
     let span = literal.span();
     let (digits, suffix) = match &literal {
@@ -396,7 +401,7 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
             } else {
                 FormulaKind::Number { value, text }
             };
-            Formula::new(kind, Extent::at(span))
+            TypedFormula::new(kind, Extent::at(span))
         }
         Some(misfit) => Err(syn::Error::new(
             span,
@@ -406,7 +411,7 @@ fn literal(input: ParseStream<'_>) -> Result<Formula> {
 }
 
 /// Reads a name, a call, or a word that has a meaning in Rust but not here.
-fn word(input: ParseStream<'_>) -> Result<Formula> {
+fn word(input: ParseStream<'_>) -> Result<TypedFormula> {
     let word = Ident::parse_any(input)?;
     let text = word.to_string();
     let at = |message: String| Err(syn::Error::new(word.span(), message));
@@ -448,7 +453,7 @@ fn word(input: ParseStream<'_>) -> Result<Formula> {
     } else {
         FormulaKind::Name(word.clone())
     };
-    Formula::new(kind, Extent::at(word.span()))
+    TypedFormula::new(kind, Extent::at(word.span()))
 }
 
 /// The replacement for a construct of Rust. Keywords that could be names are looked up as names, and so are functions
@@ -536,7 +541,7 @@ fn about_derivative(word: &str) -> String {
 }
 
 /// Reads `( … )` and returns the place of the closing parenthesis.
-fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Formula>) -> Result<Span> {
+fn arguments(input: ParseStream<'_>, arguments: &mut Vec<TypedFormula>) -> Result<Span> {
     let content;
     let parentheses = parenthesized!(content in input);
     while !content.is_empty() {
@@ -551,7 +556,7 @@ fn arguments(input: ParseStream<'_>, arguments: &mut Vec<Formula>) -> Result<Spa
     Ok(parentheses.span.close())
 }
 
-fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Result<Formula> {
+fn call(name: &Ident, arguments: Vec<TypedFormula>, method: bool, close: Span) -> Result<TypedFormula> {
     let word = name.to_string();
     let callee = match word.as_str() {
         callee::POWER => None,
@@ -569,7 +574,7 @@ fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Res
         if let ([receiver, rest @ ..], true) = (arguments.as_slice(), method && arguments.len() == arity + 1)
             && let FormulaKind::Name(before) = &receiver.kind
         {
-            let rest: Vec<String> = rest.iter().map(Formula::to_string).collect();
+            let rest: Vec<String> = rest.iter().map(TypedFormula::to_string).collect();
             let alone = format!("{word}({})", rest.join(", "));
             return Err(syn::Error::new_spanned(
                 Extent::at(name.span()).to(Extent::at(close)),
@@ -619,12 +624,12 @@ fn call(name: &Ident, arguments: Vec<Formula>, method: bool, close: Span) -> Res
             method,
         },
     };
-    Formula::new(kind, extent)
+    TypedFormula::new(kind, extent)
 }
 
 /// The exponent of `powi`. It must be an integer literal, because the form of the formula depends on it.
-fn exponent(argument: &Formula) -> Result<i32> {
-    fn literal(formula: &Formula, text: &mut String) -> bool {
+fn exponent(argument: &TypedFormula) -> Result<i32> {
+    fn literal(formula: &TypedFormula, text: &mut String) -> bool {
         match &formula.kind {
             FormulaKind::Number { text: digits, .. } => {
                 text.push_str(digits);

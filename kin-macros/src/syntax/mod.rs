@@ -27,7 +27,7 @@ use crate::algebra::Function;
 use crate::mistakes::{Extent, Mistakes};
 
 pub(crate) use callee::{form, function_names, is_function};
-pub(crate) use dimension::{Dimension, Shape};
+pub(crate) use dimension::{Dimension, ValueShape};
 pub(crate) use elsewhere::instead_of_request;
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
@@ -85,19 +85,19 @@ pub(crate) enum Statement {
 /// `body rod: pin, piston`
 pub(crate) struct BodyStatement {
     pub(crate) name: Ident,
-    pub(crate) points: Vec<Formula>,
+    pub(crate) points: Vec<TypedFormula>,
 }
 
 /// `ground 0, pivot`
 pub(crate) struct GroundStatement {
     pub(crate) word: Span,
-    pub(crate) points: Vec<Formula>,
+    pub(crate) points: Vec<TypedFormula>,
 }
 
 /// `slide piston along vec2(1, 0)`, and `on lever` if a body carries the line
 pub(crate) struct SlideStatement {
-    pub(crate) point: Formula,
-    pub(crate) direction: Formula,
+    pub(crate) point: TypedFormula,
+    pub(crate) direction: TypedFormula,
     pub(crate) guide: Option<Ident>,
 }
 
@@ -124,15 +124,19 @@ pub(crate) enum RangeKind {
     /// `where e > 0`
     Comparison {
         name: Ident,
-        comparison: Comparison,
-        bound: Formula,
+        comparison: Relation,
+        bound: TypedFormula,
     },
     /// `in 0..=PI`
-    Between { low: Formula, high: Formula, closed: bool },
+    Between {
+        low: TypedFormula,
+        high: TypedFormula,
+        closed: bool,
+    },
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Comparison {
+pub(crate) enum Relation {
     Less,
     LessOrEqual,
     Greater,
@@ -142,13 +146,13 @@ pub(crate) enum Comparison {
 /// `let half = r3 / 2`
 pub(crate) struct LetStatement {
     pub(crate) name: Ident,
-    pub(crate) value: Formula,
+    pub(crate) value: TypedFormula,
 }
 
 /// `left == right`
 pub(crate) struct EquationStatement {
-    pub(crate) left: Formula,
-    pub(crate) right: Formula,
+    pub(crate) left: TypedFormula,
+    pub(crate) right: TypedFormula,
     /// The place of the `==`.
     pub(crate) operator: Extent,
     pub(crate) tokens: TokenStream,
@@ -159,7 +163,7 @@ pub(crate) struct OutputStatement {
     pub(crate) documentation: Vec<Attribute>,
     pub(crate) name: Ident,
     pub(crate) dimension: Dimension,
-    pub(crate) value: Formula,
+    pub(crate) value: TypedFormula,
 }
 
 /// `order = 6`
@@ -170,7 +174,7 @@ pub(crate) struct OrderStatement {
 
 /// A formula with its place in the source.
 #[derive(Clone)]
-pub(crate) struct Formula {
+pub(crate) struct TypedFormula {
     pub(crate) kind: FormulaKind,
     pub(crate) extent: Extent,
     /// The depth of nested formulas below this one.
@@ -191,48 +195,48 @@ pub(crate) enum FormulaKind {
     },
     Pi,
     Name(Ident),
-    Negate(Box<Formula>),
+    Negate(Box<TypedFormula>),
     /// Any number of operands between `+` and `-`. So a long sum is not a deep one.
     Sum {
-        first: Box<Formula>,
+        first: Box<TypedFormula>,
         rest: Vec<Operand>,
     },
     /// Any number of operands between `*` and `/`.
     Product {
-        first: Box<Formula>,
+        first: Box<TypedFormula>,
         rest: Vec<Operand>,
     },
     Call {
         callee: Callee,
-        arguments: Vec<Formula>,
+        arguments: Vec<TypedFormula>,
         /// Whether it was typed `x.f()` and not `f(x)`.
         method: bool,
     },
     /// `powi(x, 2)`. The exponent is part of the form, not a value in the formula.
     Power {
-        base: Box<Formula>,
+        base: Box<TypedFormula>,
         exponent: i32,
         method: bool,
     },
     /// `p.x`, `p.y` or `p.z`
     Part {
-        of: Box<Formula>,
+        of: Box<TypedFormula>,
         axis: Axis,
     },
-    Parenthesis(Box<Formula>),
+    Parenthesis(Box<TypedFormula>),
 }
 
 /// An operator with the operand behind it.
 #[derive(Clone)]
 pub(crate) struct Operand {
-    pub(crate) operator: Operator,
+    pub(crate) operator: ArithmeticOperator,
     /// The place of the operator.
     pub(crate) span: Span,
-    pub(crate) formula: Formula,
+    pub(crate) formula: TypedFormula,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Operator {
+pub(crate) enum ArithmeticOperator {
     Add,
     Subtract,
     Multiply,
@@ -412,13 +416,13 @@ mod tests {
         }
     }
 
-    fn list(points: &[Formula]) -> String {
-        let points: Vec<String> = points.iter().map(Formula::to_string).collect();
+    fn list(points: &[TypedFormula]) -> String {
+        let points: Vec<String> = points.iter().map(TypedFormula::to_string).collect();
         points.join(", ")
     }
 
     /// The formula with parentheses around every operation.
-    fn grouping(formula: &Formula) -> String {
+    fn grouping(formula: &TypedFormula) -> String {
         match &formula.kind {
             FormulaKind::Negate(of) => format!("(-{})", grouping(of)),
             FormulaKind::Sum { first, rest } | FormulaKind::Product { first, rest } => {

@@ -6,7 +6,7 @@ use syn::parse::{ParseStream, Result};
 use syn::{Token, token};
 
 use crate::syntax::formula::{self, Context};
-use crate::syntax::{BodyStatement, Formula, GroundStatement, SlideStatement, head};
+use crate::syntax::{BodyStatement, GroundStatement, SlideStatement, TypedFormula, head};
 
 /// The words that begin such statements. They are no reserved words: quantities may be called so as well.
 pub(super) const BODY: &str = "body";
@@ -116,7 +116,7 @@ fn expect_word(input: ParseStream<'_>, word: &str, start: Span) -> Result<()> {
 }
 
 /// Points between commas.
-fn points(input: ParseStream<'_>, before: Span, form: &str) -> Result<Vec<Formula>> {
+fn points(input: ParseStream<'_>, before: Span, form: &str) -> Result<Vec<TypedFormula>> {
     let mut points = Vec::new();
     if input.peek(Token![:]) {
         return Err(input.error(format!("no colon stands before these points: {form}")));

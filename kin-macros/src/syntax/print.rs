@@ -2,9 +2,11 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use crate::syntax::{Axis, Comparison, EquationStatement, Formula, FormulaKind, Operator, RangeClause, RangeKind};
+use crate::syntax::{
+    ArithmeticOperator, Axis, EquationStatement, FormulaKind, RangeClause, RangeKind, Relation, TypedFormula,
+};
 
-impl Operator {
+impl ArithmeticOperator {
     pub(crate) fn symbol(self) -> &'static str {
         match self {
             Self::Add => "+",
@@ -15,7 +17,7 @@ impl Operator {
     }
 }
 
-impl Comparison {
+impl Relation {
     fn symbol(self) -> &'static str {
         match self {
             Self::Less => "<",
@@ -47,7 +49,7 @@ impl Display for Axis {
     }
 }
 
-impl Display for Formula {
+impl Display for TypedFormula {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match &self.kind {
             FormulaKind::Number { text, .. } | FormulaKind::Degrees { text, .. } => f.write_str(text),
@@ -73,8 +75,14 @@ impl Display for Formula {
     }
 }
 
-fn call(f: &mut Formatter<'_>, name: &str, arguments: &[Formula], method: bool, exponent: Option<i32>) -> fmt::Result {
-    let mut inside: Vec<String> = arguments.iter().map(Formula::to_string).collect();
+fn call(
+    f: &mut Formatter<'_>,
+    name: &str,
+    arguments: &[TypedFormula],
+    method: bool,
+    exponent: Option<i32>,
+) -> fmt::Result {
+    let mut inside: Vec<String> = arguments.iter().map(TypedFormula::to_string).collect();
     inside.extend(exponent.map(|n| n.to_string()));
     if method && !inside.is_empty() {
         let receiver = inside.remove(0);

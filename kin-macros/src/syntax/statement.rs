@@ -10,8 +10,8 @@ use crate::syntax::elsewhere::{instead_of_statement, is_link};
 use crate::syntax::formula::{self, Context};
 use crate::syntax::name::{self, STATEMENT_WORDS};
 use crate::syntax::{
-    Comparison, Dimension, EquationStatement, FormulaKind, LetStatement, OutputStatement, QuantityItem, RangeClause,
-    RangeKind, Request, Statement, UnknownItem, head, order, picture, request,
+    Dimension, EquationStatement, FormulaKind, LetStatement, OutputStatement, QuantityItem, RangeClause, RangeKind,
+    Relation, Request, Statement, UnknownItem, head, order, picture, request,
 };
 
 /// Reads a statement without its `;`. An empty statement is not a mistake.
@@ -299,16 +299,16 @@ fn comparison(input: ParseStream<'_>, unknown: &Ident, start: Span) -> Result<Ra
     }
     let comparison = if input.peek(Token![<=]) {
         input.parse::<Token![<=]>()?;
-        Comparison::LessOrEqual
+        Relation::LessOrEqual
     } else if input.peek(Token![>=]) {
         input.parse::<Token![>=]>()?;
-        Comparison::GreaterOrEqual
+        Relation::GreaterOrEqual
     } else if input.peek(Token![<]) {
         input.parse::<Token![<]>()?;
-        Comparison::Less
+        Relation::Less
     } else if input.peek(Token![>]) {
         input.parse::<Token![>]>()?;
-        Comparison::Greater
+        Relation::Greater
     } else {
         let message = format!("a range needs `<`, `<=`, `>` or `>=`: write `where {unknown} > 0`");
         return Err(if input.is_empty() {
@@ -417,7 +417,7 @@ fn output(input: ParseStream<'_>, documentation: Vec<Attribute>, start: Span) ->
 }
 
 /// Reads `= formula` up to the end.
-fn definition(input: ParseStream<'_>, name: &Ident, form: &str) -> Result<crate::syntax::Formula> {
+fn definition(input: ParseStream<'_>, name: &Ident, form: &str) -> Result<crate::syntax::TypedFormula> {
     if input.is_empty() {
         return Err(syn::Error::new(
             name.span(),

@@ -5,8 +5,8 @@ use quote::{format_ident, quote_spanned};
 
 use super::formula::Translation;
 use super::names::{bindings, names, pattern, used_names};
-use crate::model::{Model, Shape};
-use crate::syntax::{Declaration, EquationStatement, Operator, Statement};
+use crate::model::{Model, ValueShape};
+use crate::syntax::{ArithmeticOperator, Declaration, EquationStatement, Statement};
 
 /// The method `closure`.
 pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenStream) -> TokenStream {
@@ -38,7 +38,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
     for (number, equation) in equations.iter().enumerate() {
         let left = translation.formula(&equation.left);
         let right = translation.formula(&equation.right);
-        let residual = translation.sum(Operator::Subtract, left, right);
+        let residual = translation.sum(ArithmeticOperator::Subtract, left, right);
         let index = residuals.len();
         let tokens = residual.tokens;
         let axes = residual.shape.axes();
@@ -54,7 +54,7 @@ pub(crate) fn tokens(declaration: &Declaration, model: &Model, runtime: &TokenSt
             residuals.push(quote_spanned!(site=> #local.#part));
         }
         lines.push(match residual.shape {
-            Shape::Space => format!(
+            ValueShape::Space => format!(
                 "- `[{index}]`, `[{}]` and `[{}]`: x, y and z of `{equation}`",
                 index + 1,
                 index + 2

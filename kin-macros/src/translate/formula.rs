@@ -7,9 +7,9 @@ use quote::{quote, quote_spanned};
 
 use super::vector_type;
 use crate::algebra::{Calculation, Function};
-use crate::model::Shape;
+use crate::model::ValueShape;
 use crate::precedence::Precedence;
-use crate::syntax::{Callee, Formula, FormulaKind, Operand, Operator};
+use crate::syntax::{ArithmeticOperator, Callee, FormulaKind, Operand, TypedFormula};
 
 /// The number of operands in a row after which the result gets a name. Each operand nests the formula one level deeper.
 const LONGEST: usize = 256;
@@ -17,7 +17,7 @@ const LONGEST: usize = 256;
 /// A formula in Rust.
 #[derive(Clone)]
 pub(super) struct Translated {
-    pub(super) shape: Shape,
+    pub(super) shape: ValueShape,
     pub(super) precedence: Precedence,
     pub(super) tokens: TokenStream,
     /// The angle of a unit vector that was typed as `cis(angle)`.
@@ -25,7 +25,7 @@ pub(super) struct Translated {
 }
 
 impl Translated {
-    pub(super) fn new(shape: Shape, tokens: TokenStream) -> Self {
+    pub(super) fn new(shape: ValueShape, tokens: TokenStream) -> Self {
         Self {
             shape,
             precedence: Precedence::Atom,
@@ -35,11 +35,11 @@ impl Translated {
     }
 
     pub(super) fn scalar(tokens: TokenStream) -> Self {
-        Self::new(Shape::Scalar, tokens)
+        Self::new(ValueShape::Scalar, tokens)
     }
 
     fn plane(tokens: TokenStream) -> Self {
-        Self::new(Shape::Plane, tokens)
+        Self::new(ValueShape::Plane, tokens)
     }
 
     /// The formula, in parentheses if its operator binds less tightly than its place requires.
@@ -59,7 +59,7 @@ pub(super) struct Translation<'a> {
 }
 
 impl Translation<'_> {
-    pub(super) fn formula(&self, formula: &Formula) -> Translated {
+    pub(super) fn formula(&self, formula: &TypedFormula) -> Translated {
         let site = Span::mixed_site();
         match &formula.kind {
             FormulaKind::Number { value, .. } => Translated::scalar(constant(*value)),
@@ -102,9 +102,9 @@ impl Translation<'_> {
                     }
                     let right = self.formula(operand);
                     result = match operator {
-                        Operator::Add | Operator::Subtract => self.sum(*operator, result, right),
-                        Operator::Multiply => self.product(result, right),
-                        Operator::Divide => self.quotient(result, right),
+                        ArithmeticOperator::Add | ArithmeticOperator::Subtract => self.sum(*operator, result, right),
+                        ArithmeticOperator::Multiply => self.product(result, right),
+                        ArithmeticOperator::Divide => self.quotient(result, right),
                     };
                 }
                 if before.is_empty() {
@@ -128,8 +128,8 @@ impl Translation<'_> {
     }
 
     /// The formula as a vector; a scalar lies along x.
-    pub(super) fn lifted(&self, of: Translated, shape: Shape) -> Translated {
-        if of.shape != Shape::Scalar {
+    pub(super) fn lifted(&self, of: Translated, shape: ValueShape) -> Translated {
+        if of.shape != ValueShape::Scalar {
             return of;
         }
         let Some(vector) = vector_type(shape) else {
@@ -143,14 +143,14 @@ impl Translation<'_> {
         )
     }
 
-    pub(super) fn sum(&self, operator: Operator, left: Translated, right: Translated) -> Translated {
+    pub(super) fn sum(&self, operator: ArithmeticOperator, left: Translated, right: Translated) -> Translated {
         let (left_shape, right_shape) = (left.shape, right.shape);
         let (left, right) = (self.lifted(left, right_shape), self.lifted(right, left_shape));
         let shape = left.shape;
         let (mut tokens, right) = (left.within(Precedence::Sum), right.within(Precedence::Product));
         let site = Span::mixed_site();
         // the left side is not copied, because it may be long
-        tokens.extend(if operator == Operator::Subtract {
+        tokens.extend(if operator == ArithmeticOperator::Subtract {
             quote_spanned!(site=> - #right)
         } else {
             quote_spanned!(site=> + #right)
@@ -167,23 +167,23 @@ impl Translation<'_> {
         let runtime = self.runtime;
         let site = Span::mixed_site();
         let shapes = (left.shape, right.shape);
-        if shapes == (Shape::Scalar, Shape::Scalar) {
+        if shapes == (ValueShape::Scalar, ValueShape::Scalar) {
             let (mut tokens, factor) = (left.within(Precedence::Product), right.within(Precedence::Sign));
             tokens.extend(quote_spanned!(site=> * #factor));
             return Translated {
-                shape: Shape::Scalar,
+                shape: ValueShape::Scalar,
                 precedence: Precedence::Product,
                 tokens,
                 angle: None,
             };
         }
-        let scaled = |shape: Shape, vector: &TokenStream, factor: &TokenStream| {
+        let scaled = |shape: ValueShape, vector: &TokenStream, factor: &TokenStream| {
             let kind = vector_type(shape);
             Translated::new(shape, quote_spanned!(site=> #runtime::#kind::scale(#vector, #factor)))
         };
         // r cis(theta) is the vector that a person draws
         match (&left, &right) {
-            (vector, length) | (length, vector) if length.shape == Shape::Scalar => {
+            (vector, length) | (length, vector) if length.shape == ValueShape::Scalar => {
                 if let Some(angle) = &vector.angle {
                     let length = &length.tokens;
                     return Translated::plane(quote_spanned!(site=> #runtime::Plane::polar(#length, #angle)));
@@ -193,13 +193,15 @@ impl Translation<'_> {
         }
         let (a, b) = (&left.tokens, &right.tokens);
         match shapes {
-            (shape, Shape::Scalar) => scaled(shape, a, b),
-            (Shape::Scalar, shape) => scaled(shape, b, a),
-            (Shape::Rotation, Shape::Rotation) => Translated::new(
-                Shape::Rotation,
+            (shape, ValueShape::Scalar) => scaled(shape, a, b),
+            (ValueShape::Scalar, shape) => scaled(shape, b, a),
+            (ValueShape::Rotation, ValueShape::Rotation) => Translated::new(
+                ValueShape::Rotation,
                 quote_spanned!(site=> #runtime::Rotation::times(#a, #b)),
             ),
-            (Shape::Rotation, shape) => Translated::new(shape, quote_spanned!(site=> #runtime::Rotation::turn(#a, #b))),
+            (ValueShape::Rotation, shape) => {
+                Translated::new(shape, quote_spanned!(site=> #runtime::Rotation::turn(#a, #b)))
+            }
             (_, _) => Translated::plane(quote_spanned!(site=> #runtime::Plane::times(#a, #b))),
         }
     }
@@ -217,27 +219,27 @@ impl Translation<'_> {
         let mut tokens = left.within(Precedence::Product);
         tokens.extend(quote_spanned!(site=> / #divisor));
         Translated {
-            shape: Shape::Scalar,
+            shape: ValueShape::Scalar,
             precedence: Precedence::Product,
             tokens,
             angle: None,
         }
     }
 
-    fn call(&self, callee: Callee, arguments: &[Formula]) -> Translated {
+    fn call(&self, callee: Callee, arguments: &[TypedFormula]) -> Translated {
         let runtime = self.runtime;
         let site = Span::mixed_site();
         let translated: Vec<Translated> = arguments.iter().map(|argument| self.formula(argument)).collect();
-        let shape = translated.first().map_or(Shape::Scalar, |first| first.shape);
+        let shape = translated.first().map_or(ValueShape::Scalar, |first| first.shape);
         let arguments: Vec<TokenStream> = translated.into_iter().map(|argument| argument.tokens).collect();
         let rotation = |function: &str| {
             let function = Ident::new(function, site);
             Translated::new(
-                Shape::Rotation,
+                ValueShape::Rotation,
                 quote_spanned!(site=> #runtime::Rotation::#function(#(#arguments),*)),
             )
         };
-        let method = |result: Shape, function: &str| {
+        let method = |result: ValueShape, function: &str| {
             let (vector, function) = (vector_type(shape), Ident::new(function, site));
             Translated::new(
                 result,
@@ -257,12 +259,12 @@ impl Translation<'_> {
             (Callee::RotY, _) => rotation("about_y"),
             (Callee::RotZ, _) => rotation("about_z"),
             (Callee::Rot, _) => rotation("about"),
-            (Callee::Dot, _) => method(Shape::Scalar, "dot"),
-            (Callee::Cross, _) if shape == Shape::Space => method(Shape::Space, "cross"),
-            (Callee::Cross, _) => method(Shape::Scalar, "cross"),
-            (Callee::Norm, _) => method(Shape::Scalar, "norm"),
+            (Callee::Dot, _) => method(ValueShape::Scalar, "dot"),
+            (Callee::Cross, _) if shape == ValueShape::Space => method(ValueShape::Space, "cross"),
+            (Callee::Cross, _) => method(ValueShape::Scalar, "cross"),
+            (Callee::Norm, _) => method(ValueShape::Scalar, "norm"),
             (Callee::Vec3, arguments) => Translated::new(
-                Shape::Space,
+                ValueShape::Space,
                 quote_spanned!(site=> #runtime::Space::new(#(#arguments),*)),
             ),
             (_, arguments) => Translated::plane(quote_spanned!(site=> #runtime::Plane::new(#(#arguments),*))),

@@ -11,14 +11,14 @@ pub(crate) mod skeleton;
 
 use proc_macro2::{Ident, Span};
 
-use crate::model::Shape;
+use crate::model::ValueShape;
 
 /// The vector type of a shape; `None` for a scalar or a rotation.
-pub(crate) fn vector_type(shape: Shape) -> Option<Ident> {
+pub(crate) fn vector_type(shape: ValueShape) -> Option<Ident> {
     let name = match shape {
-        Shape::Plane => "Plane",
-        Shape::Space => "Space",
-        Shape::Scalar | Shape::Rotation => return None,
+        ValueShape::Plane => "Plane",
+        ValueShape::Space => "Space",
+        ValueShape::Scalar | ValueShape::Rotation => return None,
     };
     Some(Ident::new(name, Span::mixed_site()))
 }

@@ -7,7 +7,7 @@ use quote::{quote, quote_spanned};
 
 use super::formula::{Translated, Translation};
 use crate::model::Model;
-use crate::syntax::{Declaration, Formula, Statement};
+use crate::syntax::{Declaration, Statement, TypedFormula};
 
 /// Binds the used abbreviations to local names, and adds them to the names.
 pub(super) fn bindings(
@@ -66,7 +66,7 @@ pub(super) fn names(model: &Model) -> BTreeMap<String, Translated> {
 /// The names that formulas use, directly or through abbreviations.
 pub(super) fn used_names<'a>(
     declaration: &'a Declaration,
-    formulas: impl Iterator<Item = &'a Formula>,
+    formulas: impl Iterator<Item = &'a TypedFormula>,
 ) -> BTreeSet<String> {
     let mut used = BTreeSet::new();
     for formula in formulas {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use kin_core::prelude::*;
-use kin_core::{Dimension, Outline, Place, Places, Skeleton};
+use kin_core::{Dimension, Outline, PlaneOrSpace, PointArray, Skeleton};
 
 use super::drive::{self, Drive};
 use super::sweep::{self, extent};
@@ -59,7 +59,7 @@ impl Scene {
     /// A skeleton by itself.
     pub fn of<P>(skeleton: &Skeleton<P>) -> Self
     where
-        P: Places<Point: Place<Scalar = f64>>,
+        P: PointArray<Point: PlaneOrSpace<Scalar = f64>>,
     {
         Self {
             outline: *skeleton.outline(),
@@ -96,7 +96,7 @@ impl Scene {
             outline: M::OUTLINE,
             joints: joints.to_vec(),
             directions: directions.to_vec(),
-            is_plane: <M::Places as Places>::Point::IS_PLANE,
+            is_plane: <M::Places as PointArray>::Point::IS_PLANE,
             sweep: sweep::sweep(mechanism, inputs, unknowns, range),
             drives: drive::drives(mechanism, inputs, unknowns),
             notes: Vec::new(),

@@ -1,7 +1,7 @@
 //! A sweep of the first input, from one position to both sides.
 
 use kin_core::prelude::*;
-use kin_core::{Place, Places};
+use kin_core::{PlaneOrSpace, PointArray};
 
 /// So many steps are made for a turn.
 const STEPS: u32 = 180;

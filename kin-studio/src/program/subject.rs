@@ -4,10 +4,10 @@
 use kin_core::batch::LengthMismatch;
 use kin_core::cycle::{BlockClass, EndKind, FullCycle};
 use kin_core::exact::{ExactTable, ExactTableError, Precision};
-use kin_core::extremes::{Extreme, ExtremesError, Kind, Mean, Over};
+use kin_core::extremes::{Extreme, ExtremeKind, ExtremesError, Mean, Over};
 use kin_core::law::Piecewise;
 use kin_core::prelude::*;
-use kin_core::sweep::{Course, Laws, Line, Local, Sweep, SweepError, Table};
+use kin_core::sweep::{Course, Laws, Local, StraightLine, Sweep, SweepError, Table};
 use kin_core::tape::{self, RecordError, Tape};
 use kin_core::verify;
 use kin_core::{Description, Number, Row, track};
@@ -224,7 +224,7 @@ impl<M: Mechanism<Scalar = f64>> Sample<M> {
         Ok(all)
     }
 
-    fn line(case: &Case, rows: usize) -> Result<Course<M, Line<M>>, Fault> {
+    fn line(case: &Case, rows: usize) -> Result<Course<M, StraightLine<M>>, Fault> {
         let mechanism = Self::mechanism(&case.parameters);
         let assembly = Self::assembly(case, &mechanism)?;
         let [from, to] =
@@ -311,7 +311,7 @@ where
         bounded.map(|one| Reached {
             value: one.value,
             at: one.at,
-            is_limit: one.kind == Kind::Limit,
+            is_limit: one.kind == ExtremeKind::Limit,
         })
     };
     let size = |one: &Reached| one.value.unwrap_or(f64::NAN);

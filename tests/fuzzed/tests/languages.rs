@@ -12,7 +12,7 @@ use std::process::Command;
 
 use kin_core::Row;
 use kin_core::prelude::*;
-use kin_core::tape::{self, Condition, Function, Node, Options, RecordError, Tape};
+use kin_core::tape::{self, Condition, Function, Options, RecordError, Tape, TapeNode};
 use kin_core::verify::Random;
 
 use calls::{Call, kernel};
@@ -90,7 +90,7 @@ fn mechanisms() -> Vec<Solved> {
 }
 
 /// Whether a function of the platform finds the node.
-fn is_of_the_platform(node: &Node) -> bool {
+fn is_of_the_platform(node: &TapeNode) -> bool {
     use Function::{Cosine, Magnitude, Negate, Raise, Round, Sine, SquareRoot};
     let is_own = |function: &Function| {
         matches!(
@@ -98,7 +98,7 @@ fn is_of_the_platform(node: &Node) -> bool {
             Cosine | Magnitude | Negate | Raise | Round | Sine | SquareRoot
         )
     };
-    matches!(node, Node::Call(function, _) if !is_own(function))
+    matches!(node, TapeNode::Call(function, _) if !is_own(function))
 }
 
 /// A folder with the arguments of all mechanisms as doubles, one file for each.

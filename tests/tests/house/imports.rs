@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Attribute, ImplItem, Item, Meta};
+use syn::{Attribute, ImplItem, Item, Meta, Visibility};
 
 /// A source file without its tests.
 pub(crate) struct Source {
@@ -15,8 +15,17 @@ pub(crate) struct Source {
     /// The module that it is, without `crate`.
     module: Vec<String>,
     tokens: TokenStream,
+    /// The types that it declares, outside of functions.
+    pub(crate) types: Vec<Type>,
     /// The lines that are neither blank nor comments nor tests.
     pub(crate) lines: usize,
+}
+
+/// The declaration of a type or a trait.
+pub(crate) struct Type {
+    pub(crate) name: String,
+    /// Whether other files may name it.
+    pub(crate) is_shared: bool,
 }
 
 /// All source files of a crate that are compiled outside of tests, in alphabetical order.
@@ -55,6 +64,7 @@ fn read(src: &Path, path: &Path, tests: &mut BTreeSet<Vec<String>>) -> Source {
     Source {
         lines: lines(&text),
         module,
+        types: types(&parsed.items),
         tokens: parsed.items.iter().map(ToTokens::to_token_stream).collect(),
         file,
     }
@@ -98,6 +108,29 @@ fn strip(items: &mut Vec<Item>, module: &[String], tests: &mut BTreeSet<Vec<Stri
             _ => {}
         }
     }
+}
+
+/// The types and traits among the items of a file, and of the modules in it.
+fn types(items: &[Item]) -> Vec<Type> {
+    let mut types = Vec::new();
+    for item in items {
+        let (name, visibility) = match item {
+            Item::Enum(item) => (&item.ident, &item.vis),
+            Item::Struct(item) => (&item.ident, &item.vis),
+            Item::Trait(item) => (&item.ident, &item.vis),
+            Item::Type(item) => (&item.ident, &item.vis),
+            Item::Mod(item) => {
+                types.extend(item.content.iter().flat_map(|(_, inner)| self::types(inner)));
+                continue;
+            }
+            _ => continue,
+        };
+        types.push(Type {
+            name: name.to_string(),
+            is_shared: !matches!(visibility, Visibility::Inherited),
+        });
+    }
+    types
 }
 
 fn attributes(item: &Item) -> &[Attribute] {

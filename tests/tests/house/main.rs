@@ -12,7 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use imports::{Source, Target, sources, targets};
-use rooms::{CORE, House, MACROS};
+use rooms::{CORE, House, MACROS, OF_BOTH_CRATES, SEVERAL_TIMES};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -202,4 +202,42 @@ fn the_book_knows_where_to_look() {
     for file in files {
         assert!(root().join(&file).is_file(), "{file}");
     }
+}
+
+/// One name means one thing, across both crates: a type that several files may name has its name for itself. Types that
+/// only their file can name may be called alike, as `Reach` is in each closed form.
+#[test]
+fn one_name_means_one_thing() {
+    let mut places: BTreeMap<String, Vec<(&str, String, bool)>> = BTreeMap::new();
+    for house in [&CORE, &MACROS] {
+        for source in sources(&root().join(house.source)) {
+            for own in source.types {
+                let place = (house.name, format!("{}/{}", house.source, source.file), own.is_shared);
+                places.entry(own.name).or_default().push(place);
+            }
+        }
+    }
+    let mut faults = Vec::new();
+    let mut is_needed: BTreeSet<&str> = BTreeSet::new();
+    for (name, places) in &places {
+        let of_crate = |name| places.iter().filter(|(house, ..)| *house == name).count();
+        let own = [CORE.name, MACROS.name].map(of_crate);
+        if places.len() == 1 || places.iter().all(|(_, _, is_shared)| !is_shared) {
+            continue;
+        }
+        let is_of_both = OF_BOTH_CRATES.contains(&name.as_str()) && own[0] > 0 && own[1] > 0;
+        let is_several = SEVERAL_TIMES.contains(&name.as_str());
+        if (is_of_both && own == [1, 1]) || is_several {
+            is_needed.insert(name);
+        } else {
+            let files: Vec<&str> = places.iter().map(|(_, file, _)| file.as_str()).collect();
+            faults.push(format!("{name} is declared in {}", files.join(", ")));
+        }
+    }
+    for name in OF_BOTH_CRATES.iter().chain(SEVERAL_TIMES) {
+        if !is_needed.contains(name) {
+            faults.push(format!("{name} has one declaration: take it off the list"));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

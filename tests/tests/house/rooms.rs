@@ -105,3 +105,25 @@ pub(crate) const MACROS: House = House {
     known: &[],
     large: &[],
 };
+
+/// Names that both crates give to one thing: kin-core to the thing itself, kin-macros to what it knows of it.
+pub(crate) const OF_BOTH_CRATES: &[&str] = &[
+    "Block",
+    "BlockForm",
+    "Body",
+    "Dimension",
+    "Formula",
+    "Formulas",
+    "Outline",
+    "PolynomialSystem",
+    "Quantity",
+    "Slide",
+];
+
+/// Names of which one crate has several declarations, each with the reason.
+pub(crate) const SEVERAL_TIMES: &[&str] = &[
+    // the carrier of derivatives, with the feature `num-dual` and without it
+    "ThroughSnap",
+    // the words of a declaration, as an editor explains them
+    "Quantity",
+];

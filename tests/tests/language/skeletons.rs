@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use kin_core::library::{FourBar, WhitworthQuickReturn};
 use kin_core::prelude::*;
-use kin_core::{Outline, Place, Skeleton};
+use kin_core::{Outline, PlaneOrSpace, Skeleton};
 
 mechanism! {
     /// A four-bar linkage with a ternary coupler, and a dyad on its coupler point: two loops, with abbreviations.

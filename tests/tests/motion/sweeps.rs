@@ -2,10 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use kin_core::extremes::{Extreme, Kind};
+use kin_core::extremes::{Extreme, ExtremeKind};
 use kin_core::library::{ClassThreeTriad, FourBar, SphericalFourBar, WhitworthQuickReturn};
 use kin_core::prelude::*;
-use kin_core::sweep::{Course, Line};
+use kin_core::sweep::{Course, StraightLine};
 use kin_core::track;
 use kin_tests::reference::{Given, solution};
 
@@ -28,7 +28,7 @@ fn inputs<M: Mechanism>(at: f64, speed: f64) -> Vec<Vec<f64>> {
 /// Holds all extremes of every unknown against the scan and the reference. It returns their number.
 fn hold<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
-    sweep: impl Fn(usize) -> Course<M, Line<M>>,
+    sweep: impl Fn(usize) -> Course<M, StraightLine<M>>,
     speed: f64,
     is_turn: bool,
 ) -> usize {
@@ -41,7 +41,10 @@ fn hold<M: Mechanism<Scalar = f64>>(
             let name = format!("{}{suffix}", quantity.name);
             let values = table.column(&name).expect("it is a column");
             let extremes = sweep(ROWS).extremes(&name).expect("it closes");
-            let inner: Vec<&Extreme> = extremes.iter().filter(|extreme| extreme.kind == Kind::Inner).collect();
+            let inner: Vec<&Extreme> = extremes
+                .iter()
+                .filter(|extreme| extreme.kind == ExtremeKind::Inner)
+                .collect();
             // each extreme of the scan lies next to one that was found, and there are no more
             let (first, last) = (values[0], values[values.len() - 1]);
             let is_closed = is_turn && (first - last).abs() < 1e-6 * first.abs().max(1.0);

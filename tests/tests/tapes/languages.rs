@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::{self, Command};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use kin_core::tape::{self, Function, Node, Options, Tape};
+use kin_core::tape::{self, Function, Options, Tape, TapeNode};
 use kin_tests::calls::Call;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 
@@ -153,10 +153,10 @@ impl Compared {
 }
 
 /// Whether a function of the platform finds the node.
-fn is_of_the_platform(node: &Node) -> bool {
+fn is_of_the_platform(node: &TapeNode) -> bool {
     use Function::{Cosine, Magnitude, Negate, Raise, Round, Sine, SquareRoot};
     match node {
-        Node::Call(function, _) => !matches!(
+        TapeNode::Call(function, _) => !matches!(
             function,
             Cosine | Magnitude | Negate | Raise | Round | Sine | SquareRoot
         ),

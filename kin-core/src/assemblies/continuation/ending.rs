@@ -2,7 +2,7 @@
 
 use super::complex::Complex;
 use super::homotopy::{Homotopy, Linearised};
-use super::traveller::{Care, Pinned, Progress, Traveller};
+use super::traveller::{Advance, Care, Pinned, Traveller};
 
 /// The distance from the end at which a path is checked for a singular end.
 const NEAR: f64 = 0.1;
@@ -31,9 +31,9 @@ const MOST_LOOPS: u8 = 12;
 
 /// The end of a path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct End<const M: usize> {
+pub(super) struct PathEnd<const M: usize> {
     /// The kind of end.
-    pub(super) kind: EndKind,
+    pub(super) kind: PathEndKind,
     /// Numbers that distinguish it from other ends, in projective space.
     pub(super) marks: [Complex; 2],
     /// The error of the marks.
@@ -46,7 +46,7 @@ pub(super) struct End<const M: usize> {
 
 /// The kinds of ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum EndKind {
+pub(super) enum PathEndKind {
     /// A solution with a regular Jacobian; no other path ends here.
     Regular,
     /// A solution with a singular Jacobian.
@@ -59,9 +59,9 @@ pub(super) enum EndKind {
     Lost,
 }
 
-impl<const M: usize> End<M> {
+impl<const M: usize> PathEnd<M> {
     pub(super) const LOST: Self = Self {
-        kind: EndKind::Lost,
+        kind: PathEndKind::Lost,
         marks: [Complex::ZERO; 2],
         error: 0.0,
         values: None,
@@ -89,14 +89,14 @@ pub(super) fn follow<const M: usize>(
     choice: usize,
     care: Care,
     at: &mut Linearised<M>,
-) -> Option<End<M>> {
+) -> Option<PathEnd<M>> {
     let traveller = Traveller::depart(homotopy.clone(), choice, at)?;
     Some(travel(traveller, care, at))
 }
 
-fn travel<const M: usize>(mut traveller: Traveller<'_, M>, care: Care, at: &mut Linearised<M>) -> End<M> {
-    if traveller.advance(Complex::real(NEAR), 1e-10, true, care, at) != Progress::Arrived {
-        return End::LOST;
+fn travel<const M: usize>(mut traveller: Traveller<'_, M>, care: Care, at: &mut Linearised<M>) -> PathEnd<M> {
+    if traveller.advance(Complex::real(NEAR), 1e-10, true, care, at) != Advance::Arrived {
+        return PathEnd::LOST;
     }
     // Most ends are regular and can be reached directly.
     let mut ahead = traveller.clone();
@@ -115,8 +115,8 @@ fn walk<const M: usize>(
     shortest: f64,
     care: Care,
     at: &mut Linearised<M>,
-) -> Option<End<M>> {
-    if traveller.advance(Complex::ZERO, shortest, true, care, at) != Progress::Arrived {
+) -> Option<PathEnd<M>> {
+    if traveller.advance(Complex::ZERO, shortest, true, care, at) != Advance::Arrived {
         return None;
     }
     let settled = settle(&traveller.homotopy, traveller.point, at)?;
@@ -130,12 +130,12 @@ fn walk<const M: usize>(
 /// Wampler, *Computing singular solutions to nonlinear analytic systems*, Numerische Mathematik 58, 1991). With N
 /// points on each loop of radius r, the mean has an error proportional to r^N. Two radii therefore show whether the
 /// series converges, and how well.
-fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut Linearised<M>) -> End<M> {
+fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut Linearised<M>) -> PathEnd<M> {
     let mut radius = traveller.t.re;
     let mut before: Option<([Complex; M], u8)> = None;
     let mut candidate = None;
     while radius > NEAREST {
-        if traveller.advance(Complex::real(radius), 1e-5 * radius, false, care, at) != Progress::Arrived {
+        if traveller.advance(Complex::real(radius), 1e-5 * radius, false, care, at) != Advance::Arrived {
             break;
         }
         // A coordinate that vanishes at the end must not be pinned: the others would have a pole there, but still a
@@ -165,9 +165,9 @@ fn limit<const M: usize>(traveller: &mut Traveller<'_, M>, care: Care, at: &mut 
     }
     let end = candidate.map(|(homotopy, mean, error)| end_at(&homotopy, mean, error, at));
     match end {
-        Some(end) if end.kind != EndKind::Singular => end,
+        Some(end) if end.kind != PathEndKind::Singular => end,
         // Two solutions can be so close that their mean is nearly a solution. Then the path leads to one of the two.
-        _ => walk(traveller, SHORTEST, care, at).or(end).unwrap_or(End::LOST),
+        _ => walk(traveller, SHORTEST, care, at).or(end).unwrap_or(PathEnd::LOST),
     }
 }
 
@@ -190,7 +190,7 @@ fn mean_of_loops<const M: usize>(
                 let angle = core::f64::consts::TAU * f64::from(point) / f64::from(POINTS);
                 Complex::unit(angle).scale(radius)
             };
-            if around.advance(target, 1e-5 * radius, false, care, at) != Progress::Arrived {
+            if around.advance(target, 1e-5 * radius, false, care, at) != Advance::Arrived {
                 return None;
             }
             for (sum, value) in sum[..free].iter_mut().zip(&around.point) {
@@ -233,7 +233,7 @@ fn end_at<const M: usize>(
     mean: [Complex; M],
     error: f64,
     at: &mut Linearised<M>,
-) -> End<M> {
+) -> PathEnd<M> {
     if let Some(settled) = settle(homotopy, mean, at)
         && distance(homotopy, &settled.point, &mean) <= 1e2 * (error + settled.error)
     {
@@ -243,11 +243,11 @@ fn end_at<const M: usize>(
     let free = homotopy.free();
     let at_infinity = infinity.norm() <= NOTHING;
     let real = mean[..free].iter().all(|value| value.im.abs() <= NOTHING);
-    End {
+    PathEnd {
         kind: if at_infinity {
-            EndKind::AtInfinity
+            PathEndKind::AtInfinity
         } else {
-            EndKind::Singular
+            PathEndKind::Singular
         },
         marks: homotopy.marks(&mean),
         error: TOGETHER,
@@ -318,7 +318,7 @@ fn settle<const M: usize>(
     })
 }
 
-fn regular_end<const M: usize>(homotopy: &Homotopy<'_, M>, settled: &Settled<M>, at: &mut Linearised<M>) -> End<M> {
+fn regular_end<const M: usize>(homotopy: &Homotopy<'_, M>, settled: &Settled<M>, at: &mut Linearised<M>) -> PathEnd<M> {
     let &Settled {
         mut point,
         condition,
@@ -327,15 +327,15 @@ fn regular_end<const M: usize>(homotopy: &Homotopy<'_, M>, settled: &Settled<M>,
     let free = homotopy.free();
     let marks = homotopy.marks(&point);
     let (_, infinity) = homotopy.homogeneous(&point);
-    let mut end = End {
-        kind: EndKind::Regular,
+    let mut end = PathEnd {
+        kind: PathEndKind::Regular,
         marks,
         error: 4.0 * error,
         values: None,
         condition,
     };
     if infinity.norm() <= 16.0 * error {
-        end.kind = EndKind::RegularAtInfinity;
+        end.kind = PathEndKind::RegularAtInfinity;
         return end;
     }
     // The coordinates are real linear forms of the variables, and one coordinate is one: if the variables are real, all
@@ -354,7 +354,7 @@ fn regular_end<const M: usize>(homotopy: &Homotopy<'_, M>, settled: &Settled<M>,
             let inverse = 1.0 / infinity.re;
             end.values = Some(x.map(|x| x.re * inverse));
         } else {
-            return End::LOST;
+            return PathEnd::LOST;
         }
     }
     end

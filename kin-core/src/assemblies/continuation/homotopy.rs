@@ -6,7 +6,7 @@ use super::complex::{Complex, largest};
 use super::factors::ComplexFactors;
 use super::reduction::Coordinates;
 use super::scaling::Scales;
-use super::sequence::{self, Sequence};
+use super::sequence::{self, FixedSequence};
 use super::system::BorrowedSystem;
 
 /// H(X, t) = t γ G(X) + (1 - t) F(X), homogeneous in X, with a random γ of modulus one for each equation.
@@ -307,7 +307,7 @@ impl<'a, const M: usize> Homotopy<'a, M> {
         coordinates: Coordinates<M>,
         number: u64,
     ) -> Self {
-        let mut random = Sequence::new(number);
+        let mut random = FixedSequence::new(number);
         let mut equations = [NonlinearEquation::UNUSED; M];
         let mut row = 0;
         for (equation, &degree) in degrees.iter().enumerate() {

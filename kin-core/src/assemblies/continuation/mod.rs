@@ -113,7 +113,7 @@ pub use outcome::{PathCounts, Solution, Unsuitable};
 pub use system::{BorrowedSystem, BorrowedTerm, PolynomialSystem, Term};
 
 use crate::assemblies::Positions;
-use ending::EndKind;
+use ending::PathEndKind;
 use homotopy::Homotopy;
 use paths::{FollowedPath, follow_all};
 
@@ -143,16 +143,16 @@ pub fn real_solutions<const M: usize, const PATHS: usize>(
     };
     for (place, FollowedPath { end, .. }) in paths.iter().enumerate() {
         match end.kind {
-            EndKind::Lost => outcome.lost += 1,
-            EndKind::AtInfinity | EndKind::RegularAtInfinity => outcome.at_infinity += 1,
-            EndKind::Regular => outcome.regular += 1,
-            EndKind::Singular => outcome.singular += 1,
+            PathEndKind::Lost => outcome.lost += 1,
+            PathEndKind::AtInfinity | PathEndKind::RegularAtInfinity => outcome.at_infinity += 1,
+            PathEndKind::Regular => outcome.regular += 1,
+            PathEndKind::Singular => outcome.singular += 1,
         }
         let Some(values) = end.values else {
             continue;
         };
-        let multiplicity = if end.kind == EndKind::Singular {
-            let same = |other: &&FollowedPath<M>| other.end.kind == EndKind::Singular && other.end.meets(end);
+        let multiplicity = if end.kind == PathEndKind::Singular {
+            let same = |other: &&FollowedPath<M>| other.end.kind == PathEndKind::Singular && other.end.meets(end);
             if paths[..place]
                 .iter()
                 .any(|other| other.end.values.is_some() && same(&other))
@@ -200,7 +200,7 @@ fn all_paths<const M: usize, const PATHS: usize>(
             });
         }
         attempt += 1;
-        if attempt == ATTEMPTS || paths.iter().all(|path| path.end.kind != EndKind::Lost) {
+        if attempt == ATTEMPTS || paths.iter().all(|path| path.end.kind != PathEndKind::Lost) {
             return Ok(paths);
         }
     }

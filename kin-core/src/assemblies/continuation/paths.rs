@@ -1,6 +1,6 @@
 //! All paths of a homotopy.
 
-use super::ending::{End, EndKind, follow};
+use super::ending::{PathEnd, PathEndKind, follow};
 use super::homotopy::{Homotopy, Linearised};
 use super::traveller::CARE;
 use crate::assemblies::Positions;
@@ -9,7 +9,7 @@ use crate::assemblies::Positions;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FollowedPath<const M: usize> {
     choice: usize,
-    pub(super) end: End<M>,
+    pub(super) end: PathEnd<M>,
 }
 
 /// Follows all paths. Paths that are lost or suspect are followed again with greater care. Paths that remain suspect
@@ -34,7 +34,7 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
                 repeated = true;
                 let path = &mut paths[place];
                 // If other paths share this end and it does not change, they are suspect in their turn.
-                path.end = follow(homotopy, path.choice, *care, &mut at).unwrap_or(End::LOST);
+                path.end = follow(homotopy, path.choice, *care, &mut at).unwrap_or(PathEnd::LOST);
             }
         }
         if !repeated {
@@ -44,7 +44,7 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
     join_singular(&mut paths);
     for place in 0..paths.len() {
         if suspect(&paths, place) {
-            paths[place].end = End::LOST;
+            paths[place].end = PathEnd::LOST;
         }
     }
     paths
@@ -55,10 +55,10 @@ pub(super) fn follow_all<const M: usize, const PATHS: usize>(
 fn join_singular<const M: usize>(paths: &mut [FollowedPath<M>]) {
     for place in 0..paths.len() {
         let end = paths[place].end;
-        let near = |path: &FollowedPath<M>| path.end.kind == EndKind::Singular && path.end.meets(&end);
-        if end.kind == EndKind::Regular && paths.iter().any(near) {
+        let near = |path: &FollowedPath<M>| path.end.kind == PathEndKind::Singular && path.end.meets(&end);
+        if end.kind == PathEndKind::Regular && paths.iter().any(near) {
             let end = &mut paths[place].end;
-            end.kind = EndKind::Singular;
+            end.kind = PathEndKind::Singular;
             end.condition = f64::INFINITY;
         }
     }
@@ -68,11 +68,11 @@ fn join_singular<const M: usize>(paths: &mut [FollowedPath<M>]) {
 fn suspect<const M: usize>(paths: &[FollowedPath<M>], place: usize) -> bool {
     let end = &paths[place].end;
     match end.kind {
-        EndKind::Lost => true,
-        EndKind::Regular | EndKind::RegularAtInfinity => paths
+        PathEndKind::Lost => true,
+        PathEndKind::Regular | PathEndKind::RegularAtInfinity => paths
             .iter()
             .enumerate()
             .any(|(other, path)| other != place && path.end.kind == end.kind && path.end.meets(end)),
-        EndKind::Singular | EndKind::AtInfinity => false,
+        PathEndKind::Singular | PathEndKind::AtInfinity => false,
     }
 }

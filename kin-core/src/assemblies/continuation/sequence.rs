@@ -7,11 +7,11 @@ use crate::number::scatter::{INCREMENT, fraction, mix};
 
 /// A fixed sequence of numbers that is unrelated to the mechanism.
 #[derive(Clone, Debug)]
-pub(super) struct Sequence {
+pub(super) struct FixedSequence {
     state: u64,
 }
 
-impl Sequence {
+impl FixedSequence {
     /// The sequence with the given number.
     pub(super) const fn new(number: u64) -> Self {
         Self {
@@ -56,17 +56,17 @@ pub(super) fn entry(number: u64, form: u8, place: usize) -> Complex {
 
 #[cfg(test)]
 mod tests {
-    use super::Sequence;
+    use super::FixedSequence;
 
     #[test]
     fn evenly_distributed_and_always_the_same() {
-        let mut sequence = Sequence::new(1);
+        let mut sequence = FixedSequence::new(1);
         let values: [f64; 1000] = core::array::from_fn(|_| sequence.fraction());
         let mean = values.iter().sum::<f64>() / 1000.0;
         // The tolerance is five standard deviations of the mean of a thousand numbers.
         assert!((mean - 0.5).abs() < 5.0 * (1.0 / 12_000.0_f64).sqrt());
-        assert_eq!(values[0], Sequence::new(1).fraction());
-        assert_ne!(values[0], Sequence::new(2).fraction());
+        assert_eq!(values[0], FixedSequence::new(1).fraction());
+        assert_ne!(values[0], FixedSequence::new(2).fraction());
         assert!((sequence.unit().norm() - 1.0).abs() < 1e-15);
     }
 }

@@ -55,7 +55,7 @@ pub(super) struct Traveller<'a, const M: usize> {
 
 /// The outcome of an advance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Progress {
+pub(super) enum Advance {
     /// The target has been reached.
     Arrived,
     /// Steps became too short or too many.
@@ -98,12 +98,12 @@ impl<'a, const M: usize> Traveller<'a, M> {
         pin: bool,
         care: Care,
         at: &mut Linearised<M>,
-    ) -> Progress {
+    ) -> Advance {
         loop {
             let way = target - self.t;
             let distance = way.norm();
             if distance == 0.0 {
-                return Progress::Arrived;
+                return Advance::Arrived;
             }
             let last = self.step >= distance;
             let (next, step) = if last {
@@ -113,7 +113,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
                 (self.t + step, step)
             };
             if self.steps >= MOST_STEPS || step.norm() < shortest.min(distance) {
-                return Progress::Stuck;
+                return Advance::Stuck;
             }
             self.steps += 1;
             let corrected = self.predict(step, at).map(|mut point| {
@@ -132,7 +132,7 @@ impl<'a, const M: usize> Traveller<'a, M> {
                     // A step that was shortened is no reason against longer ones.
                     self.step = if last { proposed.max(self.step) } else { proposed };
                     if pin && self.pin(at) == Pinned::Singular {
-                        return Progress::Stuck;
+                        return Advance::Stuck;
                     }
                 }
                 Some((_, Err(error))) if error.is_finite() => {

@@ -102,7 +102,7 @@ fn reduce<const COMPLETE: bool>(values: &[f64], first: usize, folded: &mut Folde
             present -= usize::from(value.is_nan());
         }
     }
-    let Row {
+    let RunningRow {
         least,
         greatest,
         sum,
@@ -145,14 +145,14 @@ fn of_rows<const COMPLETE: bool>(rows: &[[f64; ABREAST]]) -> (Running, [u64; ABR
 
 /// What is known of the values so far: one set for each place of a row, or one for all of them.
 #[derive(Clone)]
-struct Row<V> {
+struct RunningRow<V> {
     least: V,
     greatest: V,
     sum: V,
     sum_of_squares: V,
 }
 
-type Running = Row<[f64; ABREAST]>;
+type Running = RunningRow<[f64; ABREAST]>;
 
 impl Running {
     const NONE: Self = Self {
@@ -189,8 +189,8 @@ impl Running {
     /// This is a separate function: a compiler that sees how the places are joined arranges everything before in vectors of
     /// two.
     #[inline(never)]
-    fn joined(&self) -> Row<f64> {
-        Row {
+    fn joined(&self) -> RunningRow<f64> {
+        RunningRow {
             least: in_halves(self.least, lesser),
             greatest: in_halves(self.greatest, greater),
             sum: in_halves(self.sum, |one, other| one + other),

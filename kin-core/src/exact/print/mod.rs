@@ -10,7 +10,7 @@ use std::vec::Vec;
 use super::owned::{ExactParts, ExactTable};
 use crate::quantity::Dimension;
 use crate::tape::C;
-use crate::tape::words::{Names, identifier, quoted, snake};
+use crate::tape::words::{DistinctNames, identifier, quoted, snake};
 
 impl ExactTable {
     /// The table as C99: a header, a source and an example. The code needs `floor` of `<math.h>` alone, and has no static state but the
@@ -35,7 +35,7 @@ impl ExactTable {
         let parts = self.parts();
         let prefix = format!("{}_table", snake(&parts.name));
         let upper = prefix.to_uppercase();
-        let mut names = Names::new(&[]);
+        let mut names = DistinctNames::new(&[]);
         let columns: Vec<String> = parts
             .columns
             .iter()

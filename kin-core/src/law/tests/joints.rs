@@ -2,7 +2,7 @@
 
 use super::{Random, Scca, shapes};
 use crate::law::{
-    ConstantSpeed, Dwell, Fourier, Joint, Law as _, Limits, Piecewise as _, Rise, SCurve, Sequence, Shape,
+    ConstantSpeed, Dwell, Fourier, Law as _, LawJoint, Limits, Piecewise as _, Rise, SCurve, Sequence, Shape,
 };
 use crate::motion::Motion;
 use std::string::ToString;
@@ -43,7 +43,7 @@ fn inner_joints_are_reported() {
     let joints: std::vec::Vec<_> = rise.joints::<5>().collect();
     let times: std::vec::Vec<f64> = joints.iter().map(|joint| joint.time).collect();
     assert_eq!(times, [0.0, 0.125, 0.375, 0.5, 0.625, 0.875, 1.0]);
-    let first: std::vec::Vec<_> = joints.iter().map(Joint::first_jump).collect();
+    let first: std::vec::Vec<_> = joints.iter().map(LawJoint::first_jump).collect();
     // at the middle two cosines meet that continue each other
     assert_eq!(first, [Some(3), Some(4), Some(4), None, Some(4), Some(4), Some(3)]);
 }
@@ -57,7 +57,7 @@ fn constant_speed_joins_sine_and_cosine() {
     for (joint, time) in joints.iter().zip([0.0, 0.1, 0.4, 0.6, 0.9, 1.0_f64]) {
         assert!((joint.time - time).abs() <= f64::EPSILON);
     }
-    let first: std::vec::Vec<_> = joints.iter().map(Joint::first_jump).collect();
+    let first: std::vec::Vec<_> = joints.iter().map(LawJoint::first_jump).collect();
     assert_eq!(first, [Some(3), Some(4), Some(3), Some(3), Some(4), Some(3)]);
     // a sum of four terms
     assert!((rise.at::<1>(0.5).value() - 0.5).abs() <= 2.0 * f64::EPSILON);

@@ -163,7 +163,7 @@ impl<const SELECT: bool, E: Binary> Turned<SELECT, E> {
         let (height, width) = (y.size(), x.size());
         let greater = if height > width { height } else { width };
         let lesser = if height > width { width } else { height };
-        let slanting = Condition::<SELECT, E>::new(lesser > greater - lesser);
+        let slanting = Selection::<SELECT, E>::new(lesser > greater - lesser);
         let (side, steepness) = (Sign::of(x), Sign::of(width - height));
         let sense = side.times(steepness);
         // The multiple is 0, 2 or 4 at the nearest axis, and 1 or 3 at a diagonal.
@@ -190,13 +190,13 @@ impl<const SELECT: bool, E: Binary> Turned<SELECT, E> {
 /// A condition that selects between a number and zero. With `SELECT` it is a real selection. Otherwise it is a factor,
 /// because a condition that selects several numbers would become a branch.
 #[derive(Clone, Copy)]
-struct Condition<const SELECT: bool, E> {
+struct Selection<const SELECT: bool, E> {
     holds: bool,
     /// The factor 1 if the condition holds, 0 if it does not.
     factor: E,
 }
 
-impl<const SELECT: bool, E: Float> Condition<SELECT, E> {
+impl<const SELECT: bool, E: Float> Selection<SELECT, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(holds: bool) -> Self {
         let factor = if holds { E::one() } else { E::zero() };

@@ -29,7 +29,7 @@ pub(in crate::solve) enum Ends {
 
 /// Whether an argument lies in the domain of a function, and the value there is finite.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct Domain<T> {
+pub(in crate::solve) struct InDomain<T> {
     pub(in crate::solve) argument: T,
     pub(in crate::solve) result: T,
     pub(in crate::solve) ends: Ends,
@@ -37,7 +37,7 @@ pub(in crate::solve) struct Domain<T> {
     pub(in crate::solve) function: &'static str,
 }
 
-impl<T: Scalar> Domain<T> {
+impl<T: Scalar> InDomain<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in crate::solve) fn is_inside<R: Real>(&self, x: R) -> R::Truth {
         match self.ends {
@@ -70,7 +70,7 @@ impl<T: Scalar> Domain<T> {
     }
 }
 
-impl<T: Scalar> Check<T, 2, 3> for Domain<T> {
+impl<T: Scalar> Check<T, 2, 3> for InDomain<T> {
     fn name(&self) -> &'static str {
         self.function
     }

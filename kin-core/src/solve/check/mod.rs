@@ -4,6 +4,7 @@
 //! that holds several poses decides for each. A check knows its name, what it compares, and its distance from another
 //! outcome.
 
+mod beyond_doubt;
 mod domain;
 mod finite;
 mod pivot;
@@ -13,13 +14,13 @@ mod sides;
 mod sign;
 mod size;
 mod span;
-mod told;
 mod turns;
 
 #[cfg(test)]
 mod tests;
 
-pub(super) use domain::{Domain, Ends};
+pub(super) use beyond_doubt::BeyondDoubt;
+pub(super) use domain::{Ends, InDomain};
 pub(super) use finite::Finite;
 pub(super) use pivot::Multiplier;
 pub use real::Real;
@@ -30,7 +31,6 @@ pub(super) use sign::{NotNegative, Zero};
 pub(super) use size::{LargestLength, LargestSize, SumOfSizes};
 pub use span::SolutionInRange;
 pub(super) use span::{AngleInRange, Span, ValueInRange, out_of_range, within};
-pub(super) use told::Told;
 pub(super) use turns::{NearestTurns, TellsDirection, TurnsInto};
 
 use crate::assembly::Assembly;

@@ -5,7 +5,7 @@
 
 use crate::failure::Failure;
 use crate::solve::Scalar;
-use crate::solve::check::{Domain, Ends};
+use crate::solve::check::{Ends, InDomain};
 
 /// The square root √x for x ≥ 0.
 ///
@@ -117,7 +117,7 @@ pub fn square_of_root<T: Scalar>(v: T) -> Result<T, Failure> {
 /// The result, if its argument is inside the domain and the result and its rates are finite.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn within<T: Scalar>(ends: Ends, argument: T, result: T, function: &'static str) -> Result<T, Failure> {
-    let domain = Domain {
+    let domain = InDomain {
         argument,
         result,
         ends,

@@ -3,24 +3,24 @@
 use std::format;
 use std::string::{String, ToString as _};
 
-use crate::tape::expression::{Binding, Expression};
-use crate::tape::{Constant, Function, Operator, Precision};
+use crate::tape::expression::{Binding, Code};
+use crate::tape::{Constant, Function, NumberType, Operator};
 
-impl Expression {
+impl Code {
     /// A number that is read as the same number.
-    pub(in crate::tape) fn constant(constant: Constant, precision: Precision) -> Self {
+    pub(in crate::tape) fn constant(constant: Constant, precision: NumberType) -> Self {
         let value = constant.value();
         let size = value.abs();
         let text = if value.is_nan() {
             // `NAN` alone is a `float`.
             return match precision {
-                Precision::Single => Self::whole("NAN"),
-                Precision::Double => Self::of(Binding::Sign, "(double)NAN".to_string()),
+                NumberType::Single => Self::whole("NAN"),
+                NumberType::Double => Self::of(Binding::Sign, "(double)NAN".to_string()),
             };
         } else if size.is_infinite() {
             match precision {
-                Precision::Single => "HUGE_VALF".to_string(),
-                Precision::Double => "HUGE_VAL".to_string(),
+                NumberType::Single => "HUGE_VALF".to_string(),
+                NumberType::Double => "HUGE_VAL".to_string(),
             }
         } else {
             number(size, precision)
@@ -44,7 +44,7 @@ impl Expression {
     }
 
     /// A function of `<math.h>`. Sine and cosine are found together, and elsewhere.
-    pub(in crate::tape) fn called(&self, function: Function, precision: Precision) -> Self {
+    pub(in crate::tape) fn called(&self, function: Function, precision: NumberType) -> Self {
         let name = match function {
             Function::Negate => return self.negated(),
             Function::Magnitude => "fabs",
@@ -66,8 +66,8 @@ impl Expression {
             Function::Raise => "ceil",
         };
         match precision {
-            Precision::Single => Self::call(&format!("{name}f"), &[self]),
-            Precision::Double => Self::call(name, &[self]),
+            NumberType::Single => Self::call(&format!("{name}f"), &[self]),
+            NumberType::Double => Self::call(name, &[self]),
         }
     }
 }
@@ -77,9 +77,9 @@ impl Expression {
     clippy::cast_possible_truncation,
     reason = "constants of a tape in single precision have that precision"
 )]
-fn number(value: f64, precision: Precision) -> String {
+fn number(value: f64, precision: NumberType) -> String {
     match precision {
-        Precision::Single => format!("{:?}f", value as f32),
-        Precision::Double => format!("{value:?}"),
+        NumberType::Single => format!("{:?}f", value as f32),
+        NumberType::Double => format!("{value:?}"),
     }
 }

@@ -160,7 +160,7 @@ fn functions(text: &Text<'_>) -> String {
     if text.tape.order == 0 {
         return own;
     }
-    let carried = crate::tape::c::source::Carried::new(text.tape).values.len();
+    let carried = crate::tape::c::source::Inherited::new(text.tape).values.len();
     own.push_str(&comment(
         "",
         "A pose on its way from order to order. The private numbers are what later orders take from earlier ones.",

@@ -9,8 +9,8 @@ use std::format;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
-use crate::tape::words::{Names, lines, of_order, snake};
-use crate::tape::{Condition, Precision, ResultOf, Role, Tape};
+use crate::tape::words::{DistinctNames, lines, of_order, snake};
+use crate::tape::{Condition, NumberType, ResultOf, Role, Tape};
 
 /// The words of C and C++, the names of `<math.h>` that the code calls, and the names of the code's own arguments.
 const KEYWORDS: &[&str] = &[
@@ -237,7 +237,7 @@ impl<'a> Text<'a> {
     fn new(tape: &'a Tape) -> Self {
         let name = snake(tape.description.name);
         let upper = name.to_uppercase();
-        let mut names = Names::new(KEYWORDS);
+        let mut names = DistinctNames::new(KEYWORDS);
         let arguments = tape.arguments.iter().map(|argument| {
             let own = match argument.role {
                 Role::Input { order, .. } => of_order(&argument.name, order),
@@ -247,7 +247,7 @@ impl<'a> Text<'a> {
             names.name(&own)
         });
         let arguments = arguments.collect();
-        let mut names = Names::new(KEYWORDS);
+        let mut names = DistinctNames::new(KEYWORDS);
         let results = tape.results.iter().map(|result| {
             let by = |parameter: usize| tape.description.parameters[parameter].name;
             let quantity =
@@ -264,7 +264,7 @@ impl<'a> Text<'a> {
             names.name(&own)
         });
         let results = results.collect();
-        let mut names = Names::new(&[]);
+        let mut names = DistinctNames::new(&[]);
         let codes = tape.checks.iter().map(|check| {
             let words: String = format!("{} {}", check.name, check.block)
                 .chars()
@@ -279,8 +279,8 @@ impl<'a> Text<'a> {
             name,
             upper,
             number: match tape.precision {
-                Precision::Single => "float",
-                Precision::Double => "double",
+                NumberType::Single => "float",
+                NumberType::Double => "double",
             },
             arguments,
             results,

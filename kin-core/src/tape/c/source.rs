@@ -6,18 +6,18 @@ use std::string::String;
 use std::vec::Vec;
 
 use crate::tape::c::header::order_name;
-use crate::tape::c::writer::Writer;
+use crate::tape::c::writer::CWriter;
 use crate::tape::c::{Text, comment, quoted};
-use crate::tape::runtime::{self, Parts};
+use crate::tape::runtime::{self, RuntimeParts};
 use crate::tape::stages::Stages;
-use crate::tape::{Condition, Node, Step, Tape, Value};
+use crate::tape::{Condition, Tape, TapeNode, TapeStep, Value};
 
 /// The values that later orders take from earlier ones.
-pub(super) struct Carried {
+pub(super) struct Inherited {
     pub(super) values: Vec<Value>,
 }
 
-impl Carried {
+impl Inherited {
     pub(super) fn new(tape: &Tape) -> Self {
         let stages = Stages::new(tape);
         let mut values = BTreeSet::new();
@@ -43,7 +43,7 @@ impl Carried {
 fn is_carried(tape: &Tape, value: Value) -> bool {
     !matches!(
         tape.nodes[value.index()],
-        Node::Argument(_) | Node::Constant(_) | Node::Certain(_) | Node::Unknown { .. }
+        TapeNode::Argument(_) | TapeNode::Constant(_) | TapeNode::Certain(_) | TapeNode::Unknown { .. }
     )
 }
 
@@ -53,8 +53,8 @@ pub(super) fn taken(tape: &Tape, stages: &Stages, order: usize) -> Vec<Value> {
     let mut take = |value: Value| own.push(value);
     for step in tape.steps.iter().filter(|step| stages.of_step(tape, **step) == order) {
         match *step {
-            Step::Compute(value) => tape.nodes[value.index()].operands(&mut take),
-            Step::Check(index) => {
+            TapeStep::Compute(value) => tape.nodes[value.index()].operands(&mut take),
+            TapeStep::Check(index) => {
                 let check = &tape.checks[index];
                 if let Condition::Holds(truth) = check.condition {
                     take(truth);
@@ -64,9 +64,9 @@ pub(super) fn taken(tape: &Tape, stages: &Stages, order: usize) -> Vec<Value> {
                 }
                 check.margin.iter().copied().for_each(&mut take);
             }
-            Step::Search(index) => given(tape, index).into_iter().for_each(&mut take),
-            Step::Factor(system) => tape.systems[system].rows.iter().flatten().copied().for_each(&mut take),
-            Step::Solve(solution) => {
+            TapeStep::Search(index) => given(tape, index).into_iter().for_each(&mut take),
+            TapeStep::Factor(system) => tape.systems[system].rows.iter().flatten().copied().for_each(&mut take),
+            TapeStep::Solve(solution) => {
                 let solution = &tape.solutions[solution];
                 solution.right.iter().copied().for_each(&mut take);
                 tape.systems[solution.system]
@@ -103,9 +103,9 @@ pub(super) fn source(text: &Text<'_>) -> String {
     let (name, tape) = (&text.name, text.tape);
     let mut own = text.head(&format!("{name}.c"));
     own.push_str(&format!("#include \"{name}.h\"\n\n"));
-    own.push_str(&runtime::c(Parts::of(tape), tape.precision));
+    own.push_str(&runtime::c(RuntimeParts::of(tape), tape.precision));
     let stages = Stages::new(tape);
-    let carried = Carried::new(tape);
+    let carried = Inherited::new(tape);
     for search in 0..tape.searches.len() {
         own.push('\n');
         own.push_str(&equations(text, search));
@@ -116,16 +116,16 @@ pub(super) fn source(text: &Text<'_>) -> String {
             own.push_str(&format!(
                 "{}\n{{\n{}}}\n",
                 text.signature(&order_name(order), "chain"),
-                Writer::of_order(text, &stages, &carried, order).order("chain->pose.")
+                CWriter::of_order(text, &stages, &carried, order).order("chain->pose.")
             ));
         }
     }
     own.push('\n');
-    let (stages, carried) = (Stages::one(tape), Carried { values: Vec::new() });
+    let (stages, carried) = (Stages::one(tape), Inherited { values: Vec::new() });
     own.push_str(&format!(
         "{}\n{{\n{}}}\n",
         text.signature("solve", "pose"),
-        Writer::of_order(text, &stages, &carried, 0).order("pose->")
+        CWriter::of_order(text, &stages, &carried, 0).order("pose->")
     ));
     own.push('\n');
     own.push_str(&message(text));
@@ -155,6 +155,6 @@ fn equations(text: &Text<'_>, search: usize) -> String {
     format!(
         "{about}static void {name}(const void *given, const {number} *unknowns, {number} *residuals,\n{indent}{number} \
          jacobian[KIN_UNKNOWNS][KIN_UNKNOWNS])\n{{\n{}}}\n",
-        Writer::of_search(text, search).equations(search)
+        CWriter::of_search(text, search).equations(search)
     )
 }

@@ -6,21 +6,21 @@ use std::string::{String, ToString as _};
 use std::vec;
 use std::vec::Vec;
 
-use crate::tape::c::source::{Carried, taken};
+use crate::tape::c::source::{Inherited, taken};
 use crate::tape::c::{Text, comment};
-use crate::tape::expression::Expression;
+use crate::tape::expression::Code;
 use crate::tape::stages::Stages;
-use crate::tape::{Condition, Constant, Function, Node, Step, Value};
+use crate::tape::{Condition, Constant, Function, TapeNode, TapeStep, Value};
 
 /// Writes the body of a function.
-pub(super) struct Writer<'a> {
+pub(super) struct CWriter<'a> {
     text: &'a Text<'a>,
     /// The order that the function finds, with the orders of all steps and what goes from order to order.
-    order: Option<(usize, &'a Stages, &'a Carried)>,
+    order: Option<(usize, &'a Stages, &'a Inherited)>,
     /// How often the function uses each value. A value that is used once may be written where it is used.
     uses: Vec<usize>,
     /// The values that are there, each as it is written.
-    there: BTreeMap<Value, Expression>,
+    there: BTreeMap<Value, Code>,
     /// The arguments that are used.
     read: BTreeSet<usize>,
     /// The values that an earlier order has left.
@@ -30,8 +30,8 @@ pub(super) struct Writer<'a> {
     body: String,
 }
 
-impl<'a> Writer<'a> {
-    pub(super) fn of_order(text: &'a Text<'a>, stages: &'a Stages, carried: &'a Carried, order: usize) -> Self {
+impl<'a> CWriter<'a> {
+    pub(super) fn of_order(text: &'a Text<'a>, stages: &'a Stages, carried: &'a Inherited, order: usize) -> Self {
         let mut own = Self::new(text, Some((order, stages, carried)));
         for value in taken(text.tape, stages, order) {
             own.uses[value.index()] += 1;
@@ -68,7 +68,7 @@ impl<'a> Writer<'a> {
         own
     }
 
-    fn new(text: &'a Text<'a>, order: Option<(usize, &'a Stages, &'a Carried)>) -> Self {
+    fn new(text: &'a Text<'a>, order: Option<(usize, &'a Stages, &'a Inherited)>) -> Self {
         Self {
             text,
             order,
@@ -89,8 +89,8 @@ impl<'a> Writer<'a> {
     }
 
     /// A constant in the number type.
-    fn constant(&self, value: f64) -> Expression {
-        Expression::constant(Constant::new(value), self.text.tape.precision)
+    fn constant(&self, value: f64) -> Code {
+        Code::constant(Constant::new(value), self.text.tape.precision)
     }
 
     /// The function of an order. Results go to `target`.
@@ -164,7 +164,7 @@ impl<'a> Writer<'a> {
             } else {
                 self.line(&format!("const {number} {value} = values[{place}];"));
             }
-            self.there.insert(value, Expression::whole(value.to_string()));
+            self.there.insert(value, Code::whole(value.to_string()));
         }
         for value in &sought.body {
             self.compute(*value);
@@ -182,13 +182,13 @@ impl<'a> Writer<'a> {
         self.body
     }
 
-    fn step(&mut self, step: Step) {
+    fn step(&mut self, step: TapeStep) {
         match step {
-            Step::Compute(value) => self.compute(value),
-            Step::Check(check) => self.check(check),
-            Step::Search(search) => self.search(search),
-            Step::Factor(system) => self.factor(system),
-            Step::Solve(solution) => self.solve(solution),
+            TapeStep::Compute(value) => self.compute(value),
+            TapeStep::Check(check) => self.check(check),
+            TapeStep::Search(search) => self.search(search),
+            TapeStep::Factor(system) => self.factor(system),
+            TapeStep::Solve(solution) => self.solve(solution),
         }
     }
 
@@ -198,7 +198,7 @@ impl<'a> Writer<'a> {
             return;
         }
         let node = self.text.tape.nodes[value.index()];
-        if let Node::Call(Function::Sine | Function::Cosine, angle) = node {
+        if let TapeNode::Call(Function::Sine | Function::Cosine, angle) = node {
             self.sine_cosine(value, angle);
             return;
         }
@@ -209,15 +209,15 @@ impl<'a> Writer<'a> {
         }
         let kind = if node.is_truth() { "int" } else { self.text.number };
         self.line(&format!("const {kind} {value} = {};", own.text));
-        self.there.insert(value, Expression::whole(value.to_string()));
+        self.there.insert(value, Code::whole(value.to_string()));
     }
 
     /// Sine and cosine of an angle together.
     fn sine_cosine(&mut self, value: Value, angle: Value) {
         let tape = self.text.tape;
-        let is_sine = matches!(tape.nodes[value.index()], Node::Call(Function::Sine, _));
+        let is_sine = matches!(tape.nodes[value.index()], TapeNode::Call(Function::Sine, _));
         let other = if is_sine { Function::Cosine } else { Function::Sine };
-        let is_other = |node: &Node| *node == Node::Call(other, angle);
+        let is_other = |node: &TapeNode| *node == TapeNode::Call(other, angle);
         let other = tape
             .nodes
             .iter()
@@ -235,7 +235,7 @@ impl<'a> Writer<'a> {
         let (sine, cosine) = if is_sine { (&own, &other) } else { (&other, &own) };
         self.line(&format!("kin_sine_cosine({angle}, &{sine}, &{cosine});"));
         for value in [Some(value), partner].into_iter().flatten() {
-            self.there.insert(value, Expression::whole(value.to_string()));
+            self.there.insert(value, Code::whole(value.to_string()));
         }
     }
 
@@ -245,77 +245,77 @@ impl<'a> Writer<'a> {
     }
 
     /// A value as it is written where it is used.
-    fn expression(&mut self, value: Value) -> Expression {
+    fn expression(&mut self, value: Value) -> Code {
         if let Some(own) = self.there.get(&value) {
             return own.clone();
         }
         match self.text.tape.nodes[value.index()] {
-            Node::Argument(argument) => {
+            TapeNode::Argument(argument) => {
                 self.read.insert(argument);
-                Expression::whole(self.text.arguments[argument].clone())
+                Code::whole(self.text.arguments[argument].clone())
             }
-            Node::Constant(constant) => Expression::constant(constant, self.text.tape.precision),
-            Node::Certain(truth) => Expression::whole(if truth { "1" } else { "0" }),
-            Node::Unknown { index, .. } => Expression::whole(format!("unknowns[{index}]")),
+            TapeNode::Constant(constant) => Code::constant(constant, self.text.tape.precision),
+            TapeNode::Certain(truth) => Code::whole(if truth { "1" } else { "0" }),
+            TapeNode::Unknown { index, .. } => Code::whole(format!("unknowns[{index}]")),
             _ if self.is_left(value) => {
                 self.loaded.insert(value);
-                Expression::whole(value.to_string())
+                Code::whole(value.to_string())
             }
-            Node::Root { search, index } => Expression::whole(format!("roots_{search}[{index}]")),
-            Node::Solution { solution, index } => Expression::whole(format!("solution_{solution}[{index}]")),
+            TapeNode::Root { search, index } => Code::whole(format!("roots_{search}[{index}]")),
+            TapeNode::Solution { solution, index } => Code::whole(format!("solution_{solution}[{index}]")),
             node => self.written(node),
         }
     }
 
-    fn written(&mut self, node: Node) -> Expression {
+    fn written(&mut self, node: TapeNode) -> Code {
         let precision = self.text.tape.precision;
         match node {
-            Node::Call(function, one) => self.expression(one).called(function, precision),
-            Node::Binary(operator, one, other) => {
+            TapeNode::Call(function, one) => self.expression(one).called(function, precision),
+            TapeNode::Binary(operator, one, other) => {
                 let one = self.expression(one);
                 one.binary(operator, &self.expression(other))
             }
-            Node::PlusProduct(sum, one, other) => {
+            TapeNode::PlusProduct(sum, one, other) => {
                 let product = self.expression(one).product("*", &self.expression(other));
                 self.expression(sum).sum("+", &product)
             }
-            Node::MinusProduct(sum, one, other) => {
+            TapeNode::MinusProduct(sum, one, other) => {
                 let product = self.expression(one).product("*", &self.expression(other));
                 self.expression(sum).sum("-", &product)
             }
-            Node::Select(truth, one, other) => {
+            TapeNode::Select(truth, one, other) => {
                 let (truth, one) = (self.expression(truth), self.expression(one));
                 truth.select(&one, &self.expression(other))
             }
-            Node::Compare(comparison, one, other) => {
+            TapeNode::Compare(comparison, one, other) => {
                 let one = self.expression(one);
                 one.compared(comparison, &self.expression(other))
             }
-            Node::IsFinite(one) => {
+            TapeNode::IsFinite(one) => {
                 let largest = if self.text.number == "float" {
                     "FLT_MAX"
                 } else {
                     "DBL_MAX"
                 };
                 let size = self.expression(one).called(Function::Magnitude, precision);
-                Expression::whole(largest).compared(crate::tape::Comparison::AtLeast, &size)
+                Code::whole(largest).compared(crate::tape::Comparison::AtLeast, &size)
             }
-            Node::Both(one, other) => {
+            TapeNode::Both(one, other) => {
                 let one = self.expression(one);
                 one.both(&self.expression(other))
             }
-            Node::Either(one, other) => {
+            TapeNode::Either(one, other) => {
                 let one = self.expression(one);
                 one.either(&self.expression(other))
             }
-            Node::Not(one) => self.expression(one).not(),
+            TapeNode::Not(one) => self.expression(one).not(),
             // These have been written where they are used.
-            Node::Argument(_)
-            | Node::Constant(_)
-            | Node::Certain(_)
-            | Node::Unknown { .. }
-            | Node::Root { .. }
-            | Node::Solution { .. } => Expression::whole("0"),
+            TapeNode::Argument(_)
+            | TapeNode::Constant(_)
+            | TapeNode::Certain(_)
+            | TapeNode::Unknown { .. }
+            | TapeNode::Root { .. }
+            | TapeNode::Solution { .. } => Code::whole("0"),
         }
     }
 

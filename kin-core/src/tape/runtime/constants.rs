@@ -7,13 +7,13 @@ use std::vec::Vec;
 use crate::number::elementary::constants as elementary;
 use crate::number::single;
 use crate::solve::{self, FIRST_STEP, ITERATIONS, LINEAR_STEP, SMALLEST_PART, TRIALS};
-use crate::tape::Precision;
+use crate::tape::NumberType;
 
 /// The texts that stand for names such as `@SINE@`.
-pub(super) struct Table(Vec<(&'static str, String)>);
+pub(super) struct ConstantTexts(Vec<(&'static str, String)>);
 
-impl Table {
-    pub(super) fn new(precision: Precision) -> Self {
+impl ConstantTexts {
+    pub(super) fn new(precision: NumberType) -> Self {
         let list = |numbers: &[f64]| {
             let texts: Vec<String> = numbers.iter().map(|number| literal(*number, precision)).collect();
             texts.join(", ")
@@ -25,7 +25,7 @@ impl Table {
         );
         debug_assert!(right_angle == 2.0 * half_right_angle);
         let entries = match precision {
-            Precision::Double => [
+            NumberType::Double => [
                 ("QUARTER_TURN", list(&elementary::QUARTER_TURN)),
                 ("SINE", list(&elementary::SINE)),
                 ("COSINE", list(&elementary::COSINE)),
@@ -34,7 +34,7 @@ impl Table {
                 ("ARC_TANGENT", list(&elementary::ARC_TANGENT)),
                 ("RANGE", solve::range::<f64>().to_string()),
             ],
-            Precision::Single => [
+            NumberType::Single => [
                 // Turns have at most 16 bits, so eight more are exact. The middle of π/2 has 37 bits.
                 ("QUARTER_TURN", list(&parts::<5>(elementary::QUARTER_TURN, 8))),
                 ("SINE", list(&elementary::SINE_SINGLE)),
@@ -72,10 +72,10 @@ impl Table {
 
 /// A finite number that is read as itself: the shortest decimal fraction that is nearest to it. C, JavaScript and Python
 /// write it the same way; a number of single precision has the suffix of C.
-fn literal(number: f64, precision: Precision) -> String {
+fn literal(number: f64, precision: NumberType) -> String {
     match precision {
-        Precision::Double => format!("{number:?}"),
-        Precision::Single => format!("{:?}f", single(number)),
+        NumberType::Double => format!("{number:?}"),
+        NumberType::Single => format!("{:?}f", single(number)),
     }
 }
 

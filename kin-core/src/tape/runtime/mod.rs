@@ -13,13 +13,13 @@ mod tests;
 
 use std::string::{String, ToString};
 
-use crate::tape::{Function, Node, Operator, Precision, Tape};
-use constants::Table;
+use crate::tape::{Function, NumberType, Operator, Tape, TapeNode};
+use constants::ConstantTexts;
 
 /// The parts of the run time that a program needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "a program needs each part or does not")]
-pub(super) struct Parts {
+pub(super) struct RuntimeParts {
     /// Sines and cosines.
     pub(super) sine_cosine: bool,
     /// Angles of points.
@@ -32,15 +32,15 @@ pub(super) struct Parts {
     pub(super) unknowns: usize,
 }
 
-impl Parts {
+impl RuntimeParts {
     /// The parts that a tape needs.
     pub(super) fn of(tape: &Tape) -> Self {
-        let has = |wanted: fn(&Node) -> bool| tape.nodes.iter().any(wanted);
+        let has = |wanted: fn(&TapeNode) -> bool| tape.nodes.iter().any(wanted);
         let systems = tape.systems.iter().map(|system| system.rows.len());
         let searches = tape.searches.iter().map(|search| search.guess.len());
         Self {
-            sine_cosine: has(|node| matches!(node, Node::Call(Function::Sine | Function::Cosine, _))),
-            arc_tangent: has(|node| matches!(node, Node::Binary(Operator::ArcTangent, ..))),
+            sine_cosine: has(|node| matches!(node, TapeNode::Call(Function::Sine | Function::Cosine, _))),
+            arc_tangent: has(|node| matches!(node, TapeNode::Binary(Operator::ArcTangent, ..))),
             factors: !tape.systems.is_empty(),
             newton: !tape.searches.is_empty(),
             unknowns: systems.chain(searches).max().unwrap_or(0),
@@ -48,7 +48,7 @@ impl Parts {
     }
 
     /// The parts one after the other, each a text with constants to be filled in.
-    fn text(self, table: &Table, [sine_cosine, arc_tangent, factors, newton]: [&str; 4]) -> String {
+    fn text(self, table: &ConstantTexts, [sine_cosine, arc_tangent, factors, newton]: [&str; 4]) -> String {
         let parts = [
             (self.sine_cosine, sine_cosine),
             (self.arc_tangent, arc_tangent),
@@ -76,8 +76,8 @@ impl Parts {
 ///
 /// The outcomes are `KIN_FOUND`, which is zero, `KIN_NOT_CONVERGED`, `KIN_SINGULAR` and `KIN_NOT_FINITE`. Arrays of
 /// unknowns have `KIN_UNKNOWNS` places.
-pub(super) fn c(parts: Parts, precision: Precision) -> String {
-    let table = Table::new(precision);
+pub(super) fn c(parts: RuntimeParts, precision: NumberType) -> String {
+    let table = ConstantTexts::new(precision);
     let mut text = include_str!("head.c").to_string();
     if parts.factors || parts.newton {
         let unknowns = parts.unknowns.max(1).to_string();
@@ -87,7 +87,7 @@ pub(super) fn c(parts: Parts, precision: Precision) -> String {
     }
     let (factors, newton) = (include_str!("factors.c"), include_str!("newton.c"));
     let functions = match precision {
-        Precision::Double => parts.text(
+        NumberType::Double => parts.text(
             &table,
             [
                 include_str!("sine_cosine.c"),
@@ -96,7 +96,7 @@ pub(super) fn c(parts: Parts, precision: Precision) -> String {
                 newton,
             ],
         ),
-        Precision::Single => parts.text(
+        NumberType::Single => parts.text(
             &table,
             [
                 include_str!("sine_cosine_single.c"),
@@ -115,9 +115,9 @@ pub(super) fn c(parts: Parts, precision: Precision) -> String {
 
 /// The run time in JavaScript, as functions of one module: `kinSineCosine`, `kinAtan2`, `kinFactor`, `kinSubstitute` and
 /// `kinNewton`.
-pub(super) fn java_script(parts: Parts) -> String {
+pub(super) fn java_script(parts: RuntimeParts) -> String {
     parts.text(
-        &Table::new(Precision::Double),
+        &ConstantTexts::new(NumberType::Double),
         [
             include_str!("sine_cosine.js"),
             include_str!("arc_tangent.js"),
@@ -129,10 +129,10 @@ pub(super) fn java_script(parts: Parts) -> String {
 
 /// The run time in Python, as functions of one module that has imported NumPy as `np` and calls its arrays `Array`:
 /// `_sine_cosine`, `_atan2`, `_Factors` and `_newton`. They work on whole arrays, whose last axis are the poses.
-pub(super) fn python(parts: Parts) -> String {
+pub(super) fn python(parts: RuntimeParts) -> String {
     parts
         .text(
-            &Table::new(Precision::Double),
+            &ConstantTexts::new(NumberType::Double),
             [
                 include_str!("sine_cosine.py"),
                 include_str!("arc_tangent.py"),

@@ -1,9 +1,9 @@
 //! acos x: the derivative is -1 / √(1 - x²).
 
 use super::asin::leg;
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 
-pub(super) const ACOS: Elementary = Elementary {
+pub(super) const ACOS: FunctionFacts = FunctionFacts {
     name: "acos",
     form: "acos(x)",
     notation: "arccos",
@@ -18,15 +18,15 @@ pub(super) const ACOS: Elementary = Elementary {
     guard: Some(&Checked {
         name: "arc_cosine",
         decides_by_sign: false,
-        cost: &[Work::Other],
+        cost: &[WorkUnit::Other],
     }),
     inverse: Inverse::One(InverseFunction::Checked(&Checked {
         name: "cosine_of_arc",
         decides_by_sign: false,
-        cost: &[Work::SineCosine],
+        cost: &[WorkUnit::SineCosine],
     })),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].acos(),
     partials: |graph, x, _| {

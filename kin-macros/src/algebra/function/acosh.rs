@@ -1,9 +1,9 @@
 //! acosh x: the derivative is 1 / √(x² - 1).
 
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 use crate::algebra::Function;
 
-pub(super) const ACOSH: Elementary = Elementary {
+pub(super) const ACOSH: FunctionFacts = FunctionFacts {
     name: "acosh",
     form: "acosh(x)",
     notation: "arcosh",
@@ -18,15 +18,15 @@ pub(super) const ACOSH: Elementary = Elementary {
     guard: Some(&Checked {
         name: "area_hyperbolic_cosine",
         decides_by_sign: false,
-        cost: &[Work::Other],
+        cost: &[WorkUnit::Other],
     }),
     inverse: Inverse::One(InverseFunction::Checked(&Checked {
         name: "hyperbolic_cosine_of_area",
         decides_by_sign: true,
-        cost: &[Work::Other],
+        cost: &[WorkUnit::Other],
     })),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].acosh(),
     partials: |graph, x, _| {

@@ -1,6 +1,6 @@
 //! asin x: the derivative is 1 / √(1 - x²).
 
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 use crate::algebra::{Function, Graph, Node};
 
 /// √(1 - x²), the other leg of the right triangle with hypotenuse 1.
@@ -11,7 +11,7 @@ pub(super) fn leg(graph: &mut Graph, x: Node) -> Node {
     graph.call(Function::Sqrt, &[rest])
 }
 
-pub(super) const ASIN: Elementary = Elementary {
+pub(super) const ASIN: FunctionFacts = FunctionFacts {
     name: "asin",
     form: "asin(x)",
     notation: "arcsin",
@@ -26,15 +26,15 @@ pub(super) const ASIN: Elementary = Elementary {
     guard: Some(&Checked {
         name: "arc_sine",
         decides_by_sign: false,
-        cost: &[Work::Other],
+        cost: &[WorkUnit::Other],
     }),
     inverse: Inverse::One(InverseFunction::Checked(&Checked {
         name: "sine_of_arc",
         decides_by_sign: false,
-        cost: &[Work::SineCosine],
+        cost: &[WorkUnit::SineCosine],
     })),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].asin(),
     partials: |graph, x, _| {

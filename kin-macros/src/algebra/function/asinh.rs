@@ -1,9 +1,9 @@
 //! asinh x: the derivative is 1 / √(1 + x²).
 
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 use crate::algebra::Function;
 
-pub(super) const ASINH: Elementary = Elementary {
+pub(super) const ASINH: FunctionFacts = FunctionFacts {
     name: "asinh",
     form: "asinh(x)",
     notation: "arsinh",
@@ -15,7 +15,7 @@ pub(super) const ASINH: Elementary = Elementary {
     guard: None,
     inverse: Inverse::One(InverseFunction::Elementary(Function::Sinh)),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].asinh(),
     partials: |graph, x, _| {

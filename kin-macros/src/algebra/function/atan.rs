@@ -1,8 +1,8 @@
 //! atan x: the derivative is 1 / (1 + x²).
 
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 
-pub(super) const ATAN: Elementary = Elementary {
+pub(super) const ATAN: FunctionFacts = FunctionFacts {
     name: "atan",
     form: "atan(x)",
     notation: "arctan",
@@ -18,10 +18,10 @@ pub(super) const ATAN: Elementary = Elementary {
     inverse: Inverse::One(InverseFunction::Checked(&Checked {
         name: "tangent_of_arc",
         decides_by_sign: false,
-        cost: &[Work::SineCosine, Work::Division],
+        cost: &[WorkUnit::SineCosine, WorkUnit::Division],
     })),
     calculation: Calculation::Method,
-    cost: &[Work::ArcTangent],
+    cost: &[WorkUnit::ArcTangent],
     has_zeros: true,
     value: |x| x[0].atan(),
     partials: |graph, x, _| {

@@ -1,8 +1,8 @@
 //! atan2(y, x): the derivatives are x / (x² + y²) by y and -y / (x² + y²) by x.
 
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, Takes, WorkUnit};
 
-pub(super) const ATAN2: Elementary = Elementary {
+pub(super) const ATAN2: FunctionFacts = FunctionFacts {
     name: "atan2",
     form: "atan2(y, x)",
     notation: "atan2",
@@ -17,7 +17,7 @@ pub(super) const ATAN2: Elementary = Elementary {
     guard: None,
     inverse: Inverse::None,
     calculation: Calculation::Method,
-    cost: &[Work::ArcTangent],
+    cost: &[WorkUnit::ArcTangent],
     has_zeros: true,
     value: |v| v[0].atan2(v[1]),
     partials: |graph, v, _| {

@@ -1,16 +1,16 @@
 //! atanh x: the derivative is 1 / (1 - x²).
 
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 use crate::algebra::Function;
 
 /// atanh x with a check.
 pub(super) const AREA: Checked = Checked {
     name: "area_hyperbolic_tangent",
     decides_by_sign: false,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
 };
 
-pub(super) const ATANH: Elementary = Elementary {
+pub(super) const ATANH: FunctionFacts = FunctionFacts {
     name: "atanh",
     form: "atanh(x)",
     notation: "artanh",
@@ -25,7 +25,7 @@ pub(super) const ATANH: Elementary = Elementary {
     guard: Some(&AREA),
     inverse: Inverse::One(InverseFunction::Elementary(Function::Tanh)),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].atanh(),
     partials: |graph, x, _| {

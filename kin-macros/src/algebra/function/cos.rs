@@ -1,9 +1,9 @@
 //! cos x: the derivative is -sin x.
 
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, Takes, WorkUnit};
 use crate::algebra::Function;
 
-pub(super) const COS: Elementary = Elementary {
+pub(super) const COS: FunctionFacts = FunctionFacts {
     name: "cos",
     form: "cos(x)",
     notation: "cos",
@@ -15,7 +15,7 @@ pub(super) const COS: Elementary = Elementary {
     guard: None,
     inverse: Inverse::None,
     calculation: Calculation::Cosine,
-    cost: &[Work::SineCosine],
+    cost: &[WorkUnit::SineCosine],
     has_zeros: true,
     value: |x| x[0].cos(),
     partials: |graph, x, _| {

@@ -1,9 +1,9 @@
 //! cosh x: the derivative is sinh x.
 
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, Takes, WorkUnit};
 use crate::algebra::Function;
 
-pub(super) const COSH: Elementary = Elementary {
+pub(super) const COSH: FunctionFacts = FunctionFacts {
     name: "cosh",
     form: "cosh(x)",
     notation: "cosh",
@@ -16,10 +16,10 @@ pub(super) const COSH: Elementary = Elementary {
     inverse: Inverse::Even(&Checked {
         name: "inverse_hyperbolic_cosine",
         decides_by_sign: false,
-        cost: &[Work::Other],
+        cost: &[WorkUnit::Other],
     }),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: false,
     value: |x| x[0].cosh(),
     partials: |graph, x, _| vec![graph.call(Function::Sinh, x)],

@@ -1,9 +1,9 @@
 //! exp x: the derivative is exp x itself.
 
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 use super::ln::LOGARITHM;
 
-pub(super) const EXP: Elementary = Elementary {
+pub(super) const EXP: FunctionFacts = FunctionFacts {
     name: "exp",
     form: "exp(x)",
     notation: "exp",
@@ -15,7 +15,7 @@ pub(super) const EXP: Elementary = Elementary {
     guard: None,
     inverse: Inverse::One(InverseFunction::Checked(&LOGARITHM)),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: false,
     value: |x| x[0].exp(),
     partials: |_, _, value| vec![value],

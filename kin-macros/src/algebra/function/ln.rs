@@ -1,16 +1,16 @@
 //! ln x: the derivative is 1 / x.
 
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 use crate::algebra::Function;
 
 /// ln x with a check.
 pub(super) const LOGARITHM: Checked = Checked {
     name: "logarithm",
     decides_by_sign: true,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
 };
 
-pub(super) const LN: Elementary = Elementary {
+pub(super) const LN: FunctionFacts = FunctionFacts {
     name: "ln",
     form: "ln(x)",
     notation: "ln",
@@ -25,7 +25,7 @@ pub(super) const LN: Elementary = Elementary {
     guard: Some(&LOGARITHM),
     inverse: Inverse::One(InverseFunction::Elementary(Function::Exp)),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].ln(),
     partials: |graph, x, _| vec![graph.power(x[0], -1)],

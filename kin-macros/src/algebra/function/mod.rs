@@ -1,6 +1,6 @@
 //! The elementary functions of the declaration language, one file each.
 //!
-//! A file states all facts of its function, as [`elementary::Elementary`]. A new function needs a new file, an entry in
+//! A file states all facts of its function, as [`facts::FunctionFacts`]. A new function needs a new file, an entry in
 //! the list below, and the method of the trait `Number` of kin-core that calculates it. Time derivatives of every order
 //! follow from the partial derivatives (`derive/`). There, sine and cosine are differentiated as a pair, because they
 //! share their angle.
@@ -14,8 +14,8 @@ mod atan2;
 mod atanh;
 mod cos;
 mod cosh;
-mod elementary;
 mod exp;
+mod facts;
 mod ln;
 mod sin;
 mod sinh;
@@ -23,10 +23,10 @@ mod sqrt;
 mod tan;
 mod tanh;
 
-pub(crate) use elementary::{Calculation, Checked, Gives, Inverse, InverseFunction, Takes, Work};
+pub(crate) use facts::{Calculation, Checked, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 
 use crate::algebra::{Graph, Node};
-use elementary::{Domain, Elementary};
+use facts::{Domain, FunctionFacts};
 
 /// Lists the functions with their facts, in the order in which messages list them.
 macro_rules! functions {
@@ -41,7 +41,7 @@ macro_rules! functions {
             /// Every function, in the order in which messages list them.
             pub(crate) const ALL: &[Self] = &[$(Self::$variant),+];
 
-            const fn elementary(self) -> &'static Elementary {
+            const fn facts(self) -> &'static FunctionFacts {
                 match self {
                     $(Self::$variant => &$facts,)+
                 }
@@ -77,52 +77,52 @@ impl Function {
 
     /// The name, in the declaration and in generated code alike.
     pub(crate) const fn name(self) -> &'static str {
-        self.elementary().name
+        self.facts().name
     }
 
     /// The spelling of a call, as messages show it.
     pub(crate) const fn form(self) -> &'static str {
-        self.elementary().form
+        self.facts().form
     }
 
     /// The usual name, in formulas to be read.
     pub(crate) const fn notation(self) -> &'static str {
-        self.elementary().notation
+        self.facts().notation
     }
 
     /// The usual name of the function that gives the argument for a value, if it has a name.
     pub(crate) const fn undone_by(self) -> Option<&'static str> {
-        self.elementary().undone_by
+        self.facts().undone_by
     }
 
     /// The number of arguments.
     pub(crate) const fn arity(self) -> usize {
-        self.elementary().arity
+        self.facts().arity
     }
 
     /// The dimension of the arguments.
     pub(crate) const fn takes(self) -> Takes {
-        self.elementary().takes
+        self.facts().takes
     }
 
     /// The dimension of the value.
     pub(crate) const fn gives(self) -> Gives {
-        self.elementary().gives
+        self.facts().gives
     }
 
     /// The function of `kin_core::solve` that checks the domain in generated code.
     pub(crate) const fn guard(self) -> Option<&'static Checked> {
-        self.elementary().guard
+        self.facts().guard
     }
 
     /// The way to solve an equation f(x) = v for x.
     pub(crate) const fn inverse(self) -> Inverse {
-        self.elementary().inverse
+        self.facts().inverse
     }
 
     /// The way in which generated code calculates the function.
     pub(crate) const fn calculation(self) -> Calculation {
-        self.elementary().calculation
+        self.facts().calculation
     }
 
     /// The function that is calculated in the same call: cosine for sine, sine for cosine.
@@ -135,19 +135,19 @@ impl Function {
     }
 
     /// The cost of a call.
-    pub(crate) const fn cost(self) -> &'static [Work] {
-        self.elementary().cost
+    pub(crate) const fn cost(self) -> &'static [WorkUnit] {
+        self.facts().cost
     }
 
     /// Whether the function has a zero. If not, a zero result comes from underflow.
     pub(crate) const fn has_zeros(self) -> bool {
-        self.elementary().has_zeros
+        self.facts().has_zeros
     }
 
     /// The value; NaN outside the domain.
     pub(crate) fn value(self, arguments: &[f64]) -> f64 {
         if self.contains(arguments) {
-            (self.elementary().value)(arguments)
+            (self.facts().value)(arguments)
         } else {
             f64::NAN
         }
@@ -155,7 +155,7 @@ impl Function {
 
     /// Whether the arguments lie in the domain and the value is a number.
     pub(crate) fn contains(self, arguments: &[f64]) -> bool {
-        match self.elementary().domain {
+        match self.facts().domain {
             Domain::Everywhere | Domain::Between { .. } => arguments.iter().all(|argument| argument.is_finite()),
             Domain::Part { contains, .. } => contains(arguments),
         }
@@ -165,7 +165,7 @@ impl Function {
     pub(crate) fn left_domain(self, graph: &mut Graph, arguments: &[Node]) -> Option<&'static str> {
         let constants: Option<Vec<f64>> = arguments.iter().map(|&node| graph.constant_value(node)).collect();
         let constants = constants?;
-        match self.elementary().domain {
+        match self.facts().domain {
             Domain::Everywhere => None,
             Domain::Part { contains, text } => (!contains(&constants)).then_some(text),
             Domain::Between { divisor, text } => {
@@ -177,7 +177,7 @@ impl Function {
 
     /// The partial derivative by each argument.
     pub(crate) fn partials(self, graph: &mut Graph, arguments: &[Node], value: Node) -> Vec<Node> {
-        (self.elementary().partials)(graph, arguments, value)
+        (self.facts().partials)(graph, arguments, value)
     }
 }
 

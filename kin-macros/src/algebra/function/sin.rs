@@ -1,9 +1,9 @@
 //! sin x: the derivative is cos x.
 
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, Takes, WorkUnit};
 use crate::algebra::Function;
 
-pub(super) const SIN: Elementary = Elementary {
+pub(super) const SIN: FunctionFacts = FunctionFacts {
     name: "sin",
     form: "sin(x)",
     notation: "sin",
@@ -15,7 +15,7 @@ pub(super) const SIN: Elementary = Elementary {
     guard: None,
     inverse: Inverse::None,
     calculation: Calculation::Sine,
-    cost: &[Work::SineCosine],
+    cost: &[WorkUnit::SineCosine],
     has_zeros: true,
     value: |x| x[0].sin(),
     partials: |graph, x, _| vec![graph.call(Function::Cos, x)],

@@ -1,9 +1,9 @@
 //! sinh x: the derivative is cosh x.
 
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 use crate::algebra::Function;
 
-pub(super) const SINH: Elementary = Elementary {
+pub(super) const SINH: FunctionFacts = FunctionFacts {
     name: "sinh",
     form: "sinh(x)",
     notation: "sinh",
@@ -15,7 +15,7 @@ pub(super) const SINH: Elementary = Elementary {
     guard: None,
     inverse: Inverse::One(InverseFunction::Elementary(Function::Asinh)),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].sinh(),
     partials: |graph, x, _| vec![graph.call(Function::Cosh, x)],

@@ -1,8 +1,8 @@
 //! √x: the derivative is 1 / (2 √x).
 
-use super::elementary::{Calculation, Checked, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Checked, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 
-pub(super) const SQRT: Elementary = Elementary {
+pub(super) const SQRT: FunctionFacts = FunctionFacts {
     name: "sqrt",
     form: "sqrt(x)",
     notation: "sqrt",
@@ -17,15 +17,15 @@ pub(super) const SQRT: Elementary = Elementary {
     guard: Some(&Checked {
         name: "square_root_of",
         decides_by_sign: true,
-        cost: &[Work::SquareRoot],
+        cost: &[WorkUnit::SquareRoot],
     }),
     inverse: Inverse::One(InverseFunction::Checked(&Checked {
         name: "square_of_root",
         decides_by_sign: true,
-        cost: &[Work::Multiplication],
+        cost: &[WorkUnit::Multiplication],
     })),
     calculation: Calculation::Method,
-    cost: &[Work::SquareRoot],
+    cost: &[WorkUnit::SquareRoot],
     has_zeros: true,
     value: |x| x[0].sqrt(),
     partials: |graph, _, value| {

@@ -1,8 +1,8 @@
 //! tan x: the derivative is 1 + tan² x.
 
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, Takes, WorkUnit};
 
-pub(super) const TAN: Elementary = Elementary {
+pub(super) const TAN: FunctionFacts = FunctionFacts {
     name: "tan",
     form: "tan(x)",
     notation: "tan",
@@ -17,7 +17,7 @@ pub(super) const TAN: Elementary = Elementary {
     guard: None,
     inverse: Inverse::None,
     calculation: Calculation::Tangent,
-    cost: &[Work::SineCosine, Work::Division],
+    cost: &[WorkUnit::SineCosine, WorkUnit::Division],
     has_zeros: true,
     value: |x| x[0].tan(),
     partials: |graph, _, value| {

@@ -1,9 +1,9 @@
 //! tanh x: the derivative is 1 - tanh² x.
 
 use super::atanh::AREA;
-use super::elementary::{Calculation, Domain, Elementary, Gives, Inverse, InverseFunction, Takes, Work};
+use super::facts::{Calculation, Domain, FunctionFacts, Gives, Inverse, InverseFunction, Takes, WorkUnit};
 
-pub(super) const TANH: Elementary = Elementary {
+pub(super) const TANH: FunctionFacts = FunctionFacts {
     name: "tanh",
     form: "tanh(x)",
     notation: "tanh",
@@ -15,7 +15,7 @@ pub(super) const TANH: Elementary = Elementary {
     guard: None,
     inverse: Inverse::One(InverseFunction::Checked(&AREA)),
     calculation: Calculation::Method,
-    cost: &[Work::Other],
+    cost: &[WorkUnit::Other],
     has_zeros: true,
     value: |x| x[0].tanh(),
     partials: |graph, _, value| {

@@ -1,7 +1,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::elementary::Domain;
+use super::facts::Domain;
 use super::*;
 use crate::algebra::Symbol;
 
@@ -68,7 +68,7 @@ fn forms_have_the_name_and_the_arguments() {
 #[test]
 fn domains_are_where_values_are_numbers() {
     for &function in Function::ALL {
-        let Elementary { value, domain, .. } = function.elementary();
+        let FunctionFacts { value, domain, .. } = function.facts();
         for x in line() {
             let at = [x, 0.0];
             let at = &at[..function.arity()];
@@ -119,7 +119,7 @@ fn constants_outside_of_a_domain_are_found() {
 #[test]
 fn parts_of_the_line_are_guarded() {
     for &function in Function::ALL.iter().filter(|function| function.arity() == 1) {
-        let is_part = matches!(function.elementary().domain, Domain::Part { .. });
+        let is_part = matches!(function.facts().domain, Domain::Part { .. });
         assert_eq!(function.guard().is_some(), is_part, "{}", function.name());
         // the sign of the argument decides if and only if the domain ends at zero
         if let Some(guard) = function.guard() {
@@ -206,7 +206,7 @@ fn circular_functions_are_calculated_together() {
         }
         assert_eq!(
             expected.is_some(),
-            function.cost().contains(&Work::SineCosine),
+            function.cost().contains(&WorkUnit::SineCosine),
             "{}",
             function.name()
         );

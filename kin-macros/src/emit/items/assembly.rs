@@ -9,7 +9,7 @@ use super::values;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, attributes};
 use crate::emit::items::internal::Internal;
-use crate::emit::text::Text;
+use crate::emit::text::ProgramText;
 use crate::program::Step;
 
 /// The largest number of blocks with a choice for which a constant lists all assemblies.
@@ -176,7 +176,7 @@ fn finder(mechanism: &Compiled<'_>) -> TokenStream {
     let body = if mechanism.is_coupled() {
         quote!(self.__side(#(#inputs,)* #near).0)
     } else {
-        let Sides { way, result, .. } = Sides::new(mechanism);
+        let BlockOrientations { way, result, .. } = BlockOrientations::new(mechanism);
         quote!(#way #result)
     };
     quote! {
@@ -199,11 +199,11 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     let inputs = mechanism.input_names();
     let unknown_count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());
     let near = mechanism.own("near");
-    let Sides {
+    let BlockOrientations {
         way,
         orientations,
         result,
-    } = Sides::new(mechanism);
+    } = BlockOrientations::new(mechanism);
     Some(Internal {
         attributes: quote! {
             /// The assembly and the guess. If several poses are solved at once, the guess becomes NaN for poses in another
@@ -221,7 +221,7 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
 }
 
 /// The orientations of the blocks, from values of the unknowns.
-struct Sides {
+struct BlockOrientations {
     /// The steps that find them.
     way: TokenStream,
     orientations: Vec<Ident>,
@@ -229,11 +229,11 @@ struct Sides {
     result: TokenStream,
 }
 
-impl Sides {
+impl BlockOrientations {
     fn new(mechanism: &Compiled<'_>) -> Self {
         let inputs = mechanism.input_names();
         let program = &mechanism.solvers.orientations;
-        let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
+        let (text, stage) = (ProgramText::of(mechanism, program), &program.stages[0]);
         let near = mechanism.own("near");
         let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
         let symbols: Vec<Symbol> = (0..mechanism.model.unknowns.len()).map(Symbol::Unknown).collect();

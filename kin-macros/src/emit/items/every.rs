@@ -6,7 +6,7 @@ use quote::quote;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
-use crate::emit::text::Text;
+use crate::emit::text::ProgramText;
 use crate::program::{Expression, Program};
 
 /// The largest number of assemblies that are all found. A mechanism with more is assembled from a guess.
@@ -108,7 +108,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
 /// `__one_of_all`: the unknowns of one assembly, as the choices on the way say.
 pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     let (program, _) = search(mechanism)?;
-    let (text, stage) = (Text::of_every(mechanism, program), &program.stages[0]);
+    let (text, stage) = (ProgramText::of_every(mechanism, program), &program.stages[0]);
     let runtime = mechanism.runtime;
     let inputs = mechanism.input_names();
     let count = Literal::usize_unsuffixed(mechanism.model.unknowns.len());

@@ -5,15 +5,15 @@ use quote::quote;
 
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
-use crate::emit::text::Text;
-use crate::program::{Component, Form, Lengths};
+use crate::emit::text::ProgramText;
+use crate::program::{Component, FormLengths, Lengths};
 use crate::structure::BlockKind;
 
 /// The row of the blocks and the method `block_forms` of the trait.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     let runtime = mechanism.runtime;
     let Lengths { forms, program } = &mechanism.solvers.lengths;
-    let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
+    let (text, stage) = (ProgramText::of(mechanism, program), &program.stages[0]);
     let (readings, body) = (text.readings(stage, &[]), text.plain_steps(stage));
     let parameters = mechanism.scalar_parameters();
     let component = |component: Component| match component {
@@ -48,7 +48,11 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-fn written(mechanism: &Compiled<'_>, form: &Form, length: &dyn Fn([Component; 2]) -> TokenStream) -> TokenStream {
+fn written(
+    mechanism: &Compiled<'_>,
+    form: &FormLengths,
+    length: &dyn Fn([Component; 2]) -> TokenStream,
+) -> TokenStream {
     let runtime = mechanism.runtime;
     let Some(driver) = form.driver else {
         let constructor = |name: &str| {

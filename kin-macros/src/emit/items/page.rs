@@ -3,7 +3,7 @@
 use super::documentation::unit;
 use super::every;
 use crate::emit::compiled::Compiled;
-use crate::model::{Quantity, Shape};
+use crate::model::{Quantity, ValueShape};
 
 /// The documentation that follows the user's own.
 pub(in crate::emit) fn lines(mechanism: &Compiled<'_>) -> Vec<String> {
@@ -55,8 +55,8 @@ fn example(mechanism: &Compiled<'_>) -> Vec<String> {
         .parameters
         .iter()
         .map(|parameter| match parameter.dimension.shape() {
-            Shape::Plane => format!("{}: Plane::new(.., ..)", parameter.name),
-            Shape::Space => format!("{}: Space::new(.., .., ..)", parameter.name),
+            ValueShape::Plane => format!("{}: Plane::new(.., ..)", parameter.name),
+            ValueShape::Space => format!("{}: Space::new(.., .., ..)", parameter.name),
             _ => format!("{}: ..", parameter.name),
         })
         .collect();

@@ -6,8 +6,8 @@ use quote::quote;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
 use crate::emit::items::internal::Internal;
-use crate::emit::text::Text;
-use crate::model::{Dimension, Value};
+use crate::emit::text::ProgramText;
+use crate::model::{Dimension, FormulaValue};
 use crate::program::UnitPart;
 use crate::translate::vector_type;
 
@@ -133,7 +133,7 @@ pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Internal {
         quote!(::core::option::Option<[T; #count]>)
     };
     let stage = &mechanism.solvers.orders()[0];
-    let text = Text::of(mechanism, &mechanism.solvers.motion);
+    let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
     let given: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();
     let readings = text.readings(stage, &given);
     let body = text.position_steps(stage);
@@ -217,7 +217,7 @@ pub(super) fn output_values<'a>(mechanism: &Compiled<'a>, order: usize) -> Vec<(
 }
 
 /// An output's derivative of an order, combined from its parts.
-fn output_value(mechanism: &Compiled<'_>, value: &Value, parts: &[usize], order: usize) -> TokenStream {
+fn output_value(mechanism: &Compiled<'_>, value: &FormulaValue, parts: &[usize], order: usize) -> TokenStream {
     let runtime = mechanism.runtime;
     let names: Vec<_> = parts
         .iter()

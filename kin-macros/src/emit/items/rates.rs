@@ -8,7 +8,7 @@ use quote::quote;
 use super::position::output_values;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
-use crate::emit::text::Text;
+use crate::emit::text::ProgramText;
 use crate::program::Step;
 use crate::program::order_name;
 
@@ -17,7 +17,7 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>, order: usize) -> TokenSt
     let model = mechanism.model;
     let pose = mechanism.pose(order);
     let stage = &mechanism.solvers.orders()[order];
-    let text = Text::of(mechanism, &mechanism.solvers.motion);
+    let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
     let method = local(&order_name(order));
     let given: Vec<Symbol> = (0..model.inputs.len())
         .map(|index| Symbol::InputRate(index, order))

@@ -7,8 +7,8 @@ use super::description;
 use super::documentation::{cost_line, unit};
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, attributes, local};
-use crate::emit::text::Text;
-use crate::model::Shape;
+use crate::emit::text::ProgramText;
+use crate::model::ValueShape;
 use crate::program::order_name;
 use crate::translate::vector_type;
 
@@ -111,7 +111,7 @@ pub(in crate::emit) fn method(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let whole = whole(mechanism);
     let (argument, pose) = (mechanism.own("pose"), mechanism.pose(mechanism.order()));
-    let text = Text::of(mechanism, &mechanism.solvers.motion);
+    let text = ProgramText::of(mechanism, &mechanism.solvers.motion);
     let readings = text.readings_from(stage, &quote!(#argument));
     let body = text.plain_steps(stage);
     let mut next = 0;
@@ -187,7 +187,7 @@ fn by_parameter(mechanism: &Compiled<'_>, parameter: usize) -> TokenStream {
 }
 
 /// The names of a vector's parts, none for a scalar.
-fn parts(shape: Shape) -> Vec<Ident> {
+fn parts(shape: ValueShape) -> Vec<Ident> {
     shape.axes().iter().map(|axis| local(&axis.to_string())).collect()
 }
 

@@ -8,7 +8,7 @@ use quote::quote;
 use super::values;
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, local};
-use crate::emit::text::Text;
+use crate::emit::text::ProgramText;
 use crate::model::Request;
 use crate::program::{Step, TransmissionAngles};
 use crate::structure::Dyad;
@@ -45,7 +45,7 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
 pub(in crate::emit) fn implementation(mechanism: &Compiled<'_>) -> TokenStream {
     let (runtime, model) = (mechanism.runtime, mechanism.model);
     let TransmissionAngles { dyads, program } = &mechanism.solvers.transmission;
-    let (text, stage) = (Text::of(mechanism, program), &program.stages[0]);
+    let (text, stage) = (ProgramText::of(mechanism, program), &program.stages[0]);
     let used: BTreeSet<Symbol> = stage.steps.iter().flat_map(Step::uses).collect();
     let arguments @ [input_row, unknown_row] = &["inputs", "unknowns"].map(local);
     let inputs: Vec<Symbol> = (0..model.inputs.len()).map(Symbol::Input).collect();

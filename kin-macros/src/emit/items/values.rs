@@ -7,7 +7,7 @@ use quote::{ToTokens, quote};
 
 use crate::algebra::Symbol;
 use crate::emit::compiled::Compiled;
-use crate::emit::text::Text;
+use crate::emit::text::ProgramText;
 
 /// `impl PoseOf`, `impl Guess` and `impl Display`, for the pose of each order.
 pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
@@ -49,7 +49,7 @@ pub(in crate::emit) fn argument(mechanism: &Compiled<'_>) -> (Ident, TokenStream
 
 /// `let` for the used values of a row, by their own names.
 pub(in crate::emit) fn bound(
-    text: &Text<'_>,
+    text: &ProgramText<'_>,
     used: &BTreeSet<Symbol>,
     symbols: &[Symbol],
     row: &TokenStream,

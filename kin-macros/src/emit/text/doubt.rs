@@ -8,7 +8,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::Text;
+use super::ProgramText;
 use crate::algebra::Symbol;
 use crate::program::{Expression, Step};
 
@@ -17,7 +17,7 @@ const MOST_TERMS: usize = 12;
 
 /// A decisive number with its terms. They are the terms of its expression, or of the statement among `among` that
 /// defines it.
-pub(super) fn decisive(text: &Text<'_>, value: &Expression, among: &[&Step<Expression>]) -> TokenStream {
+pub(super) fn decisive(text: &ProgramText<'_>, value: &Expression, among: &[&Step<Expression>]) -> TokenStream {
     let (runtime, own) = (text.mechanism.runtime, text.expression(value));
     let terms = terms(value, among);
     if terms.len() < 2 {
@@ -28,7 +28,11 @@ pub(super) fn decisive(text: &Text<'_>, value: &Expression, among: &[&Step<Expre
 }
 
 /// A vector with its terms. The test that the vector is nonzero decides.
-pub(super) fn decisive_vector(text: &Text<'_>, [x, y]: &[Expression; 2], among: &[&Step<Expression>]) -> TokenStream {
+pub(super) fn decisive_vector(
+    text: &ProgramText<'_>,
+    [x, y]: &[Expression; 2],
+    among: &[&Step<Expression>],
+) -> TokenStream {
     let runtime = text.mechanism.runtime;
     let (own_x, own_y) = (text.expression(x), text.expression(y));
     let own = quote!(#runtime::Plane::new(#own_x, #own_y));

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::Text;
+use super::ProgramText;
 use crate::emit::compiled::local;
 use crate::precedence::Precedence;
 use crate::program::Expression;
@@ -37,7 +37,7 @@ fn sum_with_product<'a>(
     }
 }
 
-impl Text<'_> {
+impl ProgramText<'_> {
     /// Expressions in the number type `T`.
     pub(super) fn expressions(&self, expressions: &[Expression]) -> Vec<TokenStream> {
         expressions

@@ -3,14 +3,14 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::Text;
+use super::ProgramText;
 use crate::algebra::Symbol;
 use crate::emit::compiled::local;
 use crate::model::Dimension;
 use crate::program::{Expression, Step};
 use crate::structure::PolynomialSystem;
 
-impl Text<'_> {
+impl ProgramText<'_> {
     /// Newton's method, started from the guess.
     pub(super) fn newton(
         &self,

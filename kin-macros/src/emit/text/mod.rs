@@ -15,14 +15,14 @@ use crate::program::{Expression, Names, Program, Stage, UnitPart, order_name};
 
 /// Writes a program of a mechanism.
 #[derive(Clone, Copy)]
-pub(super) struct Text<'a> {
+pub(super) struct ProgramText<'a> {
     pub(super) mechanism: &'a Compiled<'a>,
     names: &'a Names,
     /// Whether the steps go through all positions, and not to a single one.
     goes_through_all: bool,
 }
 
-impl<'a> Text<'a> {
+impl<'a> ProgramText<'a> {
     /// The text of a program that leads to one position, or on from it.
     pub(super) fn of(mechanism: &'a Compiled<'a>, program: &'a Program<Expression>) -> Self {
         Self {

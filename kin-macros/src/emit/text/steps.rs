@@ -3,14 +3,14 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{Text, doubt};
+use super::{ProgramText, doubt};
 use crate::algebra::{Checked, Symbol};
 use crate::emit::compiled::local;
-use crate::program::{Argument, Expression, Mode, Returns, Solver, Stage, Step};
+use crate::program::{Expression, FormArgument, Mode, Returns, Solver, Stage, Step};
 
 type Written = Step<Expression>;
 
-impl Text<'_> {
+impl ProgramText<'_> {
     /// The steps of a stage that cannot fail.
     pub(in crate::emit) fn plain_steps(&self, stage: &Stage<Expression>) -> TokenStream {
         let steps: Vec<&Written> = stage.steps.iter().collect();
@@ -259,7 +259,7 @@ impl Text<'_> {
     fn solve(
         &self,
         solver: Solver,
-        arguments: &[Argument<Expression>],
+        arguments: &[FormArgument<Expression>],
         results: &[Option<Symbol>],
         part: usize,
         among: &[&Written],
@@ -270,8 +270,8 @@ impl Text<'_> {
             .iter()
             .enumerate()
             .map(|(place, argument)| match argument {
-                Argument::Scalar(value) if solver.decides_on(place) => doubt::decisive(self, value, among),
-                Argument::Plane(vector) if solver.decides_on(place) => doubt::decisive_vector(self, vector, among),
+                FormArgument::Scalar(value) if solver.decides_on(place) => doubt::decisive(self, value, among),
+                FormArgument::Plane(vector) if solver.decides_on(place) => doubt::decisive_vector(self, vector, among),
                 _ => self.argument(argument),
             })
             .collect();
@@ -302,13 +302,13 @@ impl Text<'_> {
         }
     }
 
-    fn argument(&self, argument: &Argument<Expression>) -> TokenStream {
+    fn argument(&self, argument: &FormArgument<Expression>) -> TokenStream {
         let runtime = self.mechanism.runtime;
         match argument.map(|value| self.expression(value)) {
-            Argument::Scalar(scalar) => scalar,
-            Argument::Plane([x, y]) => quote!(#runtime::Plane::new(#x, #y)),
-            Argument::Pair([first, second]) => quote!([#first, #second]),
-            Argument::Matrix([[a, b], [c, d]]) => quote!([[#a, #b], [#c, #d]]),
+            FormArgument::Scalar(scalar) => scalar,
+            FormArgument::Plane([x, y]) => quote!(#runtime::Plane::new(#x, #y)),
+            FormArgument::Pair([first, second]) => quote!([#first, #second]),
+            FormArgument::Matrix([[a, b], [c, d]]) => quote!([[#a, #b], [#c, #d]]),
         }
     }
 

@@ -1,9 +1,9 @@
 //! a cos x + b sin x = c.
 
-use crate::algebra::{Angle, Graph, Harmonic, Node, NodeKind, Polynomial, Symbol};
+use crate::algebra::{Angle, Graph, Harmonic, Node, NodeKind, Symbol, TrigonometricPolynomial};
 use crate::structure::ClosedForm;
 
-pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
+pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, unknown: usize) -> Option<ClosedForm> {
     let own = Angle(vec![(Symbol::Unknown(unknown), 1)]);
     let zero = graph.zero();
     let (mut a, mut b) = (zero, zero);

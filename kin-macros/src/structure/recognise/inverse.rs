@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::single;
-use crate::algebra::{Expansion, Graph, Harmonic, Inverse, Node, NodeKind, Polynomial, Symbol, Variables};
+use crate::algebra::{Expansion, Graph, Harmonic, Inverse, Node, NodeKind, Symbol, TrigonometricPolynomial, Variables};
 use crate::structure::ClosedForm;
 
-pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
+pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, unknown: usize) -> Option<ClosedForm> {
     let mut function_call = None;
     for (monomial, &coefficient) in &equation.0 {
         if monomial.harmonic != Harmonic::One {

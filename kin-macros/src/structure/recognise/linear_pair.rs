@@ -1,9 +1,13 @@
 //! Two equations that are linear in both unknowns, such as a plane loop with two unknown lengths.
 
-use crate::algebra::{Graph, Harmonic, Node, Polynomial, Symbol};
+use crate::algebra::{Graph, Harmonic, Node, Symbol, TrigonometricPolynomial};
 use crate::structure::ClosedForm;
 
-pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns: [usize; 2]) -> Option<ClosedForm> {
+pub(super) fn recognise(
+    graph: &mut Graph,
+    equations: [&TrigonometricPolynomial; 2],
+    unknowns: [usize; 2],
+) -> Option<ClosedForm> {
     let zero = graph.zero();
     let variables = unknowns.map(|unknown| graph.symbol(Symbol::Unknown(unknown)));
     let mut matrix = [[zero; 2]; 2];

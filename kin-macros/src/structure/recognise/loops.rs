@@ -6,12 +6,12 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Angle, Graph, Harmonic, Monomial, Node, Polynomial, Symbol};
+use crate::algebra::{Angle, Graph, Harmonic, Monomial, Node, Symbol, TrigonometricPolynomial};
 use crate::structure::{Arm, ClosedForm, ComplexNode};
 
 /// A pair of rows: `rows[0] = 0` is the real part and `rows[1] = 0` the imaginary part of a loop.
 struct RowPair<'a> {
-    rows: [&'a Polynomial; 2],
+    rows: [&'a TrigonometricPolynomial; 2],
     /// The factor of the second row.
     scale: Node,
 }
@@ -47,7 +47,11 @@ impl TurningTerm {
     }
 }
 
-pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns: [usize; 2]) -> Option<ClosedForm> {
+pub(super) fn recognise(
+    graph: &mut Graph,
+    equations: [&TrigonometricPolynomial; 2],
+    unknowns: [usize; 2],
+) -> Option<ClosedForm> {
     let places: Vec<TurningTerm> = equations
         .iter()
         .flat_map(|equation| equation.0.keys())
@@ -116,7 +120,7 @@ pub(super) fn recognise(graph: &mut Graph, equations: [&Polynomial; 2], unknowns
 /// occurs anywhere else in the equations.
 pub(in crate::structure) fn arm(
     graph: &mut Graph,
-    equations: [&Polynomial; 2],
+    equations: [&TrigonometricPolynomial; 2],
     unknown: usize,
 ) -> Option<(Arm, ComplexNode)> {
     let angle = Angle(vec![(Symbol::Unknown(unknown), 1)]);
@@ -167,7 +171,12 @@ pub(in crate::structure) fn arm(
 }
 
 /// The factor of the second row with which the first place is a multiplication by a complex number.
-fn row_scale(graph: &mut Graph, rows: [&Polynomial; 2], place: &TurningTerm, mirrored: bool) -> Option<Node> {
+fn row_scale(
+    graph: &mut Graph,
+    rows: [&TrigonometricPolynomial; 2],
+    place: &TurningTerm,
+    mirrored: bool,
+) -> Option<Node> {
     let [cosine, sine] = place.monomials();
     let (cosine_above, sine_above) = (rows[0].coefficient(graph, &cosine), rows[0].coefficient(graph, &sine));
     let (cosine_below, sine_below) = (rows[1].coefficient(graph, &cosine), rows[1].coefficient(graph, &sine));

@@ -11,10 +11,14 @@ mod powers;
 pub(in crate::structure) use loops::arm;
 
 use super::ClosedForm;
-use crate::algebra::{Graph, Polynomial};
+use crate::algebra::{Graph, TrigonometricPolynomial};
 
 /// The first closed form that fits.
-pub(super) fn closed_form(graph: &mut Graph, equations: &[Polynomial], unknowns: &[usize]) -> Option<ClosedForm> {
+pub(super) fn closed_form(
+    graph: &mut Graph,
+    equations: &[TrigonometricPolynomial],
+    unknowns: &[usize],
+) -> Option<ClosedForm> {
     match (equations, unknowns) {
         ([equation], &[unknown]) => single(graph, equation, unknown),
         ([first, second], &[a, b]) => linear_pair::recognise(graph, [first, second], [a, b])
@@ -24,7 +28,7 @@ pub(super) fn closed_form(graph: &mut Graph, equations: &[Polynomial], unknowns:
 }
 
 /// The closed form of one equation for one unknown.
-fn single(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
+fn single(graph: &mut Graph, equation: &TrigonometricPolynomial, unknown: usize) -> Option<ClosedForm> {
     powers::recognise(graph, equation, unknown)
         .or_else(|| circular::recognise(graph, equation, unknown))
         .or_else(|| inverse::recognise(graph, equation, unknown))

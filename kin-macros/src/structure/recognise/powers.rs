@@ -1,9 +1,9 @@
 //! Linear and quadratic equations of one unknown.
 
-use crate::algebra::{Graph, Harmonic, Polynomial, Symbol};
+use crate::algebra::{Graph, Harmonic, Symbol, TrigonometricPolynomial};
 use crate::structure::ClosedForm;
 
-pub(super) fn recognise(graph: &mut Graph, equation: &Polynomial, unknown: usize) -> Option<ClosedForm> {
+pub(super) fn recognise(graph: &mut Graph, equation: &TrigonometricPolynomial, unknown: usize) -> Option<ClosedForm> {
     let variable = graph.symbol(Symbol::Unknown(unknown));
     let zero = graph.zero();
     let mut coefficients = [zero; 3];

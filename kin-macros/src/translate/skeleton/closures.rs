@@ -5,13 +5,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Names;
+use super::SkeletonNames;
 use super::groups::Groups;
 use super::outline::{Body, Joint, Outline, Slide};
-use super::terms::{Term, terms};
-use super::turning::{Manner, Turning, manner};
-use crate::model::Shape;
-use crate::syntax::{EquationStatement, Formula, OutputStatement};
+use super::terms::{LinkTerm, terms};
+use super::turning::{Manner, TurningAngles, manner};
+use crate::model::ValueShape;
+use crate::syntax::{EquationStatement, OutputStatement, TypedFormula};
 
 /// The origin of all chains.
 const ORIGIN: usize = 0;
@@ -20,8 +20,8 @@ const ORIGIN: usize = 0;
 pub(super) fn outline<'a>(
     equations: &[&'a EquationStatement],
     points: &[&'a OutputStatement],
-    shape: Shape,
-    names: &Names<'a>,
+    shape: ValueShape,
+    names: &SkeletonNames<'a>,
 ) -> Outline<'a> {
     let mut chains = Chains::new(shape, names);
     for equation in equations {
@@ -39,14 +39,14 @@ pub(super) fn outline<'a>(
 }
 
 /// The terms of both sides. Of a whole loop that comes to zero, what is subtracted is the other side.
-fn sides<'a>(equation: &'a EquationStatement, names: &Names<'a>) -> [Vec<Term<'a>>; 2] {
+fn sides<'a>(equation: &'a EquationStatement, names: &SkeletonNames<'a>) -> [Vec<LinkTerm<'a>>; 2] {
     let [left, right] = [&equation.left, &equation.right].map(|side| terms(side, names));
     let (whole, none) = if right.is_empty() { (left, right) } else { (right, left) };
     if !none.is_empty() {
         return [none, whole];
     }
-    let (subtracted, added): (Vec<Term<'_>>, Vec<Term<'_>>) = whole.into_iter().partition(|term| term.negative);
-    let subtracted = subtracted.into_iter().map(|term| Term {
+    let (subtracted, added): (Vec<LinkTerm<'_>>, Vec<LinkTerm<'_>>) = whole.into_iter().partition(|term| term.negative);
+    let subtracted = subtracted.into_iter().map(|term| LinkTerm {
         negative: false,
         ..term
     });
@@ -54,27 +54,27 @@ fn sides<'a>(equation: &'a EquationStatement, names: &Names<'a>) -> [Vec<Term<'a
 }
 
 /// A term between two joints.
-struct Link<'a> {
+struct LinkBetween<'a> {
     from: usize,
     to: usize,
-    term: Term<'a>,
+    term: LinkTerm<'a>,
     manner: Manner,
 }
 
 /// Chains of terms from the origin.
 pub(super) struct Chains<'a, 'b> {
-    shape: Shape,
-    names: &'b Names<'a>,
+    shape: ValueShape,
+    names: &'b SkeletonNames<'a>,
     joints: Vec<Joint<'a>>,
     /// Joints by the terms that lead to them, in any order.
     sums: BTreeMap<Vec<String>, usize>,
-    links: Vec<Link<'a>>,
+    links: Vec<LinkBetween<'a>>,
     /// The joints that coincide.
     same: Groups,
 }
 
 impl<'a, 'b> Chains<'a, 'b> {
-    pub(super) fn new(shape: Shape, names: &'b Names<'a>) -> Self {
+    pub(super) fn new(shape: ValueShape, names: &'b SkeletonNames<'a>) -> Self {
         let mut chains = Self {
             shape,
             names,
@@ -87,7 +87,7 @@ impl<'a, 'b> Chains<'a, 'b> {
         chains
     }
 
-    fn joint(&mut self, sum: Vec<String>, before: Option<usize>, term: Option<Term<'a>>) -> usize {
+    fn joint(&mut self, sum: Vec<String>, before: Option<usize>, term: Option<LinkTerm<'a>>) -> usize {
         let joint = self.same.add();
         self.joints.push(Joint { before, term });
         self.sums.insert(sum, joint);
@@ -95,7 +95,7 @@ impl<'a, 'b> Chains<'a, 'b> {
     }
 
     /// The last joint of a chain of terms.
-    pub(super) fn chain(&mut self, terms: Vec<Term<'a>>) -> usize {
+    pub(super) fn chain(&mut self, terms: Vec<LinkTerm<'a>>) -> usize {
         let mut sum = Vec::new();
         let mut last = ORIGIN;
         for term in terms {
@@ -106,7 +106,7 @@ impl<'a, 'b> Chains<'a, 'b> {
     }
 
     /// The joint behind a further term.
-    fn follow(&mut self, from: usize, sum: &mut Vec<String>, term: Term<'a>, manner: Manner) -> usize {
+    fn follow(&mut self, from: usize, sum: &mut Vec<String>, term: LinkTerm<'a>, manner: Manner) -> usize {
         extend(sum, &term);
         let to = if let Some(&joint) = self.sums.get(sum) {
             joint
@@ -116,7 +116,7 @@ impl<'a, 'b> Chains<'a, 'b> {
         };
         let known = self.links.iter().any(|link| (link.from, link.to) == (from, to));
         if !known {
-            self.links.push(Link { from, to, term, manner });
+            self.links.push(LinkBetween { from, to, term, manner });
         }
         to
     }
@@ -127,7 +127,7 @@ impl<'a, 'b> Chains<'a, 'b> {
     }
 
     /// The joint of an output. Its last terms may lead on within a body that is there; otherwise the point belongs to none.
-    fn point(&mut self, formula: &'a Formula) -> usize {
+    fn point(&mut self, formula: &'a TypedFormula) -> usize {
         let terms = terms(formula, self.names);
         let mut sum = Vec::new();
         let (mut last, mut known) = (ORIGIN, 0);
@@ -157,7 +157,7 @@ impl<'a, 'b> Chains<'a, 'b> {
     }
 
     /// Whether a link that turns like this, or a slide along one, begins or ends at a joint.
-    fn turns_at(&self, turning: &Turning, joint: usize) -> bool {
+    fn turns_at(&self, turning: &TurningAngles, joint: usize) -> bool {
         let joint = self.same.of(joint);
         self.links.iter().any(|link| match &link.manner {
             Manner::Rigid(own) => own == turning && [link.from, link.to].map(|end| self.same.of(end)).contains(&joint),
@@ -202,7 +202,7 @@ impl<'a, 'b> Chains<'a, 'b> {
         }
         let ground = parts.groups.of(ground);
         // the slides, each joint on each line once
-        let mut slides: Vec<(usize, usize, &Link<'a>)> = Vec::new();
+        let mut slides: Vec<(usize, usize, &LinkBetween<'a>)> = Vec::new();
         for link in &self.links {
             if let Manner::Sliding { turning, .. } = &link.manner {
                 let [from, to] = [link.from, link.to].map(|end| self.same.of(end));
@@ -285,7 +285,7 @@ impl<'a, 'b> Chains<'a, 'b> {
         &self,
         parts: &Parts,
         ground: usize,
-        slides: &[(usize, usize, &Link<'a>)],
+        slides: &[(usize, usize, &LinkBetween<'a>)],
         points: &[(String, usize)],
     ) -> Vec<usize> {
         let marked: BTreeSet<usize> = slides
@@ -314,7 +314,7 @@ impl<'a, 'b> Chains<'a, 'b> {
 
     /// The first length in the terms of a body, or what moves it.
     fn name(&self, parts: &Parts, group: usize) -> String {
-        let of_group = |turning: &Turning, joint: usize| {
+        let of_group = |turning: &TurningAngles, joint: usize| {
             parts
                 .number(turning, self.same.of(joint))
                 .is_some_and(|number| parts.groups.of(number) == group)
@@ -338,7 +338,7 @@ impl<'a, 'b> Chains<'a, 'b> {
 }
 
 /// Adds a term to a sum, whose terms stand in order.
-fn extend(sum: &mut Vec<String>, term: &Term<'_>) {
+fn extend(sum: &mut Vec<String>, term: &LinkTerm<'_>) {
     let text = term.text();
     let place = sum.partition_point(|other| *other < text);
     sum.insert(place, text);
@@ -347,7 +347,7 @@ fn extend(sum: &mut Vec<String>, term: &Term<'_>) {
 /// Joints with what turns there: the parts of bodies.
 #[derive(Default)]
 struct Parts {
-    numbers: BTreeMap<(Turning, usize), usize>,
+    numbers: BTreeMap<(TurningAngles, usize), usize>,
     groups: Groups,
 }
 

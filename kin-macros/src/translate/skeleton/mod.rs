@@ -18,10 +18,10 @@ use quote::{format_ident, quote, quote_spanned};
 use super::formula::{Translated, Translation, constant};
 use super::names::{behind_abbreviations, bindings, pattern, used_names};
 use super::vector_type;
-use crate::model::{Dimension, Model, Shape};
+use crate::model::{Dimension, Model, ValueShape};
 use crate::precedence::Precedence;
 use crate::syntax::{Declaration, EquationStatement, OutputStatement, Statement};
-use names::Names;
+use names::SkeletonNames;
 use outline::Outline;
 
 /// The generated items of the picture.
@@ -41,7 +41,7 @@ pub(crate) fn tokens(
     runtime: &TokenStream,
     (pose, argument): &(Ident, TokenStream),
 ) -> Picture {
-    let names = Names::new(declaration, model, runtime);
+    let names = SkeletonNames::new(declaration, model, runtime);
     let outline = outline(declaration, model, &names);
     let kind = vector_type(outline.shape);
     let count = Literal::usize_unsuffixed(outline.shown.len() + outline.slides.len());
@@ -73,15 +73,15 @@ pub(crate) fn tokens(
     Picture { method, items }
 }
 
-fn outline<'a>(declaration: &'a Declaration, model: &Model, names: &Names<'a>) -> Outline<'a> {
+fn outline<'a>(declaration: &'a Declaration, model: &Model, names: &SkeletonNames<'a>) -> Outline<'a> {
     let equations = declaration.statements.iter().filter_map(|statement| match statement {
         Statement::Equation(equation) => Some(equation),
         _ => None,
     });
-    let (equations, shapes): (Vec<&EquationStatement>, Vec<Shape>) = equations
+    let (equations, shapes): (Vec<&EquationStatement>, Vec<ValueShape>) = equations
         .zip(&model.equations)
         .map(|(equation, declared)| (equation, declared.residual.shape()))
-        .filter(|(_, shape)| matches!(shape, Shape::Plane | Shape::Space))
+        .filter(|(_, shape)| matches!(shape, ValueShape::Plane | ValueShape::Space))
         .unzip();
     let points: Vec<&OutputStatement> = declaration
         .statements
@@ -97,8 +97,9 @@ fn outline<'a>(declaration: &'a Declaration, model: &Model, names: &Names<'a>) -
         return outline;
     }
     // a plane chain beside one of space lies in the plane of x and y
-    let spatial = shapes.contains(&Shape::Space) || points.iter().any(|output| output.dimension == Dimension::Point3);
-    let shape = if spatial { Shape::Space } else { Shape::Plane };
+    let spatial =
+        shapes.contains(&ValueShape::Space) || points.iter().any(|output| output.dimension == Dimension::Point3);
+    let shape = if spatial { ValueShape::Space } else { ValueShape::Plane };
     closures::outline(&equations, &points, shape, names)
 }
 
@@ -189,8 +190,8 @@ fn body(declaration: &Declaration, model: &Model, outline: &Outline<'_>, runtime
 }
 
 /// A term as a vector of the shape of the whole picture.
-fn in_picture(translation: &Translation<'_>, term: Translated, shape: Shape) -> Translated {
-    if (term.shape, shape) != (Shape::Plane, Shape::Space) {
+fn in_picture(translation: &Translation<'_>, term: Translated, shape: ValueShape) -> Translated {
+    if (term.shape, shape) != (ValueShape::Plane, ValueShape::Space) {
         return translation.lifted(term, shape);
     }
     let (runtime, tokens, zero) = (translation.runtime, term.tokens, constant(0.0));

@@ -4,14 +4,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, TokenStream};
 
-use crate::model::{Dimension, Model, Shape};
-use crate::syntax::{Declaration, Formula, Statement};
+use crate::model::{Dimension, Model, ValueShape};
+use crate::syntax::{Declaration, Statement, TypedFormula};
 use crate::translate::formula::{Translated, Translation};
 use crate::translate::names::{bindings, names};
 
 /// The names of a declaration: which of them move, and what abbreviations stand for.
-pub(super) struct Names<'a> {
-    abbreviations: BTreeMap<String, &'a Formula>,
+pub(super) struct SkeletonNames<'a> {
+    abbreviations: BTreeMap<String, &'a TypedFormula>,
     translated: BTreeMap<String, Translated>,
     /// Inputs and unknowns, and abbreviations that contain them.
     varying: BTreeSet<String>,
@@ -20,7 +20,7 @@ pub(super) struct Names<'a> {
     runtime: &'a TokenStream,
 }
 
-impl<'a> Names<'a> {
+impl<'a> SkeletonNames<'a> {
     pub(super) fn new(declaration: &'a Declaration, model: &Model, runtime: &'a TokenStream) -> Self {
         let mut abbreviations = BTreeMap::new();
         let mut varying: BTreeSet<String> = model.inputs.iter().map(|input| input.name.to_string()).collect();
@@ -52,22 +52,22 @@ impl<'a> Names<'a> {
     }
 
     /// The formula of an abbreviation.
-    pub(super) fn behind(&self, name: &Ident) -> Option<&'a Formula> {
+    pub(super) fn behind(&self, name: &Ident) -> Option<&'a TypedFormula> {
         self.abbreviations.get(&name.to_string()).copied()
     }
 
     /// The formula of an abbreviation of a vector.
-    pub(super) fn vector_behind(&self, name: &Ident) -> Option<&'a Formula> {
+    pub(super) fn vector_behind(&self, name: &Ident) -> Option<&'a TypedFormula> {
         let value = self.translated.get(&name.to_string())?;
-        (value.shape != Shape::Scalar).then(|| self.behind(name)).flatten()
+        (value.shape != ValueShape::Scalar).then(|| self.behind(name)).flatten()
     }
 
     /// Whether a formula contains an input or an unknown.
-    pub(super) fn varies(&self, formula: &Formula) -> bool {
+    pub(super) fn varies(&self, formula: &TypedFormula) -> bool {
         mentions(formula, &self.varying)
     }
 
-    pub(super) fn shape(&self, formula: &Formula) -> Shape {
+    pub(super) fn shape(&self, formula: &TypedFormula) -> ValueShape {
         self.translation().formula(formula).shape
     }
 
@@ -79,18 +79,18 @@ impl<'a> Names<'a> {
     }
 
     /// The first length or vector among the parameters in a formula.
-    pub(super) fn length(&self, formula: &Formula) -> Option<String> {
+    pub(super) fn length(&self, formula: &TypedFormula) -> Option<String> {
         first(formula, &self.lengths)
     }
 
     /// The first input or unknown in a formula.
-    pub(super) fn motion(&self, formula: &Formula) -> Option<String> {
+    pub(super) fn motion(&self, formula: &TypedFormula) -> Option<String> {
         first(formula, &self.varying)
     }
 }
 
 /// The first of some names in a formula.
-fn first(formula: &Formula, among: &BTreeSet<String>) -> Option<String> {
+fn first(formula: &TypedFormula, among: &BTreeSet<String>) -> Option<String> {
     let mut found = None;
     formula.visit_names(&mut |name| {
         let word = name.to_string();
@@ -101,7 +101,7 @@ fn first(formula: &Formula, among: &BTreeSet<String>) -> Option<String> {
     found
 }
 
-fn mentions(formula: &Formula, names: &BTreeSet<String>) -> bool {
+fn mentions(formula: &TypedFormula, names: &BTreeSet<String>) -> bool {
     let mut found = false;
     formula.visit_names(&mut |name| found |= names.contains(&name.to_string()));
     found

@@ -2,13 +2,13 @@
 
 use proc_macro2::TokenStream;
 
-use super::terms::Term;
-use crate::model::Shape;
+use super::terms::LinkTerm;
+use crate::model::ValueShape;
 
 /// The drawn parts of a declaration.
 pub(super) struct Outline<'a> {
     /// Whether it is drawn in the plane or in space.
-    pub(super) shape: Shape,
+    pub(super) shape: ValueShape,
     /// The joints, those that only lead to others among them.
     pub(super) joints: Vec<Joint<'a>>,
     /// The joints that are shown, by their places among the joints.
@@ -25,7 +25,7 @@ pub(super) struct Joint<'a> {
     /// The joint before it, none for the first term.
     pub(super) before: Option<usize>,
     /// None for the origin.
-    pub(super) term: Option<Term<'a>>,
+    pub(super) term: Option<LinkTerm<'a>>,
 }
 
 pub(super) struct Body {

@@ -5,17 +5,17 @@ use std::collections::BTreeMap;
 use super::closures::Chains;
 use super::outline::{Body, Outline, Slide};
 use super::terms::terms;
-use super::{Names, in_picture};
-use crate::model::Shape;
-use crate::syntax::{Declaration, Formula, FormulaKind, OutputStatement, Statement};
+use super::{SkeletonNames, in_picture};
+use crate::model::ValueShape;
+use crate::syntax::{Declaration, FormulaKind, OutputStatement, Statement, TypedFormula};
 
 /// The outline of the statements, `None` if there are none. Outputs that are points are marked as well.
 pub(super) fn outline<'a>(
     declaration: &'a Declaration,
     points: &[&'a OutputStatement],
-    names: &Names<'a>,
+    names: &SkeletonNames<'a>,
 ) -> Option<Outline<'a>> {
-    let outputs: BTreeMap<String, &Formula> = declaration
+    let outputs: BTreeMap<String, &TypedFormula> = declaration
         .statements
         .iter()
         .filter_map(|statement| match statement {
@@ -23,7 +23,7 @@ pub(super) fn outline<'a>(
             _ => None,
         })
         .collect();
-    let behind = |formula: &'a Formula| match &formula.kind {
+    let behind = |formula: &'a TypedFormula| match &formula.kind {
         FormulaKind::Name(name) => outputs.get(&name.to_string()).copied().unwrap_or(formula),
         _ => formula,
     };
@@ -33,15 +33,15 @@ pub(super) fn outline<'a>(
         Statement::Slide(slide) => std::slice::from_ref(&slide.point),
         _ => &[],
     };
-    let all: Vec<&Formula> = declaration.statements.iter().flat_map(stated).map(behind).collect();
+    let all: Vec<&TypedFormula> = declaration.statements.iter().flat_map(stated).map(behind).collect();
     if all.is_empty() {
         return None;
     }
-    let spatial = all.iter().any(|point| names.shape(point) == Shape::Space);
-    let shape = if spatial { Shape::Space } else { Shape::Plane };
+    let spatial = all.iter().any(|point| names.shape(point) == ValueShape::Space);
+    let shape = if spatial { ValueShape::Space } else { ValueShape::Plane };
     let mut chains = Chains::new(shape, names);
     let mut shown: Vec<usize> = Vec::new();
-    let mut place = |formula: &'a Formula| {
+    let mut place = |formula: &'a TypedFormula| {
         let joint = chains.chain(terms(formula, names));
         shown.iter().position(|&own| own == joint).unwrap_or_else(|| {
             shown.push(joint);

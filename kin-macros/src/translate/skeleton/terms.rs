@@ -1,20 +1,20 @@
 //! The terms of a sum, however it is put in parentheses, negated and abbreviated.
 
-use crate::syntax::{Callee, Formula, FormulaKind, Operand, Operator};
+use crate::syntax::{ArithmeticOperator, Callee, FormulaKind, Operand, TypedFormula};
 
-use super::Names;
+use super::SkeletonNames;
 
 /// So many abbreviations are written out in one sum.
 const WRITTEN_OUT: usize = 256;
 
 /// A term of a sum.
 #[derive(Clone, Copy)]
-pub(super) struct Term<'a> {
+pub(super) struct LinkTerm<'a> {
     pub(super) negative: bool,
-    pub(super) formula: &'a Formula,
+    pub(super) formula: &'a TypedFormula,
 }
 
-impl Term<'_> {
+impl LinkTerm<'_> {
     /// The term with its sign: equal terms have equal texts.
     pub(super) fn text(&self) -> String {
         let sign = if self.negative { '-' } else { '+' };
@@ -35,7 +35,7 @@ impl Term<'_> {
 }
 
 /// The terms of a vector, abbreviations of vectors written out. Zero has none.
-pub(super) fn terms<'a>(formula: &'a Formula, names: &Names<'a>) -> Vec<Term<'a>> {
+pub(super) fn terms<'a>(formula: &'a TypedFormula, names: &SkeletonNames<'a>) -> Vec<LinkTerm<'a>> {
     let mut terms = Terms {
         names,
         left: WRITTEN_OUT,
@@ -46,14 +46,14 @@ pub(super) fn terms<'a>(formula: &'a Formula, names: &Names<'a>) -> Vec<Term<'a>
 }
 
 struct Terms<'a, 'b> {
-    names: &'b Names<'a>,
+    names: &'b SkeletonNames<'a>,
     /// How many abbreviations may still be written out: there are as many terms in them as two to the power of their number.
     left: usize,
-    found: Vec<Term<'a>>,
+    found: Vec<LinkTerm<'a>>,
 }
 
 impl<'a> Terms<'a, '_> {
-    fn add(&mut self, formula: &'a Formula, negative: bool) {
+    fn add(&mut self, formula: &'a TypedFormula, negative: bool) {
         match &formula.kind {
             FormulaKind::Parenthesis(inner) => self.add(inner, negative),
             FormulaKind::Negate(inner) => self.add(inner, !negative),
@@ -65,7 +65,7 @@ impl<'a> Terms<'a, '_> {
                     ..
                 } in rest
                 {
-                    self.add(operand, negative != (*operator == Operator::Subtract));
+                    self.add(operand, negative != (*operator == ArithmeticOperator::Subtract));
                 }
             }
             FormulaKind::Number { value: 0.0, .. } => {}
@@ -74,9 +74,9 @@ impl<'a> Terms<'a, '_> {
                     self.left -= 1;
                     self.add(value, negative);
                 }
-                _ => self.found.push(Term { negative, formula }),
+                _ => self.found.push(LinkTerm { negative, formula }),
             },
-            _ => self.found.push(Term { negative, formula }),
+            _ => self.found.push(LinkTerm { negative, formula }),
         }
     }
 }

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::Outline;
-use super::{Names, outline};
+use super::{SkeletonNames, outline};
 use crate::mistakes::Mistakes;
 use crate::{model, syntax};
 
@@ -24,7 +24,7 @@ fn outlined(statements: &TokenStream) -> String {
         return mistakes.into_messages().join("; ");
     };
     let runtime = quote!(kin);
-    let names = Names::new(&declaration, &model, &runtime);
+    let names = SkeletonNames::new(&declaration, &model, &runtime);
     print(&outline(&declaration, &model, &names))
 }
 

@@ -6,28 +6,31 @@ use std::fmt::Write as _;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::model::Shape;
-use crate::syntax::{Axis, Callee, Formula, FormulaKind, Operator};
+use crate::model::ValueShape;
+use crate::syntax::{ArithmeticOperator, Axis, Callee, FormulaKind, TypedFormula};
 use crate::translate::formula::{Translated, constant};
 use crate::translate::vector_type;
 
-use super::{Names, in_picture};
+use super::{SkeletonNames, in_picture};
 
 /// The angles that a term turns with, without constants: equal for terms that keep their angle to each other, empty for those that do not turn.
-pub(super) type Turning = String;
+pub(super) type TurningAngles = String;
 
 /// How a term moves.
 pub(super) enum Manner {
     /// Its length is constant.
-    Rigid(Turning),
+    Rigid(TurningAngles),
     /// Its length is not. The direction has any length but zero.
-    Sliding { turning: Turning, direction: TokenStream },
+    Sliding {
+        turning: TurningAngles,
+        direction: TokenStream,
+    },
     /// Nothing is known of it.
     Free,
 }
 
 /// How a term moves in a picture of the given shape.
-pub(super) fn manner(formula: &Formula, shape: Shape, names: &Names<'_>) -> Manner {
+pub(super) fn manner(formula: &TypedFormula, shape: ValueShape, names: &SkeletonNames<'_>) -> Manner {
     let Some(factor) = factor(formula, names) else {
         return Manner::Free;
     };
@@ -68,9 +71,9 @@ struct Factor {
 }
 
 /// `None` if it varies in another way than by turning or by a scalar factor.
-fn factor(formula: &Formula, names: &Names<'_>) -> Option<Factor> {
+fn factor(formula: &TypedFormula, names: &SkeletonNames<'_>) -> Option<Factor> {
     let shape = names.shape(formula);
-    if shape == Shape::Scalar {
+    if shape == ValueShape::Scalar {
         return Some(Factor {
             slides: names.varies(formula),
             ..Factor::default()
@@ -78,7 +81,7 @@ fn factor(formula: &Formula, names: &Names<'_>) -> Option<Factor> {
     }
     let vector = names.translation().formula(formula).tokens;
     if !names.varies(formula) {
-        let rotation = (shape == Shape::Rotation).then(|| (formula.to_string(), false));
+        let rotation = (shape == ValueShape::Rotation).then(|| (formula.to_string(), false));
         return Some(Factor {
             rotations: rotation.into_iter().collect(),
             direction: Some(vector),
@@ -95,7 +98,7 @@ fn factor(formula: &Formula, names: &Names<'_>) -> Option<Factor> {
                 let next = factor(&operand.formula, names)?;
                 let after = names.shape(&operand.formula);
                 product.times(next, (before, after), names);
-                if before == Shape::Scalar || after != Shape::Scalar {
+                if before == ValueShape::Scalar || after != ValueShape::Scalar {
                     before = after;
                 }
             }
@@ -106,7 +109,7 @@ fn factor(formula: &Formula, names: &Names<'_>) -> Option<Factor> {
     }
 }
 
-fn call(callee: Callee, arguments: &[Formula], vector: TokenStream, names: &Names<'_>) -> Option<Factor> {
+fn call(callee: Callee, arguments: &[TypedFormula], vector: TokenStream, names: &SkeletonNames<'_>) -> Option<Factor> {
     let mut factor = Factor::default();
     match (callee, arguments) {
         (Callee::Cis, [angle]) => {
@@ -139,9 +142,9 @@ fn call(callee: Callee, arguments: &[Formula], vector: TokenStream, names: &Name
                 return None;
             }
             let shape = if callee == Callee::Vec2 {
-                Shape::Plane
+                ValueShape::Plane
             } else {
-                Shape::Space
+                ValueShape::Space
             };
             factor.slides = true;
             factor.direction = Some(axis(along, shape, names));
@@ -152,7 +155,7 @@ fn call(callee: Callee, arguments: &[Formula], vector: TokenStream, names: &Name
 }
 
 impl Factor {
-    fn times(&mut self, other: Self, (before, after): (Shape, Shape), names: &Names<'_>) {
+    fn times(&mut self, other: Self, (before, after): (ValueShape, ValueShape), names: &SkeletonNames<'_>) {
         for (angle, times) in other.angles {
             *self.angles.entry(angle).or_insert(0.0) += times;
         }
@@ -161,8 +164,8 @@ impl Factor {
         let runtime = names.translation().runtime;
         self.direction = match (self.direction.take(), other.direction) {
             (Some(left), Some(right)) => Some(match (before, after) {
-                (Shape::Rotation, Shape::Rotation) => quote!(#runtime::Rotation::times(#left, #right)),
-                (Shape::Rotation, _) => quote!(#runtime::Rotation::turn(#left, #right)),
+                (ValueShape::Rotation, ValueShape::Rotation) => quote!(#runtime::Rotation::times(#left, #right)),
+                (ValueShape::Rotation, _) => quote!(#runtime::Rotation::turn(#left, #right)),
                 _ => quote!(#runtime::Plane::times(#left, #right)),
             }),
             (left, right) => left.or(right),
@@ -171,7 +174,7 @@ impl Factor {
 }
 
 /// The unit vector along an axis.
-fn axis(along: Axis, shape: Shape, names: &Names<'_>) -> TokenStream {
+fn axis(along: Axis, shape: ValueShape, names: &SkeletonNames<'_>) -> TokenStream {
     let (runtime, vector) = (names.translation().runtime, vector_type(shape));
     let parts = shape
         .axes()
@@ -181,7 +184,7 @@ fn axis(along: Axis, shape: Shape, names: &Names<'_>) -> TokenStream {
 }
 
 /// An angle as a sum of what varies in it, each so many times.
-fn add_angle(formula: &Formula, times: f64, names: &Names<'_>, sum: &mut BTreeMap<String, f64>) {
+fn add_angle(formula: &TypedFormula, times: f64, names: &SkeletonNames<'_>, sum: &mut BTreeMap<String, f64>) {
     if !names.varies(formula) {
         return;
     }
@@ -196,7 +199,7 @@ fn add_angle(formula: &Formula, times: f64, names: &Names<'_>, sum: &mut BTreeMa
         FormulaKind::Sum { first, rest } => {
             add_angle(first, times, names, sum);
             for operand in rest {
-                let sign = if operand.operator == Operator::Subtract {
+                let sign = if operand.operator == ArithmeticOperator::Subtract {
                     -1.0
                 } else {
                     1.0
@@ -207,7 +210,7 @@ fn add_angle(formula: &Formula, times: f64, names: &Names<'_>, sum: &mut BTreeMa
         }
         FormulaKind::Product { first, rest } => {
             if let (FormulaKind::Number { value, .. }, [operand]) = (&first.kind, rest.as_slice())
-                && operand.operator == Operator::Multiply
+                && operand.operator == ArithmeticOperator::Multiply
             {
                 return add_angle(&operand.formula, value * times, names, sum);
             }

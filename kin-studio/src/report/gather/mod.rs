@@ -12,7 +12,7 @@ mod way;
 use data_encoding::HEXLOWER;
 use hmac_sha256::Hash;
 use kin_core::cycle::FullCycle as _;
-use kin_core::{Mechanism, Place, Places, Row as _, in_small_letters};
+use kin_core::{Mechanism, PlaneOrSpace, PointArray, Row as _, in_small_letters};
 
 use self::place::Own;
 use self::solver::Solver;
@@ -74,7 +74,7 @@ pub(super) fn report<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<Rep
         assemblies,
         assembly,
         coupled: M::ASSEMBLY_COUNT == 0,
-        space: !<<M::Places as Places>::Point as Place>::IS_PLANE,
+        space: !<<M::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE,
         cycle: Some(circuits::of(&cycle, &own, moving)),
         extremes: found.extremes,
         rms: found.rms,

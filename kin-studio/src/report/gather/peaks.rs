@@ -1,6 +1,6 @@
 //! Extremes, means and sensitivities over the range.
 
-use kin_core::extremes::{self, At, ExtremesError, Kind, Over};
+use kin_core::extremes::{self, At, ExtremeKind, ExtremesError, Over};
 use kin_core::sweep::Local;
 use kin_core::{Mechanism, Number as _};
 
@@ -147,13 +147,13 @@ fn rank(extreme: &extremes::Extreme) -> f64 {
     })
 }
 
-fn place(kind: Kind) -> Place {
+fn place(kind: ExtremeKind) -> Place {
     match kind {
-        Kind::Inner => Place::Inner,
-        Kind::Limit => Place::Limit,
-        Kind::Kink => Place::Kink,
-        Kind::End => Place::End,
-        Kind::Unbounded => Place::Unbounded,
+        ExtremeKind::Inner => Place::Inner,
+        ExtremeKind::Limit => Place::Limit,
+        ExtremeKind::Kink => Place::Kink,
+        ExtremeKind::End => Place::End,
+        ExtremeKind::Unbounded => Place::Unbounded,
     }
 }
 
@@ -168,7 +168,7 @@ fn extremes<M: Mechanism<Scalar = f64>>(
     }
     let Some(start) = way.start() else { return Ok(all) };
     // Two sweeps begin at one place, which is no end of the range. It is an extreme only if it is one for both.
-    let is_start = |extreme: &extremes::Extreme| extreme.at == start && extreme.kind == Kind::End;
+    let is_start = |extreme: &extremes::Extreme| extreme.at == start && extreme.kind == ExtremeKind::End;
     let maxima: Vec<bool> = all
         .iter()
         .filter(|extreme| is_start(extreme))
@@ -180,7 +180,7 @@ fn extremes<M: Mechanism<Scalar = f64>>(
         if !is_start(extreme) {
             return true;
         }
-        extreme.kind = Kind::Inner;
+        extreme.kind = ExtremeKind::Inner;
         std::mem::take(&mut kept)
     });
     Ok(all)

@@ -1,7 +1,7 @@
 //! The solver in JavaScript, or the poses themselves if it cannot be recorded.
 
 use kin_core::tape::{self, Options};
-use kin_core::{Mechanism, Place as _, Places as _, Pose as _};
+use kin_core::{Mechanism, PlaneOrSpace as _, PointArray as _, Pose as _};
 
 use super::way::{At, Way};
 use crate::report::model::Frame;

@@ -2,7 +2,7 @@
 
 use kin_core::cycle::Cycle;
 use kin_core::sweep::Sweep as _;
-use kin_core::sweep::{Course, Line};
+use kin_core::sweep::{Course, StraightLine};
 use kin_core::{Mechanism, Pose as _, Row as _, SolveError};
 
 use super::place::{self, Own};
@@ -20,7 +20,7 @@ pub(super) struct Way<M: Mechanism<Scalar = f64>> {
     inputs: M::Inputs<f64>,
     moving: usize,
     /// The sweep downwards comes first, if there are two.
-    pub(super) courses: Vec<Course<M, Line<M>>>,
+    pub(super) courses: Vec<Course<M, StraightLine<M>>>,
     /// The places on the range where the assembly closes, as the branches tell.
     closes: Vec<[f64; 2]>,
 }

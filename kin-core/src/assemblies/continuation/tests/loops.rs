@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-use super::super::sequence::Sequence;
+use super::super::sequence::FixedSequence;
 use super::super::{PathCounts, Unsuitable, real_solutions};
 use super::table::Table;
 use crate::number::samples;
@@ -13,7 +13,7 @@ use crate::number::samples;
 /// By Bézout's theorem for two groups, the equations z w = 1 have at most 6! / (3! 3!) = 20 solutions.
 #[test]
 fn three_loops_have_twenty_solutions() {
-    let mut random = Sequence::new(3);
+    let mut random = FixedSequence::new(3);
     for _ in 0..5 {
         let mut table = Table::default();
         let mut vector = || [2.0 * random.fraction() - 1.0, 2.0 * random.fraction() - 1.0];
@@ -125,7 +125,7 @@ fn what_cannot_be_solved_is_refused() {
 /// A slide on a turning link, coupled to another loop: most paths lead to infinity, in several ways.
 #[test]
 fn a_length_in_coupled_loops() {
-    let mut random = Sequence::new(11);
+    let mut random = FixedSequence::new(11);
     for _ in 0..samples::of(40) {
         let mut table = Table::default();
         let mut vector = || [2.0 * random.fraction() - 1.0, 2.0 * random.fraction() - 1.0];

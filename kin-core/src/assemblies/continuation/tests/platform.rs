@@ -1,6 +1,6 @@
 //! The class III triad: a ternary link on three legs.
 
-use super::super::sequence::Sequence;
+use super::super::sequence::FixedSequence;
 use super::table::Table;
 
 /// Three legs from fixed points to three points of a platform.
@@ -14,7 +14,7 @@ pub(super) struct Platform {
 
 impl Platform {
     /// Random dimensions that allow at least one assembly.
-    pub(super) fn random(random: &mut Sequence) -> Self {
+    pub(super) fn random(random: &mut FixedSequence) -> Self {
         let mut vector = |size: f64| {
             [
                 size * (2.0 * random.fraction() - 1.0),

@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use proptest::prelude::*;
 
-use super::super::sequence::Sequence;
+use super::super::sequence::FixedSequence;
 use super::super::{PathCounts, Solution, real_solutions};
 use super::platform::Platform;
 use crate::number::samples;
@@ -90,7 +90,7 @@ proptest! {
 
     #[test]
     fn all_positions_of_any_platform(number in any::<u64>()) {
-        let platform = Platform::random(&mut Sequence::new(number));
+        let platform = Platform::random(&mut FixedSequence::new(number));
         let (outcome, found) = solve(&platform);
         let expected = PathCounts { paths: 6, regular: 6, real: found.len(), singular: 0, at_infinity: 0, lost: 0 };
         prop_assert_eq!(outcome, expected);
@@ -118,7 +118,7 @@ proptest! {
 
 /// The first platform of a random sequence that has six real positions.
 fn six() -> (Platform, Vec<Solution<8>>) {
-    let mut random = Sequence::new(6);
+    let mut random = FixedSequence::new(6);
     loop {
         let platform = Platform::random(&mut random);
         let (_, found) = solve(&platform);
@@ -153,7 +153,7 @@ fn six_positions_in_any_unit() {
 
 /// A platform in a position in which the lines of the three legs meet at one point, and its angle there. Two positions
 /// coincide there (K. H. Hunt, *Structural kinematics of in-parallel-actuated robot arms*, 1983).
-pub(super) fn limit(random: &mut Sequence) -> (Platform, f64) {
+pub(super) fn limit(random: &mut FixedSequence) -> (Platform, f64) {
     let mut platform = Platform::random(random);
     let angle = random.fraction();
     let meeting = [-1.0 - random.fraction(), 2.0 * random.fraction()];
@@ -175,7 +175,7 @@ pub(super) fn limit(random: &mut Sequence) -> (Platform, f64) {
 
 #[test]
 fn a_limit_position_is_found_as_a_double_one() {
-    let mut random = Sequence::new(7);
+    let mut random = FixedSequence::new(7);
     for _ in 0..20 {
         let (platform, angle) = limit(&mut random);
         let (outcome, found) = solve(&platform);
@@ -198,7 +198,7 @@ fn a_limit_position_is_found_as_a_double_one() {
 /// proportional to the square root of the distance to the limit.
 #[test]
 fn near_a_limit_position_nothing_is_lost() {
-    let mut random = Sequence::new(8);
+    let mut random = FixedSequence::new(8);
     for _ in 0..samples::of(5) {
         let (platform, _) = limit(&mut random);
         for exponent in 1..=16 {

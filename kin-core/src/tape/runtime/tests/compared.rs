@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::number::Number;
 use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent};
 use crate::solve::{factor, newton};
-use crate::tape::Precision;
+use crate::tape::NumberType;
 use crate::tape::runtime;
 
 /// A translation of the run time, with the program that tries it.
@@ -19,7 +19,7 @@ struct Translation {
 impl Translation {
     fn c(name: &str, compiler: &str, options: &[&str]) -> Self {
         let folder = Folder::new(name);
-        let text = runtime::c(ALL, Precision::Double) + include_str!("main.c");
+        let text = runtime::c(ALL, NumberType::Double) + include_str!("main.c");
         folder.write("main.c", text);
         let mut arguments = Vec::from(WARNINGS);
         arguments.extend(options);

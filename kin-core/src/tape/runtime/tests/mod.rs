@@ -12,10 +12,10 @@ use std::process::{self, Command};
 use std::string::String;
 use std::vec::Vec;
 
-use super::Parts;
+use super::RuntimeParts;
 
 /// All parts, for blocks of up to four unknowns.
-const ALL: Parts = Parts {
+const ALL: RuntimeParts = RuntimeParts {
     sine_cosine: true,
     arc_tangent: true,
     factors: true,

@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use super::{ALL, Folder, WARNINGS};
 use crate::number::single;
-use crate::tape::Precision;
+use crate::tape::NumberType;
 use crate::tape::runtime;
 use crate::verify::Random;
 
@@ -70,7 +70,7 @@ int main(int count, char **arguments)
 
 fn compiled(name: &str, options: &[&str]) -> Folder {
     let folder = Folder::new(name);
-    folder.write("main.c", runtime::c(ALL, Precision::Single) + MAIN);
+    folder.write("main.c", runtime::c(ALL, NumberType::Single) + MAIN);
     let mut arguments = Vec::from(WARNINGS);
     arguments.extend(options);
     arguments.extend(["main.c", "-o", "main", "-lm"]);

@@ -3,7 +3,7 @@
 use crate::algebra::{Function, Graph, Node};
 
 /// The facts of an elementary function.
-pub(super) struct Elementary {
+pub(super) struct FunctionFacts {
     /// The name, in a declaration and in [`Calculation::Method`] alike.
     pub(super) name: &'static str,
     /// The spelling of a call, as messages show it.
@@ -27,7 +27,7 @@ pub(super) struct Elementary {
     /// The way in which generated code calculates the function.
     pub(super) calculation: Calculation,
     /// The cost of a call.
-    pub(super) cost: &'static [Work],
+    pub(super) cost: &'static [WorkUnit],
     /// Whether the function has a zero. If not, a zero result comes from underflow.
     pub(super) has_zeros: bool,
     /// The value, to fold constants and to probe identities.
@@ -103,7 +103,7 @@ pub(crate) struct Checked {
     /// zero, relative to its terms. If the domain ends at about 1, the check itself can tell.
     pub(crate) decides_by_sign: bool,
     /// Its cost.
-    pub(crate) cost: &'static [Work],
+    pub(crate) cost: &'static [WorkUnit],
 }
 
 /// The way to solve an equation f(x) = v for x.
@@ -142,7 +142,7 @@ pub(crate) enum Calculation {
 
 /// A unit of the cost of a function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Work {
+pub(crate) enum WorkUnit {
     Multiplication,
     Division,
     SquareRoot,

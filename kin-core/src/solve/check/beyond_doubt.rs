@@ -6,13 +6,13 @@ use crate::solve::doubt;
 
 /// Whether a sum is larger than [a part](Scalar::DOUBT) of its terms.
 #[derive(Clone, Copy)]
-pub(in crate::solve) struct Told<T> {
+pub(in crate::solve) struct BeyondDoubt<T> {
     pub(in crate::solve) number: T,
     /// The sum of the magnitudes of the terms.
     pub(in crate::solve) size: T,
 }
 
-impl<T: Scalar> Check<T, 2, 1> for Told<T> {
+impl<T: Scalar> Check<T, 2, 1> for BeyondDoubt<T> {
     fn name(&self) -> &'static str {
         "sum beyond doubt"
     }

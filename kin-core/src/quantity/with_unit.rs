@@ -11,12 +11,12 @@ const MOST_DEGREES: f64 = 1e4;
 ///
 /// Lengths have the mechanism's own unit, which has no name. Without a precision, the number has seven significant figures.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Told {
+pub(crate) struct WithUnit {
     pub(crate) value: f64,
     pub(crate) is_angle: bool,
 }
 
-impl Told {
+impl WithUnit {
     pub(crate) fn new(value: f64, dimension: Dimension) -> Self {
         Self {
             value,
@@ -25,7 +25,7 @@ impl Told {
     }
 }
 
-impl fmt::Display for Told {
+impl fmt::Display for WithUnit {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match formatter.precision() {
             Some(precision) => write!(formatter, "{:.precision$}", self.value)?,
@@ -47,12 +47,12 @@ impl fmt::Display for Told {
 mod tests {
     use std::{format, string::ToString};
 
-    use super::Told;
+    use super::WithUnit;
     use crate::quantity::Dimension;
 
     #[test]
     fn angles_are_told_in_degrees_too() {
-        let angle = |value| Told::new(value, Dimension::Angle).to_string();
+        let angle = |value| WithUnit::new(value, Dimension::Angle).to_string();
         assert_eq!(angle(0.855_211_333), "0.8552113 rad (49.0°)");
         assert_eq!(angle(-core::f64::consts::PI), "-3.141593 rad (-180.0°)");
         assert_eq!(angle(0.0), "0 rad (0.0°)");
@@ -60,10 +60,10 @@ mod tests {
         assert_eq!(angle(f64::INFINITY), "inf rad");
         assert_eq!(angle(f64::NAN), "NaN rad");
         assert_eq!(
-            format!("{:.2}", Told::new(0.855_211_333, Dimension::Angle)),
+            format!("{:.2}", WithUnit::new(0.855_211_333, Dimension::Angle)),
             "0.86 rad (49.0°)"
         );
-        assert_eq!(Told::new(0.25, Dimension::Length).to_string(), "0.25");
-        assert_eq!(Told::new(0.25, Dimension::Scalar).to_string(), "0.25");
+        assert_eq!(WithUnit::new(0.25, Dimension::Length).to_string(), "0.25");
+        assert_eq!(WithUnit::new(0.25, Dimension::Scalar).to_string(), "0.25");
     }
 }
