@@ -11,6 +11,15 @@ use kin_tests::batches::{Table, vectors};
 /// Above this condition of a position, rounding may decide whether a batch and a single solver find it: see the chapter on batches.
 const DECISIVE: f64 = 1e3;
 
+/// The relative change of a number from which the condition of a margin follows.
+const STEP: f64 = 1e-7;
+
+/// The sum of all dimensions and inputs.
+fn lengths(problem: &Problem) -> f64 {
+    let inputs = problem.inputs.iter().map(|rates| &rates[0]);
+    problem.parameters.iter().chain(inputs).map(|number| number.abs()).sum()
+}
+
 impl Campaign<'_> {
     /// Everything that was solved once more in batches, those of an assembly together.
     pub(super) fn batches(&mut self, all: &[Solved], size: Size) {
@@ -44,7 +53,7 @@ impl Campaign<'_> {
         for (index, (solved, outcome)) in together.iter().zip(&outcomes).enumerate() {
             solved_ones += usize::from(outcome.is_solved());
             let expected = solved.result.as_ref().map_or_else(Outcome::from, |_| Outcome::Solved);
-            if !are_alike(*outcome, expected, &solved.problem) {
+            if !self.are_alike(*outcome, expected, solved) {
                 let condition = self.condition(solved, &table, index);
                 if condition > DECISIVE {
                     self.tally.undecided += 1;
@@ -63,6 +72,45 @@ impl Campaign<'_> {
             let what = format!("{vectors:?}: {summary:?}, and {solved_ones} are solved");
             self.find("summary", what, &problems[0], &guides[0]);
         }
+    }
+
+    /// Whether two outcomes are the same, with margins that agree to 4 ε of the lengths, multiplied by the condition of the
+    /// blocks before.
+    fn are_alike(&self, own: Outcome, other: Outcome, solved: &Solved) -> bool {
+        if let (Outcome::OutOfReach { margin: own }, Outcome::OutOfReach { margin: other }) = (own, other) {
+            let allowed = |condition: f64| (own - other).abs() <= 4.0 * f64::EPSILON * condition;
+            return allowed(lengths(&solved.problem) + other.abs()) || allowed(self.margin_condition(solved, other));
+        }
+        own == other
+    }
+
+    /// The condition of a margin: its change with each number, times the number. The blocks before the one that fails pass on
+    /// their rounding errors, each of which is like a change of its own numbers.
+    fn margin_condition(&self, solved: &Solved, margin: f64) -> f64 {
+        let change = |problem: &Problem| {
+            let outcome = self
+                .engine
+                .solve(problem, &solved.guide)
+                .as_ref()
+                .map_or_else(Outcome::from, |_| Outcome::Solved);
+            let moved = outcome.margin().unwrap_or(margin);
+            (moved - margin).abs() / STEP
+        };
+        let mut condition = lengths(&solved.problem) + margin.abs();
+        let mut problem = solved.problem.clone();
+        for place in 0..problem.parameters.len() {
+            let own = problem.parameters[place];
+            problem.parameters[place] = own * (1.0 + STEP);
+            condition += change(&problem);
+            problem.parameters[place] = own;
+        }
+        for place in 0..problem.inputs.len() {
+            let own = problem.inputs[place][0];
+            problem.inputs[place][0] = own * (1.0 + STEP);
+            condition += change(&problem);
+            problem.inputs[place][0] = own;
+        }
+        condition
     }
 
     /// The condition of a pose that closes for a batch or alone, whichever has found it.
@@ -163,16 +211,6 @@ impl Campaign<'_> {
             );
         }
     }
-}
-
-/// Whether two outcomes are the same, with margins that agree to 4 ε of the lengths.
-fn are_alike(own: Outcome, other: Outcome, problem: &Problem) -> bool {
-    if let (Outcome::OutOfReach { margin: own }, Outcome::OutOfReach { margin: other }) = (own, other) {
-        let parameters = problem.parameters.iter().map(|parameter| parameter.abs());
-        let inputs = problem.inputs.iter().map(|rates| rates[0].abs());
-        return (own - other).abs() <= 4.0 * f64::EPSILON * (parameters.chain(inputs).sum::<f64>() + other.abs());
-    }
-    own == other
 }
 
 fn assembly(guide: &Guide) -> Option<usize> {
