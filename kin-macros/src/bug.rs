@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use proc_macro2::{Span, TokenStream};
 
-use crate::expand::{expand, runtime};
+use crate::expand::expand;
 use crate::mistakes::Mistakes;
 use crate::{fallback, syntax};
 
@@ -25,7 +25,7 @@ fn or_tell(tokens: TokenStream, expand: impl FnOnce(TokenStream) -> TokenStream)
             words.map(|words| format!(" ({words})")).unwrap_or_default()
         );
         let read = catch_unwind(AssertUnwindSafe(|| {
-            let (runtime, tokens) = runtime(tokens);
+            let (runtime, tokens) = syntax::runtime(tokens);
             let mut mistakes = Mistakes::new();
             let declaration = syntax::parse(tokens, &mut mistakes);
             match &declaration {

@@ -1,6 +1,6 @@
 //! The whole expansion of a declaration, on one page.
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::formulas::formulas;
@@ -17,7 +17,7 @@ use crate::{editor, emit, fallback, model, refuse, structure, syntax};
 /// Expands `(path::to::kin) declaration`. Each pass reports the mistakes that it finds. After the last check no pass
 /// can fail.
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
-    let (runtime, tokens) = runtime(tokens);
+    let (runtime, tokens) = syntax::runtime(tokens);
     let mut mistakes = Mistakes::new();
     let Some(declaration) = syntax::parse(tokens, &mut mistakes) else {
         return fallback::tokens(None, mistakes, &runtime);
@@ -78,32 +78,4 @@ pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut
     refuse::ranges(model, &structure.blocks, mistakes);
     refuse::requests(model, &structure, mistakes);
     mistakes.is_empty().then_some(structure)
-}
-
-/// Whether tokens may be a path: names, colons, and the `$` of a crate's own name.
-fn names_an_item(tokens: TokenStream) -> bool {
-    !tokens.is_empty()
-        && tokens.into_iter().all(|token| match token {
-            TokenTree::Ident(_) => true,
-            TokenTree::Punct(punct) => matches!(punct.as_char(), ':' | '$'),
-            TokenTree::Group(group) => group.delimiter() == Delimiter::None && names_an_item(group.stream()),
-            TokenTree::Literal(_) => false,
-        })
-}
-
-/// The path to the items that generated code calls, and the declaration after it. `mechanism!` passes its own crate by
-/// the name under which the user knows it.
-pub(crate) fn runtime(tokens: TokenStream) -> (TokenStream, TokenStream) {
-    let mut tokens = tokens.into_iter().peekable();
-    let is_path = |token: &TokenTree| match token {
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => names_an_item(group.stream()),
-        _ => false,
-    };
-    let runtime = if let Some(TokenTree::Group(path)) = tokens.next_if(is_path) {
-        let path = path.stream();
-        quote!(#path::__private)
-    } else {
-        quote!(::kin_core::__private)
-    };
-    (runtime, tokens.collect())
 }

@@ -9,7 +9,7 @@
 //! and 4.3 mm.
 //!
 //! ```sh
-//! cargo run --release -p kin-tests --example fit
+//! cargo run --release -p kin-tests --features other-crates --example fit
 //! ```
 //!
 //! ```text

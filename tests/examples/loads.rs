@@ -5,7 +5,7 @@
 //! integration alone, which falls with its tolerance, as the program prints. The picture is written into the book.
 //!
 //! ```sh
-//! cargo run -p kin-tests --example loads
+//! cargo run -p kin-tests --features other-crates --example loads
 //! ```
 
 use std::cell::RefCell;

@@ -15,6 +15,7 @@ mod order;
 mod picture;
 mod print;
 mod request;
+mod runtime;
 mod split;
 mod statement;
 
@@ -31,6 +32,7 @@ pub(crate) use dimension::{Dimension, ValueShape};
 pub(crate) use elsewhere::instead_of_request;
 pub(crate) use name::keyword as is_keyword;
 pub(crate) use request::Request;
+pub(crate) use runtime::runtime;
 
 /// The contents of the braces of `mechanism! { … }`.
 #[expect(clippy::struct_excessive_bools, reason = "each is another fact about the text")]

@@ -6,6 +6,7 @@ use std::path::Path;
 #[allow(dead_code, reason = "the test calls what `main` calls")]
 #[path = "../../examples/cam.rs"]
 mod cam;
+#[cfg(feature = "other-crates")]
 #[allow(dead_code, reason = "the test calls what `main` calls")]
 #[path = "../../examples/fit.rs"]
 mod fit;
@@ -26,6 +27,7 @@ fn head(example: &str) -> String {
         .collect()
 }
 
+#[cfg(feature = "other-crates")]
 #[test]
 fn the_fit_prints_what_its_head_says() {
     let mut printed = Vec::new();

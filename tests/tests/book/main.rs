@@ -2,6 +2,7 @@
 
 mod chapters;
 mod examples;
+#[cfg(feature = "other-crates")]
 mod free_fall;
 mod laws;
 mod mistakes;
