@@ -93,7 +93,7 @@ pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     quantity: &'c PoseQuantity<'c, M>,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
-    /// BeyondDoubt the part of the sweep that has been searched.
+    /// Told the part of the sweep that has been searched.
     progress: Option<&'c dyn Fn(f64)>,
 }
 

@@ -245,10 +245,10 @@ pub(super) fn arrange(recorder: &Recorder, tape: &mut Tape, block: impl Fn(&Note
             match *event {
                 Event::Check(check) if wanted[check] => tape.steps.push(TapeStep::Check(new_checks[check])),
                 Event::Search(search) if needs.searches[search] => {
-                    tape.steps.push(TapeStep::Search(new_searches[search]))
+                    tape.steps.push(TapeStep::Search(new_searches[search]));
                 }
                 Event::Factor(system) if needs.systems[system] => {
-                    tape.steps.push(TapeStep::Factor(new_systems[system]))
+                    tape.steps.push(TapeStep::Factor(new_systems[system]));
                 }
                 Event::Solve(solution) if needs.solutions[solution] => {
                     tape.steps.push(TapeStep::Solve(new_solutions[solution]));

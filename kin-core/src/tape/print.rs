@@ -21,7 +21,7 @@ impl Display for Tape {
                 }
                 TapeNode::Constant(constant) => writeln!(formatter, "{value} = {constant:?}")?,
                 TapeNode::Unknown { search, index } => {
-                    writeln!(formatter, "{value} = unknown {index} of search {search}")?
+                    writeln!(formatter, "{value} = unknown {index} of search {search}")?;
                 }
                 TapeNode::Root { search, index } => writeln!(formatter, "{value} = root {index} of search {search}")?,
                 TapeNode::Solution { solution, index } => {

@@ -10,6 +10,7 @@ mod name;
 mod names;
 mod print;
 mod rates;
+mod shape;
 mod solution;
 mod term;
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::name::{Base, Name};
-use super::typed::shape;
+use super::shape::shape;
 use crate::algebra::Symbol;
 use crate::model::{Model, ValueShape};
 use crate::syntax::{Axis, Declaration, Statement};
