@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use kin_core::series::Series;
-use kin_core::{Dimension, Mechanism, Number, Place as _, Places as _, Row, SolveError};
+use kin_core::{Dimension, Mechanism, Number, PlaneOrSpace as _, PointArray as _, Row, SolveError};
 
 use super::margins::{driver_turns, grashof};
 use super::{Goal, Objective, PARTS, Part, Term, Timing, Travel};

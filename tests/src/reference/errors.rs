@@ -6,7 +6,7 @@ use kin_core::Mechanism;
 use kin_precise::Number;
 
 use super::closure::Given;
-use super::solution::{Stray, solution};
+use super::solution::{Solution, Stray, solution};
 
 /// A number that cannot be told from zero: the reference has 77 digits, and finds zeros by differences.
 const NOTHING: f64 = 1e-100;
@@ -50,6 +50,19 @@ impl Errors {
     ) -> Result<(), Stray> {
         let position: Vec<f64> = motions.iter().map(|motion| motion[0]).collect();
         let reference = solution::<M>(given, &position)?;
+        self.hold_to::<M>(&reference, given, motions, epsilon, place);
+        Ok(())
+    }
+
+    /// The same against a reference that is known: that of the same pose, as it was solved in another way.
+    pub fn hold_to<M: Mechanism>(
+        &mut self,
+        reference: &Solution,
+        given: &Given,
+        motions: &[Vec<f64>],
+        epsilon: f64,
+        place: &str,
+    ) {
         self.poses += 1;
         for (index, motion) in motions.iter().enumerate() {
             for (order, value) in motion.iter().enumerate() {
@@ -67,7 +80,6 @@ impl Errors {
                 }
             }
         }
-        Ok(())
     }
 
     /// The row of a table, every error rounded up to a tenth.
