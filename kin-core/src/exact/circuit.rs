@@ -13,7 +13,7 @@ use core::f64::consts::TAU;
 use num_traits::Float;
 
 use super::ExactTableError;
-use super::factors::LargeFactors;
+use super::factors::FactorsOfAnySize;
 use super::owned::ExactTable;
 use super::precision::Precision;
 use super::refine::{Frame, Source, Station, refined};
@@ -189,7 +189,7 @@ impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
     }
 
     /// The residuals at a place, and the Jacobian with a row that holds the leading coordinate.
-    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, LargeFactors)> {
+    fn linear(&self, place: &[f64], leading: usize) -> Option<(Vec<f64>, FactorsOfAnySize)> {
         let count = place.len();
         let mut rows = vec![vec![0.0; count]; count];
         let mut values = vec![0.0; count];
@@ -203,11 +203,11 @@ impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
             coordinates[column] = Local::constant(place[column]);
         }
         rows[count - 1][leading] = 1.0;
-        Some((values, LargeFactors::new(rows)?))
+        Some((values, FactorsOfAnySize::new(rows)?))
     }
 
     /// The place on the curve with the same leading coordinate.
-    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, LargeFactors)> {
+    fn corrected(&self, mut place: Vec<f64>, leading: usize) -> Option<(Vec<f64>, FactorsOfAnySize)> {
         let mut previous = f64::INFINITY;
         for _ in 0..CORRECTIONS {
             let (mut values, factors) = self.linear(&place, leading)?;

@@ -2,9 +2,12 @@
 
 use alloc::vec::Vec;
 
-/// The triangular factors of a square matrix, by Gaussian elimination with the largest pivot of each column. Rows are scaled by their largest
-/// entry first.
-pub(super) struct LargeFactors {
+/// The triangular factors of a square matrix, by Gaussian elimination with the largest pivot of each column. Rows are
+/// scaled by their largest entry first.
+///
+/// [`Factors`](crate::solve::Factors) have their size in their type. The matrices here have one row more than a mechanism
+/// has unknowns, which no type can say.
+pub(super) struct FactorsOfAnySize {
     rows: Vec<Vec<f64>>,
     /// The row of the matrix from which each row came, and the factor by which it was multiplied.
     origins: Vec<(usize, f64)>,
@@ -12,7 +15,7 @@ pub(super) struct LargeFactors {
     pub(super) orientation: f64,
 }
 
-impl LargeFactors {
+impl FactorsOfAnySize {
     /// The factors, or `None` if the matrix is singular or not finite.
     pub(super) fn new(mut rows: Vec<Vec<f64>>) -> Option<Self> {
         let mut origins = Vec::with_capacity(rows.len());
@@ -83,14 +86,14 @@ mod tests {
     fn the_solution_solves_and_the_sign_is_that_of_the_determinant() {
         let matrix = vec![vec![0.0, 2.0, 1.0], vec![1.0, -1.0, 0.5], vec![3.0, 0.0, 4.0]];
         // 0 (-4) - 2 (4 - 1.5) + 1 (0 + 3) = -2
-        let factors = LargeFactors::new(matrix.clone()).unwrap();
+        let factors = FactorsOfAnySize::new(matrix.clone()).unwrap();
         assert_eq!(factors.orientation, -1.0);
         let solution = factors.solve(&[1.0, 2.0, 3.0]);
         for (row, right) in matrix.iter().zip([1.0, 2.0, 3.0]) {
             let left: f64 = row.iter().zip(&solution).map(|(entry, value)| entry * value).sum();
             assert!((left - right).abs() < 1e-14, "{solution:?}");
         }
-        assert!(LargeFactors::new(vec![vec![1.0, 2.0], vec![2.0, 4.0]]).is_none());
-        assert!(LargeFactors::new(vec![vec![f64::NAN]]).is_none());
+        assert!(FactorsOfAnySize::new(vec![vec![1.0, 2.0], vec![2.0, 4.0]]).is_none());
+        assert!(FactorsOfAnySize::new(vec![vec![f64::NAN]]).is_none());
     }
 }
