@@ -187,7 +187,7 @@ fn assert_scans_find_nothing_else(kinds: core::ops::Range<usize>) {
                     r5,
                     r6,
                 },
-                40,
+                24,
                 &mut counts,
             ),
             6 => scan(
@@ -201,7 +201,7 @@ fn assert_scans_find_nothing_else(kinds: core::ops::Range<usize>) {
                     r5,
                     r6,
                 },
-                40,
+                24,
                 &mut counts,
             ),
             7 => scan(
@@ -215,7 +215,7 @@ fn assert_scans_find_nothing_else(kinds: core::ops::Range<usize>) {
                     r5,
                     r6,
                 },
-                40,
+                24,
                 &mut counts,
             ),
             8 => scan(
@@ -229,7 +229,7 @@ fn assert_scans_find_nothing_else(kinds: core::ops::Range<usize>) {
                     r5,
                     r6,
                 },
-                40,
+                24,
                 &mut counts,
             ),
             _ => scan(
@@ -243,7 +243,7 @@ fn assert_scans_find_nothing_else(kinds: core::ops::Range<usize>) {
                     pivot,
                     r6,
                 },
-                40,
+                24,
                 &mut counts,
             ),
         };
