@@ -225,9 +225,9 @@ fn one_name_means_one_thing() {
         if places.len() == 1 || places.iter().all(|(_, _, is_shared)| !is_shared) {
             continue;
         }
-        let is_of_both = OF_BOTH_CRATES.contains(&name.as_str()) && own[0] > 0 && own[1] > 0;
+        let is_of_both = OF_BOTH_CRATES.contains(&name.as_str()) && own == [1, 1];
         let is_several = SEVERAL_TIMES.contains(&name.as_str());
-        if (is_of_both && own == [1, 1]) || is_several {
+        if is_of_both || is_several {
             is_needed.insert(name);
         } else {
             let files: Vec<&str> = places.iter().map(|(_, file, _)| file.as_str()).collect();

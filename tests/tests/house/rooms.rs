@@ -116,7 +116,6 @@ pub(crate) const OF_BOTH_CRATES: &[&str] = &[
     "Formulas",
     "Outline",
     "PolynomialSystem",
-    "Quantity",
     "Slide",
 ];
 

@@ -111,5 +111,6 @@ fn outcomes_are_those_of_single_poses_whatever_the_share_that_fails() {
     println!(
         "{mechanisms} mechanisms, {failures} failures, {with_margin} with a margin, worst difference {worst:.2} units"
     );
-    assert!(mechanisms > 10 && failures > 5_000 && with_margin > failures / 2);
+    let least = if cfg!(feature = "every-case") { 10_000 } else { 5_000 };
+    assert!(mechanisms > 10 && failures > least && with_margin > failures / 2);
 }
