@@ -546,8 +546,9 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
         };
         let mut walk = Walk::BEGINNING;
         let reached = walk
-            .step(&self.mechanism, self.assembly, self.drive.motions(self.from))
-            .map_err(closed)?;
+            .step(self, self.from, self.drive.motions(self.from))
+            .map_err(closed)?
+            .footing;
         let curve = CircuitCurve::new(self, order + 1, &reached.unknowns);
         let mut place = vec![self.from / curve.sizes[0]];
         place.extend((0..curve.sizes.len() - 1).map(|index| reached.unknowns[index] / curve.sizes[1 + index]));

@@ -15,7 +15,7 @@ use crate::law::Side;
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
 use crate::quantity::{Dimension, Quantity};
-use crate::sweep::{Course, SmoothDrive, Variable, Walk};
+use crate::sweep::{Course, Reached, SmoothDrive, Variable, Walk};
 
 /// The largest number of turns of an input after which a motion is looked upon as closed.
 const MOST_TURNS: u32 = 12;
@@ -43,7 +43,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Swept<'_, M, D> {
         let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order]));
         let mut walk = from.map_or(Walk::BEGINNING, |station| station.near);
         let reached = walk
-            .step(&self.course.mechanism, self.course.assembly, motions)
+            .step(self.course, at, motions)
             .map_err(|error| ExactTableError::NotClosed {
                 at,
                 error: Box::new(error),
@@ -52,20 +52,14 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Swept<'_, M, D> {
         for input in self.inputs() {
             numbers.extend((0..self.count).map(|order| inputs[input][order]));
         }
-        let unknowns = reached.pose.unknown_motions();
-        for (unknown, motion) in unknowns.as_ref().iter().enumerate() {
-            // with angles on the turns that they have reached
-            numbers.push(reached.unknowns[unknown]);
+        let Reached { pose, footing } = reached;
+        for (unknown, motion) in pose.unknown_motions().as_ref().iter().enumerate() {
+            numbers.push(footing.unknowns[unknown]);
             numbers.extend(&motion.as_ref()[1..self.count]);
         }
-        for (output, motion) in reached.pose.output_motions().as_ref().iter().enumerate() {
-            let place = numbers.len();
-            numbers.extend(&motion.as_ref()[..self.count]);
-            if let Some(from) = from
-                && M::DESCRIPTION.outputs[output].dimension == Dimension::Angle
-            {
-                numbers[place] += TAU * Float::round((from.numbers[place] - numbers[place]) / TAU);
-            }
+        for (output, motion) in pose.output_motions().as_ref().iter().enumerate() {
+            numbers.push(footing.outputs[output]);
+            numbers.extend(&motion.as_ref()[1..self.count]);
         }
         Ok(Station {
             at,

@@ -1,6 +1,6 @@
 //! A pose of a sweep with derivatives in the variable of the sweep.
 
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::Deref;
 
 use crate::load::{Balance, Load, LoadError, Loads};
@@ -9,7 +9,7 @@ use crate::motion::Motion;
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, RATES};
-use crate::sweep::{Instant, Local, READ, by_time, composed};
+use crate::sweep::{Instant, Local, OutputsOf, READ, by_time, composed};
 
 /// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
 /// them carries its own.
@@ -35,6 +35,8 @@ pub struct At<M: Mechanism> {
     pub(super) inputs: <M::With<Local> as Mechanism>::Inputs<<M::With<Local> as Mechanism>::Motion<Local>>,
     /// The unknowns, with angles on the turns they have reached.
     pub(super) near: <M::With<Local> as Mechanism>::Unknowns<Local>,
+    /// The outputs, with unwrapped angles.
+    pub(super) outputs: OutputsOf<M, f64>,
     /// What derivatives above the order of the mechanism are found from.
     pub(super) source: Option<SweepPlace<M>>,
 }
@@ -113,8 +115,13 @@ impl<M: Mechanism> At<M> {
         let motions = self
             .pose
             .unknown_motions_near(Row::from_fn(|unknown| self.near[unknown]));
-        let motion = motions.as_ref().get(index)?;
-        motion.as_ref().get(order).copied()
+        let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
+        let is_angle = M::DESCRIPTION.unknowns[index].dimension == Dimension::Angle;
+        Some(if is_angle && order == 0 {
+            on_turn(value, self.near[index].real())
+        } else {
+            value
+        })
     }
 
     /// The derivative of a scalar output, by its index and its order, up to the twelfth.
@@ -127,8 +134,13 @@ impl<M: Mechanism> At<M> {
             return Some(source.by_time(motion[0], order));
         }
         let motions = self.pose.output_motions();
-        let motion = motions.as_ref().get(index)?;
-        motion.as_ref().get(order).copied()
+        let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
+        let is_angle = M::DESCRIPTION.outputs[index].dimension == Dimension::Angle;
+        Some(if is_angle && order == 0 {
+            on_turn(value, self.outputs[index])
+        } else {
+            value
+        })
     }
 
     /// The transmission angle of a dyad, by its index in the order in which the dyads are solved.
@@ -311,6 +323,11 @@ impl<M: Mechanism> At<M> {
     fn near_series(&self) -> <M::With<Local> as Mechanism>::Unknowns<Local> {
         Row::from_fn(|unknown| self.unknown(unknown, 0).unwrap_or(Local::constant(f64::NAN)))
     }
+}
+
+/// An angle on the turn closest to its unwrapped value.
+fn on_turn(angle: Local, unwrapped: f64) -> Local {
+    angle + Local::constant(TAU * num_traits::Float::round((unwrapped - angle.real()) / TAU))
 }
 
 fn half(value: Local) -> Local {

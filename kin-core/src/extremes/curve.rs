@@ -1,6 +1,7 @@
 //! A quantity as a curve over the variable of a sweep, in stretches without an edge.
 
 use alloc::vec::Vec;
+use core::cell::Cell;
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
@@ -93,6 +94,8 @@ pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     quantity: &'c PoseQuantity<'c, M>,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
+    /// The walk to the node before, from which the next one is often closest.
+    cursor: Cell<Option<Walk<M>>>,
     /// Told the part of the sweep that has been searched.
     progress: Option<&'c dyn Fn(f64)>,
 }
@@ -106,6 +109,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             long_series: course.mechanism.convert(Instant::constant),
             quantity,
             gaps: Vec::new(),
+            cursor: Cell::new(None),
             progress: None,
         }
     }
@@ -176,13 +180,29 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         } else {
             Side::Right
         };
-        let (value, walk) = self.value(None, variable, side, near)?;
+        let (value, walk) = self.value(None, variable, side, self.closest(stretch, at, near))?;
+        self.cursor.set(Some(walk));
         Ok(CurveNode {
             parameter,
             at,
             value,
             walk,
         })
+    }
+
+    /// The closer of two walks to a place of a stretch: the given one, or that to the node before if it is in the same stretch.
+    fn closest(&self, stretch: &Stretch<M>, at: f64, given: Walk<M>) -> Walk<M> {
+        let [one, other] = stretch.parameters.map(|parameter| stretch.variable(parameter).real());
+        let is_inside = |place: f64| one.min(other) <= place && place <= one.max(other);
+        let distance = |walk: &Walk<M>| walk.last.map_or(f64::INFINITY, |last| (last.at - at).abs());
+        let cursor = self
+            .cursor
+            .get()
+            .filter(|cursor| cursor.last.is_some_and(|last| is_inside(last.at)));
+        match cursor {
+            Some(cursor) if distance(&cursor) < distance(&given) => cursor,
+            _ => given,
+        }
     }
 
     /// The quantity for a mechanism and a variable that change together, found from a pose nearby. Without a mechanism it is that of the
@@ -209,9 +229,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         let mut walk = near;
         let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order].real()));
         let gap = |_: SolveError| ExtremesError::Gap { at };
-        let reached = walk
-            .step(&self.course.mechanism, self.course.assembly, motions)
-            .map_err(gap)?;
+        let reached = walk.step(self.course, at, motions).map_err(gap)?.footing;
         let inputs = Row::from_fn(|input| Row::from_fn(|order| composed(inputs[input][order], variable)));
         let pose = mechanism
             .solve_motion_near(
@@ -224,6 +242,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             pose,
             inputs,
             near: Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
+            outputs: reached.outputs,
             source: own.map(|source| SweepPlace {
                 unknowns: reached.unknowns,
                 ..source
@@ -262,7 +281,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         // the row before: its place, its walk, and whether it closed
         let mut before: Option<(f64, Walk<M>, bool)> = None;
         for at in self.places() {
-            let result = walk.step(&course.mechanism, course.assembly, course.drive.motions(at));
+            let result = walk.step(course, at, course.drive.motions(at));
             let is_closed = result.is_ok();
             if let Err(error) = result {
                 first_error.get_or_insert(error);
@@ -307,8 +326,8 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     }
 
     fn limit(&self, closed: f64, walk: &Walk<M>, open: f64) -> Result<Limit, ExtremesError> {
-        let (_, unknowns) = walk.last.ok_or(ExtremesError::Gap { at: open })?;
-        limit_between(self.course, closed, unknowns, open).ok_or(ExtremesError::Gap { at: open })
+        let last = walk.last.ok_or(ExtremesError::Gap { at: open })?;
+        limit_between(self.course, closed, last.unknowns, open).ok_or(ExtremesError::Gap { at: open })
     }
 }
 

@@ -53,7 +53,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;
-        let is_smooth_turn = self.is_full_turn() && stretches.len() == 1 && stretches[0].turning.is_none();
+        let is_smooth_turn = self.is_full_turn() && stretches.len() == 1 && self.is_periodic(&stretches)?;
         if is_smooth_turn && let Some(mean) = self.over_turn(&stretches[0], power)? {
             return Ok(mean);
         }

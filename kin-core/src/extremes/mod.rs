@@ -36,6 +36,8 @@
 
 mod answer;
 mod at;
+#[cfg(test)]
+mod consistency_tests;
 mod curve;
 mod error;
 mod mean;

@@ -131,7 +131,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// Whether the quantity is the same at both ends of a full turn.
-    fn is_periodic(&self, stretches: &[Stretch<M>]) -> Result<bool, ExtremesError> {
+    pub(super) fn is_periodic(&self, stretches: &[Stretch<M>]) -> Result<bool, ExtremesError> {
         let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
             return Ok(false);
         };

@@ -156,7 +156,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
 impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Samples<'_, M, D> {
     fn solve(&mut self, walk: &mut Walk<M>, at: f64) -> Sample<M> {
         let motions = self.course.drive.motions(at);
-        let reached = walk.step(&self.course.mechanism, self.course.assembly, motions);
+        let reached = walk.step(self.course, at, motions);
         let outcome = match &reached {
             Ok(_) => Outcome::Solved,
             Err(error) => Outcome::from(error),

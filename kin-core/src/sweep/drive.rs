@@ -57,6 +57,11 @@ pub trait Drive<M: Mechanism<Scalar = f64>> {
         None
     }
 
+    /// The change of the variable for each unit of time, not a number if the rates of the inputs do not tell it.
+    fn rate(&self) -> f64 {
+        1.0
+    }
+
     /// The first column of one's own whose length differs from the number of rows.
     #[doc(hidden)]
     fn mismatch(&self, rows: usize) -> Option<LengthMismatch> {
@@ -69,11 +74,6 @@ pub trait Drive<M: Mechanism<Scalar = f64>> {
 pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
     /// The inputs with their derivatives with respect to the variable. Where two pieces of a law meet, `side` selects one.
     fn derivatives(&self, at: f64, side: Side) -> M::Inputs<Motion<f64, READ>>;
-
-    /// The change of the variable for each unit of time.
-    fn rate(&self) -> f64 {
-        1.0
-    }
 
     /// The motions of the inputs as Taylor series in the variable.
     fn series(&self, at: f64, side: Side) -> InputMotions<M, Local> {
@@ -157,6 +157,10 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
         Variable::Input(self.lead)
     }
 
+    fn rate(&self) -> f64 {
+        self.speed
+    }
+
     fn motions(&self, at: f64) -> InputMotions<M, f64> {
         Row::from_fn(|input| {
             Row::from_fn(|order| match order {
@@ -180,10 +184,6 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
 impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for StraightLine<M> {
     fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
         Row::from_fn(|input| Motion::at_constant_speed(self.value(input, at), self.slope(input)))
-    }
-
-    fn rate(&self) -> f64 {
-        self.speed
     }
 
     fn way_per_variable(&self, _: f64) -> f64 {
@@ -293,6 +293,10 @@ pub struct Along<'c, M: Mechanism<Scalar = f64>>(pub(super) InputMotions<M, Colu
 impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
     fn variable(&self) -> Variable {
         Variable::Row
+    }
+
+    fn rate(&self) -> f64 {
+        f64::NAN
     }
 
     /// Between two rows, the inputs stand on the straight line from the one to the other.

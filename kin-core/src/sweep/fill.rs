@@ -2,21 +2,18 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::f64::consts::TAU;
 use core::mem::take;
-
-use num_traits::Float;
 
 use super::columns::labels;
 use super::drive::{Drive, InputMotions, Variable};
 use super::error::SweepError;
 use super::table::Table;
+use super::unwrap::unwrap;
 use super::walk::{Reached, Walk};
 use super::{Course, limits};
-use crate::batch::{self, Column, Columns, Kernel, Outcome, Place, Vectors, Visitor};
+use crate::batch::{self, Column, Columns, Outcome, Place, Vectors, Visitor};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
-use crate::quantity::Dimension;
 
 /// The rows that a batch solves between two calls of the progress, and those of coupled blocks.
 const BLOCK: usize = 1 << 16;
@@ -213,12 +210,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 *angle = Number::atan2(*sine, *angle);
             }
         }
-        let quantities = description.unknowns.iter().chain(description.outputs);
-        for (quantity, columns) in quantities.zip(results.chunks_exact_mut(orders * count)) {
-            if quantity.dimension == Dimension::Angle {
-                continue_turns(&mut columns[..count]);
-            }
-        }
+        unwrap(self, table);
         Ok(is_closed)
     }
 
@@ -263,7 +255,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
         for row in 0..count {
             let at = self.at(row);
             let motions = self.drive.motions(at);
-            let reached = walk.step(&self.mechanism, self.assembly, motions);
+            let reached = walk.step(self, at, motions);
             table.outcomes[row] = match &reached {
                 Ok(_) => Outcome::Solved,
                 Err(error) => Outcome::from(error),
@@ -304,55 +296,16 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             (0..results * orders).for_each(|_| put(f64::NAN));
             return;
         };
-        let motions = reached
-            .pose
-            .unknown_motions_near(Row::from_fn(|unknown| reached.unknowns[unknown]));
+        let Reached { pose, footing } = reached;
+        let motions = pose.unknown_motions_near(Row::from_fn(|unknown| footing.unknowns[unknown]));
         for (unknown, motion) in motions.as_ref().iter().enumerate() {
-            put(reached.unknowns[unknown]);
+            put(footing.unknowns[unknown]);
             motion.as_ref().iter().skip(1).copied().for_each(&mut put);
         }
-        for motion in reached.pose.output_motions().as_ref() {
-            motion.as_ref().iter().copied().for_each(&mut put);
+        for (output, motion) in pose.output_motions().as_ref().iter().enumerate() {
+            put(footing.outputs[output]);
+            motion.as_ref().iter().skip(1).copied().for_each(&mut put);
         }
-    }
-}
-
-/// Puts each angle on the turn closest to the last angle before it.
-pub(super) fn continue_turns(angles: &mut [f64]) {
-    // most angles never jump, which is found out for several at once
-    if Vectors::widest().run(NeverJumps(angles)) {
-        return;
-    }
-    let mut turns = 0.0;
-    let mut last = f64::NAN;
-    for angle in angles {
-        let change = *angle - last;
-        // a comparison with NaN fails: the first angle is taken as it is, and one behind a gap is compared with the last in front of it
-        if change.abs() > core::f64::consts::PI {
-            turns -= Float::round(change / TAU);
-        }
-        if !angle.is_nan() {
-            last = *angle;
-        }
-        if turns != 0.0 {
-            *angle += turns * TAU;
-        }
-    }
-}
-
-/// The question whether an angle never jumps by half a turn. A gap counts as a jump.
-struct NeverJumps<'a>(&'a [f64]);
-
-impl Kernel for NeverJumps<'_> {
-    type Result = bool;
-    type Element = f64;
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn run<const W: usize, const FUSED: bool>(self) -> bool {
-        let pairs = self.0.iter().zip(self.0.get(1..).unwrap_or_default());
-        pairs.fold(true, |all, (one, other)| {
-            all & ((other - one).abs() <= core::f64::consts::PI)
-        })
     }
 }
 

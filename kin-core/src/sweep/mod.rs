@@ -63,6 +63,8 @@ mod smooth;
 mod table;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "alloc")]
+mod unwrap;
 mod walk;
 
 #[cfg(feature = "alloc")]
@@ -86,7 +88,7 @@ pub(crate) use smooth::composed;
 #[cfg(feature = "alloc")]
 pub use table::{RowOf, Table};
 #[cfg(feature = "alloc")]
-pub(crate) use walk::Walk;
+pub(crate) use walk::{OutputsOf, Reached, Walk};
 
 use core::ops::RangeInclusive;
 

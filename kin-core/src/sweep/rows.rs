@@ -31,9 +31,9 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Iterator for Rows<'_, M, D> {
         if self.next >= course.count {
             return None;
         }
-        let motions = course.drive.motions(course.at(self.next));
+        let at = course.at(self.next);
         self.next += 1;
-        let reached = self.walk.step(&course.mechanism, course.assembly, motions);
+        let reached = self.walk.step(course, at, course.drive.motions(at));
         Some(reached.map(|reached| reached.pose))
     }
 

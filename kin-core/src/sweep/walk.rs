@@ -1,18 +1,34 @@
-//! The way from one pose of a sweep to the next.
+//! The way from one pose of a sweep to the next, on which angles continue.
+//!
+//! A solver returns an angle in -π ..= π, and an output computed from such an angle jumps where the angle does. A walk unwraps them: it
+//! predicts each angle from the rates at both ends of a step, and takes the turn nearest to the prediction. A step is too long if the
+//! prediction is too coarse to tell turns apart; then the walk halves it. So no angle depends on the number of rows.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use num_traits::Float;
 
-use super::drive::InputMotions;
+use super::Course;
+use super::drive::{Drive, InputMotions};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, Quantity};
 use crate::track::{TrackError, TrackErrorOf, track};
 
+/// The longest step of an angle that is an input.
+pub(super) const LONGEST: f64 = 1.0;
+/// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a turn would be ambiguous.
+pub(super) const PREDICTION: f64 = 1.0;
+/// The largest step of an angle without rates.
+pub(super) const WITHOUT_RATES: f64 = FRAC_PI_2;
+/// A difference of two angles by rounding errors.
+const ROUNDING: f64 = 1e-9;
+/// The solutions that one step may take, and those that each radian of an input adds.
+const MOST: [f64; 2] = [256.0, 16.0];
+
 /// The end of a circuit of a coupled block, or the place where it was lost.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Gap<M: Mechanism> {
     block: &'static str,
     inputs: M::Inputs<f64>,
@@ -20,93 +36,297 @@ pub(crate) struct Gap<M: Mechanism> {
     lost: Option<Failure>,
 }
 
-/// A place on the way: the last pose, and the end of the circuit if it has been passed.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Walk<M: Mechanism> {
-    /// The inputs and the unknowns of the last pose, with angles on the turns they have reached.
-    pub(crate) last: Option<(M::Inputs<f64>, M::Unknowns<f64>)>,
-    pub(crate) gap: Option<Gap<M>>,
+/// A value for each scalar output of a mechanism.
+pub(crate) type OutputsOf<M, V> = <<M as Mechanism>::Pose as Pose>::Outputs<V>;
+
+/// The numbers of a pose from which a walk goes on, with unwrapped angles. Rates are those with respect to the variable of the sweep.
+#[derive(Clone, Copy)]
+pub(crate) struct Footing<M: Mechanism> {
+    /// The variable of the sweep.
+    pub(crate) at: f64,
+    pub(crate) inputs: M::Inputs<f64>,
+    pub(crate) unknowns: M::Unknowns<f64>,
+    pub(crate) unknown_rates: M::Unknowns<f64>,
+    pub(crate) outputs: OutputsOf<M, f64>,
+    pub(crate) output_rates: OutputsOf<M, f64>,
 }
 
-/// A pose, and its unknowns with angles on the turns they have reached.
-#[derive(Clone, Copy, Debug)]
+/// A pose with its unwrapped angles.
+#[derive(Clone, Copy)]
 pub(crate) struct Reached<M: Mechanism> {
     pub(crate) pose: M::Pose,
-    pub(crate) unknowns: M::Unknowns<f64>,
+    pub(crate) footing: Footing<M>,
+}
+
+/// A place on the way: the last pose, and the end of the circuit if it has been passed.
+#[derive(Clone, Copy)]
+pub(crate) struct Walk<M: Mechanism> {
+    pub(crate) last: Option<Footing<M>>,
+    pub(crate) gap: Option<Gap<M>>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Walk<M> {
     pub(crate) const BEGINNING: Self = Self { last: None, gap: None };
 
-    /// The pose at the next place of the inputs. A place that does not close leaves the walk where it was.
-    pub(crate) fn step(
+    /// The pose at a value of the variable, whose inputs have the given motions. A place that does not close leaves the walk where it was.
+    pub(crate) fn step<D: Drive<M>>(
         &mut self,
-        mechanism: &M,
-        assembly: M::Assembly,
+        course: &Course<M, D>,
+        at: f64,
         motions: InputMotions<M, f64>,
     ) -> Result<Reached<M>, SolveError> {
-        let inputs = M::Inputs::from_fn(|input| motions[input][0]);
         let reached = match self.last {
-            None => of(mechanism.solve_motion(motions, assembly)?),
-            Some(last) if M::ASSEMBLY_COUNT > 0 => {
-                continued::<M>(mechanism, motions, mechanism.solve_motion(motions, assembly)?, last.1)
+            None => {
+                let pose = course.mechanism.solve_motion(motions, course.assembly)?;
+                Reached::of(course, at, motions, pose)
             }
             Some(last) => {
-                if let Some(gap) = self.gap {
-                    return Err(beyond::<M>(gap, inputs));
-                }
-                let unknowns = track(mechanism, last.0, last.1, inputs).map_err(|error| {
-                    let (gap, failure) = stopped(mechanism, &error, last.0, inputs);
-                    self.gap = Some(gap);
-                    failure
-                })?;
-                let pose = mechanism.solve_motion_near(motions, unknowns)?;
-                Reached { pose, unknowns }
+                let mut budget = budget::<M>(&last.inputs, &values::<M>(motions));
+                self.advance(course, &last, at, motions, &mut budget)?
             }
         };
-        self.last = Some((inputs, reached.unknowns));
+        self.last = Some(reached.footing);
+        Ok(reached)
+    }
+
+    /// The pose that follows from another one, by steps short enough to unwrap every angle.
+    fn advance<D: Drive<M>>(
+        &mut self,
+        course: &Course<M, D>,
+        from: &Footing<M>,
+        at: f64,
+        motions: InputMotions<M, f64>,
+        budget: &mut usize,
+    ) -> Result<Reached<M>, SolveError> {
+        let reached = self.leap(course, from, at, motions)?;
+        let middle = f64::midpoint(from.at, at);
+        if reached.footing.follows(from) || *budget == 0 || middle == from.at || middle == at {
+            return Ok(reached);
+        }
+        *budget -= 1;
+        let between = self.advance(course, from, middle, course.drive.motions(middle), budget);
+        match between {
+            Ok(between) => self.advance(course, &between.footing, at, motions, budget),
+            // No angle can be followed across a gap: it stays as close as it can be.
+            Err(_) => {
+                self.gap = None;
+                Ok(reached.unwrapped(course, motions, &from.without_rates()))
+            }
+        }
+    }
+
+    /// The pose that follows from another one by a single step.
+    fn leap<D: Drive<M>>(
+        &mut self,
+        course: &Course<M, D>,
+        from: &Footing<M>,
+        at: f64,
+        motions: InputMotions<M, f64>,
+    ) -> Result<Reached<M>, SolveError> {
+        let mechanism = &course.mechanism;
+        if M::ASSEMBLY_COUNT > 0 {
+            let pose = mechanism.solve_motion(motions, course.assembly)?;
+            return Ok(Reached::of(course, at, motions, pose).unwrapped(course, motions, from));
+        }
+        let inputs = values::<M>(motions);
+        if let Some(gap) = self.gap {
+            return Err(beyond::<M>(gap, inputs));
+        }
+        let unknowns = track(mechanism, from.inputs, from.unknowns, inputs).map_err(|error| {
+            let (gap, failure) = stopped(mechanism, &error, from.inputs, inputs);
+            self.gap = Some(gap);
+            failure
+        })?;
+        let pose = mechanism.solve_motion_near(motions, unknowns)?;
+        let mut reached = Reached::of(course, at, motions, pose);
+        reached.footing.unknowns = unknowns;
+        reached.footing.unwrap_outputs(from);
         Ok(reached)
     }
 }
 
-fn of<M: Mechanism<Scalar = f64>>(pose: M::Pose) -> Reached<M> {
-    let motions = pose.unknown_motions();
-    Reached {
-        pose,
-        unknowns: Row::from_fn(|unknown| motions[unknown][0]),
+impl<M: Mechanism<Scalar = f64>> Reached<M> {
+    /// A pose with the angles that it returns.
+    fn of<D: Drive<M>>(course: &Course<M, D>, at: f64, motions: InputMotions<M, f64>, pose: M::Pose) -> Self {
+        Self::with_unknowns(course, at, motions, pose, &pose.unknown_motions())
+    }
+
+    fn with_unknowns<D: Drive<M>>(
+        course: &Course<M, D>,
+        at: f64,
+        motions: InputMotions<M, f64>,
+        pose: M::Pose,
+        unknowns: &M::Unknowns<M::Motion<f64>>,
+    ) -> Self {
+        let time = 1.0 / course.drive.rate();
+        let outputs = pose.output_motions();
+        let rate = |motion: &[f64]| motion.get(1).map_or(f64::NAN, |velocity| velocity * time);
+        let footing = Footing {
+            at,
+            inputs: values::<M>(motions),
+            unknowns: Row::from_fn(|unknown| unknowns[unknown][0]),
+            unknown_rates: Row::from_fn(|unknown| rate(unknowns[unknown].as_ref())),
+            outputs: Row::from_fn(|output| outputs[output][0]),
+            output_rates: Row::from_fn(|output| rate(outputs[output].as_ref())),
+        };
+        Self { pose, footing }
+    }
+
+    /// The same pose with the angles that follow from those of another one.
+    fn unwrapped<D: Drive<M>>(
+        mut self,
+        course: &Course<M, D>,
+        motions: InputMotions<M, f64>,
+        from: &Footing<M>,
+    ) -> Self {
+        if self.footing.unwrap_unknowns(from) {
+            // What depends on an angle itself, as the position of a rack does, depends on its turn.
+            let near = self.footing.near(from);
+            if let Ok(pose) = course.mechanism.solve_motion_near(motions, near) {
+                let unknowns = pose.unknown_motions_near(Row::from_fn(|unknown| near[unknown]));
+                let mut turned = Self::with_unknowns(course, self.footing.at, motions, pose, &unknowns);
+                turned.footing.unwrap_unknowns(from);
+                // Where two assemblies meet, the solver may return the other one.
+                let is_same = angles(M::DESCRIPTION.unknowns).all(|unknown| {
+                    (turned.footing.unknowns[unknown] - near[unknown]).abs() <= ROUNDING * near[unknown].abs().max(1.0)
+                });
+                if is_same || (turned.footing.unknowns_follow(from) && !self.footing.unknowns_follow(from)) {
+                    self = turned;
+                }
+            }
+        }
+        self.footing.unwrap_outputs(from);
+        self
     }
 }
 
-/// The pose with its angles on the turns closest to those of the last pose.
-fn continued<M: Mechanism<Scalar = f64>>(
-    mechanism: &M,
-    motions: InputMotions<M, f64>,
-    pose: M::Pose,
-    last: M::Unknowns<f64>,
-) -> Reached<M> {
-    let mut reached = of::<M>(pose);
-    let mut is_turned = false;
-    for (unknown, quantity) in M::DESCRIPTION.unknowns.iter().enumerate() {
-        let angle = &mut reached.unknowns[unknown];
-        if quantity.dimension == Dimension::Angle && (*angle - last[unknown]).abs() > PI {
-            *angle = nearest_turn(*angle, last[unknown]);
-            is_turned = true;
+impl<M: Mechanism> Footing<M> {
+    /// Moves the angles of the unknowns to the turns that follow from another footing; returns whether one has moved.
+    fn unwrap_unknowns(&mut self, from: &Self) -> bool {
+        let step = self.at - from.at;
+        let mut has_moved = false;
+        for unknown in angles(M::DESCRIPTION.unknowns) {
+            let before = Angle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
+            let angle = &mut self.unknowns[unknown];
+            let unwrapped = Angle::new(*angle, self.unknown_rates[unknown]).unwrapped(before, step);
+            has_moved |= unwrapped != *angle;
+            *angle = unwrapped;
         }
+        has_moved
     }
-    if is_turned {
-        // The solvers place the angles themselves. Where two assemblies meet they may take the other one, which shows.
-        if let Ok(turned) = mechanism.solve_motion_near(motions, reached.unknowns) {
-            let near = turned.unknown_motions_near(Row::from_fn(|unknown| reached.unknowns[unknown]));
-            let is_same = (0..M::DESCRIPTION.unknowns.len()).all(|unknown| {
-                let (one, other) = (near[unknown][0], reached.unknowns[unknown]);
-                (one - other).abs() <= 1e-9 * one.abs().max(1.0)
-            });
-            if is_same {
-                reached.pose = turned;
+
+    /// The unknowns, with predicted angles for those that do not follow from another footing by whole turns: a gear of half the speed is
+    /// half a turn away.
+    fn near(&self, from: &Self) -> M::Unknowns<f64> {
+        let step = self.at - from.at;
+        let mut near = self.unknowns;
+        for unknown in angles(M::DESCRIPTION.unknowns) {
+            let before = Angle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
+            let angle = Angle::new(self.unknowns[unknown], self.unknown_rates[unknown]);
+            if let (Some(predicted), false) = (angle.predicted(before, step), angle.follows(before, step)) {
+                near[unknown] = predicted;
             }
         }
+        near
     }
-    reached
+
+    /// Moves all angles to the turns that follow from another footing.
+    pub(super) fn unwrap(&mut self, from: &Self) {
+        self.unwrap_unknowns(from);
+        self.unwrap_outputs(from);
+    }
+
+    fn unwrap_outputs(&mut self, from: &Self) {
+        let step = self.at - from.at;
+        for output in angles(M::DESCRIPTION.outputs) {
+            let before = Angle::new(from.outputs[output], from.output_rates[output]);
+            let angle = Angle::new(self.outputs[output], self.output_rates[output]);
+            self.outputs[output] = angle.unwrapped(before, step);
+        }
+    }
+
+    /// The same footing whose rates are not known.
+    fn without_rates(&self) -> Self {
+        Self {
+            unknown_rates: Row::splat(f64::NAN),
+            output_rates: Row::splat(f64::NAN),
+            ..*self
+        }
+    }
+
+    /// Whether the step from another footing is short enough to unwrap every angle.
+    pub(super) fn follows(&self, from: &Self) -> bool {
+        let step = self.at - from.at;
+        let inputs = M::DESCRIPTION.inputs;
+        angles(inputs).all(|input| (self.inputs[input] - from.inputs[input]).abs() <= LONGEST)
+            && self.unknowns_follow(from)
+            && angles(M::DESCRIPTION.outputs).all(|output| {
+                let before = Angle::new(from.outputs[output], from.output_rates[output]);
+                Angle::new(self.outputs[output], self.output_rates[output]).follows(before, step)
+            })
+    }
+
+    fn unknowns_follow(&self, from: &Self) -> bool {
+        let step = self.at - from.at;
+        angles(M::DESCRIPTION.unknowns).all(|unknown| {
+            let before = Angle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
+            Angle::new(self.unknowns[unknown], self.unknown_rates[unknown]).follows(before, step)
+        })
+    }
+}
+
+/// An angle with its rate, which is not finite if it is not known.
+#[derive(Clone, Copy)]
+struct Angle {
+    value: f64,
+    rate: f64,
+}
+
+impl Angle {
+    fn new(value: f64, rate: f64) -> Self {
+        Self { value, rate }
+    }
+
+    /// The change since another angle that both rates predict, by the trapezoid rule.
+    fn predicted(self, before: Self, step: f64) -> Option<f64> {
+        let change = 0.5 * step * (before.rate + self.rate);
+        change.is_finite().then_some(before.value + change)
+    }
+
+    /// The angle on the turn nearest to the prediction, or to the angle before if there is none.
+    fn unwrapped(self, before: Self, step: f64) -> f64 {
+        let near = self.predicted(before, step).unwrap_or(before.value);
+        nearest_turn(self.value, near)
+    }
+
+    /// Whether the angle is so close to the prediction that its turn is certain.
+    fn follows(self, before: Self, step: f64) -> bool {
+        match self.predicted(before, step) {
+            Some(predicted) => (self.value - predicted).abs() <= PREDICTION,
+            None => (self.value - before.value).abs() <= WITHOUT_RATES,
+        }
+    }
+}
+
+/// The indices of the quantities that are angles.
+pub(super) fn angles(quantities: &[Quantity]) -> impl Iterator<Item = usize> + '_ {
+    let is_angle = |(index, quantity): (usize, &Quantity)| (quantity.dimension == Dimension::Angle).then_some(index);
+    quantities.iter().enumerate().filter_map(is_angle)
+}
+
+fn values<M: Mechanism>(motions: InputMotions<M, f64>) -> M::Inputs<f64> {
+    Row::from_fn(|input| motions[input][0])
+}
+
+/// The number of halvings that a step may take.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a positive number of halvings"
+)]
+fn budget<M: Mechanism>(from: &M::Inputs<f64>, to: &M::Inputs<f64>) -> usize {
+    let ways = angles(M::DESCRIPTION.inputs).map(|input| (to[input] - from[input]).abs());
+    (MOST[0] + MOST[1] * ways.fold(0.0, f64::max)) as usize
 }
 
 /// The angle on the turn closest to another angle.
