@@ -52,7 +52,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Swept<'_, M, D> {
         for input in self.inputs() {
             numbers.extend((0..self.count).map(|order| inputs[input][order]));
         }
-        let Reached { pose, footing } = reached;
+        let Reached { pose, footing, .. } = reached;
         for (unknown, motion) in pose.unknown_motions().as_ref().iter().enumerate() {
             numbers.push(footing.unknowns[unknown]);
             numbers.extend(&motion.as_ref()[1..self.count]);

@@ -16,10 +16,18 @@ use crate::sweep::{Course, Instant, Limit, LimitKind, Local, SmoothDrive, Variab
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
 /// the poses to be exact.
-pub(super) const NEAREST: f64 = 1.0 / 256.0;
+const NEAREST: f64 = 1.0 / 256.0;
+/// The smallest distance of an angle from a change point. A velocity there has an error of ε over the square of this distance, and a series of
+/// five terms one of its fifth power.
+const NEAREST_ANGLE: f64 = 2.5e-3;
 
-/// The largest number of gaps between rows.
-const MOST_GAPS: usize = 64;
+/// The largest number of gaps and edges between rows.
+const MOST_DIVISIONS: usize = 64;
+
+/// The distance between two places of the curve at which it is sought for gaps, as a change of an angle that is an input. A sweep has at
+/// least as many such places as a turn.
+const PROBE: f64 = TAU / 24.0;
+const MOST_PROBES: f64 = 1e6;
 
 /// The end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,41 +42,67 @@ pub(super) enum StretchEnd {
     Inside,
 }
 
+impl StretchEnd {
+    /// Whether the next stretch begins here.
+    pub(super) fn goes_on(self) -> bool {
+        matches!(self, Self::Joint | Self::Inside | Self::Limit(LimitKind::ChangePoint))
+    }
+}
+
 /// A part of the sweep on which the mechanism closes and the curve has no edge, with its own parameter.
 ///
 /// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is the limit plus
-/// `scale` s².
+/// `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its rates jump. The closer to either of
+/// them, the more rounding errors of a pose are magnified, so a stretch ends short of it, and its series goes on.
 #[derive(Clone, Copy)]
 pub(super) struct Stretch<M: Mechanism> {
     /// The parameters at both ends, in the order of the sweep.
     pub(super) parameters: [f64; 2],
     pub(super) ends: [StretchEnd; 2],
-    /// The turning point and the scale, if the stretch begins or ends at one.
-    pub(super) turning: Option<(f64, f64)>,
+    /// The limit at which the stretch begins or ends.
+    pub(super) edge: Option<Edge>,
     /// A pose close to its start.
     pub(super) walk: Walk<M>,
     /// Whether the sweep runs upwards.
     pub(super) runs_up: bool,
 }
 
+/// A limit, at the parameter zero.
+#[derive(Clone, Copy)]
+pub(super) struct Edge {
+    pub(super) at: f64,
+    /// The variable at the parameter one, as a distance from the limit.
+    scale: f64,
+    pub(super) kind: LimitKind,
+    /// The smallest parameter.
+    pub(super) nearest: f64,
+}
+
 impl<M: Mechanism> Stretch<M> {
     /// The variable as a series in the parameter.
     pub(super) fn variable(&self, parameter: f64) -> Local {
-        match self.turning {
-            None => Local::from_coefficients([parameter, 1.0, 0.0, 0.0, 0.0]),
-            Some((limit, scale)) => Local::from_coefficients([
-                limit + scale * parameter * parameter,
+        let coefficients = match self.edge {
+            None => [parameter, 1.0, 0.0, 0.0, 0.0],
+            Some(Edge {
+                at,
+                scale,
+                kind: LimitKind::ChangePoint,
+                ..
+            }) => [at + scale * parameter, scale, 0.0, 0.0, 0.0],
+            Some(Edge { at, scale, .. }) => [
+                at + scale * parameter * parameter,
                 2.0 * scale * parameter,
                 scale,
                 0.0,
                 0.0,
-            ]),
-        }
+            ],
+        };
+        Local::from_coefficients(coefficients)
     }
 
-    /// The turning point at the smaller parameter.
-    pub(super) fn turning_point(&self) -> Option<f64> {
-        self.turning.map(|(limit, _)| limit)
+    /// Whether rates may grow beyond all bounds towards its limit.
+    pub(super) fn may_grow(&self) -> bool {
+        self.edge.is_some_and(|edge| edge.kind != LimitKind::ChangePoint)
     }
 }
 
@@ -94,6 +128,10 @@ pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     quantity: &'c PoseQuantity<'c, M>,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
+    /// Change points and poles between rows that close.
+    edges: Vec<(f64, LimitKind)>,
+    /// The edge that a question has met.
+    met: Cell<Option<(f64, LimitKind)>>,
     /// The walk to the node before, from which the next one is often closest.
     cursor: Cell<Option<Walk<M>>>,
     /// Told the part of the sweep that has been searched.
@@ -109,6 +147,8 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             long_series: course.mechanism.convert(Instant::constant),
             quantity,
             gaps: Vec::new(),
+            edges: Vec::new(),
+            met: Cell::new(None),
             cursor: Cell::new(None),
             progress: None,
         }
@@ -129,39 +169,85 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         }
     }
 
-    /// The answer to a question. A gap that it meets between two rows divides the sweep, and the question is asked again.
+    /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is asked again.
     ///
     /// Towards the ends of a gap the curve is a root, which no piece agrees with. So pieces are halved there until a place in the gap
-    /// is met.
+    /// is met. The same holds for a change point, where rates jump, and for a pole.
     pub(super) fn across_gaps<T>(
         mut self,
         question: impl Fn(&Self) -> Result<T, ExtremesError>,
     ) -> Result<T, ExtremesError> {
         loop {
-            match question(&self) {
-                Err(ExtremesError::Gap { at })
-                    if M::ASSEMBLY_COUNT > 0 && self.gaps.len() < MOST_GAPS && !self.gaps.contains(&at) =>
-                {
-                    self.gaps.push(at);
+            let answer = question(&self);
+            let is_full = self.gaps.len() + self.edges.len() >= MOST_DIVISIONS;
+            match (&answer, self.met.take()) {
+                (Err(ExtremesError::Gap { .. }), Some(edge)) if !is_full && !self.edges.contains(&edge) => {
+                    self.edges.push(edge);
                 }
-                answer => return answer,
+                (Err(ExtremesError::Gap { at }), None)
+                    if M::ASSEMBLY_COUNT > 0 && !is_full && !self.gaps.contains(at) =>
+                {
+                    self.gaps.push(*at);
+                }
+                _ => return answer,
             }
+            self.cursor.set(None);
         }
     }
 
-    /// The rows, the end of the sweep if there is only one, and between them the gaps, in the order of the sweep.
+    /// Ends the question, which is asked again with the sweep divided at an edge.
+    pub(super) fn meet(&self, at: f64, kind: LimitKind) -> ExtremesError {
+        self.met.set(Some((at, kind)));
+        ExtremesError::Gap { at }
+    }
+
+    /// The change point or the pole between two nodes, if there is one.
+    pub(super) fn edge_between(&self, left: &CurveNode<M>, right: &CurveNode<M>) -> Option<(f64, LimitKind)> {
+        if M::ASSEMBLY_COUNT == 0 {
+            // a track from row to row has ended there
+            return None;
+        }
+        let limit = limit_between(self.course, left.at, left.walk.last?.unknowns, right.at)?;
+        let is_between = (left.at.min(right.at) < limit.at) && (limit.at < left.at.max(right.at));
+        let is_edge = matches!(limit.kind, LimitKind::ChangePoint | LimitKind::Pole);
+        (is_edge && is_between).then_some((limit.at, limit.kind))
+    }
+
+    /// The rows, places between rows that are far apart, the end of the sweep if there is only one row, and the gaps, in the order of the
+    /// sweep.
     fn places(&self) -> Vec<f64> {
         let course = self.course;
         let rows = (0..course.count).map(|row| course.at(row));
         let end = (course.count == 1).then_some(course.to);
-        let mut places: Vec<f64> = rows.chain(end).chain(self.gaps.iter().copied()).collect();
-        if !self.gaps.is_empty() {
-            places.sort_by(f64::total_cmp);
-            if course.to < course.from {
-                places.reverse();
-            }
+        let given: Vec<f64> = rows.chain(end).collect();
+        let mut places = given.clone();
+        for pair in given.windows(2) {
+            let count = self.probes([pair[0], pair[1]]);
+            places
+                .extend((1..count).map(|probe| pair[0] + (pair[1] - pair[0]) * (f64::from(probe) / f64::from(count))));
+        }
+        places.extend(&self.gaps);
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        if course.to < course.from {
+            places.reverse();
         }
         places
+    }
+
+    /// The number of equal steps between two rows, so that none is longer than a probe.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a ratio from zero to the limit"
+    )]
+    fn probes(&self, [from, to]: [f64; 2]) -> u32 {
+        let [start, end] = [from, to].map(|at| self.course.drive.motions(at));
+        let ways = (0..M::DESCRIPTION.inputs.len())
+            .filter(|input| M::DESCRIPTION.inputs[*input].dimension == Dimension::Angle)
+            .map(|input| (end[input][0] - start[input][0]).abs() / PROBE);
+        let part = (to - from) / (self.course.to - self.course.from) * (TAU / PROBE);
+        num_traits::Float::ceil(ways.fold(part, f64::max)).clamp(1.0, MOST_PROBES) as u32
     }
 
     /// The place with a parameter, found from a pose nearby.
@@ -274,7 +360,6 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     pub(super) fn stretches(&self) -> Result<Vec<Stretch<M>>, ExtremesError> {
         self.course.check()?;
         let course = self.course;
-        let runs_up = course.to >= course.from;
         let mut circuits: Vec<([f64; 2], [StretchEnd; 2], Walk<M>)> = Vec::new();
         let mut walk = Walk::BEGINNING;
         let mut first_error = None;
@@ -313,11 +398,11 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         let mut stretches = Vec::new();
         for (ends, kinds, walk) in circuits {
             let mut start = (ends[0], kinds[0]);
-            for joint in course.joints(ends) {
-                add(&mut stretches, [start, (joint, StretchEnd::Joint)], walk, runs_up);
-                start = (joint, StretchEnd::Joint);
+            for cut in self.cuts(ends) {
+                self.add(&mut stretches, [start, cut], walk);
+                start = cut;
             }
-            add(&mut stretches, [start, (ends[1], kinds[1])], walk, runs_up);
+            self.add(&mut stretches, [start, (ends[1], kinds[1])], walk);
         }
         if stretches.is_empty() {
             return Err(ExtremesError::NoLength { at: first });
@@ -325,50 +410,71 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         Ok(stretches)
     }
 
+    /// The joints of laws and the edges between two places, in the order from the first to the second.
+    fn cuts(&self, ends: [f64; 2]) -> Vec<(f64, StretchEnd)> {
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let inside = |(at, _): &&(f64, LimitKind)| low < *at && *at < high;
+        let edges = self.edges.iter().filter(inside);
+        let mut cuts: Vec<(f64, StretchEnd)> = edges.map(|(at, kind)| (*at, StretchEnd::Limit(*kind))).collect();
+        let joints = self.course.joints(ends).into_iter();
+        cuts.extend(joints.map(|joint| (joint, StretchEnd::Joint)));
+        cuts.sort_by(|one, other| one.0.total_cmp(&other.0));
+        cuts.dedup_by(|one, other| one.0 == other.0);
+        if ends[0] > ends[1] {
+            cuts.reverse();
+        }
+        cuts
+    }
+
     fn limit(&self, closed: f64, walk: &Walk<M>, open: f64) -> Result<Limit, ExtremesError> {
         let last = walk.last.ok_or(ExtremesError::Gap { at: open })?;
         limit_between(self.course, closed, last.unknowns, open).ok_or(ExtremesError::Gap { at: open })
     }
-}
 
-/// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
-/// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
-fn add<M: Mechanism<Scalar = f64>>(
-    stretches: &mut Vec<Stretch<M>>,
-    [start, end]: [(f64, StretchEnd); 2],
-    walk: Walk<M>,
-    runs_up: bool,
-) {
-    if start.0 == end.0 {
-        return;
-    }
-    let turns = |end: StretchEnd| matches!(end, StretchEnd::Limit(_));
-    match (turns(start.1), turns(end.1)) {
-        (true, true) => {
-            let middle = (f64::midpoint(start.0, end.0), StretchEnd::Inside);
-            add(stretches, [start, middle], walk, runs_up);
-            add(stretches, [middle, end], walk, runs_up);
+    /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
+    /// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
+    fn add(&self, stretches: &mut Vec<Stretch<M>>, [start, end]: [(f64, StretchEnd); 2], walk: Walk<M>) {
+        if start.0 == end.0 {
+            return;
         }
-        (true, false) => stretches.push(Stretch {
-            parameters: [NEAREST, 1.0],
+        let edges = [self.edge(start, end.0), self.edge(end, start.0)];
+        if let [Some(_), Some(_)] = edges {
+            let middle = (f64::midpoint(start.0, end.0), StretchEnd::Inside);
+            self.add(stretches, [start, middle], walk);
+            self.add(stretches, [middle, end], walk);
+            return;
+        }
+        let parameters = match edges {
+            [Some(edge), _] => [edge.nearest, 1.0],
+            [None, Some(edge)] => [1.0, edge.nearest],
+            [None, None] => [start.0, end.0],
+        };
+        stretches.push(Stretch {
+            parameters,
             ends: [start.1, end.1],
-            turning: Some((start.0, end.0 - start.0)),
+            edge: edges[0].or(edges[1]),
             walk,
-            runs_up,
-        }),
-        (false, true) => stretches.push(Stretch {
-            parameters: [1.0, NEAREST],
-            ends: [start.1, end.1],
-            turning: Some((end.0, start.0 - end.0)),
-            walk,
-            runs_up,
-        }),
-        (false, false) => stretches.push(Stretch {
-            parameters: [start.0, end.0],
-            ends: [start.1, end.1],
-            turning: None,
-            walk,
-            runs_up,
-        }),
+            runs_up: self.course.to >= self.course.from,
+        });
+    }
+
+    /// The limit at an end of a stretch, if there is one.
+    fn edge(&self, (at, end): (f64, StretchEnd), other: f64) -> Option<Edge> {
+        let StretchEnd::Limit(kind) = end else { return None };
+        let scale = other - at;
+        let is_angle = match self.course.drive.variable() {
+            Variable::Input(input) => M::DESCRIPTION.inputs[input].dimension == Dimension::Angle,
+            _ => false,
+        };
+        let nearest = match kind {
+            LimitKind::ChangePoint if is_angle => NEAREST.min(NEAREST_ANGLE / scale.abs()),
+            _ => NEAREST,
+        };
+        Some(Edge {
+            at,
+            scale,
+            kind,
+            nearest,
+        })
     }
 }

@@ -1,7 +1,7 @@
 //! Means and root mean squares.
 
 use super::ExtremesError;
-use super::curve::{Curve, NEAREST, Stretch};
+use super::curve::{Curve, Edge, Stretch};
 use crate::mechanism::Mechanism;
 use crate::number::{GAUSS, Number};
 use crate::sweep::{Local, SmoothDrive};
@@ -53,6 +53,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;
+        // Quadrature steps over change points and poles. The pieces of the curve meet them, and the sweep is divided there.
+        for stretch in &stretches {
+            self.parts(stretch, false, &mut |_, _| Ok(()))?;
+        }
         let is_smooth_turn = self.is_full_turn() && stretches.len() == 1 && self.is_periodic(&stretches)?;
         if is_smooth_turn && let Some(mean) = self.over_turn(&stretches[0], power)? {
             return Ok(mean);
@@ -60,8 +64,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         let (mut sum, mut error) = (Integral::default(), 0.0);
         for stretch in &stretches {
             // first, as it tells whether there is an integral at all
-            if let Some(limit) = stretch.turning_point() {
-                sum = sum.plus(self.beside_limit(stretch, limit, over, power)?, 1.0);
+            if let Some(edge) = stretch.edge {
+                sum = sum.plus(self.beside_limit(stretch, edge, over, power)?, 1.0);
             }
             let [from, to] = stretch.parameters;
             let whole = self.gauss(stretch, [from, to], over, power)?;
@@ -157,23 +161,27 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     fn beside_limit(
         &self,
         stretch: &Stretch<M>,
-        limit: f64,
+        edge: Edge,
         over: Over,
         power: i32,
     ) -> Result<Integral, ExtremesError> {
-        let nearest = self.node(stretch, NEAREST, stretch.walk)?;
+        let nearest = self.node(stretch, edge.nearest, stretch.walk)?;
         // the power of one over the parameter with which the quantity grows
-        let growth = f64::from(power) * num_traits::Float::log2(self.growth(stretch, &nearest)?.max(f64::MIN_POSITIVE));
+        let growth = if stretch.may_grow() {
+            f64::from(power) * num_traits::Float::log2(self.growth(stretch, &nearest)?.max(f64::MIN_POSITIVE))
+        } else {
+            0.0
+        };
         // the variable moves with the square of the parameter
         if growth > 1.5 {
             return Err(ExtremesError::Diverges {
-                at: limit,
+                at: edge.at,
                 power: 0.5 * num_traits::Float::round(growth),
             });
         }
-        let parameter = Local::from_coefficients([NEAREST, 1.0, 0.0, 0.0, 0.0]);
-        let scale = stretch.turning.map_or(0.0, |(_, scale)| 2.0 * scale.abs());
-        let weight = parameter * Local::constant(scale * self.weight(nearest.at, over));
+        let [_, rate, bend, ..] = stretch.variable(edge.nearest).coefficients();
+        let rate = Local::from_coefficients([rate, 2.0 * bend, 0.0, 0.0, 0.0]);
+        let weight = rate * Local::constant(num_traits::Float::signum(rate.real()) * self.weight(nearest.at, over));
         let value = Number::powi(nearest.value, power);
         let integral = |integrand: Local| {
             let coefficients = integrand.coefficients();
@@ -182,7 +190,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             let mut sum = 0.0;
             for coefficient in coefficients {
                 order += 1.0;
-                reach *= -NEAREST;
+                reach *= -edge.nearest;
                 sum -= coefficient * reach / order;
             }
             sum

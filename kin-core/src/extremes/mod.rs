@@ -39,6 +39,8 @@ mod at;
 #[cfg(test)]
 mod consistency_tests;
 mod curve;
+#[cfg(test)]
+mod edge_tests;
 mod error;
 mod mean;
 mod parts;

@@ -6,7 +6,7 @@ use crate::hermite::Piece;
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 use crate::quantity::Dimension;
-use crate::sweep::{Local, SmoothDrive, Variable};
+use crate::sweep::{LimitKind, Local, SmoothDrive, Variable};
 
 /// The first pieces of a turn of an angle, or of the whole sweep.
 const FIRST: f64 = 24.0;
@@ -19,6 +19,11 @@ pub(super) const ROUNDING: f64 = 1e4 * f64::EPSILON;
 const MOST: [usize; 2] = [20_000, 8];
 /// The number of halvings after which the rounding errors of the poses are measured.
 const DEEP: usize = 4;
+/// The number of halvings after which a change point or a pole is sought between the ends of a piece.
+const SUSPECT: usize = 8;
+/// Distances from a place that may be a pole, in lengths of the shortest piece, and the growth from each of them to the next smaller one.
+const DISTANCES: [f64; 4] = [1e3, 4e3, 16e3, 64e3];
+const POLE_GROWTH: f64 = 1.3;
 /// The distance between places that differ by rounding errors alone, as a part of the piece.
 const BESIDE: f64 = 1.0 / 1024.0;
 /// The largest difference between a piece and the poses, and the smallest range with an extreme, in measured rounding errors.
@@ -75,7 +80,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 right.value = first.value;
             }
             // next to a turning point rates are far larger than elsewhere
-            if stretch.turning.is_none() || left.parameter.min(right.parameter) > 0.1 {
+            if stretch.edge.is_none() || left.parameter.min(right.parameter) > 0.1 {
                 size = size.max(right.value.real().abs());
             }
             self.divide(stretch, [&left, &right], 0, size, &mut budget, visit)?;
@@ -99,7 +104,15 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         let at = |part: f64| ends[0] + part * (ends[1] - ends[0]);
         let middle = self.node(stretch, f64::midpoint(ends[0], ends[1]), left.walk)?;
         let longest = ends[0].abs().max(ends[1].abs());
+        if depth == SUSPECT
+            && let Some((at, kind)) = self.edge_between(left, right)
+        {
+            return Err(self.meet(at, kind));
+        }
         if (ends[1] - ends[0]).abs() <= 16.0 * f64::EPSILON * longest {
+            if self.is_pole(stretch, [left, right])? {
+                return Err(self.meet(middle.at, LimitKind::Pole));
+            }
             return visit(&CurvePart::Kink, [left, right]);
         }
         let [low, high] = piece.bounds();
@@ -111,7 +124,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             .max(middle.value.real().abs());
         // rounding of the variable counts as its root next to a turning point
         let nearest = ends[0].abs().min(ends[1].abs());
-        let growth = match stretch.turning {
+        let growth = match stretch.edge {
             Some(_) => 1.0 + 1.0 / (nearest * nearest),
             None => 1.0,
         };
@@ -148,6 +161,30 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         })?;
         self.divide(stretch, [left, &middle], depth + 1, size, budget, visit)?;
         self.divide(stretch, [&middle, right], depth + 1, size, budget, visit)
+    }
+
+    /// Whether the quantity grows beyond all bounds between two neighbouring places: on one side it grows from distance to distance.
+    fn is_pole(&self, stretch: &Stretch<M>, [left, right]: [&CurveNode<M>; 2]) -> Result<bool, ExtremesError> {
+        let [low, high] = [
+            stretch.parameters[0].min(stretch.parameters[1]),
+            stretch.parameters[0].max(stretch.parameters[1]),
+        ];
+        let way = right.parameter - left.parameter;
+        for (node, away) in [(left, -way), (right, way)] {
+            let mut sizes = [0.0; DISTANCES.len()];
+            let mut is_inside = true;
+            for (size, distance) in sizes.iter_mut().zip(DISTANCES) {
+                let parameter = node.parameter + distance * away;
+                is_inside &= low <= parameter && parameter <= high;
+                if is_inside {
+                    *size = self.node(stretch, parameter, node.walk)?.value.real().abs();
+                }
+            }
+            if is_inside && sizes.windows(2).all(|pair| pair[0] >= POLE_GROWTH * pair[1]) && sizes[0] > 0.0 {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::ExtremesError;
-use super::curve::{Curve, CurveNode, NEAREST, Stretch, StretchEnd};
+use super::curve::{Curve, CurveNode, Edge, Stretch, StretchEnd};
 use super::parts::{CurvePart, ROUNDING};
 use super::{Crossing, DwellRange, Extreme, ExtremeKind, Peak};
 use crate::mechanism::Mechanism;
@@ -28,8 +28,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     pub(super) fn extremes(&self) -> Result<FoundExtremes, ExtremesError> {
         let stretches = self.stretches()?;
         let mut extremes: Vec<Extreme> = Vec::new();
-        // the end of the stretch before
-        let mut before: Option<(CurveNode<M>, bool)> = None;
+        // the end of the stretch before, with its kind
+        let mut before: Option<(CurveNode<M>, bool, StretchEnd)> = None;
         let is_turn = self.is_full_turn() && self.is_periodic(&stretches)?;
         let mut first = None;
         for stretch in &stretches {
@@ -54,18 +54,22 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 _ => edge(&begin, ExtremeKind::End, !rises_first),
             };
             first.get_or_insert(beginning);
-            match stretch.ends[0] {
-                StretchEnd::Sweep if is_turn => {}
-                StretchEnd::Sweep | StretchEnd::Limit(_) => extremes.push(beginning),
-                end @ (StretchEnd::Joint | StretchEnd::Inside) => {
-                    if let Some((node, rose)) = before {
-                        let kind = if end == StretchEnd::Joint {
-                            ExtremeKind::Kink
-                        } else {
-                            ExtremeKind::Inner
-                        };
-                        let found = joint([&node, &begin], [rose, rises_first], kind);
-                        extremes.extend(found.into_iter().flatten());
+            match before.filter(|(.., end)| end.goes_on()) {
+                Some((node, rose, end)) if stretch.ends[0].goes_on() => {
+                    let kind = if end == StretchEnd::Inside {
+                        ExtremeKind::Inner
+                    } else {
+                        ExtremeKind::Kink
+                    };
+                    let begin = reached(stretch, stretch.ends[0], &begin);
+                    let found = joint([&node, &begin], [rose, rises_first], kind);
+                    extremes.extend(found.into_iter().flatten());
+                }
+                before => {
+                    // a change point beyond which nothing closes
+                    extremes.extend(before.map(|(node, rose, _)| edge(&node, ExtremeKind::Limit, rose)));
+                    if !(is_turn && stretch.ends[0] == StretchEnd::Sweep) {
+                        extremes.push(beginning);
                     }
                 }
             }
@@ -73,10 +77,15 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             match stretch.ends[1] {
                 StretchEnd::Sweep if is_turn => {}
                 StretchEnd::Sweep => extremes.push(edge(&end, ExtremeKind::End, rises_last)),
-                StretchEnd::Limit(_) => extremes.push(self.at_limit(stretch, &end)?),
-                StretchEnd::Joint | StretchEnd::Inside => {}
+                end_kind if end_kind.goes_on() => {}
+                _ => extremes.push(self.at_limit(stretch, &end)?),
             }
-            before = Some((end, rises_last));
+            before = Some((reached(stretch, stretch.ends[1], &end), rises_last, stretch.ends[1]));
+        }
+        if let Some((node, rose, end)) = before
+            && end.goes_on()
+        {
+            extremes.push(edge(&node, ExtremeKind::Limit, rose));
         }
         Ok(FoundExtremes { extremes, first })
     }
@@ -135,7 +144,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
             return Ok(false);
         };
-        if stretches.iter().any(|stretch| stretch.turning.is_some()) {
+        if stretches.iter().any(|stretch| stretch.edge.is_some()) {
             return Ok(false);
         }
         let begin = self.node(first, first.parameters[0], first.walk)?.value.coefficients();
@@ -148,8 +157,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
 
     /// The extreme at a turning point: the curve ends there.
     fn at_limit(&self, stretch: &Stretch<M>, nearest: &CurveNode<M>) -> Result<Extreme, ExtremesError> {
-        let at = stretch.turning_point().unwrap_or(nearest.at);
-        if self.is_unbounded(stretch, nearest)? {
+        let Some(limit) = stretch.edge else {
+            return Ok(edge(nearest, ExtremeKind::End, true));
+        };
+        let at = limit.at;
+        if stretch.may_grow() && self.is_unbounded(stretch, nearest)? {
             return Ok(Extreme {
                 at,
                 value: None,
@@ -160,7 +172,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         // the slope towards the limit is against the parameter
         Ok(Extreme {
             at,
-            value: Some(extrapolated(nearest.value)),
+            value: Some(extrapolated(nearest.value, limit)),
             kind: ExtremeKind::Limit,
             is_maximum: nearest.value.coefficients()[1] < 0.0,
         })
@@ -192,7 +204,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 });
             })?;
             // a quantity that jumps where two stretches meet is on the level in neither
-            if let (Some(left), StretchEnd::Joint | StretchEnd::Inside) = (before, stretch.ends[0]) {
+            let begin = reached(stretch, stretch.ends[0], &begin);
+            if let Some(left) = before.filter(|_| stretch.ends[0].goes_on()) {
                 let [left, right] = [left, begin].map(|node| node.value.real() < level);
                 if left != right {
                     crossings.push(Crossing {
@@ -202,7 +215,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 }
             }
             crossings.append(&mut inner);
-            before = Some(end);
+            before = (stretch.ends[1].goes_on()).then(|| reached(stretch, stretch.ends[1], &end));
         }
         Ok(crossings)
     }
@@ -264,8 +277,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                     continue;
                 }
                 // next to a turning point the quantity goes on to the limit
-                let [start, end] = [pair[0], pair[1]].map(|parameter| match stretch.turning_point() {
-                    Some(limit) if parameter == NEAREST => limit,
+                let [start, end] = [pair[0], pair[1]].map(|parameter| match stretch.edge {
+                    Some(edge) if parameter == edge.nearest => edge.at,
                     _ => stretch.variable(parameter).real(),
                 });
                 match dwells.last_mut() {
@@ -312,6 +325,18 @@ fn rises<M: Mechanism>(stretch: &Stretch<M>, node: &CurveNode<M>) -> bool {
     (node.value.coefficients()[1] >= 0.0) == (to >= from)
 }
 
+/// The node at the end of a stretch. Next to a limit the series goes on to the limit itself.
+fn reached<M: Mechanism>(stretch: &Stretch<M>, end: StretchEnd, nearest: &CurveNode<M>) -> CurveNode<M> {
+    match (end, stretch.edge) {
+        (StretchEnd::Limit(_), Some(edge)) => CurveNode {
+            at: edge.at,
+            value: Local::constant(extrapolated(nearest.value, edge)),
+            ..*nearest
+        },
+        _ => *nearest,
+    }
+}
+
 /// The extreme at a place that has only one side, or only one value.
 fn edge<M: Mechanism>(node: &CurveNode<M>, kind: ExtremeKind, is_maximum: bool) -> Extreme {
     Extreme {
@@ -341,10 +366,10 @@ fn joint<M: Mechanism>(nodes: [&CurveNode<M>; 2], rises: [bool; 2], kind: Extrem
 }
 
 /// The value at the turning point, where the parameter is zero, from the series at the nearest place.
-pub(super) fn extrapolated(nearest: Local) -> f64 {
+pub(super) fn extrapolated(nearest: Local, edge: Edge) -> f64 {
     let coefficients = nearest.coefficients();
     coefficients
         .iter()
         .rev()
-        .fold(0.0, |sum, coefficient| sum * -NEAREST + coefficient)
+        .fold(0.0, |sum, coefficient| sum * -edge.nearest + coefficient)
 }

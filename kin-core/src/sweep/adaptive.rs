@@ -148,7 +148,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             }
         }
         let is_closed = table.outcomes.iter().all(Outcome::is_solved);
-        limits::find(self, &mut table, is_closed);
+        limits::find(self, &mut table, is_closed, &[]);
         Ok(table)
     }
 }

@@ -96,12 +96,13 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
 
     /// Writes all numbers of a table that has their places.
     fn fill(&self, table: &mut Table, progress: &mut dyn FnMut(f64)) -> Result<(), SweepError> {
-        let is_closed = if M::ASSEMBLY_COUNT > 0 {
-            self.fill_by_batch(table, progress)?
+        let (is_closed, jumps) = if M::ASSEMBLY_COUNT > 0 {
+            let is_closed = self.fill_by_batch(table, progress)?;
+            (is_closed, unwrap(self, table))
         } else {
-            self.fill_by_steps(table, progress)
+            (self.fill_by_steps(table, progress), vec![])
         };
-        limits::find(self, table, is_closed);
+        limits::find(self, table, is_closed, &jumps);
         Ok(())
     }
 
@@ -210,7 +211,6 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
                 *angle = Number::atan2(*sine, *angle);
             }
         }
-        unwrap(self, table);
         Ok(is_closed)
     }
 
@@ -296,7 +296,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             (0..results * orders).for_each(|_| put(f64::NAN));
             return;
         };
-        let Reached { pose, footing } = reached;
+        let Reached { pose, footing, .. } = reached;
         let motions = pose.unknown_motions_near(Row::from_fn(|unknown| footing.unknowns[unknown]));
         for (unknown, motion) in motions.as_ref().iter().enumerate() {
             put(footing.unknowns[unknown]);

@@ -181,12 +181,21 @@ fn place_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(
     }
 }
 
-/// Finds the limits between the rows of a table.
-pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table, is_closed: bool) {
-    let mut suspects = gaps::suspects(course, table).into_iter().peekable();
-    if suspects.peek().is_none() && is_closed {
+/// Finds the limits between the rows of a table. `jumps` are the rows behind which an angle jumps.
+pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(
+    course: &Course<M, D>,
+    table: &mut Table,
+    is_closed: bool,
+    jumps: &[usize],
+) {
+    let mut suspects = gaps::suspects(course, table);
+    suspects.extend(jumps);
+    suspects.sort_unstable();
+    suspects.dedup();
+    if suspects.is_empty() && is_closed {
         return;
     }
+    let mut suspects = suspects.into_iter().peekable();
     let first = table.first_unknown::<M>();
     let orders = M::DESCRIPTION.order + 1;
     let unknowns =
@@ -200,7 +209,8 @@ pub(super) fn find<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D
             [false, true] => [None, Some((row + 1, start))],
             [true, true] if is_suspect => match gaps::open_place(course, [start, end]) {
                 Some(open) => [Some((row, open)), Some((row + 1, open))],
-                None => continue,
+                // where branches cross or a length goes to infinity, both rows may close and nothing lies between them
+                None => [Some((row, end)), None],
             },
             _ => continue,
         };

@@ -20,12 +20,13 @@ use crate::quantity::Quantity;
 /// The difference of a number between two turns of an angle from which on it depends on the turn, as a part of its size.
 const DEPENDENCE: f64 = 1e-9;
 
-/// Unwraps all angles of a table, and writes again what depends on them.
-pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table) {
+/// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle jumps.
+pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table) -> Vec<usize> {
     let columns = AngleColumns::of::<M>(table);
     if columns.are_continuous::<M>(table, 1.0 / course.drive.rate()) {
-        return;
+        return Vec::new();
     }
+    let mut jumps = Vec::new();
     let mut last: Option<Footing<M>> = None;
     let mut turned = Turned::<M>(Vec::new());
     for row in 0..table.count {
@@ -48,6 +49,9 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
             let motions = course.drive.motions(solved.at);
             if let Ok(reached) = walk.step(course, solved.at, motions) {
                 footing = reached.footing;
+                if reached.has_jumped && table.outcomes[row - 1].is_solved() {
+                    jumps.push(row - 1);
+                }
                 if turned.sees(&solved, &footing) {
                     write(course, table, row, &reached);
                 }
@@ -56,6 +60,7 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
         columns.write(table, row, &footing);
         last = Some(footing);
     }
+    jumps
 }
 
 /// Writes a row again, for a pose whose angles are on other turns.

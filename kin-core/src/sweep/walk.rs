@@ -22,6 +22,8 @@ pub(super) const LONGEST: f64 = 1.0;
 pub(super) const PREDICTION: f64 = 1.0;
 /// The largest step of an angle without rates.
 pub(super) const WITHOUT_RATES: f64 = FRAC_PI_2;
+/// The part of a turn within which half a turn is ambiguous.
+const AMBIGUOUS: f64 = 1e-6;
 /// A difference of two angles by rounding errors.
 const ROUNDING: f64 = 1e-9;
 /// The solutions that one step may take, and those that each radian of an input adds.
@@ -56,6 +58,8 @@ pub(crate) struct Footing<M: Mechanism> {
 pub(crate) struct Reached<M: Mechanism> {
     pub(crate) pose: M::Pose,
     pub(crate) footing: Footing<M>,
+    /// Whether an angle has changed in a way that its rates do not tell, although the steps were as short as can be.
+    pub(crate) has_jumped: bool,
 }
 
 /// A place on the way: the last pose, and the end of the circuit if it has been passed.
@@ -98,15 +102,23 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
         motions: InputMotions<M, f64>,
         budget: &mut usize,
     ) -> Result<Reached<M>, SolveError> {
-        let reached = self.leap(course, from, at, motions)?;
+        let mut reached = self.leap(course, from, at, motions)?;
         let middle = f64::midpoint(from.at, at);
-        if reached.footing.follows(from) || *budget == 0 || middle == from.at || middle == at {
+        if reached.footing.follows(from) {
+            return Ok(reached);
+        }
+        if *budget == 0 || middle == from.at || middle == at {
+            reached.has_jumped = true;
             return Ok(reached);
         }
         *budget -= 1;
         let between = self.advance(course, from, middle, course.drive.motions(middle), budget);
         match between {
-            Ok(between) => self.advance(course, &between.footing, at, motions, budget),
+            Ok(between) => {
+                let mut reached = self.advance(course, &between.footing, at, motions, budget)?;
+                reached.has_jumped |= between.has_jumped;
+                Ok(reached)
+            }
             // No angle can be followed across a gap: it stays as close as it can be.
             Err(_) => {
                 self.gap = None;
@@ -169,7 +181,11 @@ impl<M: Mechanism<Scalar = f64>> Reached<M> {
             outputs: Row::from_fn(|output| outputs[output][0]),
             output_rates: Row::from_fn(|output| rate(outputs[output].as_ref())),
         };
-        Self { pose, footing }
+        Self {
+            pose,
+            footing,
+            has_jumped: false,
+        }
     }
 
     /// The same pose with the angles that follow from those of another one.
@@ -329,9 +345,10 @@ fn budget<M: Mechanism>(from: &M::Inputs<f64>, to: &M::Inputs<f64>) -> usize {
     (MOST[0] + MOST[1] * ways.fold(0.0, f64::max)) as usize
 }
 
-/// The angle on the turn closest to another angle.
-pub(super) fn nearest_turn(angle: f64, near: f64) -> f64 {
-    let turns = Float::round((near - angle) / TAU);
+/// The angle on the turn closest to another angle. Half a turn apart, where rounding would decide, it stays on the smaller turn.
+fn nearest_turn(angle: f64, near: f64) -> f64 {
+    let turns = (near - angle) / TAU;
+    let turns = Float::ceil(turns.abs() - 0.5 - AMBIGUOUS).max(0.0).copysign(turns);
     if turns == 0.0 { angle } else { angle + turns * TAU }
 }
 

@@ -1,0 +1,161 @@
+//! Change points, poles and islands between the rows of a sweep.
+#![cfg(feature = "alloc")]
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::{ExtremeKind, ExtremesError, Over};
+use crate::assembly::Assembly;
+use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
+use crate::sweep::Sweep;
+
+/// 3 + 7 = 4 + 6: all links lie on a line at 0 degrees.
+const CHANGE_POINT: FourBar = FourBar {
+    r1: 3.0,
+    r2: 4.0,
+    r3: 7.0,
+    r4: 6.0,
+};
+/// The velocities of the rocker on both sides of that position, by mpmath.
+const JUMP: [f64; 2] = [0.258_342_613_226_058_6, 7.741_657_386_773_941];
+
+/// The velocity jumps at the change point, and both sides count, whatever the rows are.
+#[test]
+fn a_rate_has_two_values_at_a_change_point() {
+    for rows in [2, 3, 10, 41, 360] {
+        let sweep = CHANGE_POINT.sweep(Assembly::Open).over(6.0..=6.5, rows).speed(1.0);
+        let highest = sweep.highest("theta4_velocity").unwrap();
+        assert!(
+            (highest.value - JUMP[1]).abs() < 1e-8 && (highest.at - TAU).abs() < 1e-12,
+            "{rows} rows: {highest:?}"
+        );
+        assert_eq!(highest.kind, ExtremeKind::Kink);
+        let crossings = sweep.crossings("theta4_velocity", 1.0).unwrap();
+        assert_eq!(crossings.len(), 1, "{rows} rows");
+        assert!(
+            (crossings[0].at - TAU).abs() < 1e-12 && crossings[0].is_rising,
+            "{rows} rows: {crossings:?}"
+        );
+        // over a turn from beside it
+        let turn = CHANGE_POINT
+            .sweep(Assembly::Open)
+            .over(0.1..=0.1 + TAU, rows)
+            .speed(1.0);
+        let [lowest, highest] = [turn.lowest("theta4_velocity"), turn.highest("theta4_velocity")].map(Result::unwrap);
+        assert!(
+            (lowest.value - JUMP[0]).abs() < 1e-8 && (highest.value - JUMP[1]).abs() < 1e-8,
+            "{rows} rows: {lowest:?} {highest:?}"
+        );
+        assert!(turn.extremes("theta4_velocity").unwrap().len() >= 2);
+        let sweep = CHANGE_POINT.sweep(Assembly::Open).over(6.2..=6.4, rows).speed(1.0);
+        assert!(
+            (sweep.highest("theta4_velocity").unwrap().value - JUMP[1]).abs() < 1e-8,
+            "{rows} rows"
+        );
+    }
+}
+
+#[test]
+fn a_rate_is_finite_on_both_sides_of_a_change_point() {
+    let linkage = FourBar {
+        r1: 7.0,
+        r2: 1.0,
+        r3: -2.0,
+        r4: 6.0,
+    };
+    let turn = linkage.sweep(Assembly::Crossed).over(0.1..=0.1 + TAU, 41).speed(1.0);
+    let peak = turn.peak("theta4_velocity").unwrap();
+    assert!(peak.value.abs() < 10.0, "{peak}");
+    let extremes = SliderCrank { r: 1.0, l: 1.0 }
+        .sweep(Assembly::Open)
+        .over(1.0..=2.0, 7)
+        .extremes("s")
+        .unwrap();
+    assert!(extremes.iter().all(|extreme| extreme.value.is_some()), "{extremes:?}");
+}
+
+/// With a crank as long as the ground, the slot turns by half a turn at 180 degrees.
+#[test]
+fn an_angle_jumps_where_a_vector_vanishes() {
+    for length in [1.0, 0.3] {
+        for rows in [2, 11, 90] {
+            let sweep = InvertedSliderCrank { r1: length, r2: length }
+                .sweep(())
+                .over(2.0..=4.0, rows)
+                .speed(1.0);
+            let extremes = sweep.extremes("theta4").unwrap();
+            assert!(extremes.len() <= 4, "{rows} rows: {extremes:?}");
+            assert!(
+                (sweep.highest("theta4").unwrap().value - FRAC_PI_2).abs() < 1e-9,
+                "{rows} rows"
+            );
+            assert!(
+                (sweep.lowest("theta4").unwrap().value + FRAC_PI_2).abs() < 1e-9,
+                "{rows} rows"
+            );
+        }
+        let table = InvertedSliderCrank { r1: length, r2: length }
+            .sweep(())
+            .over(2.0..=4.0, 11)
+            .table()
+            .unwrap();
+        let [limit] = table.limits() else {
+            panic!("{:?}", table.limits())
+        };
+        assert!((limit.at - PI).abs() < 1e-12, "{limit:?}");
+    }
+}
+
+crate::mechanism! {
+    /// A lever on a wall: y has poles.
+    struct Lever { h: Length }
+    input t: Angle;
+    unknown y: Length;
+    y == h * tan(t);
+    output travel: Length = h * tan(t);
+    output ratio: Length = h * sin(t) / cos(t);
+}
+
+#[test]
+fn a_pole_is_unbounded() {
+    for rows in [2, 5, 37, 100] {
+        let sweep = Lever { h: 1.0 }.sweep(()).over(0.0..=PI, rows).speed(1.0);
+        for name in ["y", "travel", "ratio"] {
+            assert!(
+                matches!(sweep.highest(name), Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9),
+                "{name}, {rows} rows: {:?}",
+                sweep.highest(name)
+            );
+            assert!(
+                matches!(sweep.mean(name, Over::Time), Err(ExtremesError::Diverges { .. })),
+                "{name}, {rows} rows: {:?}",
+                sweep.mean(name, Over::Time)
+            );
+            let crossings = sweep.crossings(name, 0.5).unwrap();
+            assert_eq!(crossings.len(), 1, "{name}, {rows} rows: {crossings:?}");
+            assert!((crossings[0].at - 0.5_f64.atan()).abs() < 1e-12);
+        }
+    }
+}
+
+/// Gaps between few rows are found.
+#[test]
+fn islands_between_rows_are_found() {
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    for rows in [2, 3, 4, 5, 11, 41] {
+        let sweep = linkage.sweep(Assembly::Open).over(0.0..=2.0 * TAU, rows);
+        assert_eq!(sweep.crossings("theta4", 2.5).unwrap().len(), 4, "{rows} rows");
+        let press = SliderCrank { r: 1.0, l: 0.8 }
+            .sweep(Assembly::Open)
+            .over(0.0..=TAU, rows);
+        assert!(
+            (press.lowest("s").unwrap().value + 0.6).abs() < 1e-9,
+            "{rows} rows: {:?}",
+            press.lowest("s")
+        );
+    }
+}
