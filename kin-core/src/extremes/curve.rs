@@ -100,6 +100,14 @@ impl<M: Mechanism> Stretch<M> {
         Local::from_coefficients(coefficients)
     }
 
+    /// The value of the variable. The smallest parameter next to a limit stands for the limit itself.
+    pub(super) fn place(&self, parameter: f64) -> f64 {
+        match self.edge {
+            Some(edge) if parameter == edge.nearest => edge.at,
+            _ => self.variable(parameter).real(),
+        }
+    }
+
     /// Whether rates may grow beyond all bounds towards its limit.
     pub(super) fn may_grow(&self) -> bool {
         self.edge.is_some_and(|edge| edge.kind != LimitKind::ChangePoint)

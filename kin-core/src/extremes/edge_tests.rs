@@ -159,3 +159,27 @@ fn islands_between_rows_are_found() {
         );
     }
 }
+
+/// A mean says which part of the range it covers, and limits are in degrees where the table is.
+#[test]
+fn a_mean_covers_what_closes() {
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 60.0,
+        r4: 45.0,
+    };
+    let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361);
+    let table = sweep.table().unwrap();
+    let [first, last] = [0, 1].map(|limit| table.limits()[limit].at);
+    let mean = sweep.mean("theta4", Over::Time).unwrap();
+    assert!((mean.covered - (1.0 - (last - first) / TAU)).abs() < 1e-12, "{mean:?}");
+    let whole = sweep.mean("theta2", Over::Time).unwrap();
+    assert_eq!(whole.covered, mean.covered);
+    let degrees = table.clone().in_degrees();
+    for (degrees, radians) in degrees.limits().iter().zip(table.limits()) {
+        assert_eq!(degrees.inputs[0], radians.inputs[0].to_degrees());
+        assert_eq!(degrees.unknowns[1], radians.unknowns[1].to_degrees());
+        assert_eq!(degrees.at, radians.at.to_degrees());
+    }
+}

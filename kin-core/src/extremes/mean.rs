@@ -29,6 +29,8 @@ pub struct Mean {
     pub value: f64,
     /// The estimate of its error.
     pub error: f64,
+    /// The part of the sweep over which it is taken, from 0 to 1: that in which the mechanism closes.
+    pub covered: f64,
 }
 
 /// Integrals over a part of the sweep: of the quantity with its weight, of its size, and of the weight.
@@ -61,6 +63,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         if is_smooth_turn && let Some(mean) = self.over_turn(&stretches[0], power)? {
             return Ok(mean);
         }
+        let covered = self.covered(&stretches);
         let (mut sum, mut error) = (Integral::default(), 0.0);
         for stretch in &stretches {
             // first, as it tells whether there is an integral at all
@@ -76,6 +79,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         let mean = Mean {
             value: sum.value / sum.weight,
             error: (error + 4.0 * f64::EPSILON * sum.size) / sum.weight,
+            covered,
         };
         if mean.error.is_nan() || mean.error > PRECISION * sum.size / sum.weight {
             return Err(ExtremesError::Imprecise {
@@ -84,6 +88,18 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             });
         }
         Ok(mean)
+    }
+
+    /// The part of the sweep that stretches cover.
+    fn covered(&self, stretches: &[Stretch<M>]) -> f64 {
+        let length = |stretch: &Stretch<M>| {
+            let [start, end] = stretch.parameters.map(|parameter| stretch.place(parameter));
+            (end - start).abs()
+        };
+        let covered: f64 = stretches.iter().map(length).sum();
+        let whole = (self.course.to - self.course.from).abs();
+        // the sum of several lengths may round to more than the whole
+        (covered / whole).min(1.0)
     }
 
     /// The quantity with its weight, for the rate of the variable with respect to the parameter.
@@ -227,6 +243,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 return Ok(Some(Mean {
                     value: mean,
                     error: error + 4.0 * f64::EPSILON * totals.1 / f64::from(points),
+                    covered: 1.0,
                 }));
             }
             last = mean;

@@ -427,11 +427,24 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`mean`](Self::mean).
     pub fn rms_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
         let answer = |at: &At<M>| quantity(at).answer();
-        let square = Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 2))?;
-        let value = num_traits::Float::sqrt(square.value);
-        Ok(Mean {
-            value,
-            error: if value > 0.0 { 0.5 * square.error / value } else { 0.0 },
-        })
+        let root = |value: f64, error: f64| {
+            let root = num_traits::Float::sqrt(value);
+            (root, if root > 0.0 { 0.5 * error / root } else { 0.0 })
+        };
+        match Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 2)) {
+            Ok(square) => {
+                let (value, error) = root(square.value, square.error);
+                Ok(Mean {
+                    value,
+                    error,
+                    covered: square.covered,
+                })
+            }
+            Err(ExtremesError::Imprecise { value, error }) => {
+                let (value, error) = root(value, error);
+                Err(ExtremesError::Imprecise { value, error })
+            }
+            Err(error) => Err(error),
+        }
     }
 }

@@ -277,10 +277,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                     continue;
                 }
                 // next to a turning point the quantity goes on to the limit
-                let [start, end] = [pair[0], pair[1]].map(|parameter| match stretch.edge {
-                    Some(edge) if parameter == edge.nearest => edge.at,
-                    _ => stretch.variable(parameter).real(),
-                });
+                let [start, end] = [pair[0], pair[1]].map(|parameter| stretch.place(parameter));
                 match dwells.last_mut() {
                     Some(last) if last[1] == start => last[1] = end,
                     _ => dwells.push([start, end]),

@@ -136,7 +136,6 @@ impl Table {
             match value {
                 // exactly as it stands there, in the unit of the table
                 Some(_) if index == self.variable => limit.at,
-                Some(value) if self.in_degrees && label.quantity.dimension == Dimension::Angle => value.to_degrees(),
                 Some(value) => value,
                 None => f64::NAN,
             }
@@ -158,9 +157,21 @@ impl Table {
                 }
             }
         }
-        if self.labels.get(self.variable).is_some_and(is_angle) {
-            for limit in &mut self.limits {
+        let is_turning_variable = self.labels.get(self.variable).is_some_and(is_angle);
+        // a limit holds the inputs and then the unknowns, as the columns do
+        let values = self
+            .labels
+            .iter()
+            .filter(|label| !label.is_variable && label.order == 0);
+        let are_angles: Vec<bool> = values.map(is_angle).collect();
+        for limit in &mut self.limits {
+            if is_turning_variable {
                 limit.at = limit.at.to_degrees();
+            }
+            for (value, is_angle) in limit.inputs.iter_mut().chain(&mut limit.unknowns).zip(&are_angles) {
+                if *is_angle {
+                    *value = value.to_degrees();
+                }
             }
         }
         self
