@@ -11,7 +11,7 @@ use num_traits::Float;
 use super::Course;
 use super::drive::Drive;
 use super::table::Table;
-use super::walk::{Footing, LONGEST, PREDICTION, Reached, WITHOUT_RATES, Walk, angles};
+use super::walk::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, Reached, WITHOUT_RATES, Walk, angles};
 use crate::batch::{Kernel, Vectors};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -28,22 +28,25 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
     }
     let mut jumps = Vec::new();
     let mut last: Option<Footing<M>> = None;
+    let mut open = None;
     let mut turned = Turned::<M>(Vec::new());
     for row in 0..table.count {
         if !table.outcomes[row].is_solved() {
+            open = Some(table.values(table.variable)[row]);
             continue;
         }
         let solved = columns.footing::<M>(table, row, 1.0 / course.drive.rate());
         let Some(from) = &last else {
-            last = Some(solved);
+            (last, open) = (Some(solved), None);
             continue;
         };
         let mut footing = solved;
         footing.unwrap(from);
-        let needs_walk = !footing.follows(from) || turned.depends(&solved, &footing) != Some(false);
+        let needs_walk = open.is_some() || !footing.follows(from) || turned.depends(&solved, &footing) != Some(false);
         if needs_walk {
             let mut walk = Walk {
                 last: Some(*from),
+                open,
                 gap: None,
             };
             let motions = course.drive.motions(solved.at);
@@ -58,7 +61,7 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
             }
         }
         columns.write(table, row, &footing);
-        last = Some(footing);
+        (last, open) = (Some(footing), None);
     }
     jumps
 }
@@ -247,7 +250,7 @@ impl Kernel for IsPredicted<'_> {
             .zip(values.zip(rates))
             .fold(true, |all, ((start, end), ((one, other), (first, last)))| {
                 let predicted = half * (end - start) * (first + last);
-                all & ((other - one - predicted).abs() <= PREDICTION)
+                all & ((other - one - predicted).abs() <= PREDICTION) & (predicted.abs() <= LONGEST_PREDICTION)
             })
     }
 }

@@ -20,8 +20,12 @@ use crate::track::{TrackError, TrackErrorOf, track};
 pub(super) const LONGEST: f64 = 1.0;
 /// The largest difference between an angle and its prediction from the rates at both ends of a step. Half a turn would be ambiguous.
 pub(super) const PREDICTION: f64 = 1.0;
+/// The largest change that rates may predict: next to a limit they are far too large.
+pub(super) const LONGEST_PREDICTION: f64 = 2.0;
 /// The largest step of an angle without rates.
 pub(super) const WITHOUT_RATES: f64 = FRAC_PI_2;
+/// The halvings that find the edge of a gap. Angles there differ from those at the limit by some 10⁻⁵.
+const EDGE: usize = 32;
 /// The part of a turn within which half a turn is ambiguous.
 const AMBIGUOUS: f64 = 1e-6;
 /// A difference of two angles by rounding errors.
@@ -66,11 +70,17 @@ pub(crate) struct Reached<M: Mechanism> {
 #[derive(Clone, Copy)]
 pub(crate) struct Walk<M: Mechanism> {
     pub(crate) last: Option<Footing<M>>,
+    /// A place behind the last pose at which the mechanism does not close.
+    pub(crate) open: Option<f64>,
     pub(crate) gap: Option<Gap<M>>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Walk<M> {
-    pub(crate) const BEGINNING: Self = Self { last: None, gap: None };
+    pub(crate) const BEGINNING: Self = Self {
+        last: None,
+        open: None,
+        gap: None,
+    };
 
     /// The pose at a value of the variable, whose inputs have the given motions. A place that does not close leaves the walk where it was.
     pub(crate) fn step<D: Drive<M>>(
@@ -82,15 +92,45 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
         let reached = match self.last {
             None => {
                 let pose = course.mechanism.solve_motion(motions, course.assembly)?;
-                Reached::of(course, at, motions, pose)
+                Ok(Reached::of(course, at, motions, pose))
             }
             Some(last) => {
                 let mut budget = budget::<M>(&last.inputs, &values::<M>(motions));
-                self.advance(course, &last, at, motions, &mut budget)?
+                match self.open {
+                    Some(open) if M::ASSEMBLY_COUNT > 0 => self.across(course, &last, open, at, motions, &mut budget),
+                    _ => self.advance(course, &last, at, motions, &mut budget),
+                }
             }
         };
-        self.last = Some(reached.footing);
-        Ok(reached)
+        match &reached {
+            Ok(reached) => (self.last, self.open) = (Some(reached.footing), None),
+            Err(_) => self.open = Some(at),
+        }
+        reached
+    }
+
+    /// The pose behind a gap. Each angle at the far edge of the gap is on the turn nearest to that at its near edge.
+    fn across<D: Drive<M>>(
+        &mut self,
+        course: &Course<M, D>,
+        from: &Footing<M>,
+        open: f64,
+        at: f64,
+        motions: InputMotions<M, f64>,
+        budget: &mut usize,
+    ) -> Result<Reached<M>, SolveError> {
+        // the most likely failure first
+        course.mechanism.solve_motion(motions, course.assembly)?;
+        let near = edge(course, from.at, open);
+        let near = match self.advance(course, from, near, course.drive.motions(near), budget) {
+            Ok(near) => near.footing,
+            Err(_) => *from,
+        };
+        let far = edge(course, at, open);
+        let beyond = course.drive.motions(far);
+        let pose = course.mechanism.solve_motion(beyond, course.assembly)?;
+        let far = Reached::of(course, far, beyond, pose).unwrapped(course, beyond, &near.without_rates());
+        self.advance(course, &far.footing, at, motions, budget)
     }
 
     /// The pose that follows from another one, by steps short enough to unwrap every angle.
@@ -119,11 +159,8 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
                 reached.has_jumped |= between.has_jumped;
                 Ok(reached)
             }
-            // No angle can be followed across a gap: it stays as close as it can be.
-            Err(_) => {
-                self.gap = None;
-                Ok(reached.unwrapped(course, motions, &from.without_rates()))
-            }
+            Err(error) if M::ASSEMBLY_COUNT == 0 => Err(error),
+            Err(_) => self.across(course, from, middle, at, motions, budget),
         }
     }
 
@@ -318,7 +355,9 @@ impl Angle {
     /// Whether the angle is so close to the prediction that its turn is certain.
     fn follows(self, before: Self, step: f64) -> bool {
         match self.predicted(before, step) {
-            Some(predicted) => (self.value - predicted).abs() <= PREDICTION,
+            Some(predicted) => {
+                (self.value - predicted).abs() <= PREDICTION && (predicted - before.value).abs() <= LONGEST_PREDICTION
+            }
             None => (self.value - before.value).abs() <= WITHOUT_RATES,
         }
     }
@@ -328,6 +367,20 @@ impl Angle {
 pub(super) fn angles(quantities: &[Quantity]) -> impl Iterator<Item = usize> + '_ {
     let is_angle = |(index, quantity): (usize, &Quantity)| (quantity.dimension == Dimension::Angle).then_some(index);
     quantities.iter().enumerate().filter_map(is_angle)
+}
+
+/// The last place at which the mechanism closes, from one that closes to one that does not.
+fn edge<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, mut closed: f64, mut open: f64) -> f64 {
+    for _ in 0..EDGE {
+        let middle = f64::midpoint(closed, open);
+        let inputs = values::<M>(course.drive.motions(middle));
+        if course.mechanism.solve_position(inputs, course.assembly).is_ok() {
+            closed = middle;
+        } else {
+            open = middle;
+        }
+    }
+    closed
 }
 
 fn values<M: Mechanism>(motions: InputMotions<M, f64>) -> M::Inputs<f64> {
