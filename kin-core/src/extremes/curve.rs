@@ -435,8 +435,18 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     }
 
     fn limit(&self, closed: f64, walk: &Walk<M>, open: f64) -> Result<Limit, ExtremesError> {
-        let last = walk.last.ok_or(ExtremesError::Gap { at: open })?;
-        limit_between(self.course, closed, last.unknowns, open).ok_or(ExtremesError::Gap { at: open })
+        let gap = || ExtremesError::Gap { at: open };
+        let last = walk.last.ok_or_else(gap)?;
+        if let Some(limit) = limit_between(self.course, closed, last.unknowns, open) {
+            return Ok(limit);
+        }
+        // an angle that an equation gives in -π ..= π may have jumped on the way, which stops a track
+        let near = self.course.edge(closed, open);
+        let reached = walk
+            .clone()
+            .step(self.course, near, self.course.drive.motions(near))
+            .map_err(|_| gap())?;
+        limit_between(self.course, near, reached.footing.unknowns, open).ok_or_else(gap)
     }
 
     /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning

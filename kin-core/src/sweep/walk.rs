@@ -121,12 +121,12 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
     ) -> Result<Reached<M>, SolveError> {
         // the most likely failure first
         course.mechanism.solve_motion(motions, course.assembly)?;
-        let near = edge(course, from.at, open);
+        let near = course.edge(from.at, open);
         let near = match self.advance(course, from, near, course.drive.motions(near), budget) {
             Ok(near) => near.footing,
             Err(_) => *from,
         };
-        let far = edge(course, at, open);
+        let far = course.edge(at, open);
         let beyond = course.drive.motions(far);
         let pose = course.mechanism.solve_motion(beyond, course.assembly)?;
         let far = Reached::of(course, far, beyond, pose).unwrapped(course, beyond, &near.without_rates());
@@ -369,18 +369,20 @@ pub(super) fn angles(quantities: &[Quantity]) -> impl Iterator<Item = usize> + '
     quantities.iter().enumerate().filter_map(is_angle)
 }
 
-/// The last place at which the mechanism closes, from one that closes to one that does not.
-fn edge<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, mut closed: f64, mut open: f64) -> f64 {
-    for _ in 0..EDGE {
-        let middle = f64::midpoint(closed, open);
-        let inputs = values::<M>(course.drive.motions(middle));
-        if course.mechanism.solve_position(inputs, course.assembly).is_ok() {
-            closed = middle;
-        } else {
-            open = middle;
+impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
+    /// The last place at which the mechanism closes, from one that closes to one that does not.
+    pub(crate) fn edge(&self, mut closed: f64, mut open: f64) -> f64 {
+        for _ in 0..EDGE {
+            let middle = f64::midpoint(closed, open);
+            let inputs = values::<M>(self.drive.motions(middle));
+            if self.mechanism.solve_position(inputs, self.assembly).is_ok() {
+                closed = middle;
+            } else {
+                open = middle;
+            }
         }
+        closed
     }
-    closed
 }
 
 fn values<M: Mechanism>(motions: InputMotions<M, f64>) -> M::Inputs<f64> {
