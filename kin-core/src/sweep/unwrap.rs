@@ -36,19 +36,14 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
             continue;
         }
         let solved = columns.footing::<M>(table, row, 1.0 / course.drive.rate());
-        let Some(from) = &last else {
-            (last, open) = (Some(solved), None);
-            continue;
-        };
         let mut footing = solved;
-        footing.unwrap(from);
-        let needs_walk = open.is_some() || !footing.follows(from) || turned.depends(&solved, &footing) != Some(false);
+        if let Some(from) = &last {
+            footing.unwrap(from);
+        }
+        let follows = open.is_none() && last.is_none_or(|from| footing.follows(&from));
+        let needs_walk = !follows || turned.depends(&solved, &footing) != Some(false);
         if needs_walk {
-            let mut walk = Walk {
-                last: Some(*from),
-                open,
-                gap: None,
-            };
+            let mut walk = Walk { last, open, gap: None };
             let motions = course.drive.motions(solved.at);
             if let Ok(reached) = walk.step(course, solved.at, motions) {
                 footing = reached.footing;

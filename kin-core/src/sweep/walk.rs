@@ -28,10 +28,8 @@ pub(super) const WITHOUT_RATES: f64 = FRAC_PI_2;
 const EDGE: usize = 32;
 /// The part of a turn within which half a turn is ambiguous.
 const AMBIGUOUS: f64 = 1e-6;
-/// A difference of two angles by rounding errors.
-const ROUNDING: f64 = 1e-9;
-/// The solutions that one step may take, and those that each radian of an input adds.
-const MOST: [f64; 2] = [256.0, 16.0];
+/// The halvings that one step may take.
+const MOST: usize = 256;
 
 /// The end of a circuit of a coupled block, or the place where it was lost.
 #[derive(Clone, Copy)]
@@ -83,19 +81,38 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
     };
 
     /// The pose at a value of the variable, whose inputs have the given motions. A place that does not close leaves the walk where it was.
+    ///
+    /// Where an input turns far, the walk looks for gaps on the way.
     pub(crate) fn step<D: Drive<M>>(
         &mut self,
         course: &Course<M, D>,
         at: f64,
         motions: InputMotions<M, f64>,
     ) -> Result<Reached<M>, SolveError> {
-        let reached = match self.last {
-            None => {
-                let pose = course.mechanism.solve_motion(motions, course.assembly)?;
-                Ok(Reached::of(course, at, motions, pose))
+        // where it has come, whether or not the mechanism closes there
+        if let Some(from) = self.open.or(self.last.map(|last| last.at)) {
+            let inputs = values::<M>(course.drive.motions(from));
+            let steps = Float::ceil(longest_way::<M>(&inputs, &values::<M>(motions)) / LONGEST);
+            let mut step = 1.0;
+            while step < steps {
+                let way = from + (at - from) * (step / steps);
+                let _ = self.hop(course, way, course.drive.motions(way));
+                step += 1.0;
             }
+        }
+        self.hop(course, at, motions)
+    }
+
+    fn hop<D: Drive<M>>(
+        &mut self,
+        course: &Course<M, D>,
+        at: f64,
+        motions: InputMotions<M, f64>,
+    ) -> Result<Reached<M>, SolveError> {
+        let reached = match self.last {
+            None => self.begin(course, at, motions),
             Some(last) => {
-                let mut budget = budget::<M>(&last.inputs, &values::<M>(motions));
+                let mut budget = MOST;
                 match self.open {
                     Some(open) if M::ASSEMBLY_COUNT > 0 => self.across(course, &last, open, at, motions, &mut budget),
                     _ => self.advance(course, &last, at, motions, &mut budget),
@@ -107,6 +124,26 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
             Err(_) => self.open = Some(at),
         }
         reached
+    }
+
+    /// The first pose. If the mechanism did not close before, its angles follow from those where it begins to close.
+    fn begin<D: Drive<M>>(
+        &mut self,
+        course: &Course<M, D>,
+        at: f64,
+        motions: InputMotions<M, f64>,
+    ) -> Result<Reached<M>, SolveError> {
+        let pose = course.mechanism.solve_motion(motions, course.assembly)?;
+        let reached = Reached::of(course, at, motions, pose);
+        let Some(open) = self.open.filter(|_| M::ASSEMBLY_COUNT > 0) else {
+            return Ok(reached);
+        };
+        let first = course.edge(at, open);
+        let beginning = course.drive.motions(first);
+        let pose = course.mechanism.solve_motion(beginning, course.assembly)?;
+        let beginning = Reached::of(course, first, beginning, pose);
+        let mut budget = MOST;
+        self.advance(course, &beginning.footing, at, motions, &mut budget)
     }
 
     /// The pose behind a gap. Each angle at the far edge of the gap is on the turn nearest to that at its near edge.
@@ -239,10 +276,9 @@ impl<M: Mechanism<Scalar = f64>> Reached<M> {
                 let unknowns = pose.unknown_motions_near(Row::from_fn(|unknown| near[unknown]));
                 let mut turned = Self::with_unknowns(course, self.footing.at, motions, pose, &unknowns);
                 turned.footing.unwrap_unknowns(from);
-                // Where two assemblies meet, the solver may return the other one.
-                let is_same = angles(M::DESCRIPTION.unknowns).all(|unknown| {
-                    (turned.footing.unknowns[unknown] - near[unknown]).abs() <= ROUNDING * near[unknown].abs().max(1.0)
-                });
+                // Where two assemblies meet, the solver may return the other one. Within a loop, a gear of half the speed exchanges their names.
+                let inputs = values::<M>(motions);
+                let is_same = course.mechanism.assembly_near(inputs, turned.footing.unknowns) == course.assembly;
                 if is_same || (turned.footing.unknowns_follow(from) && !self.footing.unknowns_follow(from)) {
                     self = turned;
                 }
@@ -389,15 +425,10 @@ fn values<M: Mechanism>(motions: InputMotions<M, f64>) -> M::Inputs<f64> {
     Row::from_fn(|input| motions[input][0])
 }
 
-/// The number of halvings that a step may take.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a positive number of halvings"
-)]
-fn budget<M: Mechanism>(from: &M::Inputs<f64>, to: &M::Inputs<f64>) -> usize {
+/// The largest change of an angle that is an input.
+fn longest_way<M: Mechanism>(from: &M::Inputs<f64>, to: &M::Inputs<f64>) -> f64 {
     let ways = angles(M::DESCRIPTION.inputs).map(|input| (to[input] - from[input]).abs());
-    (MOST[0] + MOST[1] * ways.fold(0.0, f64::max)) as usize
+    ways.fold(0.0, f64::max)
 }
 
 /// The angle on the turn closest to another angle. Half a turn apart, where rounding would decide, it stays on the smaller turn.
