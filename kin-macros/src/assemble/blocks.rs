@@ -275,6 +275,11 @@ impl Builder<'_> {
                     unknowns.iter().map(|&unknown| Symbol::Unknown(unknown)).collect(),
                 );
             }
+            ClosedForm::LinearSystem {
+                unknowns,
+                matrix,
+                right,
+            } => self.linear_system(unknowns, matrix, right),
             ClosedForm::TwoAngles { unknowns, arms, target } => self.two_angles(*unknowns, arms, *target),
             ClosedForm::AngleLength {
                 angle,
@@ -312,6 +317,34 @@ impl Builder<'_> {
                 FormArgument::Scalar(self.known(right)),
             ];
             self.solve(Solver::Linear, arguments, vec![symbol]);
+        }
+    }
+
+    fn linear_system(&mut self, unknowns: &[usize], matrix: &[Vec<Node>], right: &[Node]) {
+        let (symbol, factors) = self.fresh("factors");
+        let matrix = matrix
+            .iter()
+            .map(|row| row.iter().map(|&entry| self.known(entry)).collect())
+            .collect();
+        let right = right.iter().map(|&entry| self.known(entry)).collect();
+        let solution: Vec<(Symbol, Node)> = unknowns
+            .iter()
+            .map(|&unknown| {
+                let name = self.unknown_name(unknown);
+                self.fresh(&format!("{name}_solution"))
+            })
+            .collect();
+        self.steps.push(Step::Factor { symbol, matrix });
+        self.steps.push(Step::Substitute {
+            factors,
+            right,
+            results: solution.iter().map(|&(symbol, _)| symbol).collect(),
+        });
+        for (&unknown, (_, value)) in unknowns.iter().zip(solution) {
+            self.steps.push(Step::Define {
+                symbol: Symbol::Unknown(unknown),
+                value,
+            });
         }
     }
 

@@ -9,6 +9,7 @@ mod closed_form;
 mod complex;
 mod dyads;
 mod form;
+mod growth;
 mod matching;
 mod order;
 mod polynomials;
@@ -22,6 +23,7 @@ pub(crate) use closed_form::ClosedForm;
 pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use form::{BlockKind, block_forms};
+pub(crate) use growth::Magnitudes;
 pub(crate) use polynomials::{PolynomialSystem, PolynomialVariable};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
@@ -104,9 +106,14 @@ pub(crate) enum Refusal {
 }
 
 /// Orders scalar equations into solvable blocks.
-pub(crate) fn analyse(mut graph: Graph, residuals: &[Node], unknowns: usize) -> Result<Structure, Refusal> {
+pub(crate) fn analyse(
+    mut graph: Graph,
+    residuals: &[Node],
+    unknowns: usize,
+    magnitudes: &Magnitudes,
+) -> Result<Structure, Refusal> {
     let residuals = without_cancelling(&mut graph, residuals, Variables::AllUnknowns);
-    let blocks = blocks(&mut graph, &residuals, unknowns);
+    let blocks = blocks(&mut graph, &residuals, unknowns, magnitudes);
     if let Some(misfit) = graph.misfit() {
         return Err(Refusal::Constants(misfit));
     }
@@ -118,7 +125,12 @@ pub(crate) fn analyse(mut graph: Graph, residuals: &[Node], unknowns: usize) -> 
 }
 
 /// The blocks, or all faults.
-fn blocks(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<Block>, Vec<Fault>> {
+fn blocks(
+    graph: &mut Graph,
+    residuals: &[Node],
+    unknowns: usize,
+    magnitudes: &Magnitudes,
+) -> Result<Vec<Block>, Vec<Fault>> {
     let incidence = incidence(graph, residuals, Variables::AllUnknowns);
     let matching = matching::Matching::of(&incidence, unknowns);
     let mut faults = matching.faults(&incidence);
@@ -132,7 +144,7 @@ fn blocks(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<
             .map(|&equation| matching.unknown_of(equation))
             .collect();
         members.sort_unstable();
-        match solve_block(graph, residuals, equations, members) {
+        match solve_block(graph, residuals, magnitudes, equations, members) {
             Ok(block) => blocks.push(block),
             Err(fault) => faults.push(fault),
         }
@@ -170,6 +182,7 @@ fn incidence(graph: &mut Graph, equations: &[Node], variables: Variables<'_>) ->
 fn solve_block(
     graph: &mut Graph,
     residuals: &[Node],
+    magnitudes: &Magnitudes,
     equations: Vec<usize>,
     unknowns: Vec<usize>,
 ) -> Result<Block, Fault> {
@@ -187,14 +200,14 @@ fn solve_block(
             .polynomial(node)
             .is_none()
     });
-    let parts = tear::parts(graph, &nodes, &unknowns);
+    let parts = tear::parts(graph, magnitudes, &nodes, &unknowns);
     let check_jacobian = match parts.as_slice() {
         [
             Part {
                 method: Method::Closed(form),
                 ..
             },
-        ] => cleared || form.has_inverse(),
+        ] => cleared || form.has_inverse() || matches!(form, ClosedForm::LinearSystem { .. }),
         _ => true,
     };
     let mut block = Block {
