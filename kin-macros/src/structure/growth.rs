@@ -75,3 +75,85 @@ impl Magnitudes {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenStream;
+    use quote::quote;
+
+    use crate::passes::Passes;
+    use crate::testing::sound;
+
+    /// The parts of the first block, by the unknowns that they find.
+    fn parts(declaration: TokenStream) -> Vec<(Vec<usize>, bool)> {
+        let declared = sound(declaration);
+        let parts = &declared.task(Passes::ALL).blocks[0].parts;
+        let is_newton = |part: &crate::structure::Part| matches!(part.method, crate::structure::Method::Newton { .. });
+        parts
+            .iter()
+            .map(|part| (part.unknowns.clone(), is_newton(part)))
+            .collect()
+    }
+
+    /// A slide along an axis and a gear of a small ratio are taken out of a coupled block, because they magnify nothing.
+    #[test]
+    fn slides_and_small_gears_are_taken_out() {
+        let slide = quote! {
+            struct M { a: Length, b: Length, c: Length, d: Length }
+            input t: Angle;
+            unknown x: Angle, y: Angle, s: Length;
+            s == a * cos(t) + b * cos(x) + c * cos(y);
+            0 == a * sin(t) + b * sin(x) + c * sin(y);
+            s * s == d * d + a * b * sin(x + y);
+        };
+        assert_eq!(parts(slide), [(vec![0, 1], true), (vec![2], false)]);
+        let gear = quote! {
+            struct M { a: Angle, k: Scalar }
+            input t: Angle;
+            unknown x: Angle, y: Angle;
+            y == 3 * x + a;
+            x + k * sin(y) == t;
+        };
+        assert_eq!(parts(gear), [(vec![0], true), (vec![1], false)]);
+    }
+
+    /// Large ratios, and ratios that are not known, stay with Newton's method.
+    #[test]
+    fn what_may_magnify_stays() {
+        let gear = |ratio: TokenStream| {
+            quote! {
+                struct M { a: Angle, k: Scalar }
+                input t: Angle;
+                unknown x: Angle, y: Angle;
+                y == #ratio * x + a;
+                x + k * sin(y) == t;
+            }
+        };
+        assert_eq!(parts(gear(quote!(k))), [(vec![0, 1], true)]);
+        // the slow gear follows from the fast one
+        assert_eq!(parts(gear(quote!(30))), [(vec![1], true), (vec![0], false)]);
+        // each ratio is small, and their product is not
+        let train = quote! {
+            struct M { k: Scalar }
+            input t: Angle;
+            unknown x: Angle, y: Angle, z: Angle;
+            y == 5 * x;
+            z == 5 * y;
+            x + k * sin(z) == t;
+        };
+        assert_eq!(parts(train), [(vec![0, 2], true), (vec![1], false)]);
+    }
+
+    /// Closed forms need no guess, so one coefficient of any value is taken out for them.
+    #[test]
+    fn closed_forms_take_one_unknown_ratio() {
+        let tackle = quote! {
+            struct M { k: Scalar, a: Length, b: Length }
+            input t: Length;
+            unknown x: Length, y: Length;
+            y == k * x + t;
+            x * x + y * y == a * b;
+        };
+        assert_eq!(parts(tackle), [(vec![0], false), (vec![1], false)]);
+    }
+}

@@ -4,7 +4,10 @@
 //! The terms of the equations are written once more by hand. A residual is compared with the sum of their sizes, times the
 //! condition of the whole block.
 
+use kin_core::batch::{Column, Outcome};
 use kin_core::prelude::*;
+use kin_core::tape::{self, Options};
+use kin_core::verify;
 use kin_tests::random::Random;
 use kin_tests::samples;
 
@@ -268,4 +271,66 @@ fn a_ring_of_six_closes_or_is_refused() {
     let terms = || ring_terms(ring.k, t, position.map_or([f64::NAN; 6], |found| found.unknowns()));
     found.count(condition, terms, "the ring of six");
     assert_eq!(found.closed + found.refused, 1);
+}
+
+/// Linear equations are one system for every kind of number: for a recorded solver, for lanes, for bounds, and for series,
+/// through which `verify` differentiates.
+#[test]
+fn a_linear_chain_is_one_system_in_every_number() {
+    assert_eq!(Linear10::<f64>::DESCRIPTION.blocks[0].solution, "10 linear equations");
+    let chain = Linear10 { k: 1.25 };
+    verify::of(&chain, [(-3.0, 3.0)]).assert();
+    let near_zero = Linear4 { k: 0.0 };
+    verify::of(&near_zero, [(-1e-3, 1e-3)]).assert();
+
+    let tape = tape::record::<Linear10>(&Options::new()).expect("it is recorded");
+    let inputs: Vec<f64> = (0..100).map(|index| -3.0 + 0.06 * f64::from(index)).collect();
+    let mut table = Linear10Batch::filled(|| vec![0.0; inputs.len()]);
+    let mut outcomes = vec![Outcome::Unsolved; inputs.len()];
+    let motion = Motion::from([Column::Each(&inputs), Column::Same(1.0)]);
+    chain
+        .solve_batch(motion, &mut table, &mut outcomes)
+        .expect("the columns are of one length");
+    for (index, &t) in inputs.iter().enumerate() {
+        let pose = chain.solve(Motion::from([t, 1.0])).expect("it is regular");
+        let motions: Vec<f64> = pose
+            .unknown_motions()
+            .iter()
+            .flat_map(|own| own.derivatives())
+            .collect();
+        let recorded = tape.run(&[chain.k, t, 1.0]).expect("it is regular");
+        assert_eq!(recorded, motions);
+        assert!(matches!(outcomes[index], Outcome::Solved));
+        for (own, alone) in [(&table.x0, pose.x0), (&table.x9, pose.x9)] {
+            let difference = own[0][index] - alone.position();
+            assert!(difference.abs() <= 4.0 * f64::EPSILON, "{difference:e}");
+        }
+    }
+    let cycle = chain.cycle_over(-1.0..=1.0).expect("every input closes");
+    assert!(cycle.is_complete());
+}
+
+/// Chains and rings are right to the oracles, too, wherever they close.
+#[test]
+fn chains_and_rings_are_verified() {
+    verify::of(
+        &Chain4 {
+            a: 20.0,
+            b: 1.0,
+            k: 1.0,
+        },
+        [(-3.0, 3.0)],
+    )
+    .assert();
+    verify::of(
+        &Chain12 {
+            a: 20.0,
+            b: 1.0,
+            k: 1.0,
+        },
+        [(-3.0, 3.0)],
+    )
+    .assert();
+    verify::of(&Ring6 { k: 0.7 }, [(1.0, 2.0)]).assert();
+    verify::of(&Ring12 { k: 0.7 }, [(1.0, 2.0)]).assert();
 }
