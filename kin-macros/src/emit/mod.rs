@@ -3,6 +3,7 @@
 mod bindings;
 mod compiled;
 pub(crate) mod declaration;
+mod equality;
 mod items;
 mod text;
 

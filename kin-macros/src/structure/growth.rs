@@ -132,16 +132,32 @@ mod tests {
         assert_eq!(parts(gear(quote!(k))), [(vec![0, 1], true)]);
         // the slow gear follows from the fast one
         assert_eq!(parts(gear(quote!(30))), [(vec![1], true), (vec![0], false)]);
-        // each ratio is small, and their product is not
-        let train = quote! {
+        let chain = quote! {
             struct M { k: Scalar }
-            input t: Angle;
-            unknown x: Angle, y: Angle, z: Angle;
-            y == 5 * x;
-            z == 5 * y;
-            x + k * sin(z) == t;
+            input t: Scalar;
+            unknown x: Scalar, y: Scalar, z: Scalar;
+            20 * x - y + sin(x) == t;
+            20 * y - x - z + sin(y) == k;
+            20 * z - y + sin(z) == k;
         };
-        assert_eq!(parts(train), [(vec![0, 2], true), (vec![1], false)]);
+        assert_eq!(parts(chain), [(vec![0, 1, 2], true)]);
+    }
+
+    /// Linear equations with large coefficients are one system, and those with small ones are solved one by one.
+    #[test]
+    fn linear_equations_are_one_system_if_they_may_magnify() {
+        let chain = |a: TokenStream| {
+            quote! {
+                struct M { k: Scalar }
+                input t: Scalar;
+                unknown x: Scalar, y: Scalar, z: Scalar;
+                #a * x - y == t;
+                #a * y - x - z == k;
+                #a * z - y == k;
+            }
+        };
+        assert_eq!(parts(chain(quote!(20))), [(vec![0, 1, 2], false)]);
+        assert_eq!(parts(chain(quote!(2))), [(vec![1, 2], false), (vec![0], false)]);
     }
 
     /// Closed forms need no guess, so one coefficient of any value is taken out for them.
