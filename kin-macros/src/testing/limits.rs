@@ -281,3 +281,29 @@ fn what_is_too_deep_or_too_long_is_told_once() {
         assert!(messages[0].contains(message), "{messages:?}");
     }
 }
+
+/// The compiler follows a derived comparison by recursion, field by field.
+#[test]
+fn no_structure_of_many_fields_derives_its_comparison() {
+    let [sum, sines] = [(sum as Family, 400), (abbreviations, 400)].map(|(family, size)| {
+        let declaration = family(size);
+        let items = expand(quote!(#declaration order = 1;));
+        syn::parse2::<syn::File>(items).expect("the expansion is Rust").items
+    });
+    let structures = [sum, sines].into_iter().flatten().filter_map(|item| match item {
+        syn::Item::Struct(structure) => Some(structure),
+        _ => None,
+    });
+    let mut large = 0;
+    for structure in structures.filter(|structure| structure.fields.len() > 256) {
+        large += 1;
+        let attributes = structure.attrs.iter().map(|attribute| quote!(#attribute).to_string());
+        assert!(
+            !attributes.into_iter().any(|text| text.contains("PartialEq")),
+            "{}",
+            structure.ident
+        );
+    }
+    // the parameters of the one, and the position of the other
+    assert_eq!(large, 2);
+}
