@@ -71,6 +71,10 @@ impl Block {
 
 /// The reason why a declaration cannot be solved. Equations and unknowns are given by index.
 pub(crate) enum Fault {
+    /// An unknown that cancels out of every equation that should determine it.
+    Cancels { unknown: usize },
+    /// An equation out of which every unknown cancels.
+    WithoutUnknown { equation: usize },
     /// More unknowns than equations that contain them.
     Underdetermined {
         unknowns: Vec<usize>,
@@ -114,6 +118,12 @@ pub(crate) fn analyse(
 ) -> Result<Structure, Refusal> {
     let residuals = without_cancelling(&mut graph, residuals, Variables::AllUnknowns);
     let blocks = blocks(&mut graph, &residuals, unknowns, magnitudes);
+    // the constants of what cancels mean nothing
+    let cancels = |faults: &Vec<Fault>| faults.iter().any(|fault| matches!(fault, Fault::Cancels { .. }));
+    let blocks = match blocks {
+        Err(faults) if cancels(&faults) => return Err(Refusal::Faults(faults)),
+        blocks => blocks,
+    };
     if let Some(misfit) = graph.misfit() {
         return Err(Refusal::Constants(misfit));
     }
@@ -132,6 +142,10 @@ fn blocks(
     magnitudes: &Magnitudes,
 ) -> Result<Vec<Block>, Vec<Fault>> {
     let incidence = incidence(graph, residuals, Variables::AllUnknowns);
+    let cancelled = cancelled(&incidence, unknowns);
+    if !cancelled.is_empty() {
+        return Err(cancelled);
+    }
     let matching = matching::Matching::of(&incidence, unknowns);
     let mut faults = matching.faults(&incidence);
     if !faults.is_empty() {
@@ -150,6 +164,23 @@ fn blocks(
         }
     }
     if faults.is_empty() { Ok(blocks) } else { Err(faults) }
+}
+
+/// The unknowns that are in no equation after these are multiplied out, otherwise the equations without unknowns.
+fn cancelled(incidence: &[BTreeSet<usize>], unknowns: usize) -> Vec<Fault> {
+    let is_missing = |unknown: &usize| !incidence.iter().any(|contained| contained.contains(unknown));
+    let missing: Vec<Fault> = (0..unknowns)
+        .filter(is_missing)
+        .map(|unknown| Fault::Cancels { unknown })
+        .collect();
+    if !missing.is_empty() {
+        return missing;
+    }
+    let equations = incidence.iter().enumerate();
+    equations
+        .filter(|(_, contained)| contained.is_empty())
+        .map(|(equation, _)| Fault::WithoutUnknown { equation })
+        .collect()
 }
 
 /// The same equations, each multiplied out if that cancels an unknown. The solution would otherwise contain this
@@ -186,6 +217,15 @@ fn solve_block(
     equations: Vec<usize>,
     unknowns: Vec<usize>,
 ) -> Result<Block, Fault> {
+    for &unknown in &unknowns {
+        let mut cancels = |&equation: &usize| {
+            let partial = graph.partial(residuals[equation], Symbol::Unknown(unknown));
+            graph.cancels(partial)
+        };
+        if equations.iter().all(&mut cancels) {
+            return Err(Fault::Cancels { unknown });
+        }
+    }
     if is_dependent(graph, residuals, &equations, &unknowns) {
         let repeats = repeated(graph, residuals, &equations);
         return Err(Fault::Dependent {
