@@ -385,7 +385,7 @@ macro_rules! __locals {
 macro_rules! __poses {
     ($mechanism:ident, $arguments:tt, $unknowns:literal, $fields:tt, $($pose:ident)*) => {
         $(
-            #[diagnostic::do_not_recommend]
+            // without `#[diagnostic::do_not_recommend]`, which a crate without the implicit prelude does not find
             #[doc(hidden)]
             impl<T: $crate::Scalar> $crate::Guess<T, $unknowns, $mechanism<T>> for $pose<T> {
                 fn values(self) -> [T; $unknowns] {
@@ -523,7 +523,9 @@ macro_rules! __choices {
         impl ::core::fmt::Display for $assembly {
             fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 let choices = [$((::core::stringify!($field), self.$field)),*];
-                for (place, (block, assembly)) in choices.into_iter().enumerate() {
+                for (place, (block, assembly)) in $crate::__private::core::iter::Iterator::enumerate(
+                    $crate::__private::core::iter::IntoIterator::into_iter(choices),
+                ) {
                     let separator = if place == 0 { "" } else { ", " };
                     ::core::write!(formatter, "{separator}{block}: {assembly}")?;
                 }

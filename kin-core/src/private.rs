@@ -85,7 +85,7 @@ macro_rules! __stored {
                 __serializer: __S,
             ) -> ::core::result::Result<__S::Ok, __S::Error> {
                 $crate::__private::serde::Serialize::serialize(
-                    &$crate::stored::PoseRecord::<$mechanism<__T>, $length>::from(*self),
+                    &<$crate::stored::PoseRecord<$mechanism<__T>, $length> as ::core::convert::From<_>>::from(*self),
                     __serializer,
                 )
             }
