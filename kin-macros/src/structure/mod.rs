@@ -143,7 +143,8 @@ fn blocks(
 ) -> Result<Vec<Block>, Vec<Fault>> {
     let incidence = incidence(graph, residuals, Variables::AllUnknowns);
     let cancelled = cancelled(&incidence, unknowns);
-    if !cancelled.is_empty() {
+    // an unknown may also be lost with a coefficient that is too small for an `f64`
+    if !cancelled.is_empty() && graph.misfit().is_none() {
         return Err(cancelled);
     }
     let matching = matching::Matching::of(&incidence, unknowns);
