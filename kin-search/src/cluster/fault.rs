@@ -42,6 +42,17 @@ pub enum Fault {
         /// What is left of the search, and how it goes on.
         advice: String,
     },
+    /// What listens at the address of the scheduler is none: it may be an executor.
+    Another(Place),
+    /// A query lost more executors than one machine that failed explains.
+    Executors {
+        /// What of the search it is.
+        name: String,
+        /// How many executors were lost.
+        count: usize,
+        /// What is left of the search, and how it goes on.
+        advice: String,
+    },
     /// The search was interrupted, and its work on executors has been called off.
     Interrupted {
         /// What is left of the search, and how it goes on.
@@ -89,6 +100,15 @@ impl fmt::Display for Fault {
             Self::Restarted { scheduler, advice } => write!(
                 f,
                 "the scheduler at {scheduler} was started again, and does not know the query. {advice}"
+            ),
+            Self::Another(place) => write!(
+                f,
+                "what listens at {place} is no scheduler; give the address that `kin-search scheduler` has printed"
+            ),
+            Self::Executors { name, count, advice } => write!(
+                f,
+                "{name}: {count} executors were lost, one after the other. If it needs more memory than they have, give executors \
+                 a limit with --memory, or make the ranges smaller with --range. {advice}"
             ),
             Self::Interrupted { advice } => write!(
                 f,

@@ -11,6 +11,7 @@ use kin_search::refine::write_pages_of;
 
 use super::fault::Fault;
 use super::mechanisms::of_mechanism;
+use kin_search::say;
 
 /// What `query` takes for pages.
 #[derive(Debug, clap::Args)]
@@ -45,7 +46,7 @@ impl PagesArguments {
         let table = String::from_utf8(table).map_err(wrong)?;
         let pages = of_mechanism!(&mechanism, |M| write_pages_of::<M>(&table, folder).map_err(wrong))?;
         for page in &pages {
-            eprintln!("{}", page.display());
+            say(format_args!("{}", page.display()));
         }
         match pages.first() {
             Some(page) if self.open => open(page),

@@ -9,6 +9,7 @@ use kin_search::refine::{Job, polish};
 use super::fault::Fault;
 use super::mechanisms::of_mechanism;
 use super::print::print;
+use kin_search::say;
 
 /// What `refine` takes.
 #[derive(Debug, clap::Args)]
@@ -55,13 +56,13 @@ where
     let candidates = job.candidates::<M>(candidates, best).map_err(wrong)?;
     let found = polish(&objective, &candidates, &job.settings(arguments.threads.unwrap_or(0))).map_err(wrong)?;
     print(&found.table())?;
-    eprintln!("{} candidates, {} kept", candidates.len(), found.results.len());
+    say(format_args!("{} candidates, {} kept", candidates.len(), found.results.len()));
     for (kind, count) in found.counts() {
-        eprintln!("{count} dropped: {kind}");
+        say(format_args!("{count} dropped: {kind}"));
     }
     if let Some(folder) = &arguments.pages {
         for path in found.write_pages(&objective, folder).map_err(wrong)? {
-            eprintln!("{}", path.display());
+            say(format_args!("{}", path.display()));
         }
     }
     Ok(())

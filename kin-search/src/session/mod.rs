@@ -1,7 +1,9 @@
 //! A session of queries in this process: its functions and its limits.
 
+mod drafts;
 mod fields;
 mod points;
+mod signals;
 
 use std::sync::Arc;
 
@@ -10,7 +12,11 @@ use datafusion::execution::runtime_env::RuntimeEnvBuilder;
 use datafusion::execution::session_state::{SessionState, SessionStateBuilder};
 use datafusion::prelude::{SessionConfig, SessionContext};
 
+pub use drafts::Drafts;
+#[cfg(feature = "cluster")]
+pub(crate) use drafts::draft_of;
 pub use points::{plan, statements};
+pub use signals::Signals;
 
 use crate::function::{Functions, Settings};
 
