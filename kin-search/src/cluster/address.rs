@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::time::Duration;
 
+use crate::say;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::sleep;
-use crate::say;
 
 /// Where a process listens: on this machine alone, and on a free port, unless told otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -189,9 +189,11 @@ impl Connection {
         if let Some(parts) = &parts
             && kept > 0
         {
-            say(format_args!("{kept} of {} ranges were finished before, in {}",
+            say(format_args!(
+                "{kept} of {} ranges were finished before, in {}",
                 ranges.len(),
-                parts.folder().display()));
+                parts.folder().display()
+            ));
         }
         let columns = cut.columns();
         let left = ranges.iter().zip(&found).filter(|(_, found)| found.is_none());
@@ -294,7 +296,9 @@ impl Connection {
                 }
                 End::Gone(_) if attempt < ATTEMPTS => {
                     attempt += 1;
-                    say(format_args!("{name}: its rows were lost with an executor; it is searched again"));
+                    say(format_args!(
+                        "{name}: its rows were lost with an executor; it is searched again"
+                    ));
                     continue;
                 }
                 End::Gone(error) | End::Failed(error) => error,

@@ -116,7 +116,10 @@ impl Executor {
             match worked {
                 // The scheduler was lost.
                 Ok(()) | Err(BallistaError::GrpcConnectionError(_) | BallistaError::TonicError(_)) => {
-                    say(format_args!("the scheduler at {} is lost; waiting for it", self.scheduler));
+                    say(format_args!(
+                        "the scheduler at {} is lost; waiting for it",
+                        self.scheduler
+                    ));
                 }
                 // Another process took one of the ports.
                 Err(BallistaError::IoError(error)) if error.kind() == io::ErrorKind::AddrInUse => {}

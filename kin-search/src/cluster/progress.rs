@@ -1,10 +1,10 @@
 //! How far a search is, on the standard error stream.
 
+use crate::say;
 use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicI64, Ordering};
 use std::time::Instant;
-use crate::say;
 
 /// How far a search is. On a terminal one line changes; elsewhere each message is a line.
 #[derive(Debug)]

@@ -19,6 +19,7 @@ mod query;
 mod refine;
 #[cfg(feature = "cluster")]
 mod scaling;
+mod table;
 
 use std::process::ExitCode;
 

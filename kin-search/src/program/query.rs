@@ -6,17 +6,19 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use datafusion::arrow::util::pretty::pretty_format_batches;
+use datafusion::arrow::array::RecordBatch;
 use datafusion::dataframe::{DataFrame, DataFrameWriteOptions};
+use datafusion::datasource::MemTable;
 use datafusion::logical_expr::LogicalPlan;
 use datafusion::prelude::SessionContext;
-use kin_search::session::{Drafts, Signals, plan, statements};
-use kin_search::{Functions, Options, session};
+use kin_search::session::{Drafts, Signals, plan, rows, statements};
+use kin_search::{Functions, Options, say, session};
+use url::Url;
 
 use super::fault::{Fault, INTERRUPTED};
 use super::memory::bytes;
-use super::print::print;
-use kin_search::say;
+use super::print::to_output;
+use super::table::write_table;
 
 /// What `query` takes.
 #[derive(Debug, clap::Args)]
@@ -70,8 +72,7 @@ pub(crate) async fn run(arguments: QueryArguments, functions: &Functions) -> Res
     };
     let session = session(functions, &options)?;
     let drafts = Drafts::of(&session);
-    let mut signals =
-        Signals::listen().map_err(|error| Fault::Wrong(format!("cannot listen for signals: {error}")))?;
+    let mut signals = Signals::listen().map_err(|error| Fault::Wrong(format!("cannot listen for signals: {error}")))?;
     let begun = Arc::clone(&drafts);
     // A search on a cluster hears the first signal itself, and calls the work of the executors off. The second one does not wait for that.
     #[cfg(feature = "cluster")]
@@ -129,12 +130,9 @@ async fn answer(
         #[cfg(not(feature = "cluster"))]
         let interrupted = pending::<()>();
         tokio::select! {
-            done = finish(session, plan, arguments, form, statements.is_empty()) => done?,
+            done = finish(session, drafts, plan, arguments, form, statements.is_empty()) => done?,
             () = interrupted => return Err(Fault::Interrupted),
         }
-        drafts
-            .publish()
-            .map_err(|(path, error)| Fault::Wrong(format!("{} cannot be written: {error}", path.display())))?;
     }
     Ok(())
 }
@@ -142,59 +140,70 @@ async fn answer(
 /// Does what is left of a statement in this process. The rows of the last one go to the file and the pages that are wanted.
 async fn finish(
     session: &SessionContext,
+    drafts: &Drafts,
     plan: LogicalPlan,
     arguments: &QueryArguments,
     form: Option<Form>,
     is_last: bool,
 ) -> Result<(), Fault> {
-    let frame = session.execute_logical_plan(plan).await?;
-    #[cfg(feature = "refine")]
-    let (frame, rows) = if arguments.pages.are_wanted() && is_last {
-        let frame = frame.cache().await?;
-        (frame.clone(), frame.collect().await?)
-    } else {
-        (frame, Vec::new())
-    };
-    let output = arguments.output.as_deref().zip(form).filter(|_| is_last);
-    show(frame, output).await?;
-    #[cfg(feature = "refine")]
-    if arguments.pages.are_wanted() && is_last {
-        arguments.pages.write(&rows)?;
-    }
-    Ok(())
-}
-
-/// Prints the rows of a statement, or writes them to a file.
-async fn show(frame: DataFrame, output: Option<(&Path, Form)>) -> Result<(), Fault> {
     let start = Instant::now();
-    if let Some((path, form)) = output {
-        write(frame, path, form).await?;
-        say(format_args!("{} is written in {:.2} s",
-            path.display(),
-            start.elapsed().as_secs_f64()));
-        return Ok(());
-    }
-    let has_columns = !frame.schema().fields().is_empty();
-    let rows = frame.collect().await?;
-    if has_columns {
-        let table = pretty_format_batches(&rows).map_err(|error| Fault::Wrong(error.to_string()))?;
-        print(&format!("{table}\n"))?;
-        let count: usize = rows.iter().map(datafusion::arrow::array::RecordBatch::num_rows).sum();
-        say(format_args!("{count} rows in {:.2} s", start.elapsed().as_secs_f64()));
+    let frame = session.execute_logical_plan(plan).await?;
+    let output = arguments.output.as_deref().zip(form).filter(|_| is_last);
+    #[cfg(feature = "refine")]
+    let has_pages = arguments.pages.are_wanted() && is_last;
+    #[cfg(not(feature = "refine"))]
+    let has_pages = false;
+    let seconds = || start.elapsed().as_secs_f64();
+    match output {
+        Some((path, form)) if !has_pages => {
+            write(frame, path, form).await?;
+            publish(drafts)?;
+            say(format_args!("{} is written in {:.2} s", path.display(), seconds()));
+        }
+        _ => {
+            let schema = Arc::clone(frame.schema().inner());
+            let rows = rows(frame).await?;
+            publish(drafts)?;
+            if let Some((path, form)) = output {
+                let table = MemTable::try_new(schema, vec![rows.clone()])?;
+                write(session.read_table(Arc::new(table))?, path, form).await?;
+                publish(drafts)?;
+                say(format_args!("{} is written in {:.2} s", path.display(), seconds()));
+            } else if !schema.fields().is_empty() {
+                to_output(|output| write_table(output, &schema, &rows))?;
+                let count: usize = rows.iter().map(RecordBatch::num_rows).sum();
+                say(format_args!("{count} rows in {:.2} s", seconds()));
+            }
+            #[cfg(feature = "refine")]
+            if has_pages {
+                arguments.pages.write(&rows)?;
+            }
+        }
     }
     Ok(())
 }
 
-/// Writes rows to a file. The engine collects them in a [file beside it](staged_of), and removes that file if the query fails.
+/// Gives the files of a statement their names.
+fn publish(drafts: &Drafts) -> Result<(), Fault> {
+    drafts
+        .publish()
+        .map_err(|(path, error)| Fault::Wrong(format!("{} cannot be written: {error}", path.display())))
+}
+
+/// Writes rows to a file, which is a draft until it is [published](publish).
 async fn write(frame: DataFrame, path: &Path, form: Form) -> Result<(), Fault> {
-    let Some(name) = path.to_str() else {
-        return Err(Fault::Wrong(format!("{} is no text", path.display())));
+    // The engine takes some letters of a path for patterns. It does not in an address.
+    let address = std::path::absolute(path)
+        .ok()
+        .and_then(|path| Url::from_file_path(path).ok());
+    let Some(address) = address else {
+        return Err(Fault::Wrong(format!("{} is no path of a file", path.display())));
     };
     let options = DataFrameWriteOptions::new().with_single_file_output(true);
     match form {
-        Form::Parquet => frame.write_parquet(name, options, None).await,
-        Form::Csv => frame.write_csv(name, options, None).await,
-        Form::Json => frame.write_json(name, options, None).await,
+        Form::Parquet => frame.write_parquet(address.as_str(), options, None).await,
+        Form::Csv => frame.write_csv(address.as_str(), options, None).await,
+        Form::Json => frame.write_json(address.as_str(), options, None).await,
     }?;
     Ok(())
 }

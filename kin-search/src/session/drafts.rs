@@ -126,7 +126,9 @@ struct Draft(File);
 
 impl Draft {
     fn append(&mut self, data: &PutPayload) -> Result<()> {
-        data.iter().try_for_each(|bytes| self.0.write_all(bytes)).map_err(failed)
+        data.iter()
+            .try_for_each(|bytes| self.0.write_all(bytes))
+            .map_err(failed)
     }
 }
 

@@ -1,0 +1,65 @@
+//! The memory that a session may take.
+
+use std::fmt;
+use std::num::NonZero;
+use std::sync::Arc;
+
+use datafusion::common::Result;
+use datafusion::execution::memory_pool::{
+    GreedyMemoryPool, MemoryLimit, MemoryPool, MemoryReservation, TrackConsumersPool,
+};
+
+/// How many of the largest operators an error names.
+const NAMED: NonZero<usize> = NonZero::new(5).unwrap();
+
+/// The operator that hands rows from threads to threads.
+const REPARTITION: &str = "RepartitionExec";
+
+/// A pool of so many bytes. Whoever asks for more gets an error, or writes to the disk if it can.
+pub(super) fn pool(bytes: usize) -> Arc<dyn MemoryPool> {
+    Arc::new(TrackConsumersPool::new(Pool(GreedyMemoryPool::new(bytes)), NAMED))
+}
+
+/// The engine's greedy pool, in which a repartition is counted and never refused.
+///
+/// A repartition that is refused writes rows to files. In DataFusion up to 55.2 it stands still for ever when two threads do so at a time:
+/// it reads the older file only, and the row for which it waits is in the other one (apache/datafusion, issue 24883). Its rows wait for
+/// others to take them. So they are few, and what they take beyond the limit is refused to all others.
+#[derive(Debug)]
+struct Pool(GreedyMemoryPool);
+
+impl MemoryPool for Pool {
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn grow(&self, reservation: &MemoryReservation, additional: usize) {
+        self.0.grow(reservation, additional);
+    }
+
+    fn shrink(&self, reservation: &MemoryReservation, shrink: usize) {
+        self.0.shrink(reservation, shrink);
+    }
+
+    fn try_grow(&self, reservation: &MemoryReservation, additional: usize) -> Result<()> {
+        if reservation.consumer().name().starts_with(REPARTITION) {
+            self.0.grow(reservation, additional);
+            return Ok(());
+        }
+        self.0.try_grow(reservation, additional)
+    }
+
+    fn reserved(&self) -> usize {
+        self.0.reserved()
+    }
+
+    fn memory_limit(&self) -> MemoryLimit {
+        self.0.memory_limit()
+    }
+}
+
+impl fmt::Display for Pool {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(formatter)
+    }
+}
