@@ -303,7 +303,9 @@ impl Connection {
                 }
                 End::Gone(error) | End::Failed(error) => error,
             };
-            return Err(Fault::refusal(&self.identity, &error.to_string()).unwrap_or_else(|| error.into()));
+            let text = error.to_string();
+            let known = Fault::refusal(&self.identity, &text).or_else(|| Fault::memory(&text));
+            return Err(known.unwrap_or_else(|| error.into()));
         }
     }
 

@@ -53,6 +53,11 @@ pub enum Fault {
         /// What is left of the search, and how it goes on.
         advice: String,
     },
+    /// A query needs more memory than an executor has.
+    Memory {
+        /// What was asked for, and what there was.
+        report: String,
+    },
     /// The search was interrupted, and its work on executors has been called off.
     Interrupted {
         /// What is left of the search, and how it goes on.
@@ -74,6 +79,18 @@ impl Fault {
         Some(Self::Refused {
             here: here.to_string(),
             there: there.to_owned(),
+        })
+    }
+
+    /// A lack of memory on an executor, if the text of an error holds one.
+    pub(super) fn memory(text: &str) -> Option<Self> {
+        let (_, report) = text.split_once("ResourcesExhausted(")?;
+        Some(Self::Memory {
+            report: report
+                .trim_start_matches(['"', '\\'])
+                .split(['"', '\\'])
+                .next()?
+                .to_owned(),
         })
     }
 }
@@ -109,6 +126,11 @@ impl fmt::Display for Fault {
                 f,
                 "{name}: {count} executors were lost, one after the other. If it needs more memory than they have, give executors \
                  a limit with --memory, or make the ranges smaller with --range. {advice}"
+            ),
+            Self::Memory { report } => write!(
+                f,
+                "an executor has too little memory for the query: {report}. Give it more with --memory, or make the ranges smaller with \
+                 --range."
             ),
             Self::Interrupted { advice } => write!(
                 f,

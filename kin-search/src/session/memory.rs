@@ -63,3 +63,28 @@ impl fmt::Display for Pool {
         self.0.fmt(formatter)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use datafusion::execution::memory_pool::MemoryConsumer;
+
+    use super::*;
+
+    #[test]
+    fn a_repartition_is_counted_and_never_refused() {
+        let pool = pool(1000);
+        let hands_on = MemoryConsumer::new("RepartitionExec[0]")
+            .with_can_spill(true)
+            .register(&pool);
+        let holds = MemoryConsumer::new("FinalHashAggregateStream[0]").register(&pool);
+        holds.try_grow(900).expect("there is room");
+        holds.try_grow(200).expect_err("there is none");
+        hands_on.try_grow(200).expect("it is never refused");
+        assert_eq!(pool.reserved(), 1100);
+        holds
+            .try_grow(1)
+            .expect_err("the repartition has taken more than there was");
+        hands_on.free();
+        holds.try_grow(100).expect("there is room again");
+    }
+}

@@ -198,7 +198,7 @@ fn no_cores_are_refused() {
 /// The query stood still for ever with two threads that hand rows to each other and write them to the disk.
 #[test]
 fn a_query_that_needs_too_much_memory_ends_with_an_error() {
-    let groups = "select value % 3000000 as k, count(*) as n, max(candidate(value, 1, 1, 0, 1)) as m from range(0, 6000000) \
+    let groups = "select value % 1500000 as k, count(*) as n, max(candidate(value, 1, 1, 0, 1)) as m from range(0, 3000000) \
                   group by 1 order by m, k limit 3";
     // The rows that are printed count as well.
     let rows = "select value, value + 1 as next from range(0, 1000000)";
