@@ -680,7 +680,8 @@ fn rows_are_inserted_into_a_table_of_the_client() {
 #[test]
 fn an_address_that_others_reach_is_warned_of() {
     let mut open = Process::program(&["scheduler", "--listen", "0.0.0.0"]);
-    open.wait_for("warning: 0.0.0.0 can be reached from other machines");
+    let warning = open.wait_for("warning: 0.0.0.0 can be reached from other machines");
+    assert!(warning.contains("reads and writes files as the user"), "{warning}");
     // Executors could not call it back.
     open.wait_for("give one with --host");
 }

@@ -228,3 +228,57 @@ fn a_query_that_needs_too_much_memory_ends_with_an_error() {
         assert!(message.contains("Resources exhausted"), "{name}: {message}");
     }
 }
+
+/// The candidates of a refinement are the same, whatever the form of their file.
+#[cfg(feature = "refine")]
+#[test]
+fn candidates_of_a_refinement_are_read_from_both_forms() {
+    let job = file(
+        "job.json",
+        r#"{ "mechanism": "hoeken_linkage", "evaluations": 100, "bounds": { "crank": [0.5, 1.5], "coupler": [2, 3] },
+             "goal": { "path": { "point": "tracer", "targets": [[0, 4.0], [1, 4.0], [2, 4.0], [3, 4.0], [4, 4.0]] } } }"#,
+    );
+    let query = file(
+        "hoeken.sql",
+        "select value as id, 2e0 as ground, 1.1 + 0.1 / 3 * value as crank, 2.6e0 as coupler, 'open' as assembly \
+         from range(0, 3) order by id",
+    );
+    let refined = |candidates: &PathBuf| {
+        let output = program()
+            .arg("refine")
+            .arg(&job)
+            .arg("--candidates")
+            .arg(candidates)
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let tables = ["csv", "parquet"].map(|ending| {
+        let candidates = query.with_extension(ending);
+        let written = program()
+            .arg("query")
+            .arg(&query)
+            .arg("--output")
+            .arg(&candidates)
+            .status();
+        assert!(written.unwrap().success());
+        refined(&candidates)
+    });
+    assert_eq!(tables[0].lines().count(), 4, "{}", tables[0]);
+    assert_eq!(tables[0], tables[1]);
+    // A file of another form says so.
+    let wrong = file("wrong.parquet", "id,ground\n");
+    let output = program()
+        .arg("refine")
+        .arg(&job)
+        .arg("--candidates")
+        .arg(wrong)
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        output.status.code() == Some(1) && message.contains("wrong.parquet cannot be read"),
+        "{message}"
+    );
+}

@@ -74,7 +74,8 @@ fn writing(way: Way, select: &str, to: &Path) -> Command {
         Way::Output => format!("{settings} select 1 as begun; {select}"),
         Way::Copy => format!("{settings} select 1 as begun; copy ({select}) to '{}'", to.display()),
     };
-    let name = format!("{}-{way:?}.sql", to.file_name().unwrap().display());
+    // The folder has the name of the test, whose queries are no others'.
+    let name = format!("{}.sql", to.parent().and_then(Path::file_name).unwrap().display());
     let mut call = program();
     call.arg("query").arg(super::file(&name, &sql));
     if matches!(way, Way::Output) {
