@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `candidates` | dimensions from an id, by a low-discrepancy sequence |
 //! | `function` | kin's solvers as functions of SQL |
-//! | `session` | a session of queries: its functions, its memory, its end |
+//! | `session` | a session of queries: its functions, its memory, its files, its end |
 //! | `cluster` | the same queries on several machines |
 //! | `objective` | path, function and motion generation as sums of squares |
 //! | `refine` | the best candidates polished, and checked over the full cycle |

@@ -149,3 +149,30 @@ impl Drop for Folder {
         let _ = fs::remove_dir_all(&self.0);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn executors_that_share_cores_share_memory() {
+        let all = std::thread::available_parallelism().map_or(1, usize::from);
+        let share = |cores| {
+            let executor = Executor {
+                scheduler: Place {
+                    host: "localhost".to_owned(),
+                    port: 1,
+                },
+                listen: Listen::default(),
+                cores,
+                memory: None,
+                folder: None,
+            };
+            executor.share()
+        };
+        let together: f64 = (0..all).map(|_| share(1)).sum();
+        assert!((together - Executor::SHARE).abs() < 1e-12, "{together}");
+        assert_eq!(share(all), Executor::SHARE);
+        assert_eq!(share(2 * all), Executor::SHARE);
+    }
+}

@@ -147,7 +147,7 @@ async fn finish(
     is_last: bool,
 ) -> Result<(), Fault> {
     let start = Instant::now();
-    let frame = session.execute_logical_plan(plan).await?;
+    let frame = session.execute_logical_plan(with_address(plan)?).await?;
     let output = arguments.output.as_deref().zip(form).filter(|_| is_last);
     #[cfg(feature = "refine")]
     let has_pages = arguments.pages.are_wanted() && is_last;
@@ -192,13 +192,7 @@ fn publish(drafts: &Drafts) -> Result<(), Fault> {
 
 /// Writes rows to a file, which is a draft until it is [published](publish).
 async fn write(frame: DataFrame, path: &Path, form: Form) -> Result<(), Fault> {
-    // The engine takes some letters of a path for patterns. It does not in an address.
-    let address = std::path::absolute(path)
-        .ok()
-        .and_then(|path| Url::from_file_path(path).ok());
-    let Some(address) = address else {
-        return Err(Fault::Wrong(format!("{} is no path of a file", path.display())));
-    };
+    let address = address(path)?;
     let options = DataFrameWriteOptions::new().with_single_file_output(true);
     match form {
         Form::Parquet => frame.write_parquet(address.as_str(), options, None).await,
@@ -206,4 +200,25 @@ async fn write(frame: DataFrame, path: &Path, form: Form) -> Result<(), Fault> {
         Form::Json => frame.write_json(address.as_str(), options, None).await,
     }?;
     Ok(())
+}
+
+/// The address of a file. The engine takes some letters of a path for patterns, and does not in an address.
+fn address(path: &Path) -> Result<Url, Fault> {
+    let address = std::path::absolute(path)
+        .ok()
+        .and_then(|path| Url::from_file_path(path).ok());
+    address.ok_or_else(|| Fault::Wrong(format!("{} is no path of a file", path.display())))
+}
+
+/// A statement with the address of the file to which it copies, if the path has letters of patterns.
+fn with_address(plan: LogicalPlan) -> Result<LogicalPlan, Fault> {
+    Ok(match plan {
+        LogicalPlan::Copy(mut copy)
+            if copy.output_url.contains(['?', '*', '[']) && Url::parse(&copy.output_url).is_err() =>
+        {
+            copy.output_url = address(Path::new(&copy.output_url))?.into();
+            LogicalPlan::Copy(copy)
+        }
+        other => other,
+    })
 }

@@ -1,4 +1,4 @@
-//! A session of queries in this process: its functions and its limits.
+//! A session of queries in this process: its functions, its limits, and the files that it writes.
 
 mod drafts;
 mod fields;

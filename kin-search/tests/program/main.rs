@@ -179,7 +179,11 @@ fn letters_that_are_patterns_of_the_engine_stand_in_names_of_files() {
         .output()
         .unwrap();
     assert!(output.status.success(), "{output:?}");
-    assert_eq!(fs::read_to_string(path).unwrap(), "one\n1\n");
+    assert_eq!(fs::read_to_string(&path).unwrap(), "one\n1\n");
+    let copy = file("two.sql", &format!("copy (select 2 as two) to '{}'", path.display()));
+    let output = program().arg("query").arg(copy).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(fs::read_to_string(&path).unwrap(), "two\n2\n");
 }
 
 #[test]
