@@ -380,7 +380,8 @@ fn ticks(process: &Process) -> u64 {
     ticks.map(|ticks| ticks.parse::<u64>().expect("a number")).sum()
 }
 
-/// A query whose first stage takes minutes, and a search whose first range does. Neither has told the client anything when it is interrupted.
+/// A query whose first stage takes minutes, and a search whose first range does. Neither has told the client anything
+/// when it is interrupted.
 #[cfg(target_os = "linux")]
 #[test]
 fn an_interrupt_before_the_first_stage_is_finished_ends_the_work() {

@@ -39,7 +39,8 @@ use crate::say;
 /// How often a query is tried whose rows were lost with an executor after it was finished.
 const ATTEMPTS: usize = 5;
 
-/// How many executors a query may lose while it is worked on. One machine can fail. A query that loses a second one may be what ends them.
+/// How many executors a query may lose while it is worked on. One machine can fail. A query that loses a second one may
+/// be what ends them.
 const MOST_LOST: usize = 1;
 
 /// The most ranges of a search. The scheduler keeps something of each.
@@ -330,8 +331,8 @@ impl Connection {
             .upgrade_for_ballista()
             // The adaptive planner of Ballista 55 does not end a stage whose rows were lost with an executor, and made again.
             .with_ballista_adaptive_query_planner(false)
-            // The client asks for the state of its job. It would learn the job's number with the first change of this state otherwise, too
-            // late to call the job off.
+            // The client asks for the state of its job. It would learn the job's number with the first change of this
+            // state otherwise, too late to call the job off.
             .set_bool(BALLISTA_CLIENT_PULL, true)
             .with_target_partitions(self.client.tasks.max(1));
         // Ballista replaces a catalog in the list that its state holds. It gets a list of its own, so that the local tables stay.

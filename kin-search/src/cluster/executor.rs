@@ -35,8 +35,8 @@ pub struct Executor {
     pub listen: Listen,
     /// How many tasks it works on at a time.
     pub cores: usize,
-    /// The memory that its tasks may take together, in bytes; [`SHARE`](Self::SHARE) of the machine's, or as much less as it works on
-    /// fewer tasks than the machine has cores, if not given.
+    /// The memory that its tasks may take together, in bytes; [`SHARE`](Self::SHARE) of the machine's, or as much less
+    /// as it works on fewer tasks than the machine has cores, if not given.
     pub memory: Option<u64>,
     /// Where it keeps results of stages until they are fetched; a folder of its own in that for temporary files if not given.
     pub folder: Option<PathBuf>,
@@ -46,7 +46,8 @@ impl Executor {
     /// The share of the machine's memory for executors that use all its cores.
     pub const SHARE: f64 = 0.7;
 
-    /// The share of the machine's memory for this executor. Executors that share the cores of a machine share its memory as well.
+    /// The share of the machine's memory for this executor. Executors that share the cores of a machine share its
+    /// memory as well.
     fn share(&self) -> f64 {
         let all = std::thread::available_parallelism().map_or(1, usize::from);
         let count = |cores: usize| f64::from(u32::try_from(cores).unwrap_or(u32::MAX));

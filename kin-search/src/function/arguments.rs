@@ -43,8 +43,9 @@ impl Argument {
 
 /// The signature of a function with these arguments, of which the last can be left out.
 ///
-/// All of them stand in the information schema, which is why they are listed. The types of a call are those of [`accepted`], which come
-/// first and always fit: a list that is tried as well would make texts of numbers. A call without arguments is let through as well.
+/// All of them stand in the information schema, which is why they are listed. The types of a call are those of
+/// [`accepted`], which come first and always fit: a list that is tried as well would make texts of numbers. A call
+/// without arguments is let through as well.
 pub(crate) fn signature(arguments: &[Argument], volatility: Volatility) -> Signature {
     let all = arguments.iter().map(|argument| data_type(argument.is_text)).collect();
     let types = TypeSignature::OneOf(vec![
@@ -109,8 +110,8 @@ pub(crate) fn coerced(
 
 /// The types to which the arguments of a call are converted; those that are given, if the call is wrong.
 ///
-/// The engine replaces an error of a conversion by one of its own, which names types and no arguments. So the function itself reports
-/// the mistake, when it is asked for the type of its result.
+/// The engine replaces an error of a conversion by one of its own, which names types and no arguments. So the function
+/// itself reports the mistake, when it is asked for the type of its result.
 pub(crate) fn accepted(coerced: Result<Vec<DataType>>, given: &[DataType]) -> Vec<DataType> {
     coerced.unwrap_or_else(|_| given.to_vec())
 }

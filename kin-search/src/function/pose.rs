@@ -181,7 +181,8 @@ impl PoseFunction {
                 fields.push(Field::new(of_order(&plain(quantity), order), DataType::Float64, true));
             }
         }
-        // A plain text: executors of a cluster send a dictionary as its texts, and the next stage would wait for a dictionary.
+        // A plain text: executors of a cluster send a dictionary as its texts, and the next stage would wait for a
+        // dictionary.
         fields.push(Field::new("outcome", DataType::Utf8, true));
         fields.push(Field::new("margin", DataType::Float64, true));
         fields.into()

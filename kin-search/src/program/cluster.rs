@@ -47,8 +47,8 @@ pub(crate) struct ExecutorArguments {
     /// How many tasks are done at a time; one for each core of the machine if not given
     #[arg(long, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..))]
     cores: Option<usize>,
-    /// The memory that its tasks may take together, as in 512MB or 4GB. If not given, 70 % of the machine's memory for all cores, and as
-    /// much less as it works on fewer tasks at a time
+    /// The memory that its tasks may take together, as in 512MB or 4GB. If not given, 70 % of the machine's memory for
+    /// all cores, and as much less as it works on fewer tasks at a time
     #[arg(long, value_parser = bytes)]
     memory: Option<usize>,
     /// Where results of stages are kept until they are fetched; among the temporary files if not given

@@ -74,13 +74,14 @@ pub(crate) async fn run(arguments: QueryArguments, functions: &Functions) -> Res
     let drafts = Drafts::of(&session);
     let mut signals = Signals::listen().map_err(|error| Fault::Wrong(format!("cannot listen for signals: {error}")))?;
     let begun = Arc::clone(&drafts);
-    // A search on a cluster hears the first signal itself, and calls the work of the executors off. The second one does not wait for that.
+    // A search on a cluster hears the first signal itself, and calls the work of the executors off. The second one does
+    // not wait for that.
     #[cfg(feature = "cluster")]
     let is_first_heard = arguments.cluster.is_given();
     #[cfg(not(feature = "cluster"))]
     let is_first_heard = false;
-    // A task of its own hears the signal while the query keeps this thread busy. The process ends at once: nobody waits for rows that are
-    // not wanted any more.
+    // A task of its own hears the signal while the query keeps this thread busy. The process ends at once: nobody waits
+    // for rows that are not wanted any more.
     tokio::spawn(async move {
         signals.come().await;
         if is_first_heard {
@@ -98,6 +99,10 @@ pub(crate) async fn run(arguments: QueryArguments, functions: &Functions) -> Res
     answered
 }
 
+#[cfg_attr(
+    not(feature = "cluster"),
+    expect(unused_variables, reason = "the processes of a cluster compare their functions")
+)]
 async fn answer(
     arguments: &QueryArguments,
     functions: &Functions,

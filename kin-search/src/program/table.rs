@@ -7,8 +7,8 @@ use datafusion::arrow::datatypes::Schema;
 use datafusion::arrow::error::ArrowError;
 use datafusion::arrow::util::display::{ArrayFormatter, FormatOptions};
 
-/// Writes rows as a table. Each cell is made twice, to know the widths of the columns before the first line: the texts of all cells together
-/// would be far larger than the rows.
+/// Writes rows as a table. Each cell is made twice, to know the widths of the columns before the first line: the texts
+/// of all cells together would be far larger than the rows.
 pub(crate) fn write_table(output: &mut dyn Write, schema: &Schema, rows: &[RecordBatch]) -> io::Result<()> {
     let names: Vec<String> = schema.fields().iter().map(|field| field.name().clone()).collect();
     let mut widths: Vec<usize> = names.iter().map(|name| width(name)).collect();

@@ -18,7 +18,8 @@ use datafusion::object_store::{
 use datafusion::prelude::SessionContext;
 use futures::stream::BoxStream;
 
-/// The draft of a file, beside it. Its name holds the number of the process that writes it, and has no ending by which tables are read.
+/// The draft of a file, beside it. Its name holds the number of the process that writes it, and has no ending by which
+/// tables are read.
 pub(crate) fn draft_of(path: &Path) -> PathBuf {
     let mut draft = OsString::from(path);
     draft.push(format!(".{}.draft", std::process::id()));
@@ -27,8 +28,9 @@ pub(crate) fn draft_of(path: &Path) -> PathBuf {
 
 /// The local files of a session. What a statement writes gets its name when the statement has ended well.
 ///
-/// The engine itself keeps the rows that it has written when a query fails, under the name of the file that was wanted. So each file is
-/// written as a draft beside it, until [`publish`](Self::publish) or [`discard`](Self::discard) is called.
+/// The engine itself keeps the rows that it has written when a query fails, under the name of the file that was wanted.
+/// So each file is written as a draft beside it, until [`publish`](Self::publish) or [`discard`](Self::discard) is
+/// called.
 #[derive(Debug)]
 pub struct Drafts {
     files: LocalFileSystem,

@@ -26,8 +26,9 @@ use crate::function::{Functions, Settings};
 /// The limits of a session.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The memory that a query may take for what its sorts, groups and joins hold, in bytes, and for the rows of [`rows`]. A query that
-    /// needs more ends with an error, or writes to the disk where its operators can. Tables that are made in memory do not count.
+    /// The memory that a query may take for what its sorts, groups and joins hold, in bytes, and for the rows of
+    /// [`rows`]. A query that needs more ends with an error, or writes to the disk where its operators can. Tables that
+    /// are made in memory do not count.
     pub memory: Option<usize>,
     /// The number of parts of a query that run at the same time, one for each core if it is not given.
     pub partitions: Option<usize>,

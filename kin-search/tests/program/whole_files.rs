@@ -65,7 +65,8 @@ enum Way {
     Copy,
 }
 
-/// The call of the program that writes the rows of a query to a file, with files of settings and of SQL in another folder.
+/// The call of the program that writes the rows of a query to a file, with files of settings and of SQL in another
+/// folder.
 fn writing(way: Way, select: &str, to: &Path) -> Command {
     // The engine writes little by little.
     let settings = "set datafusion.execution.objectstore_writer_buffer_size = 20000; \
