@@ -8,6 +8,7 @@ pub(crate) mod elementary;
 mod gauss;
 mod hyperbolic;
 mod operations;
+pub(crate) mod plain;
 mod primitive;
 mod row;
 #[cfg(test)]
@@ -101,6 +102,28 @@ pub trait Number:
     /// The sine and cosine of an angle, in this order.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
+
+    /// The sine of an angle. [`sin_cos`](Self::sin_cos) calculates the cosine with it.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// The cosine of an angle.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// The tangent of an angle.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn tan(self) -> Self {
+        let (sine, cosine) = self.sin_cos();
+        sine / cosine
+    }
 
     /// The angle in -π/2 ..= π/2 whose sine is this number.
     #[must_use]
