@@ -476,6 +476,22 @@ macro_rules! __stored {
     ($($tokens:tt)*) => {};
 }
 
+/// `Debug` of an error: its sentence, because that is what `unwrap` and a `main` that returns the error show.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __debug_by_display {
+    ([$($parameters:tt)*] $error:ty) => {
+        impl<$($parameters)*> ::core::fmt::Debug for $error {
+            fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                ::core::fmt::Display::fmt(self, formatter)
+            }
+        }
+    };
+    ($error:ident) => {
+        $crate::__debug_by_display! { [] $error }
+    };
+}
+
 /// `Debug` of poses, by the names of inputs, unknowns and outputs. Values that only later orders need are left out.
 #[doc(hidden)]
 #[macro_export]

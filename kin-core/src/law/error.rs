@@ -7,7 +7,7 @@ use crate::number::Number;
 use crate::quantity::Digits;
 
 /// The reason why a law cannot be made.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum LawError {
     /// A quantity that must be positive is not, or is not finite.
@@ -71,6 +71,8 @@ impl fmt::Display for LawError {
         }
     }
 }
+
+crate::__debug_by_display!(LawError);
 
 impl Error for LawError {}
 

@@ -8,7 +8,7 @@ use crate::failure::SolveError;
 /// The reason why loads give no result in a pose.
 ///
 /// A load is named by its place, in the order in which the loads were added, from 1 on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum LoadError {
     /// The mechanism has no pose there.
@@ -83,6 +83,8 @@ impl fmt::Display for LoadError {
         }
     }
 }
+
+crate::__debug_by_display!(LoadError);
 
 impl Error for LoadError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

@@ -9,7 +9,7 @@ use crate::quantity::Digits;
 /// The reason why there is no table.
 ///
 /// A mechanism that does not close is none: its rows say by how much.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SweepError {
     /// An end of the range is not finite.
@@ -104,5 +104,7 @@ impl fmt::Display for SweepError {
         }
     }
 }
+
+crate::__debug_by_display!(SweepError);
 
 impl Error for SweepError {}

@@ -628,6 +628,24 @@ fn mistakes_are_told() {
     assert_eq!(table.outcome(1), Some(Outcome::Failed));
 }
 
+/// A column is found by its heading in a file, whose unit must be that of the table.
+#[test]
+fn columns_are_called_by_their_headings() {
+    let table = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=1.0, 3).table().unwrap();
+    assert_eq!(table.column("theta4 [rad]"), table.column("theta4"));
+    let error = table.column("theta4 [deg]").unwrap_err();
+    assert_eq!(error.near[0], "theta4");
+    assert!(
+        std::format!("{error:?}").starts_with("none of the 15 columns is called `theta4 [deg]`: did you mean `theta4`")
+    );
+    let table = table.in_degrees().units("mm", "s");
+    for column in table.columns() {
+        let found = table.column(&column.to_string()).unwrap();
+        assert_eq!(found, column.values, "{column}");
+    }
+    assert_eq!(table.column("theta4_jerk [deg/s³]"), table.column("theta4_jerk"));
+}
+
 #[test]
 fn tables_are_text() {
     let table = CRANK_ROCKER

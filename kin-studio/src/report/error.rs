@@ -8,7 +8,6 @@ use std::path::PathBuf;
 use kin_core::SolveError;
 
 /// The reason why there is no report, or why it cannot be read or written.
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum ReportError {
     /// The mechanism closes nowhere: at no place of the moving input, or not where it was asked for.
@@ -97,6 +96,8 @@ fn listed(names: &[String]) -> String {
         [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
     }
 }
+
+kin_core::__debug_by_display!(ReportError);
 
 impl Error for ReportError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
