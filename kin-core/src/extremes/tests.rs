@@ -141,7 +141,7 @@ fn a_yoke_is_a_cosine() {
         gamma: PI / 2.0,
     };
     for start in [0.0, 1.0, -7.0] {
-        let turn = yoke.sweep(()).over(start..=start + TAU, 50).speed(3.0);
+        let turn = yoke.sweep().over(start..=start + TAU, 50).speed(3.0);
         let name = "x";
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = std::format!("{name}{suffix}");
@@ -426,7 +426,7 @@ fn margins_are_quantities() {
         crank: 2.0,
         gamma: PI / 2.0,
     };
-    let error = yoke.sweep(()).over(0.0..=TAU, 50).extremes("margin").unwrap_err();
+    let error = yoke.sweep().over(0.0..=TAU, 50).extremes("margin").unwrap_err();
     assert!(matches!(error, ExtremesError::NoSuchColumn(_)));
 }
 
@@ -636,7 +636,7 @@ fn formulas_have_extremes() {
         crank: 2.0,
         gamma: PI / 2.0,
     };
-    let swing = yoke.sweep(()).by_formula(0.0..=TAU, 30, |time| {
+    let swing = yoke.sweep().by_formula(0.0..=TAU, 30, |time| {
         let (sine, _) = time.sin_cos();
         [Instant::constant(0.25) + Instant::constant(0.5) * sine]
     });
@@ -695,7 +695,7 @@ fn mistakes_are_told() {
 #[test]
 fn the_end_of_a_range_bounds_everything() {
     let inverse: Inverse = Inverse { factor: 1.0 };
-    let sweep = inverse.sweep(()).over(0.0..=1.5, 10).speed(2.0);
+    let sweep = inverse.sweep().over(0.0..=1.5, 10).speed(2.0);
     let end = 1_f64.sin();
     for (name, value) in [("x", 1.0), ("x_velocity", 2.0 / 1_f64.cos())] {
         let extremes = sweep.extremes(name).unwrap();

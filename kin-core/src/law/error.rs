@@ -38,6 +38,11 @@ pub enum LawError {
         /// Its value.
         value: f64,
     },
+    /// A motion within limits ends where it starts, which takes no time.
+    NoMove {
+        /// The value.
+        value: f64,
+    },
     /// A sequence has no laws.
     Empty,
 }
@@ -65,6 +70,11 @@ impl fmt::Display for LawError {
             Self::OutOfRange { quantity, value } => write!(
                 formatter,
                 "the {quantity} becomes {}; choose units in which distance and limits are of a more similar size",
+                Digits(value)
+            ),
+            Self::NoMove { value } => write!(
+                formatter,
+                "the S-curve starts and ends at {}, and no move takes no time: leave it out, or hold the value by a `Dwell`",
                 Digits(value)
             ),
             Self::Empty => formatter.write_str("the sequence is empty; it needs one law at least"),

@@ -4,6 +4,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::failure::SolveError;
+use crate::quantity::Digits;
 
 /// The reason why loads give no result in a pose.
 ///
@@ -40,6 +41,15 @@ pub enum LoadError {
         /// The place of the input, from 0 on.
         input: usize,
     },
+    /// A mass or a moment of inertia is negative.
+    Negative {
+        /// The place of the load.
+        load: usize,
+        /// The quantity, in a few words.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A result is not finite: a mass, a force, the effort of a drive or another number of a load is not, or is too large.
     NotFinite,
 }
@@ -75,6 +85,12 @@ impl fmt::Display for LoadError {
                 formatter,
                 "the drive of input {input}, counted from 0, has no effort: there is no such input, or the mechanism is declared \
                  without accelerations"
+            ),
+            Self::Negative { load, quantity, value } => write!(
+                formatter,
+                "load {load}: the {quantity} is {}: give one that is not negative; a hole is part of its link, whose mass and centre \
+                 are those of the whole",
+                Digits(*value)
             ),
             Self::NotFinite => write!(
                 formatter,

@@ -10,6 +10,7 @@ mod hyperbolic;
 mod operations;
 pub(crate) mod plain;
 mod primitive;
+mod range;
 mod row;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -21,6 +22,7 @@ pub use changing::Changing;
 #[cfg(feature = "alloc")]
 pub(crate) use gauss::GAUSS;
 pub use operations::Operations;
+pub use range::ClosedRange;
 pub use row::Row;
 pub(crate) use single::single;
 

@@ -49,6 +49,13 @@ with_derivatives!(plain);
 /// What is chosen by a comparison. At a tie the derivatives of the first operand hold, as at a kink.
 macro_rules! chosen {
     ([$($parameter:tt)*] $number:ty) => {
+        /// A plain number is a constant.
+        impl<$($parameter)*> From<f64> for $number {
+            fn from(constant: f64) -> Self {
+                Self::constant(constant)
+            }
+        }
+
         impl<$($parameter)*> $number {
             /// The size: the number itself, or its negative if its value is below zero. At zero it has a kink.
             #[must_use]
@@ -56,16 +63,26 @@ macro_rules! chosen {
                 if self.real() < 0.0 { -self } else { self }
             }
 
-            /// The larger of two, by their values. NaN if one of them is.
+            /// The larger of two, by their values. The other one may be a plain number. NaN if one of them is.
             #[must_use]
-            pub fn max(self, other: Self) -> Self {
-                if self.real() >= other.real() || self.real().is_nan() { self } else { other }
+            pub fn max(self, other: impl Into<Self>) -> Self {
+                let other = other.into();
+                if self.real() >= other.real() || self.real().is_nan() {
+                    self
+                } else {
+                    other
+                }
             }
 
-            /// The smaller of two, by their values. NaN if one of them is.
+            /// The smaller of two, by their values. The other one may be a plain number. NaN if one of them is.
             #[must_use]
-            pub fn min(self, other: Self) -> Self {
-                if self.real() <= other.real() || self.real().is_nan() { self } else { other }
+            pub fn min(self, other: impl Into<Self>) -> Self {
+                let other = other.into();
+                if self.real() <= other.real() || self.real().is_nan() {
+                    self
+                } else {
+                    other
+                }
             }
         }
     };
@@ -159,6 +176,9 @@ mod tests {
             assert!(nothing.max(known).real().is_nan() && known.max(nothing).real().is_nan());
             assert!(nothing.min(known).real().is_nan() && known.min(nothing).real().is_nan());
         }
+        assert_eq!(other.max(-4.0).coefficients(), other.coefficients());
+        assert_eq!(other.max(1.0).coefficients(), [1.0, 0.0, 0.0]);
+        assert_eq!(other.min(1.0).coefficients(), other.coefficients());
         let falling = Changing::new(-2.0, 5.0);
         assert_eq!((falling.abs().value, falling.abs().change), (2.0, -5.0));
     }

@@ -20,6 +20,8 @@ pub enum ReportError {
         /// The quantity, in a few words.
         quantity: String,
     },
+    /// The speed of the moving input is zero, with which nothing moves.
+    NoSpeed,
     /// The mechanism has no input with this name.
     NoSuchInput {
         /// The name that was given.
@@ -64,6 +66,9 @@ impl fmt::Display for ReportError {
         match self {
             Self::ClosesNowhere { error } => write!(formatter, "the mechanism does not close: {error}"),
             Self::NotFinite { quantity } => write!(formatter, "{quantity} is not finite: give a number"),
+            Self::NoSpeed => formatter.write_str(
+                "the speed of the moving input is zero, with which nothing moves: give a positive or negative one, or none for 1",
+            ),
             Self::NoSuchInput { name, inputs } => {
                 write!(formatter, "no input is called `{name}`: there is {}", listed(inputs))
             }
