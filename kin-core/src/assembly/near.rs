@@ -42,8 +42,8 @@ pub struct Near<const N: usize>(
 /// # Ok::<(), SolveError>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not give the values of {N} unknowns near the position",
-    label = "give {N} values in the order of the unknowns, as in `[..]` or `Near([..])`, or a pose of this mechanism",
+    message = "`{Self}` does not give values near the position for all unknowns, {N} in number",
+    label = "give {N} in the order of the unknowns, as in `[..]` or `Near([..])`, or a pose of this mechanism",
     note = "coupled equations have no closed form: a mechanism with such a block takes values near the position in the place of an \
             `Assembly`. Its `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
 )]

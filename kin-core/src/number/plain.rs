@@ -122,6 +122,8 @@ with_derivatives!(compared);
 
 #[cfg(test)]
 mod tests {
+    use core::cmp::Ordering;
+
     use crate::number::series::Series;
     use crate::number::{Changing, Number};
 
@@ -154,11 +156,19 @@ mod tests {
     #[test]
     fn values_are_compared() {
         let steeper = Third::from_coefficients([2.0, 30.0, 0.0]);
-        assert!(X == steeper && X <= steeper && !(X < steeper));
-        assert!(X < 2.5 && 2.5 > X && X == 2.0 && 1.0 < X);
-        assert!(X < Third::constant(2.5));
+        assert_eq!(X.partial_cmp(&steeper), Some(Ordering::Equal));
+        assert_eq!(X, steeper);
+        assert_eq!(X, 2.0);
+        assert_eq!(2.0, X);
+        for is_so in [X < 2.5, 2.5 > X, 1.0 < X, X <= 2.0, X < Third::constant(2.5)] {
+            assert!(is_so);
+        }
+        for is_so in [X < 2.0, X > 2.0, 2.0 > X, 2.5 <= X] {
+            assert!(!is_so);
+        }
         let nothing = Third::constant(f64::NAN);
-        assert!(nothing != nothing && !(nothing < X) && !(nothing > 0.0));
+        assert_eq!((nothing.partial_cmp(&X), nothing.partial_cmp(&0.0)), (None, None));
+        assert_ne!(nothing, nothing);
         assert!(Changing::new(2.0, 1.0) < Changing::new(3.0, -1.0));
         assert!(Changing::new(2.0, 1.0) > 1.0);
     }

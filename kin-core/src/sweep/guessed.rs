@@ -20,7 +20,6 @@ macro_rules! questions {
         impl<M: $crate::Mechanism<Scalar = f64>> $crate::sweep::Assembled<M> {
             $(
                 #[doc(hidden)]
-                #[expect(clippy::missing_errors_doc, clippy::needless_pass_by_value, reason = "nobody can call it")]
                 pub fn $question<$($argument),*>(&self, $(_: $argument),*) -> $answer
                 where
                     Self: $crate::sweep::guessed::Moves,
