@@ -10,8 +10,9 @@ use super::{Instant, LimitKind, Sweep, SweepError, Table};
 use crate::assembly::{Assembly, Near};
 use crate::batch::{Column, Outcome};
 use crate::law::{ConstantSpeed, Law, Rise, Sequence, Shape};
-use crate::library::{FiveBar, FourBar};
-use crate::mechanism::Mechanism;
+use crate::library::{FiveBar, FourBar, ScotchYoke};
+use crate::load::{Loaded, Loads};
+use crate::mechanism::{Mechanism, OneInput};
 use crate::motion::Motion;
 use crate::number::{Number, samples};
 use crate::quantity::Dimension;
@@ -724,6 +725,41 @@ fn laws_that_jump_are_refused() {
             .table()
             .is_ok()
     );
+}
+
+/// Code for any mechanism gives the assembly, whatever it is; a program with a mechanism of a single position gives none.
+#[test]
+fn a_single_position_takes_no_assembly() {
+    fn rows<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> Table
+    where
+        M::Inputs<f64>: OneInput,
+    {
+        mechanism.sweep(assembly).over(0.0..=1.0, 11).table().unwrap()
+    }
+    let yoke = ScotchYoke { crank: 2.0, gamma: 1.5 };
+    assert_eq!(yoke.sweep().over(0.0..=1.0, 11).table().unwrap(), rows(&yoke, ()));
+    assert_eq!(rows(&CRANK_ROCKER, Assembly::Crossed).count(), 11);
+
+    let loads = Loads::<ScotchYoke>::new()
+        .inertia(0.5, |pose| pose.theta)
+        .torque(-3.0, |pose| pose.x);
+    let motion = Motion::from((0.7, 3.0, -2.0, 0.0, 0.0));
+    let [effort] = yoke.balance(&loads, [motion]).unwrap().efforts();
+    let [of_any] = Loaded::balance(&yoke, &loads, [motion], ()).unwrap().efforts();
+    assert_eq!(effort.as_slice(), of_any.as_slice());
+    let [acceleration] = yoke.accelerations(&loads, [0.7], [3.0], [effort.value()]).unwrap();
+    assert!((acceleration + 2.0).abs() < 1e-13);
+    assert_eq!(yoke.equivalent_inertia(&loads, [0.7]).unwrap().matrix, [[0.5]]);
+    let mut found = [0.0; 2];
+    ScotchYoke::balance_batch(
+        &loads,
+        [Column::Same(2.0), Column::Same(1.5)],
+        [motion.map(Column::Same)],
+        |balance| balance.unwrap().efforts()[0].value(),
+        &mut found,
+    )
+    .unwrap();
+    assert_eq!(found, [effort.value(); 2]);
 }
 
 /// A column is found by its heading in a file, whose unit must be that of the table.
