@@ -17,7 +17,7 @@ pub trait Moves {
 /// Methods of [`Assembled`] that nobody can call.
 macro_rules! questions {
     ($($question:ident($($argument:ident)*) -> $answer:ty;)+) => {
-        impl<M: $crate::Mechanism<Scalar = f64>> $crate::sweep::Assembled<M> {
+        impl<M: $crate::mechanism::Mechanism<Scalar = f64>> $crate::sweep::Assembled<M> {
             $(
                 #[doc(hidden)]
                 pub fn $question<$($argument),*>(&self, $(_: $argument),*) -> $answer
