@@ -200,6 +200,23 @@ fn several_inputs_and_space() {
     assert!(kin_studio::report(&shaft).report().expect("it closes").space);
 }
 
+/// Nothing moves at a speed of zero, which is another mistake than a number that is none.
+#[test]
+fn speeds_are_not_zero() {
+    let at = |speed: f64| {
+        kin_studio::report(&CRANK_ROCKER)
+            .speed(speed)
+            .report()
+            .map(|_| ())
+            .expect_err("it is refused")
+    };
+    for zero in [0.0, -0.0] {
+        assert!(matches!(at(zero), ReportError::NoSpeed));
+        assert!(format!("{:?}", at(zero)).starts_with("the speed of the moving input is zero"));
+    }
+    assert_eq!(at(f64::NAN).to_string(), "the speed is not finite: give a number");
+}
+
 #[test]
 fn what_closes_nowhere_has_no_report() {
     let apart = FourBar {

@@ -1,8 +1,6 @@
 //! The line in the space of the inputs over which a cycle is taken.
 
 use core::f64::consts::{PI, TAU};
-use core::ops::RangeInclusive;
-
 use num_traits::Float;
 
 use crate::mechanism::Mechanism;
@@ -61,16 +59,11 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
     }
 
     /// The line over a given range of s.
-    pub(super) fn over(
-        mechanism: &M,
-        from: M::Inputs<f64>,
-        direction: M::Inputs<f64>,
-        range: &RangeInclusive<f64>,
-    ) -> Self {
+    pub(super) fn over(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>, [start, end]: [f64; 2]) -> Self {
         let whole = Self::whole(mechanism, from, direction);
         Self {
-            low: range.start().min(*range.end()),
-            high: range.end().max(*range.start()),
+            low: start.min(end),
+            high: end.max(start),
             is_closed: false,
             ..whole
         }

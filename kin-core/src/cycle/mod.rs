@@ -65,8 +65,8 @@ use core::ops::RangeInclusive;
 use num_traits::Float;
 
 use crate::failure::{Failure, InputValues, SolveError};
-use crate::mechanism::Mechanism;
-use crate::number::Row;
+use crate::mechanism::{Mechanism, OneInput};
+use crate::number::{ClosedRange, Row};
 use crate::quantity::Dimension;
 use line::{InputLine, distance, nearest, reach};
 use pieces::{BranchPiece, FoundPieces, Tip};
@@ -83,9 +83,9 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// An error if a parameter is not finite.
     fn cycle(&self) -> Result<Cycle<Self>, SolveError>
     where
-        Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+        Self::Inputs<f64>: OneInput,
     {
-        let line = InputLine::whole(self, [0.0], [1.0]);
+        let line = InputLine::whole(self, Row::splat(0.0), Row::splat(1.0));
         Cycle::new(self, line)
     }
 
@@ -93,11 +93,11 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     ///
     /// # Errors
     /// An error if a parameter or the range is not finite, or if the range has no length.
-    fn cycle_over(&self, range: RangeInclusive<f64>) -> Result<Cycle<Self>, SolveError>
+    fn cycle_over(&self, range: impl ClosedRange) -> Result<Cycle<Self>, SolveError>
     where
-        Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+        Self::Inputs<f64>: OneInput,
     {
-        let line = InputLine::over(self, [0.0], [1.0], &range);
+        let line = InputLine::over(self, Row::splat(0.0), Row::splat(1.0), range.ends());
         Cycle::new(self, line)
     }
 
@@ -130,9 +130,9 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
         &self,
         from: Self::Inputs<f64>,
         direction: Self::Inputs<f64>,
-        range: RangeInclusive<f64>,
+        range: impl ClosedRange,
     ) -> Result<Cycle<Self>, SolveError> {
-        let line = InputLine::over(self, from, direction, &range);
+        let line = InputLine::over(self, from, direction, range.ends());
         Cycle::new(self, line)
     }
 }

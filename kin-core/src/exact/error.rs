@@ -6,7 +6,7 @@ use core::fmt;
 use crate::quantity::Digits;
 
 /// The reason why bytes or parts are no exact table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ReadError {
     /// The first bytes are not those of an exact table.
@@ -61,10 +61,12 @@ impl fmt::Display for ReadError {
     }
 }
 
+crate::__debug_by_display!(ReadError);
+
 impl Error for ReadError {}
 
 /// The reason why a table has no number at a place.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PlaceError {
     /// The place is beyond the table, which does not repeat itself, or it is not finite.
@@ -117,5 +119,7 @@ impl fmt::Display for PlaceError {
         }
     }
 }
+
+crate::__debug_by_display!(PlaceError);
 
 impl Error for PlaceError {}

@@ -38,6 +38,7 @@ mod answer;
 mod at;
 mod curve;
 mod error;
+mod guessed;
 mod mean;
 mod parts;
 mod progress;

@@ -281,8 +281,8 @@ fn worst<C: Dense>(poses: usize, change: impl Fn(usize, usize, &mut [f64])) -> f
         }
         let motions: Vec<&[f64]> = inputs.as_ref().iter().map(AsRef::as_ref).collect();
         let expected = efforts::<C>(&motions);
-        let found = loads
-            .at(&mechanism, inputs, C::assembly())
+        let found = mechanism
+            .balance(&loads, inputs, C::assembly())
             .expect("it closes")
             .efforts();
         for (found, expected) in found.as_ref().iter().zip(expected) {

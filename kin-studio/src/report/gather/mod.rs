@@ -103,11 +103,14 @@ fn check<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<(), ReportError
     let parameters = draft.mechanism.parameters();
     let culprit = named(M::DESCRIPTION.parameters, parameters.as_ref())
         .or_else(|| named(M::DESCRIPTION.inputs, draft.inputs.as_ref()))
-        .or((!draft.speed.is_finite() || draft.speed == 0.0).then_some("the speed"));
+        .or((!draft.speed.is_finite()).then_some("the speed"));
     if let Some(quantity) = culprit {
         return Err(ReportError::NotFinite {
             quantity: quantity.to_owned(),
         });
+    }
+    if draft.speed == 0.0 {
+        return Err(ReportError::NoSpeed);
     }
     match draft.range {
         Some([from, to]) if !(to - from > 0.0 && (to - from).is_finite()) => Err(ReportError::NoRange { from, to }),
