@@ -3,7 +3,7 @@
 //! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on smoothly from one
 //! assembly into another one, and at the place itself the free part leads from every direction to every other.
 
-use super::interpolation::{CROSSING, around, interpolated};
+use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::{InputLine, MEETING, distance, nearest};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -53,13 +53,9 @@ pub(super) fn jump<M: Mechanism<Scalar = f64>>(
         (onward[place], back[place]) = (nearest::<M>(one, &start), nearest::<M>(two, &end));
     }
     let half = |place: usize, unknown: usize| 0.5 * (onward[place][unknown] - back[place][unknown]);
-    let crosses = |unknown: &usize| {
-        let [low, before, behind, high] = [0, BEFORE, BEHIND, CROSSING - 1].map(|place| half(place, *unknown));
-        before * behind < 0.0 && before.abs().max(behind.abs()) < 0.5 * low.abs().min(high.abs())
-    };
     let unknowns = 0..M::DESCRIPTION.unknowns.len();
     let lead = unknowns
-        .filter(crosses)
+        .filter(|unknown| crosses(&core::array::from_fn(|place| half(place, *unknown))))
         .max_by(|one, other| half(0, *one).abs().total_cmp(&half(0, *other).abs()))?;
     let s = interpolated(&core::array::from_fn(|place| half(place, lead)), places, 0.0);
     let at = |curve: &[M::Unknowns<f64>; CROSSING]| {

@@ -43,18 +43,23 @@ mod class;
 mod closed;
 mod coupled;
 mod free;
+mod incomplete;
 mod interpolation;
 mod limits;
 mod line;
 mod measure;
 mod pieces;
 mod polynomial;
+#[cfg(test)]
+mod scale_tests;
 mod shown;
 mod singular;
 #[cfg(test)]
 mod tests;
+mod unit;
 
 pub use class::{BarkerClass, BlockClass, GrashofType, InvertedSliderCrankType, SliderCrankType};
+pub use incomplete::Incomplete;
 pub use measure::{MeasureError, Stroke, StrokeEnd, WorstTransmission};
 
 use alloc::vec;
@@ -70,6 +75,7 @@ use crate::number::Row;
 use crate::quantity::Dimension;
 use line::{InputLine, distance, nearest, reach};
 use pieces::{BranchPiece, FoundPieces, Tip};
+use unit::Unit;
 
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
@@ -85,8 +91,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
     {
-        let line = InputLine::whole(self, [0.0], [1.0]);
-        Cycle::new(self, line)
+        Cycle::new(self, [0.0], [1.0], None)
     }
 
     /// All circuits and branches over a range of the only input. Branches that leave the range end there.
@@ -97,8 +102,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
     {
-        let line = InputLine::over(self, [0.0], [1.0], &range);
-        Cycle::new(self, line)
+        Cycle::new(self, [0.0], [1.0], Some(&range))
     }
 
     /// All circuits and branches along a line in the space of the inputs: the inputs are `from + s direction`, and s takes the place of the
@@ -118,8 +122,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// # Ok::<(), kin_core::SolveError>(())
     /// ```
     fn cycle_along(&self, from: Self::Inputs<f64>, direction: Self::Inputs<f64>) -> Result<Cycle<Self>, SolveError> {
-        let line = InputLine::whole(self, from, direction);
-        Cycle::new(self, line)
+        Cycle::new(self, from, direction, None)
     }
 
     /// [`cycle_along`](Self::cycle_along) over a range of s.
@@ -132,8 +135,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
         direction: Self::Inputs<f64>,
         range: RangeInclusive<f64>,
     ) -> Result<Cycle<Self>, SolveError> {
-        let line = InputLine::over(self, from, direction, &range);
-        Cycle::new(self, line)
+        Cycle::new(self, from, direction, Some(&range))
     }
 }
 
@@ -267,56 +269,102 @@ pub struct Cycle<M: Mechanism<Scalar = f64>> {
     line: InputLine<M>,
     branches: Vec<Branch<M>>,
     circuits: Vec<Circuit<M>>,
-    is_complete: bool,
+    incomplete: Vec<Incomplete>,
     undecided: Vec<(M::Assembly, [f64; 2])>,
     seeds: Vec<f64>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    fn new(mechanism: &M, line: InputLine<M>) -> Result<Self, SolveError> {
-        let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        let parameters = mechanism.parameters();
-        let [low, high] = [line.low, line.high];
-        let is_line = is_finite(line.from.as_ref()) && is_finite(line.direction.as_ref());
-        let is_known = is_finite(parameters.as_ref()) && is_line && (high - low).is_finite();
-        let stands = line.direction.as_ref().iter().all(|rate| *rate == 0.0);
-        if !is_known || stands || high <= low {
-            // what a search along the line or over the range would divide by
-            let quantity = if !is_known {
-                "parameters or range of the inputs"
-            } else if stands {
-                "reciprocal of the direction of the inputs, which is zero"
-            } else {
-                "reciprocal of the length of the range, which is zero"
-            };
-            let failure = Failure::NotFinite { quantity };
-            let names = InputValues::new(M::DESCRIPTION.inputs, line.from.as_ref());
-            return Err(failure.at(M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns), names));
-        }
-        let found = if M::ASSEMBLY_COUNT > 0 {
-            closed::search(mechanism, &line)
-        } else {
-            coupled::search(mechanism, &line)?
+    fn new(
+        mechanism: &M,
+        from: M::Inputs<f64>,
+        direction: M::Inputs<f64>,
+        range: Option<&RangeInclusive<f64>>,
+    ) -> Result<Self, SolveError> {
+        let failed = |quantity: &'static str| {
+            let names = InputValues::new(M::DESCRIPTION.inputs, from.as_ref());
+            let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
+            Failure::NotFinite { quantity }.at(block, names)
         };
-        let size = reach(mechanism);
-        let mut branches = joined_at_the_seam(&line, size, &found);
-        let is_whole = branches
-            .iter()
-            .all(|branch| branch.ends.iter().all(|end| end.kind != EndKind::Lost));
-        let circuits = circuits(&mut branches);
-        Ok(Self {
+        let unit = Unit::of(mechanism, from);
+        // The search sees lengths in its unit, and the same places of the line.
+        let sought = unit.mechanism(mechanism);
+        let line = InputLine::new(&sought, unit.inputs::<M>(from), unit.inputs::<M>(direction), range);
+        let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        let is_known = is_finite(mechanism.parameters().as_ref())
+            && is_finite(from.as_ref())
+            && is_finite(direction.as_ref())
+            && (line.high - line.low).is_finite();
+        // what a search along the line or over the range would divide by
+        if !is_known {
+            return Err(failed("parameters or range of the inputs"));
+        } else if direction.as_ref().iter().all(|rate| *rate == 0.0) {
+            return Err(failed("reciprocal of the direction of the inputs, which is zero"));
+        } else if line.high <= line.low {
+            return Err(failed("reciprocal of the length of the range, which is zero"));
+        }
+        let mut found = if M::ASSEMBLY_COUNT > 0 {
+            closed::search(&sought, &line)
+        } else {
+            coupled::search(&sought, &line)?
+        };
+        let mut branches = joined_at_the_seam(&line, reach(&sought), &found);
+        let lost = branches.iter().flat_map(|branch| &branch.ends);
+        found.incomplete.extend(
+            lost.filter(|end| end.kind == EndKind::Lost)
+                .map(|end| Incomplete::Lost {
+                    input: end.input,
+                    is_angle: line.is_angle(),
+                }),
+        );
+        let circuits = circuits(&line, &mut branches);
+        for branch in &mut branches {
+            let ends = branch.ends.iter_mut().map(|end| &mut end.unknowns);
+            for unknowns in ends.chain(branch.samples.iter_mut().map(|(_, unknowns)| unknowns)) {
+                *unknowns = unit.told::<M>(*unknowns);
+            }
+        }
+        let cycle = Self {
             mechanism: *mechanism,
-            line,
+            line: InputLine {
+                from,
+                direction,
+                ..line
+            },
             branches,
             circuits,
-            is_complete: found.is_complete && is_whole,
+            incomplete: found.incomplete,
             undecided: found
                 .undecided
                 .iter()
                 .filter_map(|(index, range)| Some((M::assembly(*index)?, *range)))
                 .collect(),
             seeds: found.seeds,
-        })
+        };
+        match cycle.refusal() {
+            Some(error) => Err(error),
+            None => Ok(cycle),
+        }
+    }
+
+    /// The error of the solver if lengths are so large or so small that it refuses the positions of the cycle, which has its own unit.
+    fn refusal(&self) -> Option<SolveError> {
+        let refused = |error: SolveError| matches!(error.failure, Failure::NotFinite { .. }).then_some(error);
+        let middles = self.branches.iter().filter_map(|branch| {
+            let (s, unknowns) = branch.samples.get(branch.samples.len() / 2)?;
+            let inputs = self.line.inputs(*s);
+            let solved = match branch.assembly {
+                Some(assembly) => self.mechanism.solve_position(inputs, assembly),
+                None => self.mechanism.solve_position_near(inputs, *unknowns),
+            };
+            solved.err()
+        });
+        if !self.branches.is_empty() {
+            return middles.filter_map(refused).next();
+        }
+        let inputs = self.line.inputs(0.5 * (self.line.low + self.line.high));
+        let solved = M::assemblies().map(|assembly| self.mechanism.solve_position(inputs, assembly));
+        solved.filter_map(|solved| refused(solved.err()?)).next()
     }
 
     /// The circuits.
@@ -334,7 +382,13 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// Whether it is proved that there is no other branch. The [module](self#what-is-proved) says what that means.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        self.is_complete
+        self.incomplete.is_empty()
+    }
+
+    /// The reasons why there may be other branches; none if the cycle [is complete](Self::is_complete). Each prints as a clause.
+    #[must_use]
+    pub fn incomplete(&self) -> &[Incomplete] {
+        &self.incomplete
     }
 
     /// The assemblies of closed forms about which the bounds told nothing, each with a range of the input. There, only the ends and the middles
@@ -512,7 +566,7 @@ fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(
 type EnteredBranch = (usize, usize);
 
 /// The circuits of branches that meet at nodes. Each branch learns its circuit and its neighbours.
-fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circuit<M>> {
+fn circuits<M: Mechanism<Scalar = f64>>(line: &InputLine<M>, branches: &mut [Branch<M>]) -> Vec<Circuit<M>> {
     let at_node = |branches: &[Branch<M>], node: usize| -> Vec<EnteredBranch> {
         let all = branches.iter().enumerate();
         all.flat_map(|(index, branch)| [0, 1].map(|side| (index, side, branch.ends[side].node)))
@@ -538,7 +592,7 @@ fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circu
         if seen[start] {
             continue;
         }
-        let circuit = around(branches, start, &at_node).unwrap_or_else(|| {
+        let circuit = around(line, branches, start, &at_node).unwrap_or_else(|| {
             let mut own = vec![start];
             let mut place = 0;
             while let Some(branch) = own.get(place).copied() {
@@ -566,6 +620,7 @@ fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circu
 
 /// The circuit that leads from a branch through its limits back to it, if there is one way only.
 fn around<M: Mechanism<Scalar = f64>>(
+    line: &InputLine<M>,
     branches: &[Branch<M>],
     start: usize,
     at_node: &impl Fn(&[Branch<M>], usize) -> Vec<EnteredBranch>,
@@ -606,13 +661,9 @@ fn around<M: Mechanism<Scalar = f64>>(
     }
     #[expect(clippy::cast_possible_truncation, reason = "a circuit has far fewer turns")]
     let turns = |sum: f64| Float::round(sum / TAU) as i32;
-    let input_is_angle = M::DESCRIPTION
-        .inputs
-        .iter()
-        .all(|input| input.dimension == Dimension::Angle);
     Some(Circuit {
         branches: own,
-        input_turns: Some(if input_is_angle { turns(way) } else { 0 }),
+        input_turns: Some(if line.is_angle() { turns(way) } else { 0 }),
         turns: Some(Row::from_fn(|index| match M::DESCRIPTION.unknowns[index].dimension {
             Dimension::Angle => turns(angles[index]),
             _ => 0,
