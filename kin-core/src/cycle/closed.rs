@@ -10,7 +10,7 @@ use num_traits::Float;
 use super::bounds::{Bounds, Doubt, UNDECIDED};
 use super::free::{self, Jump};
 use super::interpolation::{CROSSING, around, crosses, interpolated};
-use super::line::{InputLine, MEETING, distance, inputs_at, nearest, reach};
+use super::line::{InputLine, MEETING, count, distance, inputs_at, nearest, reach};
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
 use super::{EndKind, Incomplete};
 use crate::failure::Failure;
@@ -35,6 +35,10 @@ const FAR: f64 = 2e-2;
 const NEAREST: f64 = 0.15;
 /// The largest difference of two locations of a change point that agree, as a part of the range.
 const SETTLED: f64 = 1e-13;
+/// Two distances from a limit at which differences of assemblies show where these meet, as parts of the range.
+const ROOTS: [f64; 2] = [1.0 / 268_435_456.0, 1.0 / 67_108_864.0];
+/// The largest distance of limits at the same place, as a part of the range: that of some units in the last place of the lengths.
+const TOGETHER: f64 = 1.0 / 8_796_093_022_208.0;
 /// The largest distance by which an angle may move from the middle of an interval.
 const SWING: f64 = 1.5;
 
@@ -394,6 +398,26 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 node.assemblies[1] = other;
             }
         }
+        let together = self.together(index, assembly, good, good > bad);
+        if let [_, _, ..] = together[..] {
+            // Several blocks have their limits here, and all their assemblies meet.
+            let own = node.unknowns;
+            let others = together
+                .iter()
+                .filter_map(|(other, _)| self.solved(good, M::assembly(*other)?));
+            let all: Vec<M::Unknowns<f64>> = others.map(|other| nearest::<M>(other, &own)).collect();
+            node.unknowns = Row::from_fn(|unknown| {
+                let sum = all.iter().fold(own[unknown], |sum, other| sum + other[unknown]);
+                sum / count(all.len() + 1)
+            });
+            let moves = |member: &usize| together.iter().any(|(_, apart)| apart[*member] != 0.0);
+            let mut blocks = M::DESCRIPTION.blocks.iter();
+            if let Some(first) = blocks.find(|block| block.members.iter().any(moves)) {
+                node.block = first.unknowns;
+            }
+            (node.kind, node.assemblies) = (EndKind::ChangePoint, [index, index]);
+            return self.noted(node);
+        }
         if node.assemblies[1] != index {
             let other = M::assembly(node.assemblies[1]).and_then(|other| self.solved(good, other));
             if let Some(other) = other {
@@ -405,6 +429,36 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
         self.found.nodes.push(node);
         self.found.nodes.len() - 1
+    }
+
+    /// The other assemblies that meet an assembly at its limit, and how far they are apart from it next to the limit.
+    ///
+    /// The square of the difference of two assemblies that meet grows with the distance from the place where it is zero. Two differences show
+    /// that place, which is the limit of the block that the assemblies solve differently.
+    fn together(
+        &self,
+        index: usize,
+        assembly: M::Assembly,
+        limit: f64,
+        is_above: bool,
+    ) -> Vec<(usize, M::Unknowns<f64>)> {
+        let range = (self.line.high - self.line.low) * if is_above { 1.0 } else { -1.0 };
+        let [near, far] = ROOTS.map(|part| limit + part * range);
+        let (Some(first), Some(second)) = (self.solved(near, assembly), self.solved(far, assembly)) else {
+            return Vec::new();
+        };
+        let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
+        let meets = others.filter_map(|(other, candidate)| {
+            let unknowns: M::Unknowns<f64> = nearest::<M>(self.solved(near, candidate)?, &first);
+            let one = distance::<M>(self.size, &first, &unknowns);
+            let two = distance::<M>(self.size, &second, &self.solved(far, candidate)?);
+            let (one, two) = (one * one, two * two);
+            // From the limit outwards, in parts of the range.
+            let remaining = (ROOTS[1] * one - ROOTS[0] * two) / (two - one);
+            let apart = Row::from_fn(|unknown| unknowns[unknown] - first[unknown]);
+            (two > one && remaining.abs() <= TOGETHER).then_some((other, apart))
+        });
+        meets.collect()
     }
 
     /// Moves a place that closes and one that does not together until no number lies between them.
