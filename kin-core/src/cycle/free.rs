@@ -3,16 +3,22 @@
 //! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on smoothly from one
 //! assembly into another one, and at the place itself the free part leads from every direction to every other.
 
+use alloc::vec::Vec;
+
 use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::{InputLine, MEETING, distance, nearest};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::quantity::Dimension;
 
 /// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
 /// [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is a hundred times as much.
 const FREE: f64 = MEETING * MEETING / 1024.0;
 /// The number of parts of a straight line at whose ends the closure is tested.
 const PARTS: u32 = 8;
+
+/// The largest number of angles half a turn apart for which both ways are tried.
+const MOST_HALVES: usize = 6;
 
 /// A place at which an assembly jumps, because a part turns freely there.
 pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
@@ -114,7 +120,8 @@ fn is_position<M: Mechanism<Scalar = f64>>(
     residuals.as_ref().iter().all(|residual| residual.abs() <= FREE * size)
 }
 
-/// Whether the straight line between two positions at the same input consists of positions.
+/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn apart may turn either
+/// way.
 pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     line: &InputLine<M>,
@@ -123,9 +130,24 @@ pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
     [from, to]: [&M::Unknowns<f64>; 2],
 ) -> bool {
     let to: M::Unknowns<f64> = nearest::<M>(*to, from);
-    (0..=PARTS).all(|step| {
-        let part = f64::from(step) / f64::from(PARTS);
-        let unknowns = Row::from_fn(|unknown| from[unknown] + part * (to[unknown] - from[unknown]));
-        is_position(mechanism, line, size, s, unknowns)
+    let halves = |unknown: usize| {
+        let is_angle = M::DESCRIPTION.unknowns[unknown].dimension == Dimension::Angle;
+        is_angle && (to[unknown] - from[unknown]).abs() > core::f64::consts::PI - MEETING
+    };
+    let free: Vec<usize> = (0..M::DESCRIPTION.unknowns.len())
+        .filter(|unknown| halves(*unknown))
+        .collect();
+    (0..1_usize << free.len().min(MOST_HALVES)).any(|ways| {
+        let mut way: M::Unknowns<f64> = Row::from_fn(|unknown| to[unknown] - from[unknown]);
+        for (bit, unknown) in free.iter().take(MOST_HALVES).enumerate() {
+            if ways & (1 << bit) != 0 {
+                way[*unknown] -= core::f64::consts::TAU.copysign(way[*unknown]);
+            }
+        }
+        (0..=PARTS).all(|step| {
+            let part = f64::from(step) / f64::from(PARTS);
+            let unknowns = Row::from_fn(|unknown| from[unknown] + part * way[unknown]);
+            is_position(mechanism, line, size, s, unknowns)
+        })
     })
 }

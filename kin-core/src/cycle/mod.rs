@@ -77,6 +77,9 @@ use line::{InputLine, distance, nearest, reach};
 use pieces::{BranchPiece, FoundPieces, Tip};
 use unit::Unit;
 
+/// The largest distance from half a period that may be rounding, as a part of it.
+const HALFWAY: f64 = 1e-6;
+
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
     /// All circuits and branches over the only input: over a full turn of an angle, or as many turns as it takes until the closure repeats
@@ -546,7 +549,9 @@ fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(
             let shift = if is_turning {
                 0.0
             } else {
-                period * Float::round((line.reduced(middle) - middle) / period)
+                // A branch whose middle lies half a period away has it on the positive side, whatever rounding says.
+                let aside = HALFWAY * period;
+                period * Float::round((line.reduced(middle - aside) + aside - middle) / period)
             };
             if shift != 0.0 {
                 for end in &mut branch.ends {
