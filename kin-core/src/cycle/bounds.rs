@@ -10,7 +10,7 @@ use crate::number::Number;
 use crate::solve::{Check, Choose, Scalar};
 
 /// The bound of a number of which nothing is known.
-const HUGE: f64 = 1e150;
+pub(super) const HUGE: f64 = 1e150;
 /// The smallest bound that is not zero. Its square does not underflow.
 const TINY: f64 = 1e-140;
 /// The error of an elementary function, relative to its largest value.
@@ -84,7 +84,7 @@ fn most(one: f64, other: f64) -> f64 {
 
 /// The smallest interval that holds the products of two intervals.
 #[inline]
-fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(super) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     widened(rounded_product(a, b))
 }
 
@@ -100,7 +100,7 @@ fn rounded_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// An interval that holds the exact result of an operation, whose rounded ends are given.
 #[inline]
-fn widened([low, high]: [f64; 2]) -> [f64; 2] {
+pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
     let size = most(low.abs(), high.abs());
     // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which processors are slow.
     let slack = if size < TINY && size > 0.0 {
@@ -118,7 +118,7 @@ fn widened([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// The reciprocals of an interval.
 #[inline]
-fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
+pub(super) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
     if low > 0.0 || high < 0.0 {
         widened([1.0 / high, 1.0 / low])
     } else {
@@ -227,13 +227,20 @@ impl Bounds {
         self
     }
 
+    /// The same function within bounds that are known of its derivative.
+    pub(super) fn with_slopes(mut self, [low, high]: [f64; 2]) -> Self {
+        self.least = most(low, self.least);
+        self.most = least(high, self.most);
+        self.tight()
+    }
+
     #[inline]
-    fn values(self) -> [f64; 2] {
+    pub(super) fn values(self) -> [f64; 2] {
         [self.low, self.high]
     }
 
     #[inline]
-    fn slopes(self) -> [f64; 2] {
+    pub(super) fn slopes(self) -> [f64; 2] {
         [self.least, self.most]
     }
 
@@ -324,7 +331,7 @@ fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64;
 }
 
 /// What a check says about an interval.
-enum Verdict {
+pub(super) enum Verdict {
     Holds,
     Fails,
     Doubtful(Doubt),
@@ -332,7 +339,7 @@ enum Verdict {
 
 /// The verdict of conditions that are comparisons of each operand or of its magnitude.
 #[inline]
-fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
+pub(super) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
     let operands = check.operands();
     let (mut always, mut never) = ([true; K], [true; K]);
     at_corners(operands, |values| {

@@ -8,6 +8,7 @@ use core::ops::Range;
 use num_traits::Float;
 
 use super::bounds::{Bounds, Doubt, UNDECIDED};
+use super::curved::Curved;
 use super::free::{self, Jump};
 use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::{InputLine, MEETING, count, distance, inputs_at, nearest, reach};
@@ -27,6 +28,8 @@ const SHORTEST: f64 = 1.0 / 1_125_899_906_842_624.0;
 pub(super) const RESOLUTION: f64 = 1.0 / 16_777_216.0;
 /// The largest number of intervals of an assembly, besides those with which its search begins.
 const MOST_INTERVALS: usize = 4096;
+/// The number of intervals of an assembly from which on second derivatives are worth their time.
+const BENDING: usize = 512;
 /// The largest number of intervals with which the search of an assembly begins.
 const MOST_SHARED: usize = 256;
 /// The largest distance from a change point at which values lead to it, as a part of the range.
@@ -74,6 +77,7 @@ struct PieceEnd<M: Mechanism<Scalar = f64>> {
 struct Search<'a, M: Mechanism<Scalar = f64>> {
     mechanism: &'a M,
     bounded: M::With<Bounds>,
+    curved: M::With<Curved>,
     line: &'a InputLine<M>,
     size: f64,
     /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which has most of its blocks
@@ -108,6 +112,7 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine
     let mut search = Search {
         mechanism,
         bounded: mechanism.convert(Bounds::rounded),
+        curved: mechanism.convert(Curved::rounded),
         line,
         size: reach(mechanism),
         division: (0..=FIRST).map(place).collect(),
@@ -133,9 +138,23 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     }
 
     /// What the bounds say about an interval, and the position in its middle.
-    fn known(&self, low: f64, high: f64, assembly: M::Assembly) -> (Option<Known>, Option<M::Unknowns<f64>>) {
-        let inputs = inputs_at(self.line, Bounds::variable(low, high));
-        let unknowns = match self.bounded.solve_position(inputs, assembly) {
+    fn known(
+        &self,
+        low: f64,
+        high: f64,
+        assembly: M::Assembly,
+        is_curved: bool,
+    ) -> (Option<Known>, Option<M::Unknowns<f64>>) {
+        let solved = if is_curved {
+            let inputs = inputs_at(self.line, Curved::variable(low, high));
+            let solved = self.curved.solve_position(inputs, assembly);
+            solved.map(|unknowns| Row::from_fn(|index| unknowns[index].bounds))
+        } else {
+            let inputs = inputs_at(self.line, Bounds::variable(low, high));
+            let solved = self.bounded.solve_position(inputs, assembly);
+            solved.map(|unknowns| Row::from_fn(|index| unknowns[index]))
+        };
+        let unknowns: M::Unknowns<Bounds> = match solved {
             Ok(unknowns) => unknowns,
             Err(error) => {
                 let is_told = !matches!(error.failure, Failure::NotFinite { quantity } if quantity == UNDECIDED);
@@ -221,7 +240,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         division.push(self.line.low);
         let mut count = 0;
         while let Some((low, high)) = waiting.pop() {
-            let (known, middle) = self.known(low, high, assembly);
+            let (known, middle) = self.known(low, high, assembly, count >= BENDING);
             let known = match known {
                 Some(known) => known,
                 None if high - low > shortest && count < MOST_INTERVALS => {

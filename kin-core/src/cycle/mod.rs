@@ -42,6 +42,7 @@ mod bounds;
 mod class;
 mod closed;
 mod coupled;
+mod curved;
 mod free;
 mod incomplete;
 mod interpolation;
