@@ -574,7 +574,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
         let places = around(middle, reach);
         let solved = |s: f64, assembly: M::Assembly| self.solved(s, assembly);
-        if let Some(Jump { s, unknowns, block }) = free::jump::<M>(solved, self.size, assembly, &places)
+        if let Some(Jump { s, unknowns, block }) =
+            free::jump(solved, self.mechanism, self.line, self.size, assembly, &places)
             && is_inside(s)
         {
             let mut end = |unknowns: M::Unknowns<f64>| {

@@ -9,6 +9,7 @@ use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::{InputLine, MEETING, distance, nearest};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::picture::TransmissionAngle;
 use crate::quantity::Dimension;
 
 /// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
@@ -32,9 +33,12 @@ pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
 /// The place at which an assembly jumps, between places on both sides of it.
 ///
 /// Another assembly goes on smoothly where this one ends, and this one goes on where the other one ends. So there are two smooth curves. Their
-/// difference has a simple zero in the unknown that frees the part, the length of the slide, and inverse interpolation finds it.
+/// difference has a simple zero in the unknown that frees the part, the length of the slide, and inverse interpolation finds it. If two links
+/// turn freely, one on the other, it is the angle between them that has a simple zero along a curve.
 pub(super) fn jump<M: Mechanism<Scalar = f64>>(
     solved: impl Fn(f64, M::Assembly) -> Option<M::Unknowns<f64>>,
+    mechanism: &M,
+    line: &InputLine<M>,
     size: f64,
     assembly: M::Assembly,
     places: &[f64; CROSSING],
@@ -59,27 +63,37 @@ pub(super) fn jump<M: Mechanism<Scalar = f64>>(
         (onward[place], back[place]) = (nearest::<M>(one, &start), nearest::<M>(two, &end));
     }
     let half = |place: usize, unknown: usize| 0.5 * (onward[place][unknown] - back[place][unknown]);
+    let values = |unknown: usize| core::array::from_fn(|place| half(place, unknown));
     let unknowns = 0..M::DESCRIPTION.unknowns.len();
     let lead = unknowns
-        .filter(|unknown| crosses(&core::array::from_fn(|place| half(place, *unknown))))
-        .max_by(|one, other| half(0, *one).abs().total_cmp(&half(0, *other).abs()))?;
-    let s = interpolated(&core::array::from_fn(|place| half(place, lead)), places, 0.0);
+        .filter(|unknown| crosses(&values(*unknown)))
+        .max_by(|one, other| half(0, *one).abs().total_cmp(&half(0, *other).abs()));
+    let (zero, block) = if let Some(lead) = lead {
+        let mut blocks = M::DESCRIPTION.blocks.iter();
+        let block = blocks.find(|block| block.members.contains(&lead))?;
+        (values(lead), block.unknowns)
+    } else {
+        let dyads: [M::Dyads<TransmissionAngle<f64>>; CROSSING] =
+            core::array::from_fn(|place| mechanism.transmission_angles_at(line.inputs(places[place]), onward[place]));
+        let folded = |dyad: usize| {
+            core::array::from_fn(|place| {
+                let angle = dyads[place][dyad].folded();
+                if place < BEHIND { angle } else { -angle }
+            })
+        };
+        let dyad = (0..<M::Dyads<f64> as Row<f64>>::LENGTH).find(|dyad| crosses(&folded(*dyad)))?;
+        (folded(dyad), dyads[0][dyad].block)
+    };
+    let s = interpolated(&zero, places, 0.0);
     let at = |curve: &[M::Unknowns<f64>; CROSSING]| {
         M::Unknowns::from_fn(|unknown| interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s))
     };
     let unknowns = [at(&onward), at(&back)];
-    let name = M::DESCRIPTION.unknowns[lead].name;
-    let mut blocks = M::DESCRIPTION.blocks.iter();
-    let block = blocks.find(|block| block.unknowns.split(", ").any(|unknown| unknown == name))?;
     let is_finite = unknowns
         .iter()
         .all(|row| row.as_ref().iter().all(|value| value.is_finite()));
     let is_jump = is_finite && s.is_finite() && distance::<M>(size, &unknowns[0], &unknowns[1]) >= MEETING;
-    is_jump.then_some(Jump {
-        s,
-        unknowns,
-        block: block.unknowns,
-    })
+    is_jump.then_some(Jump { s, unknowns, block })
 }
 
 /// The unknowns of an assembly before and behind a place, if they are different positions there: a part turns freely, and no other assembly goes on
