@@ -143,8 +143,8 @@ impl Bounds {
         }
     }
 
-    /// A number that is known to one unit in its last place, as a length that was read or multiplied by a unit. What such a unit decides is
-    /// not decided.
+    /// A number that is known to one unit in its last place, as a length that was read or multiplied by a unit. What
+    /// such a unit decides is not decided.
     #[inline]
     pub(super) fn rounded(value: f64) -> Self {
         let error = f64::EPSILON * value.abs();
@@ -361,7 +361,8 @@ pub(super) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, 
     Verdict::Doubtful(doubt)
 }
 
-/// The largest part of the width of an interval of values that is rounding where halving the interval of the input is of no more use.
+/// The largest part of the width of an interval of values that is rounding where halving the interval of the input is
+/// of no more use.
 const SPREAD: f64 = 16.0;
 
 /// Whether a condition rises or falls along the interval, or rounding decides about it.

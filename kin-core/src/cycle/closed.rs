@@ -40,7 +40,8 @@ const NEAREST: f64 = 0.15;
 const SETTLED: f64 = 1e-13;
 /// Two distances from a limit at which differences of assemblies show where these meet, as parts of the range.
 const ROOTS: [f64; 2] = [1.0 / 268_435_456.0, 1.0 / 67_108_864.0];
-/// The largest distance of limits at the same place, as a part of the range: that of some units in the last place of the lengths.
+/// The largest distance of limits at the same place, as a part of the range: that of some units in the last place of
+/// the lengths.
 const TOGETHER: f64 = 1.0 / 8_796_093_022_208.0;
 /// The largest distance by which an angle may move from the middle of an interval.
 const SWING: f64 = 1.5;
@@ -225,7 +226,14 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             range,
             is_angle: self.line.is_angle(),
         };
-        let is_known = |known: &Incomplete| matches!(*known, Incomplete::Rounding { block: own, range: [low, high], .. } if own == block && low <= range[1] && high >= range[0]);
+        let is_known = |known: &Incomplete| match *known {
+            Incomplete::Rounding {
+                block: own,
+                range: [low, high],
+                ..
+            } => own == block && low <= range[1] && high >= range[0],
+            _ => false,
+        };
         if !self.found.incomplete.iter().any(is_known) {
             self.found.incomplete.push(reason);
         }
@@ -277,7 +285,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     fn assembly(&mut self, index: usize, assembly: M::Assembly) {
         let intervals = self.intervals(index, assembly);
         let mut open: Option<BranchPiece<M>> = None;
-        // Whether the assembly closes at the border before an interval, or at the end of the range; nothing if rounding may decide about it.
+        // Whether the assembly closes at the border before an interval, or at the end of the range; nothing if rounding
+        // may decide about it.
         let closes_at = |search: &Self, place: usize| {
             // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
             let [before, after] =
@@ -452,8 +461,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
 
     /// The other assemblies that meet an assembly at its limit, and how far they are apart from it next to the limit.
     ///
-    /// The square of the difference of two assemblies that meet grows with the distance from the place where it is zero. Two differences show
-    /// that place, which is the limit of the block that the assemblies solve differently.
+    /// The square of the difference of two assemblies that meet grows with the distance from the place where it is
+    /// zero. Two differences show that place, which is the limit of the block that the assemblies solve differently.
     fn together(
         &self,
         index: usize,
@@ -529,8 +538,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    /// The change point in some intervals at both ends of which an assembly closes, if there is one: where the assembly ends before it, and
-    /// where it begins behind it. Both are the same unless a part turns freely there.
+    /// The change point in some intervals at both ends of which an assembly closes, if there is one: where the assembly
+    /// ends before it, and where it begins behind it. Both are the same unless a part turns freely there.
     fn change_point(
         &mut self,
         index: usize,
@@ -683,8 +692,8 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
 
     /// The place near another one at which two assemblies cross, the unknowns there, and the index of the other assembly.
     ///
-    /// It is found from places as far away as another limit allows, and from closer ones as long as these differ: next to another limit, the
-    /// assemblies are no smooth functions of the input.
+    /// It is found from places as far away as another limit allows, and from closer ones as long as these differ: next
+    /// to another limit, the assemblies are no smooth functions of the input.
     fn crossing(
         &self,
         index: usize,

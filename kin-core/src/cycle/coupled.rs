@@ -350,8 +350,8 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
         tips.filter(|tip| *tip == Tip::Node(node)).count()
     }
 
-    /// Notes why there may be other pieces: nodes that are not the limits that continuation found, limits without a node, or positions that
-    /// were not found.
+    /// Notes why there may be other pieces: nodes that are not the limits that continuation found, limits without a
+    /// node, or positions that were not found.
     fn compare(&mut self, limits: &[SingularPlace]) {
         let nodes = || self.found.nodes.iter().enumerate();
         let is_limit = |node: &BranchNode<M>| limits.iter().any(|limit| self.is_at(node, limit));

@@ -1,7 +1,8 @@
 //! Bounds with second derivatives, for intervals about which those with first derivatives tell nothing.
 //!
-//! A short link that a long crank turns about moves little, since the parts of its closure that move much cancel. Bounds of the first derivative
-//! see that they do only over intervals that are shorter by the ratio of the links; those of the second, by its root.
+//! A short link that a long crank turns about moves little, since the parts of its closure that move much cancel.
+//! Bounds of the first derivative see that they do only over intervals that are shorter by the ratio of the links;
+//! those of the second, by its root.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -11,7 +12,8 @@ use crate::failure::Failure;
 use crate::number::Number;
 use crate::solve::{Check, Choose, Real, Scalar, Validity};
 
-/// All values of a function of one variable t in -1 ..= 1, with its derivative at t = 0 and bounds of its second derivative.
+/// All values of a function of one variable t in -1 ..= 1, with its derivative at t = 0 and bounds of its second
+/// derivative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Curved {
     pub(super) bounds: Bounds,
@@ -242,7 +244,8 @@ impl Number for Curved {
         Self::flat(self.bounds.atan())
     }
 
-    /// The derivative is (x y' - y x') / r², with the derivative (x y'' - y x'') / r² - 2 (x y' - y x') (x x' + y y') / r⁴.
+    /// The derivative is (x y' - y x') / r², with the derivative (x y'' - y x'') / r² - 2 (x y' - y x') (x x' + y y') /
+    /// r⁴.
     fn atan2(self, x: Self) -> Self {
         let (y, angle) = (self, self.bounds.atan2(x.bounds));
         let square = y.bounds * y.bounds + x.bounds * x.bounds;

@@ -32,9 +32,10 @@ pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
 
 /// The place at which an assembly jumps, between places on both sides of it.
 ///
-/// Another assembly goes on smoothly where this one ends, and this one goes on where the other one ends. So there are two smooth curves. Their
-/// difference has a simple zero in the unknown that frees the part, the length of the slide, and inverse interpolation finds it. If two links
-/// turn freely, one on the other, it is the angle between them that has a simple zero along a curve.
+/// Another assembly goes on smoothly where this one ends, and this one goes on where the other one ends. So there are
+/// two smooth curves. Their difference has a simple zero in the unknown that frees the part, the length of the slide,
+/// and inverse interpolation finds it. If two links turn freely, one on the other, it is the angle between them that
+/// has a simple zero along a curve.
 pub(super) fn jump<M: Mechanism<Scalar = f64>>(
     solved: impl Fn(f64, M::Assembly) -> Option<M::Unknowns<f64>>,
     mechanism: &M,
@@ -134,8 +135,8 @@ fn is_position<M: Mechanism<Scalar = f64>>(
     residuals.as_ref().iter().all(|residual| residual.abs() <= FREE * size)
 }
 
-/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn apart may turn either
-/// way.
+/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn
+/// apart may turn either way.
 pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     line: &InputLine<M>,

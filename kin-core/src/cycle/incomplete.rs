@@ -19,7 +19,8 @@ use crate::quantity::WithUnit;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Incomplete {
-    /// Rounding decides whether a block closes in a range of the input, in which the mechanism is too close to a change point everywhere.
+    /// Rounding decides whether a block closes in a range of the input, in which the mechanism is too close to a change
+    /// point everywhere.
     Rounding {
         /// The unknowns of the block, separated by commas.
         block: &'static str,
@@ -28,7 +29,8 @@ pub enum Incomplete {
         /// Whether the input is an angle.
         is_angle: bool,
     },
-    /// The bounds do not tell whether assemblies close: [`Cycle::undecided`](super::Cycle::undecided) has each with its ranges.
+    /// The bounds do not tell whether assemblies close: [`Cycle::undecided`](super::Cycle::undecided) has each with its
+    /// ranges.
     Undecided {
         /// The number of assemblies.
         assemblies: usize,
@@ -44,7 +46,8 @@ pub enum Incomplete {
         /// Whether the input is an angle.
         is_angle: bool,
     },
-    /// The closure of a coupled block cannot be written as polynomials without products of three quantities, so its limits are not all known.
+    /// The closure of a coupled block cannot be written as polynomials without products of three quantities, so its
+    /// limits are not all known.
     NotAlgebraic,
     /// An unknown of a mechanism with a coupled block has a declared range.
     DeclaredRange {

@@ -28,7 +28,8 @@ pub(super) fn interpolated(places: &[f64; CROSSING], values: &[f64; CROSSING], a
     values[0]
 }
 
-/// Whether a function that is given at these places changes its sign between the middle ones, and is small there. A function that jumps is not.
+/// Whether a function that is given at these places changes its sign between the middle ones, and is small there. A
+/// function that jumps is not.
 pub(super) fn crosses(values: &[f64; CROSSING]) -> bool {
     const BEFORE: usize = CROSSING / 2 - 1;
     let [before, behind] = [values[BEFORE], values[BEFORE + 1]];

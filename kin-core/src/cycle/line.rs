@@ -122,8 +122,8 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
         }
     }
 
-    /// Whether the closure is the same after a given way, up to rounding, at some places that have nothing in common. An angle that is a
-    /// multiple of an input, like that of a gear, may have made turns.
+    /// Whether the closure is the same after a given way, up to rounding, at some places that have nothing in common.
+    /// An angle that is a multiple of an input, like that of a gear, may have made turns.
     fn repeats(&self, mechanism: &M, way: f64) -> bool {
         let size = reach(mechanism).max(f64::MIN_POSITIVE);
         let bounded: M::With<Bounds> = mechanism.convert(Bounds::rounded);

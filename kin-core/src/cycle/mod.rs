@@ -21,12 +21,15 @@
 //!
 //! # What is proved
 //!
-//! If every block has a closed form, the range of the input is divided into intervals. The solver runs on bounds of all values and derivatives
-//! over an interval, in interval arithmetic that includes rounding. The bounds prove that an assembly closes everywhere in the interval, or
-//! nowhere, or that the condition on which it depends is monotonic there, so that its values at the ends tell whether there is one limit or
-//! none. Other intervals are halved, down to 2⁻²⁴ of the range. In an interval as short as that, its ends decide: two limits that are closer
-//! count as a change point, or as none. [`Cycle::is_complete`] is then true. One thing is tested and not proved: the choice by a declared range
-//! of an unknown is made at the ends and in the middle of each interval.
+//! If every block has a closed form, the range of the input is divided into intervals. The solver runs on bounds of all
+//! values and derivatives over an interval, in interval arithmetic that includes rounding. The bounds prove that an
+//! assembly closes everywhere in the interval, or nowhere, or that the condition on which it depends is monotonic
+//! there, so that its values at the ends tell whether there is one limit or none. Other intervals are halved until
+//! rounding decides, where every length counts as known to one unit in its last place. An assembly that closes on both
+//! sides of such a place has a change point there. [`Cycle::is_complete`] is then true. One thing is tested and not
+//! proved: the choice by a declared range of an unknown is made at the ends and in the middle of each interval.
+//!
+//! The search has a unit of length of its own, so that a multiple of all lengths has the same cycle.
 //!
 //! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input unknown, by
 //! [`continuation`](crate::continuation). The closure is fitted by polynomials in cosines, sines and lengths, which are compared with its values.
@@ -37,6 +40,7 @@
 //!
 //! This needs polynomials of at most 1024 paths, which have no product of three quantities, lengths that cannot become infinite, and unknowns
 //! without declared ranges. For any other mechanism all positions are sought at stated inputs, and `is_complete` is false.
+//! [`Cycle::incomplete`] says why.
 
 mod bounds;
 mod class;
@@ -89,8 +93,8 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// A plain number, and an angle with which the closure does not repeat itself within twelve turns, is taken from -π to π:
     /// [`cycle_over`](Self::cycle_over) takes another range.
     ///
-    /// # Errors
-    /// An error if a parameter is not finite.
+    /// # Errors An error if a parameter is not finite, and that of the solver if it refuses the lengths, because they
+    /// are too large or too small.
     fn cycle(&self) -> Result<Cycle<Self>, SolveError>
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
@@ -101,7 +105,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// All circuits and branches over a range of the only input. Branches that leave the range end there.
     ///
     /// # Errors
-    /// An error if a parameter or the range is not finite, or if the range has no length.
+    /// As for `cycle`, and an error if the range is not finite or has no length.
     fn cycle_over(&self, range: RangeInclusive<f64>) -> Result<Cycle<Self>, SolveError>
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
@@ -113,7 +117,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// only input of [`cycle`](Self::cycle).
     ///
     /// # Errors
-    /// An error if a parameter or an input is not finite, or if the direction is zero.
+    /// As for `cycle`, and an error if an input is not finite, or if the direction is zero.
     ///
     /// ```
     /// use kin_core::cycle::FullCycle;
@@ -151,7 +155,8 @@ impl<M: Mechanism<Scalar = f64>> FullCycle for M {}
 pub enum EndKind {
     /// A limit: the input turns back, and the branch meets another one of its circuit.
     Limit,
-    /// A change point: branches cross, or meet where a part turns freely, and geometry does not determine which one the mechanism follows.
+    /// A change point: branches cross, or meet where a part turns freely or where several blocks have their limits, and
+    /// geometry does not determine which one the mechanism follows.
     ChangePoint,
     /// The end of the domain of a function, of the declared range of an unknown, or a pole.
     Domain,
@@ -351,7 +356,8 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         }
     }
 
-    /// The error of the solver if lengths are so large or so small that it refuses the positions of the cycle, which has its own unit.
+    /// The error of the solver if lengths are so large or so small that it refuses the positions of the cycle, which
+    /// has its own unit.
     fn refusal(&self) -> Option<SolveError> {
         let refused = |error: SolveError| matches!(error.failure, Failure::NotFinite { .. }).then_some(error);
         let middles = self.branches.iter().filter_map(|branch| {
@@ -389,7 +395,8 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         self.incomplete.is_empty()
     }
 
-    /// The reasons why there may be other branches; none if the cycle [is complete](Self::is_complete). Each prints as a clause.
+    /// The reasons why there may be other branches; none if the cycle [is complete](Self::is_complete). Each prints as
+    /// a clause.
     #[must_use]
     pub fn incomplete(&self) -> &[Incomplete] {
         &self.incomplete

@@ -46,7 +46,8 @@ fn outline<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) -> String {
     format!("{:?} {turns:?} {branches:?} {circuits:?}", cycle.is_complete())
 }
 
-/// All links of a parallelogram, of a kite or of another linkage with a change point can lie on one line, however short the crank is.
+/// All links of a parallelogram, of a kite or of another linkage with a change point can lie on one line, however short
+/// the crank is.
 #[test]
 fn short_cranks_have_change_points() {
     let mut links = vec![
@@ -147,6 +148,89 @@ fn a_period_does_not_depend_on_the_unit() {
     }
 }
 
+crate::mechanism! {
+    /// A four-bar and a small gear within the loop, which turns half as fast as the crank.
+    struct GearInLoop { pub a: Length, pub b: Length, pub c: Length, pub d: Length, pub gear: Length }
+    input t: Angle;
+    unknown phi: Angle, psi: Angle;
+    a * cis(t) + gear * cis(t / 2) + b * cis(phi) == d + c * cis(psi);
+}
+
+/// A gear that is much smaller than the links has its say in the period.
+#[test]
+fn a_small_gear_doubles_the_period() {
+    for (gear, turns) in [(1e-3, 2.0), (1e-9, 2.0), (1e-12, 2.0), (0.0, 1.0)] {
+        for unit in [1.0, 1e-20, 1e20] {
+            let linkage: GearInLoop = GearInLoop {
+                a: 30.0 * unit,
+                b: 70.0 * unit,
+                c: 60.0 * unit,
+                d: 90.0 * unit,
+                gear: gear * unit,
+            };
+            let cycle = linkage.cycle().unwrap();
+            let period = cycle.period().map(|period| period / core::f64::consts::TAU);
+            assert_eq!(period, Some(turns), "{gear} {unit}");
+            assert!(cycle.is_complete());
+        }
+    }
+}
+
+/// Two blocks that have their limits at the same inputs have change points there, and all four assemblies meet.
+#[test]
+fn limits_of_two_blocks_at_once_are_a_change_point() {
+    let dividers = Pantograph {
+        upper: 2.0,
+        lower: 1.5,
+        factor: 2.5,
+    };
+    for unit in [1.0, 1e-37, 1e41] {
+        let scaled = Pantograph {
+            upper: 2.0 * unit,
+            lower: 1.5 * unit,
+            ..dividers
+        };
+        let cycle = scaled.cycle_along([1.35 * unit, 0.0], [unit, 0.0]).unwrap();
+        assert!(cycle.is_complete(), "{cycle:?}");
+        assert_eq!((cycle.circuits().len(), cycle.branches().len()), (2, 8), "{cycle:?}");
+        for branch in cycle.branches() {
+            for (end, joins) in branch.ends().iter().zip(branch.joins()) {
+                assert_eq!((end.kind, end.block), (EndKind::ChangePoint, "alpha, gamma"));
+                assert_eq!(joins.len(), 3, "{branch:?}");
+            }
+        }
+    }
+    // a second dyad that reaches a little farther than the first one lets it
+    for excess in [1e-3, 1e-6, 1e-9] {
+        let pair: TwoDyads = TwoDyads {
+            a: 2.0,
+            b: 1.5,
+            c: 2.0,
+            d: 1.5 + excess,
+        };
+        let cycle = pair.cycle_over(0.0..=10.0).unwrap();
+        assert!(cycle.is_complete(), "{cycle:?}");
+        assert_eq!(
+            (cycle.circuits().len(), cycle.branches().len()),
+            (2, 4),
+            "{excess} {cycle:?}"
+        );
+        for branch in cycle.branches() {
+            let kinds = branch.ends().map(|end| end.kind);
+            assert_eq!(kinds, [EndKind::Limit; 2], "{excess} {branch:?}");
+        }
+    }
+}
+
+crate::mechanism! {
+    /// Two dyads that span the same distance.
+    struct TwoDyads { pub a: Length, pub b: Length, pub c: Length, pub d: Length }
+    input x: Length;
+    unknown alpha: Angle, beta: Angle, gamma: Angle, delta: Angle;
+    a * cis(alpha) + b * cis(beta) == vec2(x, 0);
+    c * cis(gamma) + d * cis(delta) == vec2(x, 0);
+}
+
 /// Lengths with which no position is solved have no cycle, and the error is that of the solver.
 #[test]
 fn lengths_that_the_solver_refuses_are_an_error() {
@@ -200,7 +284,8 @@ fn rounding_is_a_reason() {
     else {
         panic!("{cycle:?}")
     };
-    let expected = "rounding decides whether theta3, theta4 can be found between the inputs -3.529912 rad (-202.2°) and 2.753273 rad (157.8°)";
+    let expected = "rounding decides whether theta3, theta4 can be found between the inputs -3.529912 rad (-202.2°) \
+                    and 2.753273 rad (157.8°)";
     assert_eq!(format!("{reason}"), expected);
 }
 

@@ -145,8 +145,8 @@ impl Closure {
 
 /// The singular positions of every block. The input is the first of the quantities.
 ///
-/// # Errors
-/// Says if the closure is not algebraic, if an unknown may grow beyond all bounds, if there are too many paths, or if one of them was lost.
+/// # Errors Says if the closure is not algebraic, if an unknown may grow beyond all bounds, if there are too many
+/// paths, or if one of them was lost.
 pub(super) fn singular_positions(
     quantities: &Quantities,
     size: f64,
@@ -358,7 +358,8 @@ fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool 
     }
 }
 
-/// The real solutions of a system for a block, as values of all quantities, of which some are involved, and whether they are multiple.
+/// The real solutions of a system for a block, as values of all quantities, of which some are involved, and whether
+/// they are multiple.
 fn solutions(
     closure: &Closure,
     system: &[ClosurePolynomial],

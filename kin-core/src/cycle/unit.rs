@@ -1,7 +1,8 @@
 //! The unit of length in which a cycle is sought.
 //!
-//! Links of 10⁻⁶⁰ and of 10⁶⁰ have the same cycle. So the search takes a power of two as its unit, in which the largest length lies between a half and
-//! one: every bound and every tolerance then has one size, no square leaves the range of the numbers, and no digit changes.
+//! Links of 10⁻⁶⁰ and of 10⁶⁰ have the same cycle. So the search takes a power of two as its unit, in which the largest
+//! length lies between a half and one: every bound and every tolerance then has one size, no square leaves the range of
+//! the numbers, and no digit changes.
 
 use core::iter;
 
@@ -12,13 +13,15 @@ use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::quantity::{Dimension, Quantity};
 
-/// The factor by which a mechanism is enlarged to see whether its closure has a unit of length: a power of two, so that nothing is rounded.
+/// The factor by which a mechanism is enlarged to see whether its closure has a unit of length: a power of two, so that
+/// nothing is rounded.
 const ENLARGED: f64 = 8.0;
 /// The powers of a length that a row of the closure may have as its dimension.
 const POWERS: core::ops::RangeInclusive<i32> = -4..=4;
 /// The largest difference of a row from what its dimension says.
 const AGREEMENT: f64 = 1e-12;
-/// The factor by which a mechanism is enlarged and reduced to see whether the declared ranges of its lengths have an end besides zero.
+/// The factor by which a mechanism is enlarged and reduced to see whether the declared ranges of its lengths have an
+/// end besides zero.
 const FAR: f64 = 1_099_511_627_776.0;
 /// The number of places at which it is tested.
 const PLACES: u32 = 16;
@@ -28,7 +31,8 @@ const PLACES: u32 = 16;
 pub(super) struct Unit(f64);
 
 impl Unit {
-    /// The unit of a mechanism: that of its declaration if numbers stand for lengths there, so that it cannot be enlarged.
+    /// The unit of a mechanism: that of its declaration if numbers stand for lengths there, so that it cannot be
+    /// enlarged.
     pub(super) fn of<M: Mechanism<Scalar = f64>>(mechanism: &M, from: M::Inputs<f64>) -> Self {
         let description = M::DESCRIPTION;
         let lengths = |quantities: &'static [Quantity], values: &[f64]| {
@@ -82,7 +86,8 @@ impl Unit {
     }
 }
 
-/// The power of two by which a number becomes at least a half and less than one; less than that at the ends of the range of numbers.
+/// The power of two by which a number becomes at least a half and less than one; less than that at the ends of the
+/// range of numbers.
 fn reciprocal_power(value: f64) -> f64 {
     const MOST: i32 = 1000;
     let (_, exponent, _) = value.integer_decode();
@@ -91,8 +96,8 @@ fn reciprocal_power(value: f64) -> f64 {
     Float::powi(2.0, power.clamp(-MOST, MOST))
 }
 
-/// Whether each row of the closure is multiplied by a power of a factor by which all lengths are multiplied, and no declared range of a length
-/// has an end besides zero.
+/// Whether each row of the closure is multiplied by a power of a factor by which all lengths are multiplied, and no
+/// declared range of a length has an end besides zero.
 fn is_homogeneous<M: Mechanism<Scalar = f64>>(mechanism: &M) -> bool {
     let factor = Unit(ENLARGED);
     let enlarged = factor.mechanism(mechanism);
@@ -116,7 +121,8 @@ fn is_homogeneous<M: Mechanism<Scalar = f64>>(mechanism: &M) -> bool {
     fits.as_ref().iter().all(|fits| fits & some != 0) && ranges_have_no_end(mechanism)
 }
 
-/// Whether the same positions lie in the declared ranges of lengths for a mechanism that is much larger, and much smaller.
+/// Whether the same positions lie in the declared ranges of lengths for a mechanism that is much larger, and much
+/// smaller.
 fn ranges_have_no_end<M: Mechanism<Scalar = f64>>(mechanism: &M) -> bool {
     let mut lengths = M::DESCRIPTION
         .unknowns

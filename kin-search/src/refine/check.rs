@@ -40,7 +40,11 @@ pub(super) fn check<M: Mechanism<Scalar = f64>>(
             "the assembly between the inputs {low:.6} and {high:.6}"
         )));
     }
-    if let Some(reason) = cycle.incomplete().iter().find(|reason| matches!(reason, Incomplete::Rounding { .. })) {
+    if let Some(reason) = cycle
+        .incomplete()
+        .iter()
+        .find(|reason| matches!(reason, Incomplete::Rounding { .. }))
+    {
         return Err(undecided(reason.to_string()));
     }
     let inputs = objective.inputs_of(design);

@@ -1,11 +1,11 @@
-//! The unit of length has no say in a cycle: with all lengths multiplied by 10ᵏ, for k from -60 to 60, it has the same circuits, branches,
-//! kinds of ends, labels and flags, and limits at the same inputs.
+//! The unit of length has no say in a cycle: with all lengths multiplied by 10ᵏ, for k from -60 to 60, it has the same
+//! circuits, branches, kinds of ends, labels and flags, and limits at the same inputs.
 
+use kin_core::Dimension;
 use kin_core::cycle::{BlockClass, Branch, Cycle, EndKind, FullCycle, GrashofType};
 use kin_core::library::{
     FourBar, GearedFiveBar, InvertedSliderCrank, OffsetSliderCrank, StephensonI, StephensonIII, WattI, WattII,
 };
-use kin_core::Dimension;
 use kin_core::prelude::*;
 use kin_tests::mechanisms::cases::{self, Case, ThroughSnap, Visitor};
 use kin_tests::random::Random;
@@ -13,8 +13,8 @@ use kin_tests::samples;
 
 /// The largest power of ten.
 const MOST: i32 = 60;
-/// The largest difference of the inputs at the ends of branches, as a part of the range: next to a change point, rounding of the lengths moves a
-/// limit by its root.
+/// The largest difference of the inputs at the ends of branches, as a part of the range: next to a change point,
+/// rounding of the lengths moves a limit by its root.
 const SAME: f64 = 1e-7;
 
 /// What a cycle tells besides numbers, and the inputs at the ends of its branches.
@@ -49,7 +49,12 @@ impl Outline {
                 cycle.period(),
                 cycle.seeds().len()
             ),
-            ends: cycle.branches().iter().flat_map(Branch::ends).map(|end| end.input).collect(),
+            ends: cycle
+                .branches()
+                .iter()
+                .flat_map(Branch::ends)
+                .map(|end| end.input)
+                .collect(),
         }
     }
 
@@ -92,7 +97,13 @@ impl Units {
                 let factor = 10.0_f64.powi(power.abs());
                 if power < 0 { value / factor } else { value * factor }
             };
-            let row = |dimension: Dimension, value: f64| if dimension == Dimension::Length { unit(value) } else { value };
+            let row = |dimension: Dimension, value: f64| {
+                if dimension == Dimension::Length {
+                    unit(value)
+                } else {
+                    value
+                }
+            };
             let parameters = mechanism.parameters();
             let own = M::from_parameters(Row::from_fn(|index| {
                 row(M::DESCRIPTION.parameters[index].dimension, parameters[index])
@@ -137,7 +148,8 @@ impl Units {
         self.compare(mechanism, &[0.0]);
     }
 
-    /// A linkage of whole lengths whose shortest and longest link are together as long as the other two, with a ratio of up to 1 to 10⁶.
+    /// A linkage of whole lengths whose shortest and longest link are together as long as the other two, with a ratio
+    /// of up to 1 to 10⁶.
     fn change_point(&mut self, random: &mut Random) {
         let short = random.between(1.0, 10.0).floor();
         let long = short * 10.0_f64.powf(random.between(0.0, 6.0)).floor();
@@ -175,26 +187,84 @@ impl Units {
         let [p, q] = [(); 2].map(|()| Plane::new(length(-2.0, 2.0), length(-2.0, 2.0)));
         let pivot = Plane::new(length(-5.0, 5.0), length(-5.0, 5.0));
         match index % 40 {
-            0 => self.single(&WattI { r1, r2, r3, r4, p, q, r5, r6 }),
-            1 => self.single(&StephensonI { r1, r2, r3, r4, p, q, r5, r6 }),
-            2 => self.single(&StephensonIII { r1, r2, r3, r4, p, r5, pivot, r6 }),
-            3 => self.single(&WattII { r1, r2, r3, r4, arm: p, pivot, r5, r6 }),
+            0 => self.single(&WattI {
+                r1,
+                r2,
+                r3,
+                r4,
+                p,
+                q,
+                r5,
+                r6,
+            }),
+            1 => self.single(&StephensonI {
+                r1,
+                r2,
+                r3,
+                r4,
+                p,
+                q,
+                r5,
+                r6,
+            }),
+            2 => self.single(&StephensonIII {
+                r1,
+                r2,
+                r3,
+                r4,
+                p,
+                r5,
+                pivot,
+                r6,
+            }),
+            3 => self.single(&WattII {
+                r1,
+                r2,
+                r3,
+                r4,
+                arm: p,
+                pivot,
+                r5,
+                r6,
+            }),
             4 => {
                 let ratio = (length(-3.0, 4.0).floor() + 0.5) * if r6 > 2.0 { 1.0 } else { 2.0 };
-                self.single(&GearedFiveBar { r1, r2, r3, r4, r5, ratio, phase: r6 });
+                self.single(&GearedFiveBar {
+                    r1,
+                    r2,
+                    r3,
+                    r4,
+                    r5,
+                    ratio,
+                    phase: r6,
+                });
             }
-            5..=7 => self.single(&OffsetSliderCrank { r: r1, l: r2, h: r3 - 1.0 }),
+            5..=7 => self.single(&OffsetSliderCrank {
+                r: r1,
+                l: r2,
+                h: r3 - 1.0,
+            }),
             8 => self.single(&InvertedSliderCrank { r1, r2 }),
             9 => self.single(&InvertedSliderCrank { r1, r2: r1 }),
             10..=24 => self.change_point(random),
             25..=29 => {
                 let whole = |value: f64| (3.0 * value).ceil();
-                self.single(&FourBar { r1: whole(r1), r2: whole(r2), r3: whole(r3), r4: whole(r4) });
+                self.single(&FourBar {
+                    r1: whole(r1),
+                    r2: whole(r2),
+                    r3: whole(r3),
+                    r4: whole(r4),
+                });
             }
             30..=34 => {
                 // each length in a unit of its own
                 let own = |value: f64| 10.0_f64.powf(value - 1.5);
-                self.single(&FourBar { r1: own(r1), r2: own(r2), r3: own(r3), r4: own(r4) });
+                self.single(&FourBar {
+                    r1: own(r1),
+                    r2: own(r2),
+                    r3: own(r3),
+                    r4: own(r4),
+                });
             }
             _ => self.single(&FourBar { r1, r2, r3, r4 }),
         }
@@ -216,7 +286,12 @@ fn tell(name: &str, units: &Units) {
         "{name}: {} mechanisms, {} cycles; {} with a change point, {} incomplete",
         units.mechanisms, units.cycles, units.change_points, units.incomplete
     );
-    assert!(units.wrong.is_empty(), "{} wrong:\n{}", units.wrong.len(), units.wrong.join("\n"));
+    assert!(
+        units.wrong.is_empty(),
+        "{} wrong:\n{}",
+        units.wrong.len(),
+        units.wrong.join("\n")
+    );
 }
 
 /// The library at some powers, and random mechanisms.
