@@ -43,6 +43,8 @@ const ROOTS: [f64; 2] = [1.0 / 268_435_456.0, 1.0 / 67_108_864.0];
 /// The largest distance of limits at the same place, as a part of the range: that of some units in the last place of
 /// the lengths.
 const TOGETHER: f64 = 1.0 / 8_796_093_022_208.0;
+/// The largest distance of two ranges in which rounding decides about one place, as a multiple of their widths.
+const BRIDGE: f64 = 8.0;
 /// The largest distance by which an angle may move from the middle of an interval.
 const SWING: f64 = 1.5;
 
@@ -278,7 +280,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         if division.len() <= MOST_SHARED {
             self.division = division;
         }
-        done
+        bridged(done)
     }
 
     /// Adds the pieces of one assembly.
@@ -762,6 +764,26 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         let is_finite = unknowns.as_ref().iter().all(|value| value.is_finite());
         (is_finite && crosses(&differences)).then_some((found, unknowns, which))
     }
+}
+
+/// The intervals, where those that rounding decides are one with others close by, if the assembly closes in between.
+/// How far rounding reaches is not known better than that.
+fn bridged<M: Mechanism<Scalar = f64>>(intervals: Vec<Interval<M>>) -> Vec<Interval<M>> {
+    let mut all: Vec<Interval<M>> = Vec::with_capacity(intervals.len());
+    for own in intervals {
+        let before = all.iter().rposition(|interval| !interval.known.may_close());
+        if own.known == Known::Rounding
+            && let Some(before) = before
+            && all[before].known == Known::Rounding
+            && own.low - all[before].high <= BRIDGE * ((own.high - own.low) + (all[before].high - all[before].low))
+        {
+            all.truncate(before + 1);
+            all[before].high = own.high;
+        } else {
+            all.push(own);
+        }
+    }
+    all
 }
 
 /// Adds a sample at the end of a piece, with angles on the nearest turns.
