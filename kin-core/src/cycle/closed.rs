@@ -70,6 +70,9 @@ struct Interval<M: Mechanism<Scalar = f64>> {
     middle: Option<M::Unknowns<f64>>,
 }
 
+/// A place at which two assemblies cross, the unknowns there, and the index of the other assembly.
+type Crossing<M> = (f64, <M as Mechanism>::Unknowns<f64>, usize);
+
 /// The end of a piece at a node. A part that turns freely there may have another direction than in the node.
 #[derive(Clone, Copy)]
 struct PieceEnd<M: Mechanism<Scalar = f64>> {
@@ -603,28 +606,27 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
         let block = self.doubtful_block(low - slack, high + slack, assembly);
         let crossing = self.crossing(index, assembly, middle, reach);
-        let (s, unknowns, block, other) = match crossing.filter(|(s, ..)| is_inside(*s)) {
-            Some((s, unknowns, other)) => (s, unknowns, block, other),
-            None => {
-                let unknowns = self.solved(start, assembly)?;
-                let (from, to) = (self.line.inputs(start), self.line.inputs(end));
-                match track(self.mechanism, from, unknowns, to) {
-                    Ok(_) => {
-                        if is_rounding {
-                            self.note_rounding(block, [low, high]);
-                        }
-                        return None;
+        let (s, unknowns, block, other) = if let Some((s, unknowns, other)) = crossing.filter(|(s, ..)| is_inside(*s)) {
+            (s, unknowns, block, other)
+        } else {
+            let unknowns = self.solved(start, assembly)?;
+            let (from, to) = (self.line.inputs(start), self.line.inputs(end));
+            match track(self.mechanism, from, unknowns, to) {
+                Ok(_) => {
+                    if is_rounding {
+                        self.note_rounding(block, [low, high]);
                     }
-                    Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
-                        self.line.place(obstacle.inputs),
-                        obstacle.unknowns,
-                        obstacle.block,
-                        index,
-                    ),
-                    Err(_) => {
-                        self.undecided(index, low, high);
-                        (middle, unknowns, "", index)
-                    }
+                    return None;
+                }
+                Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
+                    self.line.place(obstacle.inputs),
+                    obstacle.unknowns,
+                    obstacle.block,
+                    index,
+                ),
+                Err(_) => {
+                    self.undecided(index, low, high);
+                    (middle, unknowns, "", index)
                 }
             }
         };
@@ -696,16 +698,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     ///
     /// It is found from places as far away as another limit allows, and from closer ones as long as these differ: next
     /// to another limit, the assemblies are no smooth functions of the input.
-    fn crossing(
-        &self,
-        index: usize,
-        assembly: M::Assembly,
-        s: f64,
-        reach: f64,
-    ) -> Option<(f64, M::Unknowns<f64>, usize)> {
+    fn crossing(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<Crossing<M>> {
         let tolerance = SETTLED * (self.line.high - self.line.low);
-        let mut best: Option<(f64, (f64, M::Unknowns<f64>, usize))> = None;
-        let mut before: Option<(f64, M::Unknowns<f64>, usize)> = None;
+        let mut best: Option<(f64, Crossing<M>)> = None;
+        let mut before: Option<Crossing<M>> = None;
         for halving in 0..8 {
             let found = self.crossing_within(index, assembly, s, reach * Float::powi(0.5, halving));
             if let (Some(before), Some(found)) = (before, found) {
@@ -727,13 +723,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     ///
     /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the crossing, is a smooth
     /// function with a simple zero, which inverse interpolation finds from places where the difference has all its digits.
-    fn crossing_within(
-        &self,
-        index: usize,
-        assembly: M::Assembly,
-        s: f64,
-        reach: f64,
-    ) -> Option<(f64, M::Unknowns<f64>, usize)> {
+    fn crossing_within(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<Crossing<M>> {
         let places = around(s, reach);
         let own = places.map(|place| self.solved(place, assembly));
         let first = own[CROSSING / 2]?;

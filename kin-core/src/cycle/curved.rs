@@ -183,6 +183,10 @@ impl Mul for Curved {
 impl Div for Curved {
     type Output = Self;
 
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "a quotient is a product with the reciprocal"
+    )]
     fn div(self, other: Self) -> Self {
         self * other.inverse()
     }

@@ -26,7 +26,8 @@ pub(super) struct SingularPlace {
 
 /// All limits over the range of a line, in ascending order, whether or not the blocks close that are solved later.
 ///
-/// # Errors Says if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if
+/// # Errors
+/// Says if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if
 /// there are too many paths, or if one of them was lost.
 pub(super) fn limits<M: Mechanism<Scalar = f64>>(
     mechanism: &M,

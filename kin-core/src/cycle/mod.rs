@@ -93,8 +93,9 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// A plain number, and an angle with which the closure does not repeat itself within twelve turns, is taken from -π to π:
     /// [`cycle_over`](Self::cycle_over) takes another range.
     ///
-    /// # Errors An error if a parameter is not finite, and that of the solver if it refuses the lengths, because they
-    /// are too large or too small.
+    /// # Errors
+    /// An error if a parameter is not finite, and that of the solver if it refuses the lengths, because they are too
+    /// large or too small.
     fn cycle(&self) -> Result<Cycle<Self>, SolveError>
     where
         Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
@@ -360,7 +361,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// has its own unit.
     fn refusal(&self) -> Option<SolveError> {
         let refused = |error: SolveError| matches!(error.failure, Failure::NotFinite { .. }).then_some(error);
-        let middles = self.branches.iter().filter_map(|branch| {
+        let mut middles = self.branches.iter().filter_map(|branch| {
             let (s, unknowns) = branch.samples.get(branch.samples.len() / 2)?;
             let inputs = self.line.inputs(*s);
             let solved = match branch.assembly {
@@ -370,11 +371,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             solved.err()
         });
         if !self.branches.is_empty() {
-            return middles.filter_map(refused).next();
+            return middles.find_map(refused);
         }
         let inputs = self.line.inputs(0.5 * (self.line.low + self.line.high));
-        let solved = M::assemblies().map(|assembly| self.mechanism.solve_position(inputs, assembly));
-        solved.filter_map(|solved| refused(solved.err()?)).next()
+        let mut solved = M::assemblies().map(|assembly| self.mechanism.solve_position(inputs, assembly));
+        solved.find_map(|solved| refused(solved.err()?))
     }
 
     /// The circuits.

@@ -129,13 +129,13 @@ fn a_near_miss_is_no_change_point() {
 #[test]
 fn a_period_does_not_depend_on_the_unit() {
     let linkage = |unit: f64| GearedFiveBar {
-        r1: 1.1363485170703717 * unit,
-        r2: 1.2032581237306507 * unit,
-        r3: 0.9083701116039982 * unit,
-        r4: 0.9606213440676043 * unit,
-        r5: 1.1790052018617555 * unit,
+        r1: 1.136_348_517_070_371_7 * unit,
+        r2: 1.203_258_123_730_650_7 * unit,
+        r3: 0.908_370_111_603_998_2 * unit,
+        r4: 0.960_621_344_067_604_3 * unit,
+        r5: 1.179_005_201_861_755_5 * unit,
         ratio: -1.5,
-        phase: 1.9338217301847695,
+        phase: 1.933_821_730_184_769_5,
     };
     let expected = outline(&linkage(1.0).cycle().unwrap());
     assert!(expected.starts_with("true Some(2.0)"), "{expected}");

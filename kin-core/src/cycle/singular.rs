@@ -145,8 +145,9 @@ impl Closure {
 
 /// The singular positions of every block. The input is the first of the quantities.
 ///
-/// # Errors Says if the closure is not algebraic, if an unknown may grow beyond all bounds, if there are too many
-/// paths, or if one of them was lost.
+/// # Errors
+/// Says if the closure is not algebraic, if an unknown may grow beyond all bounds, if there are too many paths, or
+/// if one of them was lost.
 pub(super) fn singular_positions(
     quantities: &Quantities,
     size: f64,
