@@ -14,7 +14,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::series::Series;
 use crate::number::{Number, Row};
-use crate::quantity::{Digits, Dimension, Quantity};
+use crate::quantity::{Digits, Quantity};
 use crate::track::track;
 
 /// The number of places of a branch between which extremes are sought.
@@ -207,10 +207,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             value: input,
             low,
             high,
-            is_angle: M::DESCRIPTION
-                .inputs
-                .iter()
-                .all(|input| input.dimension == Dimension::Angle),
+            is_angle: self.line.is_angle(),
         })
     }
 

@@ -67,11 +67,8 @@ mod tests {
         assert_eq!(text.matches("if !").count(), 3);
         let words: Vec<&str> = text.split(|letter: char| !letter.is_alphanumeric()).collect();
         for field in &fields {
-            assert_eq!(
-                words.iter().filter(|word| **word == field.to_string()).count(),
-                2,
-                "{field}"
-            );
+            let name = field.to_string();
+            assert_eq!(words.iter().filter(|word| **word == name).count(), 2, "{field}");
         }
     }
 }

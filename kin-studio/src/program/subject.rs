@@ -71,8 +71,8 @@ pub(crate) struct Reached {
 /// All circuits and branches.
 #[derive(Clone, Debug)]
 pub(crate) struct CycleOf {
-    /// Whether it is proved that there is no other branch.
-    pub(crate) is_complete: bool,
+    /// The reasons why there may be other branches, each a clause.
+    pub(crate) incomplete: Vec<String>,
     /// The circuits.
     pub(crate) circuits: Vec<CircuitOf>,
     /// What Grashof, Barker and others call the blocks.
@@ -432,7 +432,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
         let forms = mechanism.block_forms();
         let classes = M::DESCRIPTION.blocks.iter().zip(forms.as_ref());
         Ok(CycleOf {
-            is_complete: cycle.is_complete(),
+            incomplete: cycle.incomplete().iter().map(ToString::to_string).collect(),
             circuits: circuits.collect(),
             classes: classes
                 .filter_map(|(block, form)| Some((block.unknowns, BlockClass::of(form)?)))

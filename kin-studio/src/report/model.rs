@@ -160,6 +160,9 @@ pub enum Argument {
 pub struct Cycle {
     /// Whether it is proved that there is no other branch.
     pub complete: bool,
+    /// The reasons why there may be other branches, each a clause.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub incomplete: Vec<String>,
     /// The circuits.
     pub circuits: Vec<Circuit>,
     /// The branches.

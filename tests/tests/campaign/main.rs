@@ -22,6 +22,7 @@ mod topologies;
 mod topology;
 mod trees;
 mod unit;
+mod units;
 
 use checks::{Size, run};
 use engine::Of;

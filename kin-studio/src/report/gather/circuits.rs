@@ -34,6 +34,7 @@ pub(super) fn of<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, mov
     });
     model::Cycle {
         complete: cycle.is_complete(),
+        incomplete: cycle.incomplete().iter().map(ToString::to_string).collect(),
         circuits: circuits.collect(),
         branches: branches.collect(),
     }
