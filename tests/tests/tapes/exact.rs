@@ -63,6 +63,8 @@ fn places(table: &ExactTable) -> Vec<[f64; 2]> {
         })
         .collect();
     places.extend([[low, 1.0], [high, 1.0], [low, 0.0]]);
+    // as far as a part of a period can be told, and further
+    places.extend([1e9, -1e12, 1e14, 1e300, -f64::MAX].map(|at| [at, 1.0]));
     places.extend(table.parts().rows.iter().map(|row| [row[0], 2.0]));
     places
 }
