@@ -37,7 +37,13 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
 /// smallest](Number::SMALLEST) divisor.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
-    let smallest = T::constant(T::SMALLEST);
+    least_from(T::SMALLEST, size)
+}
+
+/// The smallest number above `smallest` that decides, if it is a sum of terms of the given size.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> T {
+    let smallest = T::constant(smallest);
     if T::DOUBT == 0.0 {
         return smallest;
     }
@@ -191,7 +197,7 @@ mod tests {
         leaves_the_second(
             1.0 * unit,
             5.0 * unit,
-            |c| cosine_sine(long(3.0), long(4.0), c, open).unwrap(),
+            |c| cosine_sine(long(3.0), long(4.0), c, long(7.0), open).unwrap(),
             |r| r.x,
         );
         leaves_the_second(

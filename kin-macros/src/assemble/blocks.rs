@@ -232,7 +232,15 @@ impl Builder<'_> {
                 self.turn_vector(*unknown, *radius, ComplexNode::new(found, known));
             }
             ClosedForm::CosineSine { unknown, a, b, c } => {
-                let arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
+                let sizes = [*a, *b].map(|node| self.graph.amplitude(node));
+                let size = match sizes {
+                    [Some(a), Some(b)] => a + b,
+                    // nothing is known of lengths
+                    _ => 0.0,
+                };
+                let size = self.graph.number(size);
+                let arguments = [*a, *b, *c].map(|node| self.known(node)).into_iter().chain([size]);
+                let arguments = arguments.map(FormArgument::Scalar).collect();
                 let ([x, y], unit) = self.fresh_plane(&self.unknown_name(*unknown));
                 self.solve(Solver::CosineSine, arguments, vec![x, y]);
                 self.turn(*unknown, unit);
