@@ -2,6 +2,7 @@
 //!
 //! [`main`] makes a program of one's own mechanism, [`library`] is the binary `kin`.
 
+mod advice;
 mod case;
 mod command;
 mod fault;
@@ -127,12 +128,17 @@ fn completions(command: &mut Command, name: &str, matches: &clap::ArgMatches) ->
 }
 
 /// Help and the version go to the output and are no mistake.
-fn parsed(command: &Command, arguments: Vec<OsString>) -> Result<clap::ArgMatches, Fault> {
-    command.clone().try_get_matches_from(arguments).map_err(|error| {
+fn parsed(command: &Command, arguments: &[OsString], has_library: bool) -> Result<clap::ArgMatches, Fault> {
+    command.clone().try_get_matches_from(arguments).or_else(|error| {
         let code = match error.kind() {
             ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => 0,
             _ => 2,
         };
+        if code != 0
+            && let Some(advice) = advice::advice(arguments, has_library)
+        {
+            return Err(Fault::wrong(advice));
+        }
         // a closed output is no reason to fail
         let _ = error.print();
         std::process::exit(code)
@@ -150,7 +156,7 @@ fn run_own(subject: &dyn Subject, name: &str, arguments: Vec<OsString>, told: &T
     let about = format!("The mechanism {}", subject.description().name);
     let command = completed(Task::augment_subcommands(base(name)).about(about), name);
     let mut command = command::with_examples(command, name, "").bin_name(name);
-    let matches = parsed(&command, arguments)?;
+    let matches = parsed(&command, &arguments, false)?;
     if let Some(("completions", matches)) = matches.subcommand() {
         return completions(&mut command, name, matches);
     }
@@ -160,7 +166,7 @@ fn run_own(subject: &dyn Subject, name: &str, arguments: Vec<OsString>, told: &T
 
 fn run_library(all: &[Entry], arguments: Vec<OsString>) -> Result<ExitCode, Fault> {
     let mut command = library_command();
-    let matches = parsed(&command, arguments)?;
+    let matches = parsed(&command, &arguments, true)?;
     match matches.subcommand() {
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
         Some(("list", _)) => tasks::list(all).map(|()| ExitCode::SUCCESS),
@@ -172,7 +178,10 @@ fn run_library(all: &[Entry], arguments: Vec<OsString>) -> Result<ExitCode, Faul
         }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
-            let subject = find(all, wanted)?;
+            let subject = match (find(all, wanted), advice::advice(&arguments, true)) {
+                (Err(_), Some(advice)) => return Err(Fault::wrong(advice)),
+                (found, _) => found?,
+            };
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
             tasks::run(subject, &task, &Told::default()).map(|()| ExitCode::SUCCESS)
         }
