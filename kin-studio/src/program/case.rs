@@ -443,7 +443,8 @@ fn several(text: &str) -> Fault {
             _ => parts.push(part.trim().to_owned()),
         }
     }
-    let options: Vec<String> = parts.iter().map(|part| format!("--set {part}")).collect();
+    let quoted = |part: &String| if part.contains('(') { format!("'{part}'") } else { part.clone() };
+    let options: Vec<String> = parts.iter().map(|part| format!("--set {}", quoted(part))).collect();
     Fault::wrong(format!(
         "`{text}` has several dimensions: write `--set` in front of each, as in `{}`",
         options.join(" ")

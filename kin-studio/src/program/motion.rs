@@ -92,15 +92,15 @@ impl InputMotion {
     pub(crate) fn read(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<Self, String> {
         let text = text.trim();
         if !text.contains("..") {
+            if let Some(message) = other_range(dimension, text) {
+                return Err(message);
+            }
             if text.contains(" at ") || text.contains(" by ") {
                 return Err(format!(
                     "`{text}` has a speed or a law, and no range: write it as in `0..360deg at 60rpm`"
                 ));
             }
-            return match other_range(dimension, text) {
-                Some(message) => Err(message),
-                None => value::quantity(dimension, text, lengths).map(Self::Stands),
-            };
+            return value::quantity(dimension, text, lengths).map(Self::Stands);
         }
         if let Some(message) = bare_speed(text) {
             return Err(message);
