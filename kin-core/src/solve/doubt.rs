@@ -197,7 +197,7 @@ mod tests {
         leaves_the_second(
             1.0 * unit,
             5.0 * unit,
-            |c| cosine_sine(long(3.0), long(4.0), c, long(7.0), open).unwrap(),
+            |c| cosine_sine(long(3.0), long(4.0), c, 7.0 * unit, open).unwrap(),
             |r| r.x,
         );
         leaves_the_second(

@@ -238,9 +238,8 @@ impl Builder<'_> {
                     // nothing is known of lengths
                     _ => 0.0,
                 };
-                let size = self.graph.number(size);
-                let arguments = [*a, *b, *c].map(|node| self.known(node)).into_iter().chain([size]);
-                let arguments = arguments.map(FormArgument::Scalar).collect();
+                let mut arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
+                arguments.push(FormArgument::Known(size));
                 let ([x, y], unit) = self.fresh_plane(&self.unknown_name(*unknown));
                 self.solve(Solver::CosineSine, arguments, vec![x, y]);
                 self.turn(*unknown, unit);

@@ -40,17 +40,17 @@ export function createSliders(place, model, given, changed) {
     field.addEventListener("blur", () => {
       if (!isTaken(entry, field.value)) {
         field.value = String(Number(Number(slider.value).toPrecision(8)));
-        tell(caution, "");
+        tell(caution, cautionOf(entry, field.value, valueIn(given, entry), ""));
       }
     });
     const [low, high] = boundsOf(entry, valueIn(given, entry), size);
-    return { entry, slider, field, unit, box, low, high, factor };
+    return { entry, slider, field, unit, caution, box, low, high, factor };
   });
   return {
     /** @param {import("./model.mjs").Design} design @param {boolean} inDegrees */
     show(design, inDegrees) {
       degrees = inDegrees;
-      for (const { entry, slider, field, unit, box, low, high, factor } of entries) {
+      for (const { entry, slider, field, unit, caution, box, low, high, factor } of entries) {
         const value = valueIn(design, entry) * factor();
         slider.min = String(low * factor());
         slider.max = String(high * factor());
@@ -58,6 +58,7 @@ export function createSliders(place, model, given, changed) {
         const text = String(Number(value.toPrecision(8)));
         if (document.activeElement !== field) {
           field.value = text;
+          tell(caution, cautionOf(entry, text, valueIn(given, entry), ""));
         }
         unit.textContent = unitText(entry.dimension, entry.order, model.units, degrees);
         slider.setAttribute("aria-valuetext", `${numberText(value)} ${unit.textContent}`);

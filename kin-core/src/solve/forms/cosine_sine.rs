@@ -35,10 +35,10 @@ const ROUNDING: f64 = 8.0;
 /// # Ok::<(), kin_core::Failure>(())
 /// ```
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: T, assembly: Assembly) -> Result<Plane<T>, Failure> {
+pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -> Result<Plane<T>, Failure> {
     let rho2 = a * a + b * b;
     let q2 = rho2 - c * c;
-    let noise = ROUNDING * T::EPSILON * size.real();
+    let noise = ROUNDING * T::EPSILON * size;
     let reach = Reach {
         q2,
         least: least_from((noise * noise).max(T::SMALLEST), || rho2),
@@ -46,7 +46,7 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: T, assembly: Assembly) -> 
         c,
     };
     let Some((_, q)) = q2.rooted(reach) else {
-        return Err(T::refused(|| no_angle([a, b, c].map(T::real), noise, T::EPSILON)));
+        return Err(T::refused(|| no_angle([a.real(), b.real(), c.real()], noise, T::EPSILON)));
     };
     let inverse = T::constant(1.0) / rho2;
     let cosine = c * inverse;
