@@ -119,7 +119,10 @@ fn assemblies_of_coupled_blocks_lie_in_the_range() {
     let start = [3.4, b, c];
     let cycle = triad.cycle_along([0.0, b, c], [1.0, 0.0, 0.0]).unwrap();
     let of = |range: [f64; 2]| {
-        let report = kin_studio::report(&triad).at(start).moving("a").range(range[0]..=range[1]);
+        let report = kin_studio::report(&triad)
+            .at(start)
+            .moving("a")
+            .range(range[0]..=range[1]);
         report.report().unwrap()
     };
     for range in [[3.0, 6.5], [6.9, 7.0]] {
@@ -129,7 +132,10 @@ fn assemblies_of_coupled_blocks_lie_in_the_range() {
             low < range[1] && range[0] < high
         };
         let inside = cycle.branches().iter().filter(reaches).count();
-        assert!(report.assemblies.len() >= inside && report.assemblies.len() <= inside + 1, "{range:?}");
+        assert!(
+            report.assemblies.len() >= inside && report.assemblies.len() <= inside + 1,
+            "{range:?}"
+        );
         let mut found: Vec<[f64; 4]> = Vec::new();
         for (index, assembly) in report.assemblies.iter().enumerate() {
             let at = assembly.at.unwrap();
@@ -146,7 +152,8 @@ fn assemblies_of_coupled_blocks_lie_in_the_range() {
             // brought to the same place, no two are the same
             let there = track(&triad, [at, b, c], position, [0.5 * (range[0] + range[1]), b, c]);
             if let Ok(there) = there {
-                let is_new = |other: &[f64; 4]| other.iter().zip(there).any(|(one, own)| (one - own).sin().abs() > 1e-6);
+                let is_new =
+                    |other: &[f64; 4]| other.iter().zip(there).any(|(one, own)| (one - own).sin().abs() > 1e-6);
                 assert!(found.iter().all(is_new), "{range:?}: {index}");
                 found.push(there);
             }

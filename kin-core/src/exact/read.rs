@@ -141,7 +141,10 @@ impl<'b> ExactTableRef<'b> {
         if stored != found {
             return Err(ReadError::Checksum { stored, found });
         }
-        if bytes[HEAD..][length as usize..(length as usize).next_multiple_of(WORD)].iter().any(|byte| *byte != 0) {
+        if bytes[HEAD..][length as usize..(length as usize).next_multiple_of(WORD)]
+            .iter()
+            .any(|byte| *byte != 0)
+        {
             return contradiction("the bytes behind its names are not zero");
         }
         let Ok(text) = core::str::from_utf8(&bytes[HEAD..HEAD + length as usize]) else {

@@ -181,7 +181,10 @@ fn bytes_behind_names_are_zero() {
         assert_eq!(bytes[place], 0);
         bytes[place] = 1;
         resum(&mut bytes);
-        assert!(matches!(ExactTable::from_bytes(bytes), Err(ReadError::Contradiction { .. })));
+        assert!(matches!(
+            ExactTable::from_bytes(bytes),
+            Err(ReadError::Contradiction { .. })
+        ));
     }
 }
 

@@ -363,7 +363,10 @@ impl<'a> JavaScriptModule<'a> {
     fn opening(&mut self) {
         let parameters = names(&self.signature.parameters);
         if !parameters.is_empty() {
-            self.line(1, &format!("const {{ {} }} = parameters ?? {{}};", parameters.join(", ")));
+            self.line(
+                1,
+                &format!("const {{ {} }} = parameters ?? {{}};", parameters.join(", ")),
+            );
         }
         let mut numbers = parameters.clone();
         let mut tests = Vec::new();
@@ -376,7 +379,10 @@ impl<'a> JavaScriptModule<'a> {
         for (name, orders) in &inputs {
             let rates = (1..*orders).map(|order| format!("{name}${order}"));
             let defaults: Vec<String> = rates.clone().map(|rate| format!(", {rate} = 0")).collect();
-            self.line(1, &format!("const [{name}{}] = kinMotion(inputs?.{name});", defaults.concat()));
+            self.line(
+                1,
+                &format!("const [{name}{}] = kinMotion(inputs?.{name});", defaults.concat()),
+            );
             numbers.push(name.clone());
             numbers.extend(rates);
         }
@@ -386,7 +392,11 @@ impl<'a> JavaScriptModule<'a> {
         }
         let choices = names(&self.signature.assemblies);
         for name in &choices {
-            let place = if choices.len() == 1 { String::new() } else { format!("?.{name}") };
+            let place = if choices.len() == 1 {
+                String::new()
+            } else {
+                format!("?.{name}")
+            };
             self.line(1, &format!("const {name}$near = assembly{place};"));
             tests.push(format!("({name}$near === OPEN || {name}$near === CROSSED)"));
         }

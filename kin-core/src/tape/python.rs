@@ -311,7 +311,10 @@ impl Tape {
 
 /// The line that refuses other names than these.
 fn named(what: &str, entries: &[SignatureEntry]) -> String {
-    let names: Vec<String> = entries.iter().map(|entry| format!("{}, ", quoted(&entry.name))).collect();
+    let names: Vec<String> = entries
+        .iter()
+        .map(|entry| format!("{}, ", quoted(&entry.name)))
+        .collect();
     format!("_named(\"{what}\", {what}, ({}))", names.concat().trim_end())
 }
 
@@ -360,7 +363,10 @@ impl<'a> PythonModule<'a> {
             }
         }
         read.sort();
-        for (what, entries) in [("parameters", &self.signature.parameters), ("inputs", &self.signature.inputs)] {
+        for (what, entries) in [
+            ("parameters", &self.signature.parameters),
+            ("inputs", &self.signature.inputs),
+        ] {
             let line = named(what, entries);
             self.body.line(1, &line);
         }

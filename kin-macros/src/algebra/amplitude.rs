@@ -9,9 +9,11 @@ impl Graph {
         match self.kind(node) {
             NodeKind::Number(number) => Some(number.get().abs()),
             NodeKind::Call(Function::Sin | Function::Cos, _) => Some(1.0),
-            NodeKind::Sum(constant, terms) => terms.iter().try_fold(constant.get().abs(), |sum, (term, coefficient)| {
-                Some(sum + coefficient.get().abs() * self.amplitude(*term)?)
-            }),
+            NodeKind::Sum(constant, terms) => {
+                terms.iter().try_fold(constant.get().abs(), |sum, (term, coefficient)| {
+                    Some(sum + coefficient.get().abs() * self.amplitude(*term)?)
+                })
+            }
             NodeKind::Product(factors) => factors.iter().try_fold(1.0, |product, &(factor, exponent)| {
                 (exponent > 0).then_some(())?;
                 Some(product * self.amplitude(factor)?.powi(exponent))

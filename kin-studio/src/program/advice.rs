@@ -58,7 +58,12 @@ fn is_step(word: &str) -> bool {
 }
 
 fn is_value(word: &str) -> bool {
-    let is_name = |name: &str| !name.is_empty() && name.chars().all(|letter| letter.is_alphanumeric() || "_.".contains(letter));
+    let is_name = |name: &str| {
+        !name.is_empty()
+            && name
+                .chars()
+                .all(|letter| letter.is_alphanumeric() || "_.".contains(letter))
+    };
     word.split_once('=').is_some_and(|(name, _)| is_name(name))
 }
 

@@ -244,7 +244,11 @@ impl Typed {
         for text in &self.over {
             if let Some(index) = place_of(inputs, text.trim()) {
                 let Quantity { name, dimension, .. } = inputs[index];
-                let range = if dimension == Dimension::Angle { "0..360deg" } else { "10..60" };
+                let range = if dimension == Dimension::Angle {
+                    "0..360deg"
+                } else {
+                    "10..60"
+                };
                 return Err(Fault::wrong(format!(
                     "`{name}` has no range: write `--over {name}={range}`"
                 )));
@@ -443,7 +447,13 @@ fn several(text: &str) -> Fault {
             _ => parts.push(part.trim().to_owned()),
         }
     }
-    let quoted = |part: &String| if part.contains('(') { format!("'{part}'") } else { part.clone() };
+    let quoted = |part: &String| {
+        if part.contains('(') {
+            format!("'{part}'")
+        } else {
+            part.clone()
+        }
+    };
     let options: Vec<String> = parts.iter().map(|part| format!("--set {}", quoted(part))).collect();
     Fault::wrong(format!(
         "`{text}` has several dimensions: write `--set` in front of each, as in `{}`",
@@ -587,7 +597,10 @@ mod tests {
         set[1] = "left=-2";
         set[3] = "right_rod=0";
         let remarks = typed(&set, &[]).remarks(&subject);
-        assert!(remarks[0].contains("`left` is negative") && remarks[1].contains("`right_rod` is zero"), "{remarks:?}");
+        assert!(
+            remarks[0].contains("`left` is negative") && remarks[1].contains("`right_rod` is zero"),
+            "{remarks:?}"
+        );
         // coordinates and plain numbers are what they are
         let subject = bare::<Pantograph>();
         let set = typed(&["upper=3", "lower=3", "factor=-2"], &[]);

@@ -192,12 +192,19 @@ fn other_range(dimension: Dimension, text: &str) -> Option<String> {
     let rest = signs.into_iter().find_map(|sign| behind.strip_prefix(sign))?;
     let (to, unit) = value::split(rest).ok()?;
     let has_step = unit.starts_with(':');
-    let unit: String = unit.chars().take_while(|letter| letter.is_alphabetic() || *letter == '°').collect();
+    let unit: String = unit
+        .chars()
+        .take_while(|letter| letter.is_alphabetic() || *letter == '°')
+        .collect();
     let unit = match dimension {
         Dimension::Angle if unit.is_empty() => "deg",
         _ => unit.as_str(),
     };
-    let rows = if has_step { ", and `--rows` says how many rows there are" } else { "" };
+    let rows = if has_step {
+        ", and `--rows` says how many rows there are"
+    } else {
+        ""
+    };
     Some(format!(
         "`{text}` is no range: a range has two dots, as in `{from}..{to}{unit}`{rows}"
     ))

@@ -386,7 +386,10 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
             let open = table.rows().find(|row| !row.outcome().is_solved());
             return open.map_or(Ok(()), |row| {
                 let at = table.variable().values[row.index()];
-                Err(Fault::open(format!("the mechanism does not close at {} s", text::digits(at))))
+                Err(Fault::open(format!(
+                    "the mechanism does not close at {} s",
+                    text::digits(at)
+                )))
             });
         }
         let mechanism = Self::mechanism(&case.parameters);

@@ -198,7 +198,11 @@ pub(crate) fn table(columns: &[Column]) -> String {
             let gap = if row.is_empty() { "" } else { "  " };
             // the width of a format is at most 65 535, and a name may be longer
             let blank = " ".repeat(width - cell.chars().count());
-            let [before, behind] = if column.is_number { [blank.as_str(), ""] } else { ["", blank.as_str()] };
+            let [before, behind] = if column.is_number {
+                [blank.as_str(), ""]
+            } else {
+                ["", blank.as_str()]
+            };
             row.extend([gap, before, cell, behind]);
         }
         text.push_str(row.trim_end());
@@ -233,7 +237,10 @@ mod tests {
         assert_eq!(fitting(&[column(), column(), column()], 20), 2);
         assert_eq!(fitting(&[column()], 4), 1);
         let long = "x".repeat(70_000);
-        let columns = [Column::words(&long, vec!["1".to_owned()]), Column::numbers("y", vec!["2".to_owned()])];
+        let columns = [
+            Column::words(&long, vec!["1".to_owned()]),
+            Column::numbers("y", vec!["2".to_owned()]),
+        ];
         assert_eq!(table(&columns).lines().last().map(str::len), Some(70_003));
     }
 }

@@ -24,10 +24,16 @@ fn what_does_not_close_is_told_by_every_command() {
         ("sweep four_bar SWINGS --json b.json", 1),
         // all rows close, and there is a gap between them
         ("sweep four_bar SWINGS --over -10..370deg --rows 2", 1),
-        ("sweep four_bar SWINGS --over -10..370deg --rows 2 --law cycloidal --time 1s", 1),
+        (
+            "sweep four_bar SWINGS --over -10..370deg --rows 2 --law cycloidal --time 1s",
+            1,
+        ),
         ("sweep four_bar --set r1=900", 1),
         // branches cross there, and the rows beside close
-        ("sweep four_bar --set r2=90 --set r3=90 --set r4=90 --over 10..350deg --rows 2", 0),
+        (
+            "sweep four_bar --set r2=90 --set r3=90 --set r4=90 --over 10..350deg --rows 2",
+            0,
+        ),
         ("sweep universal_joint --set beta=90deg --rows 5", 1),
         ("cycle four_bar SWINGS", 0),
         ("cycle four_bar --set r1=900", 1),
@@ -52,7 +58,10 @@ fn what_does_not_close_is_told_by_every_command() {
     }
     // what was written is good, and said so
     for file in ["b.csv", "b.json", "c.html"] {
-        assert!(std::fs::metadata(folder.path().join(file)).unwrap().len() > 1000, "{file}");
+        assert!(
+            std::fs::metadata(folder.path().join(file)).unwrap().len() > 1000,
+            "{file}"
+        );
     }
     assert!(!folder.path().join("d.html").exists());
     let told = typed_in(&folder, &format!("kin sweep four_bar {SWINGS} --csv b.csv"));
@@ -74,7 +83,9 @@ fn a_singular_joint_has_no_rates() {
 fn the_example_in_c_tells_what_it_cannot_read() {
     use std::io::Write as _;
     use std::process::Stdio;
-    let Ok(_) = Command::new("cc").arg("--version").output() else { return };
+    let Ok(_) = Command::new("cc").arg("--version").output() else {
+        return;
+    };
     let folder = Folder::new("example");
     assert!(kin(&folder).args(["code", "four_bar", "c"]).status().unwrap().success());
     let built = Command::new("cc")
@@ -85,10 +96,20 @@ fn the_example_in_c_tells_what_it_cannot_read() {
     assert!(built.success());
     for (input, code, out, message) in [
         ("90 30 80 70 1 1 0 0 0 1\n", 0, "theta3 ", ""),
-        ("90 30 80 70 1\n", 1, "", "a pose takes 10 numbers, and the last one has 5"),
+        (
+            "90 30 80 70 1\n",
+            1,
+            "",
+            "a pose takes 10 numbers, and the last one has 5",
+        ),
         ("90 30 80 70 1 1 0 0 0 open\n", 1, "", "the last one has 9"),
         ("90 30 80 70 1 1 0 0 0 1\n45", 1, "theta3 ", "the last one has 1"),
-        ("90 30 80 70 1 1 0 0 0 0\n", 0, "-1: an assembly is neither 1 nor -1", ""),
+        (
+            "90 30 80 70 1 1 0 0 0 0\n",
+            0,
+            "-1: an assembly is neither 1 nor -1",
+            "",
+        ),
         ("", 0, "", ""),
     ] {
         let mut child = Command::new(folder.path().join("four_bar"))
@@ -101,7 +122,13 @@ fn the_example_in_c_tells_what_it_cannot_read() {
         let output = child.wait_with_output().unwrap();
         let [own, told] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
         assert_eq!(output.status.code(), Some(code), "{input}: {own}{told}");
-        assert!(own.starts_with(out) && own.is_empty() == out.is_empty(), "{input}: {own}");
-        assert!(told.contains(message) && told.is_empty() == message.is_empty(), "{input}: {told}");
+        assert!(
+            own.starts_with(out) && own.is_empty() == out.is_empty(),
+            "{input}: {own}"
+        );
+        assert!(
+            told.contains(message) && told.is_empty() == message.is_empty(),
+            "{input}: {told}"
+        );
     }
 }

@@ -121,9 +121,15 @@ fn mistakes_in_kin_files_have_places() {
     // without any of them, the first line is told
     folder.write("wiper.kin", &right.replace(';', ""));
     let told = typed_in(&folder, "kin run wiper.kin report");
-    assert!(told.contains("a statement ends with `;`") && told.contains("wiper.kin:4:14\n"), "{told}");
+    assert!(
+        told.contains("a statement ends with `;`") && told.contains("wiper.kin:4:14\n"),
+        "{told}"
+    );
     // a line that is longer than formats are wide
     folder.write("wiper.kin", &format!("kin 1\n//{}", "a".repeat(70_000)));
     let told = typed_in(&folder, "kin run wiper.kin report");
-    assert!(told.contains("there is no declaration") && told.ends_with("code 3\n"), "{told}");
+    assert!(
+        told.contains("there is no declaration") && told.ends_with("code 3\n"),
+        "{told}"
+    );
 }

@@ -133,7 +133,14 @@ fn exact_tables_in_c_by_gcc() {
         for level in ["-O3", "-Os", "-O2"] {
             let output = Command::new("gcc")
                 .current_dir(&folder)
-                .args(["-std=c99", level, "-ffp-contract=off", "-Wall", "-Wextra", "-Wconversion"])
+                .args([
+                    "-std=c99",
+                    level,
+                    "-ffp-contract=off",
+                    "-Wall",
+                    "-Wextra",
+                    "-Wconversion",
+                ])
                 .args(["-Wpedantic", "-Wdouble-promotion", "-Werror", "main.c"])
                 .args([&format!("{}.c", c.name), "-lm", "-o", "program"])
                 .output()

@@ -46,7 +46,9 @@ pub fn cosine_sine<T: Scalar>(a: T, b: T, c: T, size: f64, assembly: Assembly) -
         c,
     };
     let Some((_, q)) = q2.rooted(reach) else {
-        return Err(T::refused(|| no_angle([a.real(), b.real(), c.real()], noise, T::EPSILON)));
+        return Err(T::refused(|| {
+            no_angle([a.real(), b.real(), c.real()], noise, T::EPSILON)
+        }));
     };
     let inverse = T::constant(1.0) / rho2;
     let cosine = c * inverse;
@@ -161,7 +163,10 @@ mod tests {
         let solve = |a: f64, b, c, size| cosine_sine(a, b, c, size, Assembly::Open);
         for (a, b) in [(1e-16, 0.0), (0.0, -6e-17), (1e-15, 1e-15)] {
             for c in [0.0, 1e-16] {
-                assert!(matches!(solve(a, b, c, 1.0), Err(Failure::Singular { .. })), "{a} {b} {c}");
+                assert!(
+                    matches!(solve(a, b, c, 1.0), Err(Failure::Singular { .. })),
+                    "{a} {b} {c}"
+                );
             }
             // out of reach by more than rounding
             assert!(matches!(solve(a, b, 1e-3, 1.0), Err(Failure::OutOfReach { .. })));

@@ -57,7 +57,10 @@ fn excerpt(line: &str, column: usize) -> (String, usize) {
     let from = column.saturating_sub(LONGEST / 2).min(count - LONGEST);
     let part: String = line.chars().skip(from).take(LONGEST).collect();
     let [before, behind] = [from > 0, from + LONGEST < count].map(|is_cut| if is_cut { "…" } else { "" });
-    (format!("{before}{part}{behind}"), column - from + before.chars().count())
+    (
+        format!("{before}{part}{behind}"),
+        column - from + before.chars().count(),
+    )
 }
 
 /// The bytes of a place that is given by its line and its column, both from one, the column in characters.
@@ -98,7 +101,9 @@ mod tests {
             let start = text.find("FAULT").unwrap();
             let shown = Mistake::new("this", start..start + 5).shown("a.kin", &text);
             let lines: Vec<&str> = shown.lines().collect();
-            let [.., line, marks] = lines.as_slice() else { panic!("{shown}") };
+            let [.., line, marks] = lines.as_slice() else {
+                panic!("{shown}")
+            };
             assert!(line.chars().count() < 220, "{line}");
             let place = marks.find('^').unwrap();
             let marked: String = line.chars().skip(place).take(5).collect();

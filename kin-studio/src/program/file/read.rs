@@ -667,7 +667,9 @@ assembly = open;
             reason = "it is below the end"
         )]
         let mut below = |end: usize| random.between(0.0, end as f64) as usize;
-        let parts = ["#", ";", "\n", "'", "{", ")", "input ", "θ", ",5", "-", "..", " at ", "=", "\u{feff}", "0"];
+        let parts = [
+            "#", ";", "\n", "'", "{", ")", "input ", "θ", ",5", "-", "..", " at ", "=", "\u{feff}", "0",
+        ];
         let mut kinds = [0; 2];
         for _ in 0..3000 {
             let mut text: Vec<char> = FILE.chars().collect();
@@ -704,14 +706,44 @@ assembly = open;
             ("assembly = open;", "assembly = open", "assembly", "ends with `;`"),
             ("input s: Length", "input s", "s;", "write `input s: Angle` or `Length`"),
             ("phi: Angle", "phi", "phi;", "write `unknown phi: Angle`"),
-            ("crank: Length", "crank", "crank, rod", "write `crank: Length` or `Angle`"),
-            ("s: Length;", "s: Length", "Length\nunknown", "a statement ends with `;`"),
-            ("vec2(s, 0);", "vec2(s, 0)", "(s, 0)\ndimensions", "a statement ends with `;`"),
+            (
+                "crank: Length",
+                "crank",
+                "crank, rod",
+                "write `crank: Length` or `Angle`",
+            ),
+            (
+                "s: Length;",
+                "s: Length",
+                "Length\nunknown",
+                "a statement ends with `;`",
+            ),
+            (
+                "vec2(s, 0);",
+                "vec2(s, 0)",
+                "(s, 0)\ndimensions",
+                "a statement ends with `;`",
+            ),
             ("phi: Angle;", "phi: Angle", "Angle\ncrank", "a statement ends with `;`"),
-            ("input s", "# the pump's input\ninput s", "# the", "a comment begins with `//`"),
-            ("rod = 80mm;", "rod = 80mm; # long", "# long", "a comment begins with `//`"),
+            (
+                "input s",
+                "# the pump's input\ninput s",
+                "# the",
+                "a comment begins with `//`",
+            ),
+            (
+                "rod = 80mm;",
+                "rod = 80mm; # long",
+                "# long",
+                "a comment begins with `//`",
+            ),
             ("80mm", "80,5mm", "80,5mm", "write `80.5mm` with a point"),
-            ("100mm at 20mm/s", "100mm 20mm/s", "60mm..100mm 20", "write `60mm..100mm at 20mm/s`"),
+            (
+                "100mm at 20mm/s",
+                "100mm 20mm/s",
+                "60mm..100mm 20",
+                "write `60mm..100mm at 20mm/s`",
+            ),
             ("60mm..100mm", "60mm-100mm", "60mm-100mm", "as in `60..100mm`"),
         ] {
             let text = FILE.replacen(right, wrong, 1);

@@ -25,13 +25,20 @@ pub(super) fn run(subject: &dyn Subject, options: &Report, told: &Told) -> Resul
     }
     // without a range it is the mechanism that says how far the page goes
     let typed = options.setup.typed(told);
-    if typed.has_range() { subject.closes(&typed.case(subject)?) } else { Ok(()) }
+    if typed.has_range() {
+        subject.closes(&typed.case(subject)?)
+    } else {
+        Ok(())
+    }
 }
 
 /// Refuses a name that promises another kind of file.
 fn is_page(path: &Path) -> Result<(), Fault> {
     let Some(ending) = path.extension() else { return Ok(()) };
-    if ["html", "htm", "xhtml"].iter().any(|own| ending.eq_ignore_ascii_case(own)) {
+    if ["html", "htm", "xhtml"]
+        .iter()
+        .any(|own| ending.eq_ignore_ascii_case(own))
+    {
         return Ok(());
     }
     Err(Fault::wrong(format!(

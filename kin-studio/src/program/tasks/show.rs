@@ -153,7 +153,11 @@ mod tests {
         for (assembly, is_one) in [("open", true), ("1", false)] {
             let assembly = Some(assembly.to_owned());
             let set = ["r=30mm", "l=80mm"].map(str::to_owned).to_vec();
-            let told = Told { assembly, set, ..Told::default() };
+            let told = Told {
+                assembly,
+                set,
+                ..Told::default()
+            };
             assert_eq!(shown(&bare::<SliderCrank>(), &told).is_ok(), is_one);
         }
     }

@@ -131,7 +131,9 @@ pub(super) fn part_in<M: Mechanism<Scalar = f64>>(
         }
         None => vec![part(0.0)],
     };
-    let longest = parts.into_iter().max_by(|one, other| length(one).total_cmp(&length(other)))?;
+    let longest = parts
+        .into_iter()
+        .max_by(|one, other| length(one).total_cmp(&length(other)))?;
     (length(&longest) > 0.0).then_some(longest)
 }
 
