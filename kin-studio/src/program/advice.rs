@@ -1,6 +1,7 @@
 //! What people type in place of what the program takes, and what to type.
 
 use std::ffi::OsString;
+use std::path::Path;
 
 use super::command::Task;
 
@@ -13,7 +14,7 @@ pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String
     let own = |word: &&str| !word.starts_with('-');
     let mut named = words.iter().copied().filter(own);
     let (first, second, third) = (named.next()?, named.next(), named.next());
-    let is_file = |word: &str| word.ends_with(".kin");
+    let is_file = |word: &str| Path::new(word).extension().is_some_and(|ending| ending == "kin");
     if has_library && is_file(first) {
         return Some(format!(
             "a file is run with a command: write `kin run {first} {}`",

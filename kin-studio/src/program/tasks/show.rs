@@ -154,8 +154,8 @@ mod tests {
             let assembly = Some(assembly.to_owned());
             let set = ["r=30mm", "l=80mm"].map(str::to_owned).to_vec();
             let told = Told {
-                assembly,
                 set,
+                assembly,
                 ..Told::default()
             };
             assert_eq!(shown(&bare::<SliderCrank>(), &told).is_ok(), is_one);
