@@ -76,6 +76,14 @@ pub enum PlaceError {
         /// The first and the last place of the table.
         range: [f64; 2],
     },
+    /// The place is so many periods away from the table, which repeats itself, that numbers of its size do not tell one part of a period
+    /// from another.
+    TooManyTurns {
+        /// The place.
+        at: f64,
+        /// The period of the table.
+        period: f64,
+    },
     /// The speed is not finite.
     Speed {
         /// The speed.
@@ -106,6 +114,12 @@ impl fmt::Display for PlaceError {
                 Digits(*at),
                 Digits(*low),
                 Digits(*high)
+            ),
+            Self::TooManyTurns { at, period } => write!(
+                formatter,
+                "{} is so far from the table, which repeats itself after {}, that its part of a period cannot be told: leave whole periods out",
+                Digits(*at),
+                Digits(*period)
             ),
             Self::Speed { speed } => write!(formatter, "the speed is {speed}: give a finite number"),
             Self::Orders { asked, order } => write!(

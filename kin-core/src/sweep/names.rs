@@ -28,7 +28,7 @@ impl NoSuchColumn {
         let count = all.len();
         // as many changes as a third of the name, or a name that the other begins with
         let is_near = |entry: &(usize, String)| 3 * entry.0 <= bare.len() + 2 || entry.1.starts_with(bare);
-        all.sort_by_key(|(distance, _)| *distance);
+        all.sort_by_key(|(distance, own)| (!own.starts_with(bare), *distance));
         let near = all.into_iter().filter(is_near).map(|(_, column)| column).take(3);
         Self {
             name: name.to_string(),
@@ -109,6 +109,10 @@ mod tests {
         );
         let with_a_unit = NoSuchColumn::new("theta4 [deg]", columns.iter());
         assert_eq!(with_a_unit.near[0], "theta4");
+        // a beginning comes before what a few changes lead to
+        let columns = ["theta4_jerk", "theta3_snap", "theta4_acceleration", "theta4_snap"];
+        let cut = NoSuchColumn::new("theta4_acc", columns.iter());
+        assert_eq!(cut.near[0], "theta4_acceleration");
         let far = NoSuchColumn::new("x", columns.iter()).to_string();
         assert!(far.contains("as in `theta4`"), "{far}");
     }

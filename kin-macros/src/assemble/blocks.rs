@@ -232,7 +232,14 @@ impl Builder<'_> {
                 self.turn_vector(*unknown, *radius, ComplexNode::new(found, known));
             }
             ClosedForm::CosineSine { unknown, a, b, c } => {
-                let arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
+                let sizes = [*a, *b].map(|node| self.graph.amplitude(node));
+                let size = match sizes {
+                    [Some(a), Some(b)] => a + b,
+                    // nothing is known of lengths
+                    _ => 0.0,
+                };
+                let mut arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
+                arguments.push(FormArgument::Known(size));
                 let ([x, y], unit) = self.fresh_plane(&self.unknown_name(*unknown));
                 self.solve(Solver::CosineSine, arguments, vec![x, y]);
                 self.turn(*unknown, unit);

@@ -185,8 +185,8 @@ pub struct Circuit {
 pub struct Branch {
     /// The index of its circuit.
     pub circuit: usize,
-    /// The index of its assembly.
-    pub assembly: usize,
+    /// The index of its assembly; none if it lies beyond the range.
+    pub assembly: Option<usize>,
     /// The smallest and the largest input.
     pub range: [f64; 2],
     /// Whether the input turns without an end.

@@ -43,7 +43,7 @@ pub(super) fn report<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<Rep
     {
         return Err(ReportError::ClosesNowhere { error: *error });
     }
-    let (assemblies, assembly) = assemblies::list(&solver, &cycle, &own);
+    let (assemblies, assembly) = assemblies::list(&solver, &cycle, &own, range);
     let found = peaks::find(&way);
     let closes = poses.iter().all(|(_, pose)| pose.is_ok());
     let parameters = mechanism.parameters();
@@ -75,7 +75,7 @@ pub(super) fn report<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<Rep
         assembly,
         coupled: M::ASSEMBLY_COUNT == 0,
         space: !<<M::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE,
-        cycle: Some(circuits::of(&cycle, &own, moving)),
+        cycle: Some(circuits::of(&cycle, &own, moving, range)),
         extremes: found.extremes,
         rms: found.rms,
         unanswered: found.unanswered,
