@@ -1,5 +1,6 @@
 //! What solvers in JavaScript and Python say of wrong arguments.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -149,7 +150,9 @@ fn tapes() -> [(&'static str, Tape); 4] {
 fn ones(tape: &Tape) -> String {
     let names = tape.java_script_names();
     let pairs = |names: &[String], value: &str| -> String {
-        names.iter().map(|name| format!("\"{name}\": {value}, ")).collect()
+        names
+            .iter()
+            .fold(String::new(), |text, name| text + &format!("\"{name}\": {value}, "))
     };
     format!(
         "[{{{}}}, {{{}}}]",
@@ -195,20 +198,22 @@ fn wrong_arguments_throw_in_java_script() {
     let mut driver = String::from("import { OPEN, CROSSED } from \"./f.mjs\";\n");
     for (name, tape) in tapes() {
         fs::write(folder.join(format!("{name}.mjs")), tape.java_script()).expect("the folder can be written");
-        driver.push_str(&format!("import {{ solve as {name} }} from \"./{name}.mjs\";\n"));
-        driver.push_str(&format!(
-            "const {} = {};\n",
+        writeln!(driver, "import {{ solve as {name} }} from \"./{name}.mjs\";").unwrap();
+        writeln!(
+            driver,
+            "const {} = {};",
             if name == "f" {
                 "ones".to_owned()
             } else {
                 name.to_lowercase()
             },
             ones(&tape)
-        ));
+        )
+        .unwrap();
     }
     driver.push_str("const L = { r1: 90, r2: 30, r3: 80, r4: 70 };\nconst check = (call) => { try { call(); console.log(\"right\"); } catch (error) { console.log(String(error)); } };\n");
     for (call, _) in JAVA_SCRIPT {
-        driver.push_str(&format!("check(() => {call});\n"));
+        writeln!(driver, "check(() => {call});").unwrap();
     }
     fs::write(folder.join("main.mjs"), driver).expect("the folder can be written");
     compare(JAVA_SCRIPT, Command::new("node").current_dir(&folder).arg("main.mjs"));
@@ -222,20 +227,22 @@ fn wrong_arguments_raise_in_python() {
     let mut driver = String::from("import numpy as np\nfrom f import OPEN, CROSSED\n");
     for (name, tape) in tapes() {
         fs::write(folder.join(format!("{name}.py")), tape.python()).expect("the folder can be written");
-        driver.push_str(&format!("from {name} import solve as {name}\n"));
-        driver.push_str(&format!(
-            "{} = {}\n",
+        writeln!(driver, "from {name} import solve as {name}").unwrap();
+        writeln!(
+            driver,
+            "{} = {}",
             if name == "f" {
                 "ones".to_owned()
             } else {
                 name.to_lowercase()
             },
             ones(&tape)
-        ));
+        )
+        .unwrap();
     }
     driver.push_str("L = {'r1': 90, 'r2': 30, 'r3': 80, 'r4': 70}\ndef check(call):\n    try:\n        call()\n        print('right')\n    except Exception as error:\n        print(f'{type(error).__name__}: {error}')\n");
     for (call, _) in PYTHON {
-        driver.push_str(&format!("check(lambda: {call})\n"));
+        writeln!(driver, "check(lambda: {call})").unwrap();
     }
     fs::write(folder.join("main.py"), driver).expect("the folder can be written");
     compare(PYTHON, Command::new("python3").current_dir(&folder).arg("main.py"));

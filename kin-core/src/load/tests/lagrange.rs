@@ -15,6 +15,7 @@ use super::{
 };
 use crate::geometry::{Plane, Space};
 use crate::library::ClassThreeTriad;
+use crate::load::Loaded;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, Row};
