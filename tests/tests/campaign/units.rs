@@ -13,9 +13,13 @@ use kin_tests::samples;
 
 /// The largest power of ten.
 const MOST: i32 = 60;
-/// The largest difference of the inputs at the ends of branches, as a part of the range: next to a change point,
-/// rounding of the lengths moves a limit by its root.
+/// The largest difference of the inputs at the ends of branches, as a part of the range, for links of one size: next to
+/// a change point, rounding of the lengths moves a limit by its root.
 const SAME: f64 = 1e-7;
+
+/// The same for each unit of the ratio of the longest link to the shortest one. A change point is found from values at
+/// least 0.01 away from it. What decides there has a relative error of the ratio times ε, divided by that distance.
+const APART: f64 = 64.0 * f64::EPSILON / 0.01;
 
 /// What a cycle tells besides numbers, and the inputs at the ends of its branches.
 #[derive(PartialEq)]
@@ -58,10 +62,10 @@ impl Outline {
         }
     }
 
-    fn agrees(&self, other: &Self) -> bool {
+    fn agrees(&self, other: &Self, ratio: f64) -> bool {
         let range = self.ends.iter().fold(1.0, |most: f64, end| most.max(end.abs()));
         let mut ends = self.ends.iter().zip(&other.ends);
-        self.words == other.words && ends.all(|(one, other)| (one - other).abs() <= SAME * range)
+        self.words == other.words && ends.all(|(one, other)| (one - other).abs() <= (SAME + APART * ratio) * range)
     }
 }
 
@@ -121,6 +125,13 @@ impl Units {
             Ok(found) => found,
             Err(error) => return self.wrong.push(error),
         };
+        let parameters = mechanism.parameters();
+        let named = M::DESCRIPTION.parameters.iter().zip(parameters.as_ref());
+        let links = named.filter(|(quantity, value)| quantity.dimension == Dimension::Length && **value != 0.0);
+        let (short, long) = links.fold((f64::INFINITY, 0.0_f64), |(short, long), (_, value)| {
+            (short.min(value.abs()), long.max(value.abs()))
+        });
+        let ratio = if long > 0.0 { long / short } else { 1.0 };
         let mut ends = cycle.branches().iter().flat_map(Branch::ends);
         self.change_points += usize::from(ends.any(|end| end.kind == EndKind::ChangePoint));
         self.incomplete += usize::from(!cycle.is_complete());
@@ -131,7 +142,7 @@ impl Units {
         for power in (-MOST..=MOST).skip(shift).step_by(step) {
             self.cycles += 1;
             match scaled(power) {
-                Ok((found, _)) if found.agrees(&expected) => {}
+                Ok((found, _)) if found.agrees(&expected, ratio) => {}
                 Ok((found, _)) => {
                     self.wrong.push(format!(
                         "{mechanism:?} at 1e{power}:\n {} {:?}\n {} {:?}",
