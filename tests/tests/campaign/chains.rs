@@ -261,7 +261,7 @@ fn a_ring_of_six_closes_or_is_refused() {
         3.997_561_736_782_65,
         -1.484_362_179_513_842,
         1.347_700_468_888_650_2,
-        3.651_363_926_706_756_3,
+        3.651_363_926_706_756,
         -0.659_621_023_782_737_1,
     ];
     let mut found = Found::default();
@@ -293,11 +293,7 @@ fn a_linear_chain_is_one_system_in_every_number() {
         .expect("the columns are of one length");
     for (index, &t) in inputs.iter().enumerate() {
         let pose = chain.solve(Motion::from([t, 1.0])).expect("it is regular");
-        let motions: Vec<f64> = pose
-            .unknown_motions()
-            .iter()
-            .flat_map(|own| own.derivatives())
-            .collect();
+        let motions: Vec<f64> = pose.unknown_motions().iter().flat_map(Motion::derivatives).collect();
         let recorded = tape.run(&[chain.k, t, 1.0]).expect("it is regular");
         assert_eq!(recorded, motions);
         assert!(matches!(outcomes[index], Outcome::Solved));

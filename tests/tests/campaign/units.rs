@@ -170,9 +170,9 @@ impl Units {
             _ => random.between(short, long + 1.0).floor(),
         };
         let mut links = [short, long, between, short + long - between];
-        for last in (1..4).rev() {
-            let chosen = (0..=last).find(|place| random.between(0.0, 1.0) < 1.0 / (last + 1 - place) as f64);
-            links.swap(last, chosen.unwrap_or(last));
+        for last in (1..4_u8).rev() {
+            let chosen = (0..=last).find(|place| random.between(0.0, 1.0) < 1.0 / f64::from(last + 1 - place));
+            links.swap(usize::from(last), usize::from(chosen.unwrap_or(last)));
         }
         let [r1, r2, r3, r4] = links;
         let linkage = FourBar { r1, r2, r3, r4 };
