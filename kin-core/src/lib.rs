@@ -150,13 +150,13 @@ pub use geometry::{Plane, Rotation, Space};
 #[doc(hidden)]
 pub use mechanism::guessed::WriteTheParametersByName;
 pub use mechanism::{
-    Block, BlockForm, Description, Formula, Formulas, Mechanism, PartialMotions, Partials, Pose, PoseOf,
+    Block, BlockForm, Description, Formula, Formulas, Mechanism, OneInput, PartialMotions, Partials, Pose, PoseOf,
     PositionSearch, Sensitive, sensitivities_of,
 };
 pub use motion::{Contains, Direction, IntoMotion, LinkMotion, Motion, rpm};
 #[cfg(feature = "std")]
 pub use number::count;
-pub use number::{Changing, Number, Operations, Row, series};
+pub use number::{Changing, ClosedRange, Number, Operations, Row, series};
 pub use picture::{Body, Outline, PlaneOrSpace, PointArray, Skeleton, Slide, TransmissionAngle};
 #[cfg(feature = "alloc")]
 #[cfg_attr(docsrs, doc(cfg(feature = "alloc")))]
@@ -385,7 +385,7 @@ macro_rules! __locals {
 macro_rules! __poses {
     ($mechanism:ident, $arguments:tt, $unknowns:literal, $fields:tt, $($pose:ident)*) => {
         $(
-            #[diagnostic::do_not_recommend]
+            // without `#[diagnostic::do_not_recommend]`, which a crate without the implicit prelude does not find
             #[doc(hidden)]
             impl<T: $crate::Scalar> $crate::Guess<T, $unknowns, $mechanism<T>> for $pose<T> {
                 fn values(self) -> [T; $unknowns] {
@@ -476,6 +476,22 @@ macro_rules! __stored {
     ($($tokens:tt)*) => {};
 }
 
+/// `Debug` of an error: its sentence, because that is what `unwrap` and a `main` that returns the error show.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __debug_by_display {
+    ([$($parameters:tt)*] $error:ty) => {
+        impl<$($parameters)*> ::core::fmt::Debug for $error {
+            fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                ::core::fmt::Display::fmt(self, formatter)
+            }
+        }
+    };
+    ($error:ident) => {
+        $crate::__debug_by_display! { [] $error }
+    };
+}
+
 /// `Debug` of poses, by the names of inputs, unknowns and outputs. Values that only later orders need are left out.
 #[doc(hidden)]
 #[macro_export]
@@ -523,11 +539,144 @@ macro_rules! __choices {
         impl ::core::fmt::Display for $assembly {
             fn fmt(&self, formatter: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 let choices = [$((::core::stringify!($field), self.$field)),*];
-                for (place, (block, assembly)) in choices.into_iter().enumerate() {
+                for (place, (block, assembly)) in $crate::__private::core::iter::Iterator::enumerate(
+                    $crate::__private::core::iter::IntoIterator::into_iter(choices),
+                ) {
                     let separator = if place == 0 { "" } else { ", " };
                     ::core::write!(formatter, "{separator}{block}: {assembly}")?;
                 }
                 ::core::result::Result::Ok(())
+            }
+        }
+    };
+}
+
+/// The method of mechanisms that do not find all of their positions, which says why.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __not_all_positions {
+    ($mechanism:ident $($input:ident)+) => {
+        #[allow(unreachable_pub)]
+        impl<T> $mechanism<T> {
+            #[doc(hidden)]
+            pub fn assemblies_at(
+                &self,
+                $($input: impl ::core::marker::Sized),+
+            ) -> <Self as $crate::__private::guessed::FindsAllPositions>::Found
+            where
+                Self: $crate::__private::guessed::FindsAllPositions,
+            {
+                $(let _ = $input;)+
+                <Self as $crate::__private::guessed::FindsAllPositions>::FOUND
+            }
+        }
+    };
+}
+
+/// What a mechanism with a single position answers without an assembly: the methods of the traits that take one, for every mechanism.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __single_position {
+    ($mechanism:ident $order:tt) => {
+        $crate::__single_position! { @accelerations $mechanism $order }
+
+        #[allow(unreachable_pub)]
+
+        impl<T: $crate::Scalar> $mechanism<T> {
+            /// `Loaded::balance` in the only position.
+            ///
+            /// # Errors
+            /// As there.
+            pub fn balance(
+                &self,
+                loads: &impl $crate::load::LoadsOf<Self>,
+                inputs: <Self as $crate::Mechanism>::Inputs<<Self as $crate::Mechanism>::Motion<T>>,
+            ) -> ::core::result::Result<$crate::load::Balance<Self>, $crate::load::LoadError> {
+                $crate::load::Loaded::balance(self, loads, inputs, ())
+            }
+        }
+
+        #[allow(unreachable_pub)]
+
+        impl $mechanism<::core::primitive::f64> {
+            /// `Sweep::sweep` of the only position.
+            pub fn sweep(&self) -> $crate::sweep::Assembled<Self> {
+                $crate::sweep::Sweep::sweep(self, ())
+            }
+
+            /// `Loaded::equivalent_inertia` in the only position.
+            ///
+            /// # Errors
+            /// As there.
+            pub fn equivalent_inertia(
+                &self,
+                loads: &impl $crate::load::LoadsOf<Self>,
+                inputs: <Self as $crate::Mechanism>::Inputs<::core::primitive::f64>,
+            ) -> ::core::result::Result<$crate::load::EquivalentInertia<Self>, $crate::load::LoadError> {
+                $crate::load::Loaded::equivalent_inertia(self, loads, inputs, ())
+            }
+
+            /// `LoadedBatch::balance_batch` in the only position.
+            ///
+            /// # Errors
+            /// As there.
+            pub fn balance_batch<'a, R>(
+                loads: &impl $crate::load::LoadsOf<Self>,
+                parameters: <Self as $crate::Mechanism>::Parameters<$crate::batch::Column<'a>>,
+                inputs: <Self as $crate::Mechanism>::Inputs<
+                    <Self as $crate::Mechanism>::Motion<$crate::batch::Column<'a>>,
+                >,
+                read: impl ::core::ops::Fn(
+                    ::core::result::Result<$crate::load::Balance<Self>, $crate::load::LoadError>,
+                ) -> R,
+                results: &mut [R],
+            ) -> ::core::result::Result<(), $crate::batch::LengthMismatch> {
+                <Self as $crate::batch::LoadedBatch>::balance_batch(loads, parameters, inputs, (), read, results)
+            }
+
+            $crate::__in_parallel! {
+                /// `LoadedBatch::balance_batch_in_parallel` in the only position.
+                ///
+                /// # Errors
+                /// As there.
+                pub fn balance_batch_in_parallel<'a, R: ::core::marker::Send>(
+                    loads: &(impl $crate::load::LoadsOf<Self> + ::core::marker::Sync),
+                    parameters: <Self as $crate::Mechanism>::Parameters<$crate::batch::Column<'a>>,
+                    inputs: <Self as $crate::Mechanism>::Inputs<
+                        <Self as $crate::Mechanism>::Motion<$crate::batch::Column<'a>>,
+                    >,
+                    read: impl ::core::ops::Fn(
+                        ::core::result::Result<$crate::load::Balance<Self>, $crate::load::LoadError>,
+                    ) -> R + ::core::marker::Sync,
+                    results: &mut [R],
+                ) -> ::core::result::Result<(), $crate::batch::LengthMismatch> {
+                    <Self as $crate::batch::LoadedBatch>::balance_batch_in_parallel(
+                        loads, parameters, inputs, (), read, results,
+                    )
+                }
+            }
+        }
+    };
+    // without accelerations there are none by efforts
+    (@accelerations $mechanism:ident 1) => {};
+    (@accelerations $mechanism:ident $order:tt) => {
+        #[allow(unreachable_pub)]
+        impl $mechanism<::core::primitive::f64> {
+            /// `Loaded::accelerations` in the only position.
+            ///
+            /// # Errors
+            /// As there.
+            pub fn accelerations(
+                &self,
+                loads: &impl $crate::load::LoadsOf<Self>,
+                inputs: <Self as $crate::Mechanism>::Inputs<::core::primitive::f64>,
+                velocities: <Self as $crate::Mechanism>::Inputs<::core::primitive::f64>,
+                efforts: <Self as $crate::Mechanism>::Inputs<::core::primitive::f64>,
+            ) -> ::core::result::Result<
+                <Self as $crate::Mechanism>::Inputs<::core::primitive::f64>,
+                $crate::load::LoadError,
+            > {
+                $crate::load::Loaded::accelerations(self, loads, inputs, velocities, efforts, ())
             }
         }
     };

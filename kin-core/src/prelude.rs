@@ -1,10 +1,12 @@
 //! The names that programs with mechanisms need: `use kin_core::prelude::*;`.
 
 pub use crate::assembly::{Assembly, Near};
+pub use crate::batch::LoadedBatch;
 #[cfg(feature = "alloc")]
 pub use crate::cycle::FullCycle;
 pub use crate::failure::{Failure, SolveError};
 pub use crate::geometry::{Plane, Space};
+pub use crate::load::Loaded;
 pub use crate::mechanism;
 #[doc(hidden)]
 pub use crate::mechanism::guessed::{

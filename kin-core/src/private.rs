@@ -5,8 +5,10 @@ pub use crate::__choices as choices;
 pub use crate::__fields as fields;
 pub use crate::__in_parallel as in_parallel;
 pub use crate::__locals as locals;
+pub use crate::__not_all_positions as not_all_positions;
 pub use crate::__poses as poses;
 pub use crate::__readable as readable;
+pub use crate::__single_position as single_position;
 pub use crate::__stored as stored;
 pub use crate::__unexpanded as unexpanded;
 pub use crate::assemblies::{Assemblies, Choices, continuation, every, positions_near};
@@ -85,7 +87,7 @@ macro_rules! __stored {
                 __serializer: __S,
             ) -> ::core::result::Result<__S::Ok, __S::Error> {
                 $crate::__private::serde::Serialize::serialize(
-                    &$crate::stored::PoseRecord::<$mechanism<__T>, $length>::from(*self),
+                    &<$crate::stored::PoseRecord<$mechanism<__T>, $length> as ::core::convert::From<_>>::from(*self),
                     __serializer,
                 )
             }

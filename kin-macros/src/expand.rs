@@ -10,7 +10,7 @@ use crate::passes::Passes;
 use crate::plan::{Task, plan};
 use crate::program::Solvers;
 use crate::room::with_room;
-use crate::structure::Structure;
+use crate::structure::{CoefficientMagnitudes, Structure};
 use crate::syntax::Declaration;
 use crate::{editor, emit, fallback, model, refuse, structure, syntax};
 
@@ -63,7 +63,9 @@ fn solvers(declaration: &Declaration, mistakes: &mut Mistakes) -> Option<(Model,
 pub(crate) fn structure(declaration: &Declaration, model: &Model, mistakes: &mut Mistakes) -> Option<Structure> {
     let (residuals, origins) = model.scalar_equations();
     let (graph, unknowns) = (model.graph.clone(), model.unknowns.len());
-    let analysed = with_room(|| structure::analyse(graph, &residuals, unknowns));
+    let (lengths, numbers) = model.lengths_and_numbers();
+    let magnitudes = CoefficientMagnitudes { lengths, numbers };
+    let analysed = with_room(|| structure::analyse(graph, &residuals, unknowns, &magnitudes));
     let structure = match analysed {
         Err(structure::Refusal::Constants(misfit)) => {
             refuse::constants(declaration, model, misfit, mistakes);

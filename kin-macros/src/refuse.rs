@@ -23,6 +23,20 @@ pub(crate) fn faults(model: &Model, origins: &[Origin], faults: &[Fault], mistak
     };
     for fault in faults {
         match fault {
+            &Fault::Cancels { unknown } => {
+                let name = &model.unknowns[unknown].name;
+                mistakes.error(
+                    name,
+                    format_args!("unknown `{name}` cancels out of every equation: nothing determines it"),
+                );
+            }
+            &Fault::WithoutUnknown { equation } => mistakes.error(
+                whole(model, origins[equation]),
+                format_args!(
+                    "every unknown cancels out of this {}, so it determines none: remove it",
+                    origins[equation].part
+                ),
+            ),
             Fault::Underdetermined { unknowns, equations } => mistakes.error(
                 &model.unknowns[unknowns[0]].name,
                 format_args!(

@@ -4,12 +4,13 @@
 //! |---|---|
 //! | `candidates` | dimensions from an id, by a low-discrepancy sequence |
 //! | `function` | kin's solvers as functions of SQL |
-//! | `session` | a session of queries: its functions, its memory, its end |
+//! | `session` | a session of queries: its functions, its memory, its files, its end |
 //! | `cluster` | the same queries on several machines |
 //! | `objective` | path, function and motion generation as sums of squares |
 //! | `refine` | the best candidates polished, and checked over the full cycle |
 //! | `problem` | published problems, with what the literature reached |
 //! | `program` | what is typed in a terminal |
+//! | `say` | messages on the standard error stream |
 
 #[cfg(feature = "sql")]
 pub mod candidates;
@@ -25,11 +26,15 @@ pub mod problem;
 #[cfg(feature = "refine")]
 pub mod refine;
 #[cfg(feature = "sql")]
+mod say;
+#[cfg(feature = "sql")]
 pub mod session;
 #[cfg(any(feature = "refine", feature = "problem"))]
 mod threads;
 
 #[cfg(feature = "sql")]
 pub use function::{Functions, functions, register};
+#[cfg(feature = "sql")]
+pub use say::say;
 #[cfg(feature = "sql")]
 pub use session::{Options, session};

@@ -136,9 +136,15 @@ fn scheduler(arguments: &[&str]) -> (Process, String) {
 }
 
 fn executor(scheduler: &str) -> Process {
-    let mut executor = Process::program(&["executor", "--scheduler", scheduler, "--cores", "1"]);
-    executor.wait_for("listening on ");
-    executor
+    executor_with(scheduler, &[]).0
+}
+
+/// An executor with more arguments, and the address on which it listens.
+fn executor_with(scheduler: &str, arguments: &[&str]) -> (Process, String) {
+    let first = ["executor", "--scheduler", scheduler, "--cores", "1"];
+    let mut executor = Process::program(&[&first, arguments].concat());
+    let address = executor.wait_for("listening on ");
+    (executor, address)
 }
 
 /// Poses of four-bars whose dimensions follow from an id by residues. Most of them close.
@@ -365,6 +371,194 @@ fn an_interrupted_query_leaves_no_work() {
     assert_eq!(table(&answer(&[&short])), table(&output));
 }
 
+/// The processor time of a process, in hundredths of a second.
+#[cfg(target_os = "linux")]
+fn ticks(process: &Process) -> u64 {
+    let stat = fs::read_to_string(format!("/proc/{}/stat", process.child.id())).expect("the process is there");
+    let (_, fields) = stat.rsplit_once(')').expect("a name in parentheses");
+    let ticks = fields.split_whitespace().skip(11).take(2);
+    ticks.map(|ticks| ticks.parse::<u64>().expect("a number")).sum()
+}
+
+/// A query whose first stage takes minutes, and a search whose first range does. Neither has told the client anything
+/// when it is interrupted.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupt_before_the_first_stage_is_finished_ends_the_work() {
+    let folder = Folder::new("idle");
+    let (mut scheduler, address) = scheduler(&[]);
+    let executor = executor(&address);
+    scheduler.wait_for("joined");
+    for (name, select, signal) in [
+        (
+            "groups.sql",
+            "select value % 7 as k, count(*) as n from range(0, 500000000) group by 1",
+            "INT",
+        ),
+        (
+            "range.sql",
+            "select value from range(0, 500000000) where value % 1000000007 = 1",
+            "TERM",
+        ),
+    ] {
+        let query = folder.file(name, select);
+        let mut interrupted = Process::program(&["query", &query, "--cluster", &address, "--range", "500000000"]);
+        interrupted.wait_for("searching");
+        let before = ticks(&executor);
+        while ticks(&executor) < before + 50 {
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        let since = Instant::now();
+        interrupted.signal(signal);
+        let (status, output) = interrupted.end();
+        assert_eq!(status.code(), Some(130), "{output}");
+        assert!(output.contains("interrupted"), "{output}");
+        // It would not have heard of its job's number for minutes, and would have given up after five seconds.
+        let waited = since.elapsed();
+        assert!(waited < Duration::from_secs(4), "{waited:?}: {output}");
+        // The executor is idle when it takes no time for a second.
+        let until = Instant::now() + Duration::from_secs(30);
+        loop {
+            let before = ticks(&executor);
+            std::thread::sleep(Duration::from_secs(1));
+            if ticks(&executor) < before + 10 {
+                break;
+            }
+            assert!(Instant::now() < until, "{name}: the executor works on");
+        }
+    }
+}
+
+#[test]
+fn poses_and_outcomes_come_back() {
+    let folder = Folder::new("outcomes");
+    let pose = "four_bar(1, 0.1 + 0.02 * (value % 100), 1.2, 1.1, 0.01 * value, 'open', 2)";
+    let query = folder.file(
+        "poses.sql",
+        &format!(
+            "set kin.vectors = 'compiled';
+             select value, {pose} as pose from range(0, 300) order by value;
+             select pose['outcome'] as outcome, count(*) as n, min(value) as first
+             from (select value, {pose} as pose from range(0, 20000)) group by 1 order by 1;
+             create table kept as select value, pose['outcome'] as outcome from (select value, {pose} as pose from range(0, 300));
+             select outcome, count(*) as n from kept group by 1 order by 1;"
+        ),
+    );
+    let (_scheduler, address) = scheduler(&[]);
+    let _executors = [executor(&address), executor(&address)];
+    let here = answer(&[&query]);
+    let there = answer(&[&query, "--cluster", &address, "--range", "100"]);
+    assert!(here.contains("solved") && here.contains("out_of_reach"), "{here}");
+    assert!(table(&here).len() > 300, "{here}");
+    assert_eq!(table(&here), table(&there));
+}
+
+#[test]
+fn more_ids_than_can_be_listed_are_refused() {
+    let folder = Folder::new("many");
+    let search = folder.file(
+        "search.sql",
+        "select value from range(0, 9223372036854775806) where value < 0",
+    );
+    let sum = folder.file(
+        "sum.sql",
+        "select count(*) from range(0, 9223372036854775806) where value % 2 = 0",
+    );
+    let both = folder.file(
+        "both.sql",
+        "select count(*) from range(-9, 9223372036854775797) a, range(0, 9223372036854775806) b where a.value = b.value",
+    );
+    let (_scheduler, address) = scheduler(&[]);
+    let _executor = executor(&address);
+    for (query, range, messages) in [
+        (
+            &search,
+            "1000000",
+            ["9223372036855 ranges of 1000000", "1000000 ranges at most"],
+        ),
+        (
+            &search,
+            "9000000000000000000",
+            ["68719476736 ids at most", "9000000000000000000"],
+        ),
+        (&sum, "1000000", ["68719476736 ids at most", "9223372036854775806"]),
+        (&both, "1000000", ["68719476736 ids at most", "9223372036854775806"]),
+    ] {
+        let arguments = ["query", query, "--cluster", &address, "--range", range];
+        let (status, output) = Process::program(&arguments).end();
+        assert_eq!(status.code(), Some(1), "{output}");
+        assert!(messages.iter().all(|message| output.contains(message)), "{output}");
+    }
+    // The scheduler and the executor are still there.
+    let short = folder.file("short.sql", &fastest(2000));
+    assert_eq!(
+        table(&answer(&[&short])),
+        table(&answer(&[&short, "--cluster", &address]))
+    );
+}
+
+#[test]
+fn a_query_that_needs_more_memory_than_an_executor_has_fails_alone() {
+    let folder = Folder::new("memory");
+    let query = folder.file(
+        "large.sql",
+        "select array_length(array_agg(value)) as n from range(0, 2000000)",
+    );
+    let short = folder.file("short.sql", &fastest(20_000));
+    let (_scheduler, address) = scheduler(&[]);
+    let (mut executor, _) = executor_with(&address, &["--memory", "10MB"]);
+    let (status, output) = Process::program(&["query", &query, "--cluster", &address]).end();
+    assert_eq!(status.code(), Some(1), "{output}");
+    assert!(
+        output.contains("an executor has too little memory") && output.contains("pool_size"),
+        "{output}"
+    );
+    assert_eq!(
+        table(&answer(&[&short])),
+        table(&answer(&[&short, "--cluster", &address]))
+    );
+    assert!(executor.child.try_wait().expect("the process can be asked").is_none());
+}
+
+#[test]
+fn a_query_that_loses_a_second_executor_fails() {
+    let folder = Folder::new("second");
+    let query = folder.file(
+        "groups.sql",
+        "select value % 7 as k, count(*) as n from range(0, 2000000000) group by 1",
+    );
+    let (mut scheduler, address) = scheduler(&["--patience", "2"]);
+    let (one, two, mut three) = (executor(&address), executor(&address), executor(&address));
+    for _ in 0..3 {
+        scheduler.wait_for("joined");
+    }
+    let mut search = Process::program(&["query", &query, "--cluster", &address]);
+    search.wait_for("searching");
+    std::thread::sleep(Duration::from_secs(1));
+    one.signal("KILL");
+    search.wait_for("it is searched again");
+    std::thread::sleep(Duration::from_secs(1));
+    two.signal("KILL");
+    let (status, output) = search.end();
+    assert_eq!(status.code(), Some(1), "{output}");
+    assert!(output.contains("2 executors were lost"), "{output}");
+    assert!(three.child.try_wait().expect("the process can be asked").is_none());
+}
+
+#[test]
+fn what_is_no_scheduler_is_named() {
+    let folder = Folder::new("another");
+    let query = folder.file("fastest.sql", &fastest(2000));
+    let (_scheduler, address) = scheduler(&[]);
+    let (_executor, results) = executor_with(&address, &[]);
+    let (status, output) = Process::program(&["query", &query, "--cluster", &results]).end();
+    assert_eq!(status.code(), Some(1), "{output}");
+    assert!(
+        output.contains(&format!("what listens at {results} is no scheduler")),
+        "{output}"
+    );
+}
+
 #[test]
 fn another_list_of_functions_is_refused() {
     let (mut scheduler, address) = scheduler(&[]);
@@ -408,6 +602,7 @@ fn executor_of_another_list() {
         },
         listen: kin_search::cluster::Listen::default(),
         cores: 1,
+        memory: None,
         folder: None,
     };
     let runtime = tokio::runtime::Runtime::new().expect("a runtime");
@@ -486,7 +681,8 @@ fn rows_are_inserted_into_a_table_of_the_client() {
 #[test]
 fn an_address_that_others_reach_is_warned_of() {
     let mut open = Process::program(&["scheduler", "--listen", "0.0.0.0"]);
-    open.wait_for("warning: 0.0.0.0 can be reached from other machines");
+    let warning = open.wait_for("warning: 0.0.0.0 can be reached from other machines");
+    assert!(warning.contains("reads and writes files as the user"), "{warning}");
     // Executors could not call it back.
     open.wait_for("give one with --host");
 }

@@ -241,6 +241,108 @@ async fn a_line_is_a_part_of_a_turn() {
     assert!(message.contains("give `from` and `to`"), "{message}");
 }
 
+/// The engine has messages of its own, about types. None of them comes before these.
+#[tokio::test]
+async fn wrong_arguments_are_named() {
+    for (call, wanted) in [
+        (
+            "four_bar(1, 2, 3)",
+            "four_bar takes 5 to 10 arguments, and 3 are given: four_bar(r1, r2,",
+        ),
+        ("four_bar()", "four_bar takes 5 to 10 arguments, and 0 are given"),
+        (
+            "four_bar(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)",
+            "four_bar takes 5 to 10 arguments, and 11 are given",
+        ),
+        (
+            "four_bar(1, 2, 3, 'a', 5)",
+            "argument 4 of four_bar, r4, is a text instead of a number",
+        ),
+        (
+            "four_bar(1, 2, 3, 4, true)",
+            "argument 5 of four_bar, theta2, is no number but Boolean",
+        ),
+        (
+            "four_bar(1, 2, 3, 4, 5, 'open', 'open')",
+            "four_bar takes one text at most, the assembly",
+        ),
+        (
+            "five_bar(3, 1, 3, 3, 1, 0, 0, 'open', 1)",
+            "five_bar has 2 inputs, and 1 rates are given",
+        ),
+        (
+            "four_bar_turn(1, 2, 3, 4, 360, 1, 0, 1, 5)",
+            "four_bar_turn takes four numbers at most after the 4 that it needs, poses, speed, from and to, and 5 are given",
+        ),
+        (
+            "four_bar_turn(1, 2)",
+            "four_bar_turn takes 4 to 9 arguments, and 2 are given",
+        ),
+        (
+            "four_bar_turn(1, 2, 'a', 4)",
+            "argument 3 of four_bar_turn, r3, is a text instead of a number",
+        ),
+        (
+            "four_bar_turn(1, 2, 3, 4, 7.9)",
+            "takes a whole number of poses from 1 to 1000000, and not 7.9",
+        ),
+        (
+            "four_bar_turn(1, 2, 3, 4, 1.0e7)",
+            "takes a whole number of poses from 1 to 1000000, and not 10000000",
+        ),
+        (
+            "four_bar_turn(1, 2, 3, 4, 0.0 / 0.0)",
+            "takes a whole number of poses from 1 to 1000000, and not NaN",
+        ),
+        (
+            "hoeken_linkage_line()",
+            "hoeken_linkage_line takes 3 to 8 arguments, and 0 are given",
+        ),
+        (
+            "hoeken_linkage_path_error('0 1', 'a', 1, 2)",
+            "argument 2 of hoeken_linkage_path_error, ground, is a text instead of a number",
+        ),
+        (
+            "candidate(1, 2)",
+            "candidate takes 5 arguments, and 2 are given: candidate(id, dimension, dimensions, low, high)",
+        ),
+        ("candidate_log()", "candidate_log takes 5 arguments, and 0 are given"),
+        (
+            "candidate(1.5, 1, 1, 0, 1)",
+            "argument 1 of candidate, id, is no whole number but Float64",
+        ),
+        (
+            "candidate(1, 1, 1, 'a', 1)",
+            "argument 4 of candidate, low, is no number but Utf8",
+        ),
+    ] {
+        for query in [
+            format!("select {call}"),
+            format!("select value from range(0, 3) where {call} is null"),
+        ] {
+            let message = ask(&new(), &query).await.unwrap_err();
+            assert!(message.contains(wanted), "{query}: {message}");
+        }
+    }
+}
+
+#[tokio::test]
+async fn all_arguments_at_once_are_read_in_their_order() {
+    // As many arguments as there are names, with the assembly in another place than its name.
+    let call = "four_bar(90, 30, 60, 45, 1.1, -10, 2, -0.5, 0.3, 'crossed')";
+    let wanted = LINKAGE.solve([1.1, -10.0, 2.0, -0.5, 0.3], Assembly::Crossed).unwrap();
+    for (order, name) in ["theta4", "theta4_velocity", "theta4_acceleration"].iter().enumerate() {
+        let found = one(&format!("select {call}['{name}']")).await;
+        assert!(
+            is_near(found, wanted.theta4.derivative(order).unwrap()),
+            "{name}: {found}"
+        );
+    }
+    let texts = "select four_bar(90, 30, 60, 45, 1.1, null)['outcome'] is null";
+    let rows = ask(&new(), texts).await.unwrap();
+    assert!(rows.column(0).as_boolean().value(0));
+}
+
 #[tokio::test]
 async fn limits_and_dimensions_of_candidates_are_checked() {
     for (call, told) in [

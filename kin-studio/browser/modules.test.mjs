@@ -7,12 +7,15 @@ import { anatomyOf, followedAt, placeOf } from "../src/page/anatomy.mjs";
 import { isMathematics, seemsMathematics, withClasses } from "../src/page/formulas.mjs";
 import { createRoom, keepLines, placeName } from "../src/page/labels.mjs";
 import { marksOf, stopText } from "../src/page/marks.mjs";
+import { cautionOf } from "../src/page/dimensions.mjs";
 import { createModel, givenDesign, movedOn, reasonToRefuse, solveAt } from "../src/page/model.mjs";
 import { nearestInput } from "../src/page/nearest.mjs";
+import { paceText, pacesAround, secondsOf, watchablePace } from "../src/page/pace.mjs";
 import { numberText, steadyText, ticks, unitText, withUnit } from "../src/page/numbers.mjs";
 import { givenPeaks, ownPeaks } from "../src/page/peaks.mjs";
 import { hull } from "../src/page/picture.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "../src/page/rates.mjs";
+import { gapText, shortfallOf } from "../src/page/reasons.mjs";
 import { quotedCell, sweepTable } from "../src/page/saving.mjs";
 import { allRows, movedInput, rowAt, sweepDesign } from "../src/page/sweep.mjs";
 import { poorTransmission } from "../src/page/transmission.mjs";
@@ -108,7 +111,7 @@ test("limits are found to 1e-9, and motion stops there", () => {
   const marks = marksOf(model, sweep, 0, false);
   assert.equal(marks.length, 4);
   assert.ok(marks.every(({ own }) => own));
-  assert.equal(stopText(model, marks, sweep.gaps, moved.x, true), "Limit at θ = 30°: reach of a line and a circle (s).");
+  assert.equal(stopText(model, marks, sweep.gaps, moved.x, true), "Limit at θ = 30°: the links of s do not meet.");
 });
 
 test("the report's exact limits take the place of the page's own", () => {
@@ -268,4 +271,68 @@ test("a pose is told in words", () => {
   const { model, design, sweep, assembly } = prepared();
   const row = rowAt(model, design, sweep, assembly, 0);
   assert.equal(poseText(model, row, true, "open", [0]), "θ = 0°, s = 110 mm; open");
+});
+
+test("an angle goes on behind a gap as in kin's tables", () => {
+  const psi = (x) => 2.9 + 0.2 * x;
+  const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
+  const solve = (_, { theta: [x] }) =>
+    x > 2.0003 && x < 4.0007
+      ? { ok: false, check: "reach of two circles", block: "psi", margin: -1 }
+      : { ok: true, pose: { psi: [wrapped(psi(x)), 0.2, 0, 0, 0], joints: [[0, 0], [Math.cos(psi(x)), Math.sin(psi(x))]], slides: [] } };
+  const quantity = { name: "psi", key: "psi", text: "ψ", documentation: "", dimension: "angle" };
+  const outline = { ground: [0], bodies: [{ name: "r", joints: [0, 1] }], slides: [], points: [] };
+  const model = createModel(reportOf({ unknowns: [quantity], outline }), { solve, OUTLINE: {}, CHECKS: [] });
+  const sweep = sweepDesign(model, givenDesign(model), model.report.assemblies[0]);
+  assert.equal(sweep.spans.length, 2);
+  const rows = allRows(sweep);
+  for (const { x, pose, shifts } of rows) {
+    assert.ok(Math.abs(pose.psi[0] + shifts[0] - psi(x)) < 1e-9, `${x}`);
+  }
+  assert.ok(rows.filter(({ shifts }) => shifts[0] !== 0).length > 100);
+});
+
+test("the pace 1 is as fast as the mechanism", () => {
+  assert.deepEqual(["s", "ms", "min", "turns"].map(secondsOf), [1, 1000, 1 / 60, 1]);
+  for (const [speed, pace] of [[1, 1], [10, 0.2], [157.08, 0.01], [-157.08, 0.01], [0.01, 100]]) {
+    const { model, design } = prepared({ speed });
+    const found = watchablePace(model, design);
+    assert.equal(found, pace, `${speed}`);
+    const seconds = (2 * Math.PI) / Math.abs(speed) / found;
+    assert.ok(seconds >= 3 && seconds <= 12, `${seconds}`);
+    assert.ok(pacesAround(found).includes(1) && pacesAround(found).includes(found));
+  }
+  assert.deepEqual(pacesAround(0.01), [0.002, 0.005, 0.01, 0.02, 0.05, 1]);
+  assert.deepEqual([0.001, 0.2, 1, 50].map(paceText), ["1/1000×", "1/5×", "1×", "50×"]);
+});
+
+test("a gap is told by a length only where its margin is one", () => {
+  const { model } = prepared({});
+  const gap = (check, margin) => ({ check, margin, block: "s", from: 0, to: 1, at: 0, lost: false });
+  const amount = (length) => `${length} mm`;
+  for (const [check, margin, text] of [
+    ["reach of two circles", -5, "the links of s do not meet: short by 5 mm"],
+    ["sqrt", -10000, "the links of s do not meet: short by 100 mm"],
+    ["root of coupled equations", 53.34, "no position is found for s"],
+    ["root of coupled equations", -53.34, "no position is found for s"],
+    ["range of an angle", -0.5, "range of an angle (s)"],
+    ["reach of two circles", NaN, "reach of two circles (s)"],
+    ["regular determinant", 1e-17, "regular determinant (s)"],
+  ]) {
+    assert.equal(gapText(model, gap(check, margin), amount), text);
+  }
+  assert.equal(gapText(model, gap("reach of two circles", -5), null), "the links of s do not meet");
+  assert.equal(shortfallOf(gap("reach of a link", -2)), 2);
+});
+
+test("what is typed and not taken is told, and so are lengths that no link has", () => {
+  const entry = { group: "parameters", dimension: "length", declared: "r2", name: "r2" };
+  const said = (changes, typed, usual = 30) => cautionOf({ ...entry, ...changes }, typed, usual, "30 mm");
+  assert.equal(said({}, ""), "This is no number: 30 mm is still shown.");
+  assert.equal(said({ group: "speed" }, "0"), "A speed is not zero: 30 mm is still shown.");
+  assert.match(said({}, "-30"), /negative length/);
+  assert.match(said({}, "0"), /length zero/);
+  for (const [changes, typed, usual] of [[{}, "5", 30], [{ declared: "p.x" }, "-5", 30], [{}, "-5", -3], [{ dimension: "angle" }, "-5", 1], [{ group: "speed" }, "-5", 1]]) {
+    assert.equal(said(changes, typed, usual), "");
+  }
 });

@@ -205,7 +205,7 @@ test("a dragged crank turns, and stops at the limit with its place", () =>
     await settle(page);
     await page.mouse.up();
     assert.ok(Math.abs((await inputNow(page)) - LIMIT) < 1e-3, `${await inputNow(page)} and ${LIMIT}`);
-    assert.match(await message(page), new RegExp(`^Limit at θ₂ = ${LIMIT.toFixed(4).replace(/0+$/, "")}°: reach of two circles`));
+    assert.match(await message(page), new RegExp(`^Limit at θ₂ = ${LIMIT.toFixed(4).replace(/0+$/, "")}°: the links of θ₃, θ₄ do not meet`));
     assert.match(await page.textContent("#scrubber"), /out of reach by 60/);
   }));
 

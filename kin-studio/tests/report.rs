@@ -7,6 +7,7 @@ use kin_core::extremes::Over;
 use kin_core::library::{ClassThreeTriad, FiveBar, FourBar, Rssr};
 use kin_core::mechanism;
 use kin_core::prelude::*;
+use kin_core::track;
 use kin_studio::report::{Argument, FORMAT, Place, Report, ReportError, Side};
 
 const CRANK_ROCKER: FourBar = FourBar {
@@ -104,6 +105,64 @@ fn numbers_are_those_of_sweeps() {
     }
 }
 
+/// An assembly that closes only beyond the range would show the numbers of another one.
+#[test]
+fn assemblies_of_coupled_blocks_lie_in_the_range() {
+    let root = 3_f64.sqrt();
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(4.0 * root, 0.0),
+        base_c: Plane::new(2.0 * root, 6.0),
+        platform_b: Plane::new(root, 0.0),
+        platform_c: Plane::new(root / 2.0, 1.5),
+    };
+    let [b, c] = [3.4, 3.6];
+    let start = [3.4, b, c];
+    let cycle = triad.cycle_along([0.0, b, c], [1.0, 0.0, 0.0]).unwrap();
+    let of = |range: [f64; 2]| {
+        let report = kin_studio::report(&triad)
+            .at(start)
+            .moving("a")
+            .range(range[0]..=range[1]);
+        report.report().unwrap()
+    };
+    let range = [3.0, 6.5];
+    let report = of(range);
+    let reaches = |branch: &&kin_core::cycle::Branch<ClassThreeTriad>| {
+        let [low, high] = branch.ends().map(|end| end.input);
+        low < range[1] && range[0] < high
+    };
+    let inside = cycle.branches().iter().filter(reaches).count();
+    assert!(
+        report.assemblies.len() >= inside && report.assemblies.len() <= inside + 1,
+        "{range:?}"
+    );
+    let mut found: Vec<[f64; 4]> = Vec::new();
+    for (index, assembly) in report.assemblies.iter().enumerate() {
+        let at = assembly.at.unwrap();
+        if index == report.assembly && !(range[0]..=range[1]).contains(&at) {
+            continue;
+        }
+        assert!((range[0]..=range[1]).contains(&at), "{range:?}: {at}");
+        let Argument::Several(near) = &assembly.argument else {
+            panic!("a coupled block has values nearby");
+        };
+        let near = ["alpha", "beta", "gamma", "phi"].map(|name| near[name]);
+        let position = triad.position_near(at, b, c, near).unwrap().unknowns();
+        assert!(position.iter().zip(near).all(|(own, near)| (own - near).abs() < 1e-6));
+        // brought to the same place, no two are the same
+        let there = track(&triad, [at, b, c], position, [0.5 * (range[0] + range[1]), b, c]);
+        if let Ok(there) = there {
+            let is_new = |other: &[f64; 4]| other.iter().zip(there).any(|(one, own)| (one - own).sin().abs() > 1e-6);
+            assert!(found.iter().all(is_new), "{range:?}: {index}");
+            found.push(there);
+        }
+    }
+    // a branch beyond the range belongs to no assembly
+    let told = report.cycle.unwrap();
+    let named = told.branches.iter().filter(|branch| branch.assembly.is_some()).count();
+    assert_eq!(named, report.assemblies.len());
+}
+
 /// The limits are those of the cycle, and the scrubber goes a bit beyond them.
 #[test]
 fn limits_are_those_of_the_cycle() {
@@ -115,7 +174,7 @@ fn limits_are_those_of_the_cycle() {
     for (told, own) in told.branches.iter().zip(cycle.branches()) {
         assert_eq!(told.range, own.ends().map(|end| end.input));
         assert_eq!(told.circuit, own.circuit());
-        let Argument::One(sign) = report.assemblies[told.assembly].argument else {
+        let Argument::One(sign) = report.assemblies[told.assembly.unwrap()].argument else {
             panic!("a four-bar has one choice");
         };
         assert_eq!(own.assembly(), Some(Assembly::from_sign(sign)));
@@ -198,6 +257,23 @@ fn several_inputs_and_space() {
         rod: 3.0,
     };
     assert!(kin_studio::report(&shaft).report().expect("it closes").space);
+}
+
+/// Nothing moves at a speed of zero, which is another mistake than a number that is none.
+#[test]
+fn speeds_are_not_zero() {
+    let at = |speed: f64| {
+        kin_studio::report(&CRANK_ROCKER)
+            .speed(speed)
+            .report()
+            .map(|_| ())
+            .expect_err("it is refused")
+    };
+    for zero in [0.0, -0.0] {
+        assert!(matches!(at(zero), ReportError::NoSpeed));
+        assert!(format!("{:?}", at(zero)).starts_with("the speed of the moving input is zero"));
+    }
+    assert_eq!(at(f64::NAN).to_string(), "the speed is not finite: give a number");
 }
 
 #[test]

@@ -106,7 +106,7 @@ pub(crate) fn fall(
 ) -> Result<Vec<Instant>, Box<dyn Error>> {
     let failed = RefCell::new(None);
     let rates = |_: f64, [angle, velocity]: &State, rates: &mut State| {
-        let accelerations = loads.accelerations(&LINKAGE, [*angle], [*velocity], [0.0], Assembly::Open);
+        let accelerations = LINKAGE.accelerations(loads, [*angle], [*velocity], [0.0], Assembly::Open);
         *rates = match accelerations {
             Ok([acceleration]) => [*velocity, acceleration],
             Err(error) => {
@@ -129,7 +129,7 @@ pub(crate) fn fall(
     let solution = solution.map_err(|error| format!("{error:?}"))?;
     let instant = |(time, state): (&f64, &State)| {
         let crank = Motion::at_constant_speed(state[0], state[1]);
-        let balance = loads.at(&LINKAGE, [crank], Assembly::Open)?;
+        let balance = LINKAGE.balance(loads, [crank], Assembly::Open)?;
         Ok(Instant {
             time: *time,
             kinetic: balance.kinetic_energy().value(),
@@ -154,7 +154,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut torques = Vec::new();
     for degrees in 0..=360 {
         let crank = Motion::at_constant_speed(f64::from(degrees).to_radians(), rpm(SPEED));
-        let [torque] = loads.at(&LINKAGE, [crank], Assembly::Open)?.efforts();
+        let [torque] = LINKAGE.balance(&loads, [crank], Assembly::Open)?.efforts();
         torques.push((f64::from(degrees), torque));
     }
     println!("the drive at {SPEED} revolutions per minute");

@@ -42,10 +42,10 @@ pub struct Near<const N: usize>(
 /// # Ok::<(), SolveError>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not give values of the {N} unknowns near the position",
-    label = "give a pose of this mechanism, or the unknowns in their order, as in `[..]` or `Near([..])`",
-    note = "coupled equations have no closed form, so the assembly is chosen by values near it and not by `Assembly`: \
-            `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
+    message = "`{Self}` does not give values near the position for all unknowns, {N} in number",
+    label = "give {N} in the order of the unknowns, as in `[..]` or `Near([..])`, or a pose of this mechanism",
+    note = "coupled equations have no closed form: a mechanism with such a block takes values near the position in the place of an \
+            `Assembly`. Its `assemblies_at` finds all positions at given inputs, and `track` follows one of them from pose to pose"
 )]
 pub trait Guess<T, const N: usize, M> {
     /// The values.

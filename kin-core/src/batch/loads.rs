@@ -3,15 +3,16 @@
 use super::Column;
 use super::outcome::LengthMismatch;
 use super::sweep::{InAssembly, Problem};
-use crate::load::{Balance, Load, LoadError, Loads};
+use crate::load::{Balance, LoadError, Loaded, LoadsOf};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 
-impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
+/// The balances of many poses.
+pub trait LoadedBatch: Mechanism<Scalar = f64> {
     /// The balances of many poses, of one mechanism or of one with columns of dimensions. `read` takes from each what is wanted,
     /// or handles its error: the results are stored in the order of the columns.
     ///
-    /// Each result is that of [`at`](Self::at), to the last bit. Nothing is allocated.
+    /// Each result is that of [`balance`](Loaded::balance), to the last bit. Nothing is allocated.
     ///
     /// ```
     /// use kin_core::batch::Column;
@@ -32,7 +33,8 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
     /// // rods of several lengths, in one position of the crank
     /// let rods = [0.12, 0.15, 0.18, 0.04];
     /// let mut torques = [0.0; 4];
-    /// loads.at_batch(
+    /// Engine::balance_batch(
+    ///     &loads,
     ///     [Column::Same(engine.crank), Column::Each(&rods)],
     ///     [Motion::at_constant_speed(1.0, rpm(3000.0)).map(Column::Same)],
     ///     Assembly::Open,
@@ -47,61 +49,66 @@ impl<M: Mechanism<Scalar = f64>, L: Load<M>> Loads<M, L> {
     ///
     /// # Errors
     /// [`LengthMismatch`] if the length of a column differs from the number of results. Nothing is solved then.
-    pub fn at_batch<'a, R>(
-        &self,
-        parameters: M::Parameters<Column<'a>>,
-        inputs: M::Inputs<M::Motion<Column<'a>>>,
-        assembly: M::Assembly,
-        read: impl Fn(Result<Balance<M>, LoadError>) -> R,
+    fn balance_batch<'a, R>(
+        loads: &impl LoadsOf<Self>,
+        parameters: Self::Parameters<Column<'a>>,
+        inputs: Self::Inputs<Self::Motion<Column<'a>>>,
+        assembly: Self::Assembly,
+        read: impl Fn(Result<Balance<Self>, LoadError>) -> R,
         results: &mut [R],
     ) -> Result<(), LengthMismatch> {
-        let problem = problem::<M>(parameters, inputs, assembly);
+        let problem = problem::<Self>(parameters, inputs, assembly);
         problem.check_lengths(results.len())?;
         for (index, result) in results.iter_mut().enumerate() {
-            *result = read(self.of_row(&problem, index));
+            *result = read(of_row(loads, &problem, index));
         }
         Ok(())
     }
 
-    /// [`at_batch`](Self::at_batch) on all cores, in the thread pool of rayon.
+    /// [`balance_batch`](Self::balance_batch) on all cores, in the thread pool of rayon.
     ///
     /// # Errors
-    /// As for [`at_batch`](Self::at_batch).
+    /// As for [`balance_batch`](Self::balance_batch).
     #[cfg(feature = "rayon")]
     #[cfg_attr(docsrs, doc(cfg(feature = "rayon")))]
-    pub fn at_batch_in_parallel<'a, R: Send>(
-        &self,
-        parameters: M::Parameters<Column<'a>>,
-        inputs: M::Inputs<M::Motion<Column<'a>>>,
-        assembly: M::Assembly,
-        read: impl Fn(Result<Balance<M>, LoadError>) -> R + Sync,
+    fn balance_batch_in_parallel<'a, R: Send>(
+        loads: &(impl LoadsOf<Self> + Sync),
+        parameters: Self::Parameters<Column<'a>>,
+        inputs: Self::Inputs<Self::Motion<Column<'a>>>,
+        assembly: Self::Assembly,
+        read: impl Fn(Result<Balance<Self>, LoadError>) -> R + Sync,
         results: &mut [R],
     ) -> Result<(), LengthMismatch>
     where
-        L: Sync,
-        M: Mechanism<Assembly: Sync>,
-        M::Parameters<Column<'a>>: Sync,
-        M::Inputs<M::Motion<Column<'a>>>: Sync,
+        Self: Mechanism<Assembly: Sync>,
+        Self::Parameters<Column<'a>>: Sync,
+        Self::Inputs<Self::Motion<Column<'a>>>: Sync,
     {
         use rayon::prelude::*;
 
-        let problem = problem::<M>(parameters, inputs, assembly);
+        let problem = problem::<Self>(parameters, inputs, assembly);
         problem.check_lengths(results.len())?;
         results
             .par_iter_mut()
             .enumerate()
-            .for_each(|(index, result)| *result = read(self.of_row(&problem, index)));
+            .for_each(|(index, result)| *result = read(of_row(loads, &problem, index)));
         Ok(())
     }
+}
 
-    fn of_row(&self, problem: &Problem<'_, M, InAssembly<M::Assembly>>, index: usize) -> Result<Balance<M>, LoadError> {
-        let mechanism = M::from_parameters(Row::from_fn(|parameter| problem.parameters[parameter].at(index)));
-        let inputs = M::Inputs::from_fn(|input| {
-            let orders: M::Motion<Column<'_>> = problem.inputs[input];
-            M::Motion::from_fn(|order| orders[order].at(index))
-        });
-        self.at(&mechanism, inputs, problem.guide.0)
-    }
+impl<M: Mechanism<Scalar = f64>> LoadedBatch for M {}
+
+fn of_row<M: Mechanism<Scalar = f64>>(
+    loads: &impl LoadsOf<M>,
+    problem: &Problem<'_, M, InAssembly<M::Assembly>>,
+    index: usize,
+) -> Result<Balance<M>, LoadError> {
+    let mechanism = M::from_parameters(Row::from_fn(|parameter| problem.parameters[parameter].at(index)));
+    let inputs = M::Inputs::from_fn(|input| {
+        let orders: M::Motion<Column<'_>> = problem.inputs[input];
+        M::Motion::from_fn(|order| orders[order].at(index))
+    });
+    mechanism.balance(loads, inputs, problem.guide.0)
 }
 
 fn problem<'a, M: Mechanism<Scalar = f64>>(
@@ -120,10 +127,11 @@ fn problem<'a, M: Mechanism<Scalar = f64>>(
 mod tests {
     use std::vec::Vec;
 
-    use super::{Balance, Column, LengthMismatch, Load, LoadError, Loads};
+    use super::{Balance, Column, LengthMismatch, LoadError, Loaded, LoadedBatch};
     use crate::assembly::{Assembly, Near};
     use crate::geometry::Plane;
     use crate::library::{ClassThreeTriad, FiveBar};
+    use crate::load::{Load, Loads};
     use crate::mechanism::Mechanism;
     use crate::number::{Number, Row};
 
@@ -196,26 +204,23 @@ mod tests {
             .map(|row| {
                 let own = M::from_parameters(Row::from_fn(|place| dimensions[place][row]));
                 let inputs = Row::from_fn(|input| Row::from_fn(|order| motions[input][order][row]));
-                all(loads.at(&own, inputs, assembly))
+                all(own.balance(loads, inputs, assembly))
             })
             .collect();
         assert_eq!(single.iter().any(Result::is_err), with_failures);
         assert!(single.iter().any(Result::is_ok));
         let mut found = std::vec![Ok(Vec::new()); COUNT];
-        loads
-            .at_batch(parameters, inputs, assembly, all, &mut found)
-            .expect("the columns fit");
+        M::balance_batch(loads, parameters, inputs, assembly, all, &mut found).expect("the columns fit");
         assert!(found == single);
         #[cfg(feature = "rayon")]
         {
             let mut found = std::vec![Ok(Vec::new()); COUNT];
-            loads
-                .at_batch_in_parallel(parameters, inputs, assembly, all, &mut found)
+            M::balance_batch_in_parallel(loads, parameters, inputs, assembly, all, &mut found)
                 .expect("the columns fit");
             assert!(found == single);
         }
         let mut few = std::vec![Ok(Vec::new()); COUNT - 1];
-        let mismatch = loads.at_batch(parameters, inputs, assembly, all, &mut few);
+        let mismatch = M::balance_batch(loads, parameters, inputs, assembly, all, &mut few);
         let quantity = M::DESCRIPTION.parameters[0].name;
         assert_eq!(
             mismatch,

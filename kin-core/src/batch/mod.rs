@@ -55,6 +55,7 @@ pub(crate) use dispatch::Kernel;
 pub use dispatch::Vectors;
 pub use fold::{Fold, FoldError, Folded, FoldedNumber, Poses, Turn, fold, fold_near};
 pub use lanes::Element;
+pub use loads::LoadedBatch;
 pub use outcome::{LengthMismatch, Outcome, Summary};
 #[cfg(feature = "rayon")]
 pub use parallel::{solve_in_parallel, solve_near_in_parallel};

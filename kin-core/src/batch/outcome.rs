@@ -116,7 +116,7 @@ impl Summary {
 }
 
 /// The error for a column whose length differs from the number of poses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct LengthMismatch {
     /// The quantity of the column.
     pub quantity: &'static str,
@@ -139,6 +139,8 @@ impl fmt::Display for LengthMismatch {
         )
     }
 }
+
+crate::__debug_by_display!(LengthMismatch);
 
 impl Error for LengthMismatch {}
 

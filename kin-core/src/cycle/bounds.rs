@@ -10,7 +10,7 @@ use crate::number::Number;
 use crate::solve::{Check, Choose, Scalar};
 
 /// The bound of a number of which nothing is known.
-const HUGE: f64 = 1e150;
+pub(super) const HUGE: f64 = 1e150;
 /// The smallest bound that is not zero. Its square does not underflow.
 const TINY: f64 = 1e-140;
 /// The error of an elementary function, relative to its largest value.
@@ -32,6 +32,8 @@ impl Doubt {
     const FALLING: Self = Self(2);
     /// Nothing is known about where the values exist.
     const OPEN: Self = Self(4);
+    /// Rounding decides in the middle of the interval, and a shorter interval tells no more.
+    const ROUNDING: Self = Self(8);
 
     /// The doubt about a number made of two.
     #[inline]
@@ -43,6 +45,12 @@ impl Doubt {
     #[inline]
     pub(super) const fn is_one_sided(self) -> bool {
         self.0 == Self::RISING.0 || self.0 == Self::FALLING.0
+    }
+
+    /// Whether rounding decides, so that a shorter interval tells no more.
+    #[inline]
+    pub(super) const fn is_rounding(self) -> bool {
+        self.0 & Self::ROUNDING.0 != 0
     }
 }
 
@@ -76,7 +84,7 @@ fn most(one: f64, other: f64) -> f64 {
 
 /// The smallest interval that holds the products of two intervals.
 #[inline]
-fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(super) fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     widened(rounded_product(a, b))
 }
 
@@ -92,7 +100,7 @@ fn rounded_product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// An interval that holds the exact result of an operation, whose rounded ends are given.
 #[inline]
-fn widened([low, high]: [f64; 2]) -> [f64; 2] {
+pub(super) fn widened([low, high]: [f64; 2]) -> [f64; 2] {
     let size = most(low.abs(), high.abs());
     // Only the product with an exact zero is zero: bounds do not underflow, and stay above the numbers with which processors are slow.
     let slack = if size < TINY && size > 0.0 {
@@ -110,7 +118,7 @@ fn widened([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// The reciprocals of an interval.
 #[inline]
-fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
+pub(super) fn reciprocal([low, high]: [f64; 2]) -> [f64; 2] {
     if low > 0.0 || high < 0.0 {
         widened([1.0 / high, 1.0 / low])
     } else {
@@ -135,10 +143,29 @@ impl Bounds {
         }
     }
 
+    /// A number that is known to one unit in its last place, as a length that was read or multiplied by a unit. What
+    /// such a unit decides is not decided.
+    #[inline]
+    pub(super) fn rounded(value: f64) -> Self {
+        let error = f64::EPSILON * value.abs();
+        Self {
+            error,
+            low: value - error,
+            high: value + error,
+            ..Self::constant(value)
+        }
+    }
+
     /// The value in the middle of the interval, as far as it exists.
     #[inline]
     pub(super) fn middle(self) -> f64 {
         self.middle
+    }
+
+    /// The largest error of the value in the middle of the interval.
+    #[inline]
+    pub(super) fn error(self) -> f64 {
+        self.error
     }
 
     #[inline]
@@ -157,24 +184,28 @@ impl Bounds {
         .tight()
     }
 
-    /// Whether this is one number, known exactly and everywhere.
+    /// Whether this is one number, known up to an error, which exists everywhere.
     #[inline]
     fn is_constant(self) -> bool {
-        self.low == self.high && self.error == 0.0 && self.least == 0.0 && self.most == 0.0 && self.doubt == Doubt::NONE
+        self.least == 0.0 && self.most == 0.0 && self.doubt == Doubt::NONE
     }
 
-    /// This function times a number. Its bounds are as tight as before.
+    /// This function times a constant. Its bounds are almost as tight as before.
     #[inline]
-    fn scaled(self, factor: f64) -> Self {
+    fn scaled(self, constant: Self) -> Self {
+        let factor = constant.middle;
         let times = |[low, high]: [f64; 2]| {
+            let slack = constant.error * most(low.abs(), high.abs());
             let [low, high] = [low * factor, high * factor];
-            widened(if factor < 0.0 { [high, low] } else { [low, high] })
+            let [low, high] = if factor < 0.0 { [high, low] } else { [low, high] };
+            widened([low - slack, high + slack])
         };
         let middle = self.middle * factor;
         let ([low, high], [least, most]) = (times(self.values()), times(self.slopes()));
+        let error = self.error * factor.abs() + constant.error * (self.middle.abs() + self.error);
         Self {
             middle,
-            error: self.error * factor.abs() * (1.0 + 4.0 * f64::EPSILON) + f64::EPSILON * middle.abs(),
+            error: error * (1.0 + 4.0 * f64::EPSILON) + f64::EPSILON * middle.abs(),
             low,
             high,
             least,
@@ -196,13 +227,20 @@ impl Bounds {
         self
     }
 
+    /// The same function within bounds that are known of its derivative.
+    pub(super) fn with_slopes(mut self, [low, high]: [f64; 2]) -> Self {
+        self.least = most(low, self.least);
+        self.most = least(high, self.most);
+        self.tight()
+    }
+
     #[inline]
-    fn values(self) -> [f64; 2] {
+    pub(super) fn values(self) -> [f64; 2] {
         [self.low, self.high]
     }
 
     #[inline]
-    fn slopes(self) -> [f64; 2] {
+    pub(super) fn slopes(self) -> [f64; 2] {
         [self.least, self.most]
     }
 
@@ -293,7 +331,7 @@ fn at_corners<const N: usize>(operands: [Bounds; N], mut visit: impl FnMut([f64;
 }
 
 /// What a check says about an interval.
-enum Verdict {
+pub(super) enum Verdict {
     Holds,
     Fails,
     Doubtful(Doubt),
@@ -301,7 +339,7 @@ enum Verdict {
 
 /// The verdict of conditions that are comparisons of each operand or of its magnitude.
 #[inline]
-fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
+pub(super) fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> Verdict {
     let operands = check.operands();
     let (mut always, mut never) = ([true; K], [true; K]);
     at_corners(operands, |values| {
@@ -323,7 +361,11 @@ fn verdict<const N: usize, const K: usize>(check: impl Check<Bounds, N, K>) -> V
     Verdict::Doubtful(doubt)
 }
 
-/// Whether a condition rises or falls along the interval.
+/// The largest part of the width of an interval of values that is rounding where halving the interval of the input is
+/// of no more use.
+const SPREAD: f64 = 16.0;
+
+/// Whether a condition rises or falls along the interval, or rounding decides about it.
 #[inline]
 fn trend<const N: usize, const K: usize>(
     check: &impl Check<Bounds, N, K>,
@@ -345,6 +387,18 @@ fn trend<const N: usize, const K: usize>(
         let (corners, count) = operand.corners();
         if count == 1 {
             continue;
+        }
+        let is_rounded = operand.high - operand.low <= SPREAD * operand.error
+            && [
+                operand.middle - operand.error,
+                operand.middle,
+                operand.middle + operand.error,
+            ]
+            .map(ends)
+            .windows(2)
+            .any(|pair| pair[0] != pair[1]);
+        if is_rounded {
+            doubt = doubt.and(Doubt::ROUNDING);
         }
         let (low, high) = (ends(corners[0]), ends(corners[1]));
         if low == high {
@@ -412,10 +466,10 @@ impl Mul for Bounds {
     #[inline]
     fn mul(self, other: Self) -> Self {
         if other.is_constant() {
-            return self.scaled(other.middle);
+            return self.scaled(other);
         }
         if self.is_constant() {
-            return other.scaled(self.middle);
+            return other.scaled(self);
         }
         let [one, two] = [
             product(self.slopes(), other.values()),

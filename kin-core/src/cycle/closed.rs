@@ -3,28 +3,48 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use core::ops::Range;
+
 use num_traits::Float;
 
-use super::EndKind;
 use super::bounds::{Bounds, Doubt, UNDECIDED};
+use super::curved::Curved;
 use super::free::{self, Jump};
-use super::interpolation::{CROSSING, around, interpolated};
-use super::line::{InputLine, MEETING, distance, inputs_at, nearest, reach};
+use super::interpolation::{CROSSING, around, crosses, interpolated};
+use super::line::{InputLine, MEETING, count, distance, inputs_at, nearest, reach};
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
+use super::{EndKind, Incomplete};
 use crate::failure::Failure;
 use crate::mechanism::Mechanism;
-use crate::number::{Number, Row};
-use crate::quantity::Dimension;
+use crate::number::Row;
+use crate::quantity::{Dimension, Quantity};
 use crate::track::{TrackError, track};
 
 /// The number of intervals of the first division.
 const FIRST: u32 = 8;
-/// The shortest interval, as a part of the range.
+/// The shortest interval, as a part of the range: a few units in the last place of its ends.
+const SHORTEST: f64 = 1.0 / 1_125_899_906_842_624.0;
+/// The distance of places that may be the same, as a part of the range.
 pub(super) const RESOLUTION: f64 = 1.0 / 16_777_216.0;
 /// The largest number of intervals of an assembly, besides those with which its search begins.
 const MOST_INTERVALS: usize = 4096;
+/// The number of intervals of an assembly from which on second derivatives are worth their time.
+const BENDING: usize = 512;
 /// The largest number of intervals with which the search of an assembly begins.
 const MOST_SHARED: usize = 256;
+/// The largest distance from a change point at which values lead to it, as a part of the range.
+const FAR: f64 = 2e-2;
+/// The part of that distance at which the nearest of these values lie.
+const NEAREST: f64 = 0.15;
+/// The largest difference of two locations of a change point that agree, as a part of the range.
+const SETTLED: f64 = 1e-13;
+/// Two distances from a limit at which differences of assemblies show where these meet, as parts of the range.
+const ROOTS: [f64; 2] = [1.0 / 268_435_456.0, 1.0 / 67_108_864.0];
+/// The largest distance of limits at the same place, as a part of the range: that of some units in the last place of
+/// the lengths.
+const TOGETHER: f64 = 1.0 / 8_796_093_022_208.0;
+/// The largest distance of two ranges in which rounding decides about one place, as a multiple of their widths.
+const BRIDGE: f64 = 8.0;
 /// The largest distance by which an angle may move from the middle of an interval.
 const SWING: f64 = 1.5;
 
@@ -35,8 +55,12 @@ enum Known {
     Fails,
     /// At most one limit, which the ends tell.
     OneLimit,
-    /// The shortest interval, or no interval more.
+    /// Rounding decides.
+    Rounding,
+    /// The shortest interval.
     Short,
+    /// There were too many intervals.
+    Undecided,
 }
 
 struct Interval<M: Mechanism<Scalar = f64>> {
@@ -45,6 +69,9 @@ struct Interval<M: Mechanism<Scalar = f64>> {
     known: Known,
     middle: Option<M::Unknowns<f64>>,
 }
+
+/// A place at which two assemblies cross, the unknowns there, and the index of the other assembly.
+type BranchCrossing<M> = (f64, <M as Mechanism>::Unknowns<f64>, usize);
 
 /// The end of a piece at a node. A part that turns freely there may have another direction than in the node.
 #[derive(Clone, Copy)]
@@ -56,6 +83,7 @@ struct PieceEnd<M: Mechanism<Scalar = f64>> {
 struct Search<'a, M: Mechanism<Scalar = f64>> {
     mechanism: &'a M,
     bounded: M::With<Bounds>,
+    curved: M::With<Curved>,
     line: &'a InputLine<M>,
     size: f64,
     /// The ends of the intervals with which the search of an assembly begins: those of the assembly before it, which has most of its blocks
@@ -64,19 +92,40 @@ struct Search<'a, M: Mechanism<Scalar = f64>> {
     found: FoundPieces<M>,
 }
 
+impl Known {
+    /// Whether the assembly closes at the ends of such an interval, if that is known.
+    const fn closes(self) -> Option<bool> {
+        match self {
+            Self::Closes => Some(true),
+            Self::Fails => Some(false),
+            _ => None,
+        }
+    }
+
+    /// Whether nothing is known at the ends of such an interval either.
+    const fn is_unknown(self) -> bool {
+        matches!(self, Self::Rounding | Self::Short)
+    }
+
+    const fn may_close(self) -> bool {
+        matches!(self, Self::Closes | Self::OneLimit)
+    }
+}
+
 /// All pieces of branches of a mechanism whose blocks all have closed forms.
 pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) -> FoundPieces<M> {
     let place = |part: u32| line.low + (line.high - line.low) * (f64::from(part) / f64::from(FIRST));
     let mut search = Search {
         mechanism,
-        bounded: mechanism.convert(Bounds::constant),
+        bounded: mechanism.convert(Bounds::rounded),
+        curved: mechanism.convert(Curved::rounded),
         line,
         size: reach(mechanism),
         division: (0..=FIRST).map(place).collect(),
         found: FoundPieces {
             nodes: Vec::new(),
             pieces: Vec::new(),
-            is_complete: true,
+            incomplete: Vec::new(),
             undecided: Vec::new(),
             seeds: Vec::new(),
         },
@@ -85,6 +134,7 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine
         search.assembly(index, assembly);
     }
     search.unite();
+    search.note_undecided();
     search.found
 }
 
@@ -94,28 +144,60 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
     }
 
     /// What the bounds say about an interval, and the position in its middle.
-    fn known(&self, low: f64, high: f64, assembly: M::Assembly) -> (Option<Known>, Option<M::Unknowns<f64>>) {
-        let inputs = inputs_at(self.line, Bounds::variable(low, high));
-        let unknowns = match self.bounded.solve_position(inputs, assembly) {
+    fn known(
+        &self,
+        low: f64,
+        high: f64,
+        assembly: M::Assembly,
+        is_curved: bool,
+    ) -> (Option<Known>, Option<M::Unknowns<f64>>) {
+        let solved = if is_curved {
+            let inputs = inputs_at(self.line, Curved::variable(low, high));
+            let solved = self.curved.solve_position(inputs, assembly);
+            solved.map(|unknowns| Row::from_fn(|index| unknowns[index].bounds))
+        } else {
+            let inputs = inputs_at(self.line, Bounds::variable(low, high));
+            let solved = self.bounded.solve_position(inputs, assembly);
+            solved.map(|unknowns| Row::from_fn(|index| unknowns[index]))
+        };
+        let unknowns: M::Unknowns<Bounds> = match solved {
             Ok(unknowns) => unknowns,
             Err(error) => {
                 let is_told = !matches!(error.failure, Failure::NotFinite { quantity } if quantity == UNDECIDED);
                 return (is_told.then_some(Known::Fails), None);
             }
         };
-        let mut doubt = Doubt::NONE;
-        for (quantity, unknown) in M::DESCRIPTION.unknowns.iter().zip(unknowns.as_ref()) {
-            doubt = doubt.and(unknown.doubt);
+        let doubts = unknowns.as_ref().iter().map(|unknown| unknown.doubt);
+        let doubt = doubts.fold(Doubt::NONE, Doubt::and);
+        if doubt.is_rounding() {
+            return (Some(Known::Rounding), None);
+        }
+        let swings = |(quantity, unknown): (&Quantity, &Bounds)| {
             let swing = (unknown.high - unknown.middle()).max(unknown.middle() - unknown.low);
-            if quantity.dimension == Dimension::Angle && swing > SWING {
-                return (None, None);
-            }
+            quantity.dimension == Dimension::Angle && swing > SWING
+        };
+        if M::DESCRIPTION.unknowns.iter().zip(unknowns.as_ref()).any(swings) {
+            return (None, None);
         }
         let middle = M::Unknowns::from_fn(|index| unknowns[index].middle());
         if doubt == Doubt::NONE {
             (Some(Known::Closes), Some(middle))
         } else {
             (doubt.is_one_sided().then_some(Known::OneLimit), None)
+        }
+    }
+
+    /// The unknowns of the first block about which the bounds are in doubt over an interval.
+    fn doubtful_block(&self, low: f64, high: f64, assembly: M::Assembly) -> &'static str {
+        let inputs = inputs_at(self.line, Bounds::variable(low, high));
+        match self.bounded.solve_position(inputs, assembly) {
+            Ok(unknowns) => {
+                let is_doubtful = |member: &usize| unknowns[*member].doubt != Doubt::NONE;
+                let mut blocks = M::DESCRIPTION.blocks.iter();
+                let block = blocks.find(|block| block.members.iter().any(is_doubtful));
+                block.map_or("", |block| block.unknowns)
+            }
+            Err(error) => error.block,
         }
     }
 
@@ -127,8 +209,43 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
+    /// Tells of all assemblies about which nothing is known in a part of the range.
+    fn note_undecided(&mut self) {
+        let undecided = &self.found.undecided;
+        let mut indices: Vec<usize> = undecided.iter().map(|(index, _)| *index).collect();
+        indices.dedup();
+        let range = undecided.iter().map(|(_, range)| *range);
+        if let Some(range) = range.reduce(|one, other| [one[0].min(other[0]), one[1].max(other[1])]) {
+            self.found.incomplete.push(Incomplete::Undecided {
+                assemblies: indices.len(),
+                range,
+                is_angle: self.line.is_angle(),
+            });
+        }
+    }
+
+    /// Tells that rounding decides about a block in a range.
+    fn note_rounding(&mut self, block: &'static str, range: [f64; 2]) {
+        let reason = Incomplete::Rounding {
+            block,
+            range,
+            is_angle: self.line.is_angle(),
+        };
+        let is_known = |known: &Incomplete| match *known {
+            Incomplete::Rounding {
+                block: own,
+                range: [low, high],
+                ..
+            } => own == block && low <= range[1] && high >= range[0],
+            _ => false,
+        };
+        if !self.found.incomplete.iter().any(is_known) {
+            self.found.incomplete.push(reason);
+        }
+    }
+
     fn intervals(&mut self, index: usize, assembly: M::Assembly) -> Vec<Interval<M>> {
-        let shortest = RESOLUTION * (self.line.high - self.line.low);
+        let shortest = SHORTEST * (self.line.high - self.line.low);
         let given = self.division.windows(2).rev();
         let mut waiting: Vec<(f64, f64)> = given.map(|ends| (ends[0], ends[1])).collect();
         let mut done: Vec<Interval<M>> = Vec::with_capacity(32);
@@ -136,7 +253,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         division.push(self.line.low);
         let mut count = 0;
         while let Some((low, high)) = waiting.pop() {
-            let (known, middle) = self.known(low, high, assembly);
+            let (known, middle) = self.known(low, high, assembly, count >= BENDING);
             let known = match known {
                 Some(known) => known,
                 None if high - low > shortest && count < MOST_INTERVALS => {
@@ -146,17 +263,15 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     waiting.push((low, middle));
                     continue;
                 }
-                None => {
-                    if high - low > shortest {
-                        self.found.is_complete = false;
-                        self.undecided(index, low, high);
-                    }
-                    Known::Short
+                None if high - low > shortest => {
+                    self.undecided(index, low, high);
+                    Known::Undecided
                 }
+                None => Known::Short,
             };
             division.push(high);
             match done.last_mut() {
-                Some(last) if last.known == known && matches!(known, Known::Short | Known::Fails) => last.high = high,
+                Some(last) if last.known == known && !known.may_close() => last.high = high,
                 _ => done.push(Interval {
                     low,
                     high,
@@ -168,31 +283,28 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         if division.len() <= MOST_SHARED {
             self.division = division;
         }
-        done
+        bridged(done)
     }
 
     /// Adds the pieces of one assembly.
     fn assembly(&mut self, index: usize, assembly: M::Assembly) {
         let intervals = self.intervals(index, assembly);
         let mut open: Option<BranchPiece<M>> = None;
+        // Whether the assembly closes at the border before an interval, or at the end of the range; nothing if rounding
+        // may decide about it.
         let closes_at = |search: &Self, place: usize| {
             // At the border of an interval that closes everywhere, and at that of one that closes nowhere, nothing needs to be solved.
-            let neighbours = [place.checked_sub(1), Some(place)];
-            let mut neighbours = neighbours
-                .into_iter()
-                .flatten()
-                .filter_map(|place| intervals.get(place));
-            let known = neighbours.find_map(|interval| match interval.known {
-                Known::Closes => Some(true),
-                Known::Fails => Some(false),
-                _ => None,
-            });
-            known.unwrap_or_else(|| {
+            let [before, after] =
+                [place.checked_sub(1), Some(place)].map(|place| intervals.get(place?).map(|own| own.known));
+            let known = [before, after].into_iter().flatten().find_map(Known::closes);
+            known.or_else(|| {
+                let is_inside = before.is_some() && after.is_some();
+                let is_unknown = [before, after].into_iter().flatten().any(Known::is_unknown);
                 let s = intervals.get(place).map_or(search.line.high, |interval| interval.low);
-                search.solved(s, assembly).is_some()
+                (!(is_inside && is_unknown)).then(|| search.solved(s, assembly).is_some())
             })
         };
-        let mut closes = closes_at(self, 0);
+        let mut closes = closes_at(self, 0).unwrap_or(false);
         if closes {
             open = Some(BranchPiece {
                 assembly: Some(assembly),
@@ -205,7 +317,10 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 piece.samples.push((s, unknowns));
             }
         }
-        for (place, interval) in intervals.iter().enumerate() {
+        let mut place = 0;
+        while let Some(interval) = intervals.get(place) {
+            let first = place;
+            place += 1;
             if interval.known == Known::Closes {
                 if !closes {
                     let node = self.limit(index, assembly, 0.5 * (interval.low + interval.high), interval.low);
@@ -217,13 +332,16 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 closes = true;
                 continue;
             }
-            let after = closes_at(self, place + 1);
+            // Intervals whose borders rounding decides are one.
+            let after = loop {
+                if let Some(after) = closes_at(self, place) {
+                    break after;
+                }
+                place += 1;
+            };
+            let (low, high) = (interval.low, intervals[place - 1].high);
             if closes != after {
-                let (good, bad) = if closes {
-                    (interval.low, interval.high)
-                } else {
-                    (interval.high, interval.low)
-                };
+                let (good, bad) = if closes { (low, high) } else { (high, low) };
                 let node = self.limit(index, assembly, good, bad);
                 let end = self.at_node(node);
                 if closes {
@@ -232,8 +350,7 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     open = Some(self.begun(assembly, end));
                 }
             } else if closes
-                && interval.known == Known::Short
-                && let Some([before, behind]) = self.change_point(index, assembly, &intervals, place)
+                && let Some([before, behind]) = self.change_point(index, assembly, &intervals, first..place)
             {
                 self.finish(open.take(), before);
                 open = Some(self.begun(assembly, behind));
@@ -314,6 +431,26 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 node.assemblies[1] = other;
             }
         }
+        let together = self.together(index, assembly, good, good > bad);
+        if let [_, _, ..] = together[..] {
+            // Several blocks have their limits here, and all their assemblies meet.
+            let own = node.unknowns;
+            let others = together
+                .iter()
+                .filter_map(|(other, _)| self.solved(good, M::assembly(*other)?));
+            let all: Vec<M::Unknowns<f64>> = others.map(|other| nearest::<M>(other, &own)).collect();
+            node.unknowns = Row::from_fn(|unknown| {
+                let sum = all.iter().fold(own[unknown], |sum, other| sum + other[unknown]);
+                sum / count(all.len() + 1)
+            });
+            let moves = |member: &usize| together.iter().any(|(_, apart)| apart[*member] != 0.0);
+            let mut blocks = M::DESCRIPTION.blocks.iter();
+            if let Some(first) = blocks.find(|block| block.members.iter().any(moves)) {
+                node.block = first.unknowns;
+            }
+            (node.kind, node.assemblies) = (EndKind::ChangePoint, [index, index]);
+            return self.noted(node);
+        }
         if node.assemblies[1] != index {
             let other = M::assembly(node.assemblies[1]).and_then(|other| self.solved(good, other));
             if let Some(other) = other {
@@ -325,6 +462,36 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
         self.found.nodes.push(node);
         self.found.nodes.len() - 1
+    }
+
+    /// The other assemblies that meet an assembly at its limit, and how far they are apart from it next to the limit.
+    ///
+    /// The square of the difference of two assemblies that meet grows with the distance from the place where it is
+    /// zero. Two differences show that place, which is the limit of the block that the assemblies solve differently.
+    fn together(
+        &self,
+        index: usize,
+        assembly: M::Assembly,
+        limit: f64,
+        is_above: bool,
+    ) -> Vec<(usize, M::Unknowns<f64>)> {
+        let range = (self.line.high - self.line.low) * if is_above { 1.0 } else { -1.0 };
+        let [near, far] = ROOTS.map(|part| limit + part * range);
+        let (Some(first), Some(second)) = (self.solved(near, assembly), self.solved(far, assembly)) else {
+            return Vec::new();
+        };
+        let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
+        let meets = others.filter_map(|(other, candidate)| {
+            let unknowns: M::Unknowns<f64> = nearest::<M>(self.solved(near, candidate)?, &first);
+            let one = distance::<M>(self.size, &first, &unknowns);
+            let two = distance::<M>(self.size, &second, &self.solved(far, candidate)?);
+            let (one, two) = (one * one, two * two);
+            // From the limit outwards, in parts of the range.
+            let remaining = (ROOTS[1] * one - ROOTS[0] * two) / (two - one);
+            let apart = Row::from_fn(|unknown| unknowns[unknown] - first[unknown]);
+            (two > one && remaining.abs() <= TOGETHER).then_some((other, apart))
+        });
+        meets.collect()
     }
 
     /// Moves a place that closes and one that does not together until no number lies between them.
@@ -376,82 +543,90 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         }
     }
 
-    /// The change point in a short interval at both ends of which an assembly closes, if there is one: where the assembly ends before it,
-    /// and where it begins behind it. Both are the same unless a part turns freely there.
+    /// The change point in some intervals at both ends of which an assembly closes, if there is one: where the assembly
+    /// ends before it, and where it begins behind it. Both are the same unless a part turns freely there.
     fn change_point(
         &mut self,
         index: usize,
         assembly: M::Assembly,
         intervals: &[Interval<M>],
-        place: usize,
+        own: Range<usize>,
     ) -> Option<[PieceEnd<M>; 2]> {
-        let own = &intervals[place];
-        // As far as it certainly closes on both sides, but not farther than the curvature allows.
-        let far = 2e-2 * (self.line.high - self.line.low);
-        let may_close = |interval: &&Interval<M>| matches!(interval.known, Known::Closes | Known::OneLimit);
-        let before = intervals[..place].iter().rev().take_while(may_close).last();
-        let after = intervals[place + 1..].iter().take_while(may_close).last();
-        let closing = |wanted: f64, near: f64| {
-            if self.solved(wanted, assembly).is_some() {
-                wanted
-            } else {
-                near
-            }
-        };
-        let start = before.map_or(own.low, |interval| closing(interval.low.max(own.low - far), own.low));
-        let end = after.map_or(own.high, |interval| {
-            closing(interval.high.min(own.high + far), own.high)
-        });
-        let middle = 0.5 * (own.low + own.high);
-        let known = self.found.nodes.iter().position(|node| {
-            let is_inside = node.s >= own.low && node.s <= own.high;
-            node.kind == EndKind::ChangePoint && is_inside && node.assemblies[1] == index
-        });
+        let is_doubtful = |place: &usize| !intervals[*place].known.may_close();
+        let (first, last) = (own.clone().find(is_doubtful)?, own.rev().find(is_doubtful)?);
+        let (low, high) = (intervals[first].low, intervals[last].high);
+        let range = self.line.high - self.line.low;
+        let slack = RESOLUTION * range;
+        let is_inside = |s: f64| s >= low - slack && s <= high + slack;
+        let known = self
+            .found
+            .nodes
+            .iter()
+            .position(|node| node.kind == EndKind::ChangePoint && is_inside(node.s) && node.assemblies[1] == index);
         if let Some(known) = known {
             return Some([self.at_node(known); 2]);
         }
+        // As far as it certainly closes on both sides, but not farther than the curvature allows.
+        let far = FAR * range;
+        let may_close = |interval: &&Interval<M>| interval.known.may_close();
+        let before = intervals[..first].iter().rev().take_while(may_close).last();
+        let after = intervals[last + 1..].iter().take_while(may_close).last();
+        let start = before.map_or(low, |interval| self.closing(interval.low.max(low - far), low, assembly));
+        let end = after.map_or(high, |interval| {
+            self.closing(interval.high.min(high + far), high, assembly)
+        });
+        let middle = 0.5 * (low + high);
         let reach = (middle - start).min(end - middle).min(0.5 * far);
+        let is_rounding = intervals[first..=last]
+            .iter()
+            .any(|interval| interval.known == Known::Rounding);
+        if is_rounding && NEAREST * reach < high - low {
+            // The nearest values have no digits.
+            let block = self.doubtful_block(low, high, assembly);
+            self.note_rounding(block, [low, high]);
+            return None;
+        }
         let places = around(middle, reach);
-        let is_inside = |s: f64| s >= own.low && s <= own.high;
-        let crossing = self.crossing(index, assembly, middle, &places);
-        let block_at = |s: f64| {
-            let error = self.mechanism.solve_position(self.line.inputs(s), assembly).err()?;
-            Some(error.block)
-        };
-        let crossing = crossing.and_then(|(s, unknowns, other)| Some((s, unknowns, block_at(s)?, other)));
-        let (s, unknowns, block, other) = match crossing {
-            Some(crossing) if is_inside(crossing.0) => crossing,
-            _ => {
-                let solved = |s: f64, assembly: M::Assembly| self.solved(s, assembly);
-                let jump = free::jump::<M>(solved, self.size, assembly, &places);
-                if let Some(Jump { s, unknowns, block }) = jump.filter(|jump| is_inside(jump.s)) {
-                    let mut end = |unknowns: M::Unknowns<f64>| {
-                        let node = self.noted(BranchNode {
-                            kind: EndKind::ChangePoint,
-                            s,
-                            unknowns,
-                            block,
-                            assemblies: [index, index],
-                        });
-                        PieceEnd { node, unknowns }
-                    };
-                    return Some([end(unknowns[0]), end(unknowns[1])]);
-                }
-                let unknowns = self.solved(start, assembly)?;
-                let (from, to) = (self.line.inputs(start), self.line.inputs(end));
-                match track(self.mechanism, from, unknowns, to) {
-                    Ok(_) => return None,
-                    Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
-                        self.line.place(obstacle.inputs),
-                        obstacle.unknowns,
-                        obstacle.block,
-                        index,
-                    ),
-                    Err(_) => {
-                        self.found.is_complete = false;
-                        self.undecided(index, own.low, own.high);
-                        (middle, unknowns, "", index)
+        let solved = |s: f64, assembly: M::Assembly| self.solved(s, assembly);
+        if let Some(Jump { s, unknowns, block }) =
+            free::jump(solved, self.mechanism, self.line, self.size, assembly, &places)
+            && is_inside(s)
+        {
+            let mut end = |unknowns: M::Unknowns<f64>| {
+                let node = self.noted(BranchNode {
+                    kind: EndKind::ChangePoint,
+                    s,
+                    unknowns,
+                    block,
+                    assemblies: [index, index],
+                });
+                PieceEnd { node, unknowns }
+            };
+            return Some([end(unknowns[0]), end(unknowns[1])]);
+        }
+        let block = self.doubtful_block(low - slack, high + slack, assembly);
+        let crossing = self.crossing(index, assembly, middle, reach);
+        let (s, unknowns, block, other) = if let Some((s, unknowns, other)) = crossing.filter(|(s, ..)| is_inside(*s)) {
+            (s, unknowns, block, other)
+        } else {
+            let unknowns = self.solved(start, assembly)?;
+            let (from, to) = (self.line.inputs(start), self.line.inputs(end));
+            match track(self.mechanism, from, unknowns, to) {
+                Ok(_) => {
+                    if is_rounding {
+                        self.note_rounding(block, [low, high]);
                     }
+                    return None;
+                }
+                Err(TrackError::ChangePoint(obstacle) | TrackError::Limit(obstacle)) => (
+                    self.line.place(obstacle.inputs),
+                    obstacle.unknowns,
+                    obstacle.block,
+                    index,
+                ),
+                Err(_) => {
+                    self.undecided(index, low, high);
+                    (middle, unknowns, "", index)
                 }
             }
         };
@@ -469,6 +644,13 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         Some(sides.map_or([self.at_node(node); 2], |sides| {
             sides.map(|unknowns| PieceEnd { node, unknowns })
         }))
+    }
+
+    /// The place at which an assembly closes, as close to a wanted one as halving the way to another place finds it.
+    fn closing(&self, wanted: f64, near: f64, assembly: M::Assembly) -> f64 {
+        let places = core::iter::successors(Some(wanted), |place| Some(0.5 * (place + near)));
+        let mut closing = places.take(8).filter(|place| self.solved(*place, assembly).is_some());
+        closing.next().unwrap_or(near)
     }
 
     /// Whether two nodes are change points at the same place.
@@ -514,15 +696,35 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
 
     /// The place near another one at which two assemblies cross, the unknowns there, and the index of the other assembly.
     ///
+    /// It is found from places as far away as another limit allows, and from closer ones as long as these differ: next
+    /// to another limit, the assemblies are no smooth functions of the input.
+    fn crossing(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<BranchCrossing<M>> {
+        let tolerance = SETTLED * (self.line.high - self.line.low);
+        let mut best: Option<(f64, BranchCrossing<M>)> = None;
+        let mut before: Option<BranchCrossing<M>> = None;
+        for halving in 0..8 {
+            let found = self.crossing_within(index, assembly, s, reach * Float::powi(0.5, halving));
+            if let (Some(before), Some(found)) = (before, found) {
+                let change = (found.0 - before.0).abs();
+                if change <= tolerance {
+                    // Values that are farther away have more digits.
+                    return Some(before);
+                }
+                if best.is_none_or(|(least, _)| change < least) {
+                    best = Some((change, found));
+                }
+            }
+            before = found;
+        }
+        best.map(|(_, found)| found)
+    }
+
+    /// The place at which two assemblies cross, from others within a distance from it.
+    ///
     /// Both are smooth if they change roles at the crossing. So their difference, with its sign changed behind the crossing, is a smooth
     /// function with a simple zero, which inverse interpolation finds from places where the difference has all its digits.
-    fn crossing(
-        &self,
-        index: usize,
-        assembly: M::Assembly,
-        s: f64,
-        places: &[f64; CROSSING],
-    ) -> Option<(f64, M::Unknowns<f64>, usize)> {
+    fn crossing_within(&self, index: usize, assembly: M::Assembly, s: f64, reach: f64) -> Option<BranchCrossing<M>> {
+        let places = around(s, reach);
         let own = places.map(|place| self.solved(place, assembly));
         let first = own[CROSSING / 2]?;
         let others = M::assemblies().enumerate().filter(|(other, _)| *other != index);
@@ -544,15 +746,34 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
             let size = |unknown: usize| halves[0][unknown].abs();
             size(*one).total_cmp(&size(*other))
         })?;
-        let differences = core::array::from_fn(|place| halves[place][lead]);
-        let found = interpolated(&differences, places, 0.0);
+        let differences: [f64; CROSSING] = core::array::from_fn(|place| halves[place][lead]);
+        let found = interpolated(&differences, &places, 0.0);
         let unknowns = M::Unknowns::from_fn(|unknown| {
-            interpolated(places, &core::array::from_fn(|place| means[place][unknown]), found)
+            interpolated(&places, &core::array::from_fn(|place| means[place][unknown]), found)
         });
-        let is_near = (found - s).abs() <= 1e-3 * (places[CROSSING - 1] - s)
-            && unknowns.as_ref().iter().all(|value| value.is_finite());
-        is_near.then_some((found, unknowns, which))
+        let is_finite = unknowns.as_ref().iter().all(|value| value.is_finite());
+        (is_finite && crosses(&differences)).then_some((found, unknowns, which))
     }
+}
+
+/// The intervals, where those that rounding decides are one with others close by, if the assembly closes in between.
+/// How far rounding reaches is not known better than that.
+fn bridged<M: Mechanism<Scalar = f64>>(intervals: Vec<Interval<M>>) -> Vec<Interval<M>> {
+    let mut all: Vec<Interval<M>> = Vec::with_capacity(intervals.len());
+    for own in intervals {
+        let before = all.iter().rposition(|interval| !interval.known.may_close());
+        if own.known == Known::Rounding
+            && let Some(before) = before
+            && all[before].known == Known::Rounding
+            && own.low - all[before].high <= BRIDGE * ((own.high - own.low) + (all[before].high - all[before].low))
+        {
+            all.truncate(before + 1);
+            all[before].high = own.high;
+        } else {
+            all.push(own);
+        }
+    }
+    all
 }
 
 /// Adds a sample at the end of a piece, with angles on the nearest turns.

@@ -5,10 +5,10 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::EndKind;
 use super::limits::{SingularPlace, limits};
 use super::line::{InputLine, distance, nearest, reach};
 use super::pieces::{BranchNode, BranchPiece, FoundPieces, Tip};
+use super::{EndKind, Incomplete};
 use crate::failure::SolveError;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -68,8 +68,12 @@ pub(super) fn search<M: Mechanism<Scalar = f64>>(
     line: &InputLine<M>,
 ) -> Result<FoundPieces<M>, SolveError> {
     match limits(mechanism, line) {
-        Some(limits) => from_limits(mechanism, line, &limits),
-        None => from_seeds(mechanism, line),
+        Ok(limits) => from_limits(mechanism, line, &limits),
+        Err(reason) => {
+            let mut found = from_seeds(mechanism, line)?;
+            found.incomplete.push(reason);
+            Ok(found)
+        }
     }
 }
 
@@ -138,7 +142,7 @@ fn from_limits<M: Mechanism<Scalar = f64>>(
     for s in beside {
         search.look(s)?;
     }
-    search.found.is_complete = search.agrees_with(limits);
+    search.compare(limits);
     Ok(search.finished())
 }
 
@@ -232,7 +236,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
             found: FoundPieces {
                 nodes: Vec::new(),
                 pieces: Vec::new(),
-                is_complete: false,
+                incomplete: Vec::new(),
                 undecided: Vec::new(),
                 seeds: Vec::new(),
             },
@@ -346,8 +350,9 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
         tips.filter(|tip| *tip == Tip::Node(node)).count()
     }
 
-    /// Whether the nodes are the limits that continuation found, each is where it has to be, and no search was incomplete.
-    fn agrees_with(&self, limits: &[SingularPlace]) -> bool {
+    /// Notes why there may be other pieces: nodes that are not the limits that continuation found, limits without a
+    /// node, or positions that were not found.
+    fn compare(&mut self, limits: &[SingularPlace]) {
         let nodes = || self.found.nodes.iter().enumerate();
         let is_limit = |node: &BranchNode<M>| limits.iter().any(|limit| self.is_at(node, limit));
         let joins = |(index, node): (usize, &BranchNode<M>)| match node.kind {
@@ -357,14 +362,25 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
         };
         // If a block that is solved later does not close, its mechanism is not at a limit of an earlier one.
         let is_whole = |limit: &&SingularPlace| is_whole::<M>(limit) && !limit.is_multiple;
-        nodes().all(|(_, node)| is_limit(node))
+        let whole = limits.iter().filter(is_whole);
+        let reached = whole.clone().filter(|limit| self.nodes_at(limit).next().is_some());
+        let (count, reached) = (whole.count(), reached.count());
+        let agrees = nodes().all(|(_, node)| is_limit(node))
             && nodes().all(joins)
-            && limits
-                .iter()
-                .filter(is_whole)
-                .all(|limit| self.nodes_at(limit).next().is_some())
-            && self.seeds.iter().all(|seed| seed.is_complete)
-            && self.found.pieces.len() < MOST_PIECES
+            && count == reached
+            && self.found.pieces.len() < MOST_PIECES;
+        let is_angle = self.line.is_angle();
+        let mut reasons = Vec::new();
+        if !agrees {
+            reasons.push(Incomplete::Disagreement { limits: count, reached });
+        }
+        if let Some(seed) = self.seeds.iter().find(|seed| !seed.is_complete) {
+            reasons.push(Incomplete::Positions {
+                input: seed.s,
+                is_angle,
+            });
+        }
+        self.found.incomplete = reasons;
     }
 
     fn all(&mut self) {

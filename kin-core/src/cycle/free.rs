@@ -3,16 +3,23 @@
 //! There the assemblies do not cross, since the free part stands in different directions. But the mechanism moves on smoothly from one
 //! assembly into another one, and at the place itself the free part leads from every direction to every other.
 
-use super::interpolation::{CROSSING, around, interpolated};
+use alloc::vec::Vec;
+
+use super::interpolation::{CROSSING, around, crosses, interpolated};
 use super::line::{InputLine, MEETING, distance, nearest};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
+use crate::picture::TransmissionAngle;
+use crate::quantity::Dimension;
 
 /// The largest error of the closure on a way of positions, as a part of the size. The straight line between two other positions that are
 /// [`MEETING`] or more apart leaves the closure by the square of their distance over eight, which is a hundred times as much.
 const FREE: f64 = MEETING * MEETING / 1024.0;
 /// The number of parts of a straight line at whose ends the closure is tested.
 const PARTS: u32 = 8;
+
+/// The largest number of angles half a turn apart for which both ways are tried.
+const MOST_HALVES: usize = 6;
 
 /// A place at which an assembly jumps, because a part turns freely there.
 pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
@@ -25,10 +32,14 @@ pub(super) struct Jump<M: Mechanism<Scalar = f64>> {
 
 /// The place at which an assembly jumps, between places on both sides of it.
 ///
-/// Another assembly goes on smoothly where this one ends, and this one goes on where the other one ends. So there are two smooth curves. Their
-/// difference has a simple zero in the unknown that frees the part, the length of the slide, and inverse interpolation finds it.
+/// Another assembly goes on smoothly where this one ends, and this one goes on where the other one ends. So there are
+/// two smooth curves. Their difference has a simple zero in the unknown that frees the part, the length of the slide,
+/// and inverse interpolation finds it. If two links turn freely, one on the other, it is the angle between them that
+/// has a simple zero along a curve.
 pub(super) fn jump<M: Mechanism<Scalar = f64>>(
     solved: impl Fn(f64, M::Assembly) -> Option<M::Unknowns<f64>>,
+    mechanism: &M,
+    line: &InputLine<M>,
     size: f64,
     assembly: M::Assembly,
     places: &[f64; CROSSING],
@@ -53,31 +64,37 @@ pub(super) fn jump<M: Mechanism<Scalar = f64>>(
         (onward[place], back[place]) = (nearest::<M>(one, &start), nearest::<M>(two, &end));
     }
     let half = |place: usize, unknown: usize| 0.5 * (onward[place][unknown] - back[place][unknown]);
-    let crosses = |unknown: &usize| {
-        let [low, before, behind, high] = [0, BEFORE, BEHIND, CROSSING - 1].map(|place| half(place, *unknown));
-        before * behind < 0.0 && before.abs().max(behind.abs()) < 0.5 * low.abs().min(high.abs())
-    };
+    let values = |unknown: usize| core::array::from_fn(|place| half(place, unknown));
     let unknowns = 0..M::DESCRIPTION.unknowns.len();
     let lead = unknowns
-        .filter(crosses)
-        .max_by(|one, other| half(0, *one).abs().total_cmp(&half(0, *other).abs()))?;
-    let s = interpolated(&core::array::from_fn(|place| half(place, lead)), places, 0.0);
+        .filter(|unknown| crosses(&values(*unknown)))
+        .max_by(|one, other| half(0, *one).abs().total_cmp(&half(0, *other).abs()));
+    let (zero, block) = if let Some(lead) = lead {
+        let mut blocks = M::DESCRIPTION.blocks.iter();
+        let block = blocks.find(|block| block.members.contains(&lead))?;
+        (values(lead), block.unknowns)
+    } else {
+        let dyads: [M::Dyads<TransmissionAngle<f64>>; CROSSING] =
+            core::array::from_fn(|place| mechanism.transmission_angles_at(line.inputs(places[place]), onward[place]));
+        let folded = |dyad: usize| {
+            core::array::from_fn(|place| {
+                let angle = dyads[place][dyad].folded();
+                if place < BEHIND { angle } else { -angle }
+            })
+        };
+        let dyad = (0..<M::Dyads<f64> as Row<f64>>::LENGTH).find(|dyad| crosses(&folded(*dyad)))?;
+        (folded(dyad), dyads[0][dyad].block)
+    };
+    let s = interpolated(&zero, places, 0.0);
     let at = |curve: &[M::Unknowns<f64>; CROSSING]| {
         M::Unknowns::from_fn(|unknown| interpolated(places, &core::array::from_fn(|place| curve[place][unknown]), s))
     };
     let unknowns = [at(&onward), at(&back)];
-    let name = M::DESCRIPTION.unknowns[lead].name;
-    let mut blocks = M::DESCRIPTION.blocks.iter();
-    let block = blocks.find(|block| block.unknowns.split(", ").any(|unknown| unknown == name))?;
     let is_finite = unknowns
         .iter()
         .all(|row| row.as_ref().iter().all(|value| value.is_finite()));
     let is_jump = is_finite && s.is_finite() && distance::<M>(size, &unknowns[0], &unknowns[1]) >= MEETING;
-    is_jump.then_some(Jump {
-        s,
-        unknowns,
-        block: block.unknowns,
-    })
+    is_jump.then_some(Jump { s, unknowns, block })
 }
 
 /// The unknowns of an assembly before and behind a place, if they are different positions there: a part turns freely, and no other assembly goes on
@@ -118,7 +135,8 @@ fn is_position<M: Mechanism<Scalar = f64>>(
     residuals.as_ref().iter().all(|residual| residual.abs() <= FREE * size)
 }
 
-/// Whether the straight line between two positions at the same input consists of positions.
+/// Whether a straight line between two positions at the same input consists of positions. An angle that is half a turn
+/// apart may turn either way.
 pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
     mechanism: &M,
     line: &InputLine<M>,
@@ -127,9 +145,24 @@ pub(super) fn is_connected<M: Mechanism<Scalar = f64>>(
     [from, to]: [&M::Unknowns<f64>; 2],
 ) -> bool {
     let to: M::Unknowns<f64> = nearest::<M>(*to, from);
-    (0..=PARTS).all(|step| {
-        let part = f64::from(step) / f64::from(PARTS);
-        let unknowns = Row::from_fn(|unknown| from[unknown] + part * (to[unknown] - from[unknown]));
-        is_position(mechanism, line, size, s, unknowns)
+    let halves = |unknown: usize| {
+        let is_angle = M::DESCRIPTION.unknowns[unknown].dimension == Dimension::Angle;
+        is_angle && (to[unknown] - from[unknown]).abs() > core::f64::consts::PI - MEETING
+    };
+    let free: Vec<usize> = (0..M::DESCRIPTION.unknowns.len())
+        .filter(|unknown| halves(*unknown))
+        .collect();
+    (0..1_usize << free.len().min(MOST_HALVES)).any(|ways| {
+        let mut way: M::Unknowns<f64> = Row::from_fn(|unknown| to[unknown] - from[unknown]);
+        for (bit, unknown) in free.iter().take(MOST_HALVES).enumerate() {
+            if ways & (1 << bit) != 0 {
+                way[*unknown] -= core::f64::consts::TAU.copysign(way[*unknown]);
+            }
+        }
+        (0..=PARTS).all(|step| {
+            let part = f64::from(step) / f64::from(PARTS);
+            let unknowns = Row::from_fn(|unknown| from[unknown] + part * way[unknown]);
+            is_position(mechanism, line, size, s, unknowns)
+        })
     })
 }

@@ -27,3 +27,12 @@ pub(super) fn interpolated(places: &[f64; CROSSING], values: &[f64; CROSSING], a
     }
     values[0]
 }
+
+/// Whether a function that is given at these places changes its sign between the middle ones, and is small there. A
+/// function that jumps is not.
+pub(super) fn crosses(values: &[f64; CROSSING]) -> bool {
+    const BEFORE: usize = CROSSING / 2 - 1;
+    let [before, behind] = [values[BEFORE], values[BEFORE + 1]];
+    let least = values[0].abs().min(values[CROSSING - 1].abs());
+    before * behind < 0.0 && before.abs().max(behind.abs()) < 0.5 * least
+}

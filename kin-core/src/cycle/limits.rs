@@ -6,6 +6,7 @@ use core::f64::consts::TAU;
 
 use num_traits::Float;
 
+use super::Incomplete;
 use super::line::{InputLine, reach};
 use super::polynomial::{ClosureQuantity, Quantities};
 use super::singular::{Singular, singular_positions};
@@ -25,12 +26,16 @@ pub(super) struct SingularPlace {
 
 /// All limits over the range of a line, in ascending order, whether or not the blocks close that are solved later.
 ///
-/// It is `None` if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if there are too many
-/// paths, or if one of them was lost.
-pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine<M>) -> Option<Vec<SingularPlace>> {
+/// # Errors
+/// Says if the closure is not algebraic, if an unknown has a declared range, or may grow beyond all bounds, if
+/// there are too many paths, or if one of them was lost.
+pub(super) fn limits<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    line: &InputLine<M>,
+) -> Result<Vec<SingularPlace>, Incomplete> {
     let description = M::DESCRIPTION;
-    if description.unknowns.iter().any(|unknown| unknown.has_range) {
-        return None;
+    if let Some(unknown) = description.unknowns.iter().find(|unknown| unknown.has_range) {
+        return Err(Incomplete::DeclaredRange { unknown: unknown.name });
     }
     let moving = || {
         let all = description.inputs.iter().zip(line.direction.as_ref()).enumerate();
@@ -60,18 +65,13 @@ pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine
             *value = *residual;
         }
     };
-    let blocks: Vec<[&[usize]; 2]> = description
-        .blocks
-        .iter()
-        .map(|block| [block.equations, block.members])
-        .collect();
     let size = if is_angle {
         reach(mechanism)
     } else {
         let ends = [line.low, line.high].map(|s| (from + rate * s).abs());
         reach(mechanism).max(ends[0]).max(ends[1])
     };
-    let found = singular_positions(&quantities, size, &blocks, &mut closure)?;
+    let found = singular_positions(&quantities, size, description.blocks, &mut closure)?;
     let period = is_angle.then_some(TAU);
     let mut all: Vec<SingularPlace> = found
         .iter()
@@ -85,7 +85,7 @@ pub(super) fn limits<M: Mechanism<Scalar = f64>>(mechanism: &M, line: &InputLine
         })
         .collect();
     all.sort_by(|one, other| one.s.total_cmp(&other.s));
-    Some(all)
+    Ok(all)
 }
 
 /// The places of a range that differ from one by whole periods.

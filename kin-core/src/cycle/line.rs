@@ -1,10 +1,9 @@
 //! The line in the space of the inputs over which a cycle is taken.
 
 use core::f64::consts::{PI, TAU};
-use core::ops::RangeInclusive;
-
 use num_traits::Float;
 
+use super::bounds::Bounds;
 use crate::mechanism::Mechanism;
 use crate::number::Row;
 use crate::quantity::Dimension;
@@ -12,6 +11,8 @@ use crate::solve::Scalar;
 
 /// The largest number of turns of the inputs after which the closure may repeat itself.
 const MOST_TURNS: u32 = 12;
+/// The largest difference of two values of a row, as a part of them, that may be rounding.
+const NEAR: f64 = 1e-9;
 /// The part of a turn by which the places of the search are shifted, so that symmetric linkages have no limit exactly there.
 const SHIFT: f64 = 0.061_803;
 
@@ -31,7 +32,7 @@ pub(super) struct InputLine<M: Mechanism<Scalar = f64>> {
 
 impl<M: Mechanism<Scalar = f64>> InputLine<M> {
     /// The line through a place in a direction, over all places where the mechanism may close.
-    pub(super) fn whole(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>) -> Self {
+    fn whole(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>) -> Self {
         let mut line = Self {
             from,
             direction,
@@ -60,19 +61,17 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
         line
     }
 
-    /// The line over a given range of s.
-    pub(super) fn over(
-        mechanism: &M,
-        from: M::Inputs<f64>,
-        direction: M::Inputs<f64>,
-        range: &RangeInclusive<f64>,
-    ) -> Self {
-        let whole = Self::whole(mechanism, from, direction);
-        Self {
-            low: range.start().min(*range.end()),
-            high: range.end().max(*range.start()),
-            is_closed: false,
-            ..whole
+    /// The line over a given range of s, or over all places where the mechanism may close.
+    pub(super) fn new(mechanism: &M, from: M::Inputs<f64>, direction: M::Inputs<f64>, range: Option<[f64; 2]>) -> Self {
+        match range {
+            Some([start, end]) => Self {
+                from,
+                direction,
+                low: start.min(end),
+                high: end.max(start),
+                is_closed: false,
+            },
+            None => Self::whole(mechanism, from, direction),
         }
     }
 
@@ -93,6 +92,14 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
         (inputs[lead] - self.from[lead]) / rate
     }
 
+    /// Whether only angles move along the line.
+    pub(super) fn is_angle(&self) -> bool {
+        let inputs = M::DESCRIPTION.inputs.iter().zip(self.direction.as_ref());
+        inputs
+            .filter(|(_, rate)| **rate != 0.0)
+            .all(|(input, _)| input.dimension == Dimension::Angle)
+    }
+
     pub(super) fn period(&self) -> Option<f64> {
         self.is_closed.then_some(self.high - self.low)
     }
@@ -108,10 +115,11 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
         }
     }
 
-    /// Whether the closure is the same after a given way, at some places that have nothing in common. An angle that is a multiple of an input,
-    /// like that of a gear, may have made turns.
+    /// Whether the closure is the same after a given way, up to rounding, at some places that have nothing in common.
+    /// An angle that is a multiple of an input, like that of a gear, may have made turns.
     fn repeats(&self, mechanism: &M, way: f64) -> bool {
-        let size = reach(mechanism).max(1.0);
+        let size = reach(mechanism).max(f64::MIN_POSITIVE);
+        let bounded: M::With<Bounds> = mechanism.convert(Bounds::rounded);
         let agrees = |turned: Option<(usize, f64)>| {
             (0..4).map(f64::from).all(|seed| {
                 let unknowns: M::Unknowns<f64> = Row::from_fn(|index| {
@@ -126,10 +134,22 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
                     moved[index] += angle;
                 }
                 let s = 0.3 + 1.1 * seed;
+                let is_same = |near: f64, far: f64, tolerance: f64| (near - far).abs() <= tolerance;
                 let near = mechanism.residuals(self.inputs(s), unknowns);
                 let far = mechanism.residuals(self.inputs(s + way), moved);
-                let mut pairs = near.as_ref().iter().zip(far.as_ref());
-                pairs.all(|(near, far)| (near - far).abs() <= 1e-10 * (size + near.abs()))
+                let rows = || near.as_ref().iter().zip(far.as_ref());
+                if !rows().all(|(near, far)| is_same(*near, *far, NEAR * (near.abs() + size.max(1.0)))) {
+                    return false;
+                }
+                // Each row in its own unit: by the bounds of what rounding changes in it, a whole turn included.
+                let errors = |s: f64, unknowns: &M::Unknowns<f64>| {
+                    let inputs = inputs_at(self, Bounds::rounded(s));
+                    bounded.residuals(inputs, Row::from_fn(|index| Bounds::rounded(unknowns[index])))
+                };
+                let (one, other) = (errors(s, &unknowns), errors(s + way, &moved));
+                let errors = one.as_ref().iter().zip(other.as_ref());
+                let mut errors = errors.map(|(one, other)| one.error() + other.error());
+                rows().all(|(near, far)| is_same(*near, *far, errors.next().unwrap_or(0.0)))
             })
         };
         let angles = || {

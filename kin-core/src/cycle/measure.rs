@@ -1,5 +1,6 @@
 //! What a designer reads off a circuit: strokes, ratios of times and the worst transmission angle.
 
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::error::Error;
 use core::f64::consts::PI;
@@ -13,7 +14,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::series::Series;
 use crate::number::{Number, Row};
-use crate::quantity::{Digits, Dimension};
+use crate::quantity::{Digits, Quantity};
 use crate::track::track;
 
 /// The number of places of a branch between which extremes are sought.
@@ -67,11 +68,16 @@ pub struct WorstTransmission {
 }
 
 /// The reason why there is no such figure of a circuit.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum MeasureError {
     /// The mechanism has no unknown or scalar output of this name.
-    NoSuchQuantity,
+    NoSuchQuantity {
+        /// The name that was given.
+        name: String,
+        /// The names of the unknowns and scalar outputs.
+        quantities: Vec<&'static str>,
+    },
     /// There is no circuit with this index.
     NoSuchCircuit,
     /// The input does not turn fully along the circuit.
@@ -92,8 +98,18 @@ pub enum MeasureError {
 impl fmt::Display for MeasureError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoSuchQuantity => formatter
-                .write_str("no unknown or scalar output has this name; the parts of a point `p` are `p.x` and `p.y`"),
+            Self::NoSuchQuantity { name, quantities } => {
+                write!(formatter, "no unknown or scalar output is called `{name}`: there is ")?;
+                for (place, quantity) in quantities.iter().enumerate() {
+                    let before = match place {
+                        0 => "",
+                        _ if place + 1 == quantities.len() => " and ",
+                        _ => ", ",
+                    };
+                    write!(formatter, "{before}`{quantity}`")?;
+                }
+                Ok(())
+            }
             Self::NoSuchCircuit => formatter.write_str("there is no circuit with this index"),
             Self::NoFullTurn => formatter.write_str(
                 "the input does not turn fully along this circuit, so there is no advance and return of one turn",
@@ -111,6 +127,8 @@ impl fmt::Display for MeasureError {
     }
 }
 
+crate::__debug_by_display!(MeasureError);
+
 impl Error for MeasureError {}
 
 impl From<SolveError> for MeasureError {
@@ -124,6 +142,11 @@ impl From<SolveError> for MeasureError {
 enum Which {
     Unknown(usize),
     Output(usize),
+}
+
+/// The unknowns and the scalar outputs.
+fn quantities<M: Mechanism>() -> impl Iterator<Item = &'static Quantity> {
+    M::DESCRIPTION.unknowns.iter().chain(M::DESCRIPTION.outputs)
 }
 
 fn named<M: Mechanism>(name: &str) -> Option<Which> {
@@ -184,10 +207,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             value: input,
             low,
             high,
-            is_angle: M::DESCRIPTION
-                .inputs
-                .iter()
-                .all(|input| input.dimension == Dimension::Angle),
+            is_angle: self.line.is_angle(),
         })
     }
 
@@ -234,7 +254,10 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn stroke(&self, circuit: usize, name: &str) -> Result<Stroke, MeasureError> {
-        let which = named::<M>(name).ok_or(MeasureError::NoSuchQuantity)?;
+        let which = named::<M>(name).ok_or_else(|| MeasureError::NoSuchQuantity {
+            name: name.to_string(),
+            quantities: quantities::<M>().map(|quantity| quantity.name).collect(),
+        })?;
         let mut stroke: Option<Stroke> = None;
         for branch in self.circuit(circuit)? {
             let value = |input: f64| {

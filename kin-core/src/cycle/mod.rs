@@ -21,12 +21,15 @@
 //!
 //! # What is proved
 //!
-//! If every block has a closed form, the range of the input is divided into intervals. The solver runs on bounds of all values and derivatives
-//! over an interval, in interval arithmetic that includes rounding. The bounds prove that an assembly closes everywhere in the interval, or
-//! nowhere, or that the condition on which it depends is monotonic there, so that its values at the ends tell whether there is one limit or
-//! none. Other intervals are halved, down to 2⁻²⁴ of the range. In an interval as short as that, its ends decide: two limits that are closer
-//! count as a change point, or as none. [`Cycle::is_complete`] is then true. One thing is tested and not proved: the choice by a declared range
-//! of an unknown is made at the ends and in the middle of each interval.
+//! If every block has a closed form, the range of the input is divided into intervals. The solver runs on bounds of all
+//! values and derivatives over an interval, in interval arithmetic that includes rounding. The bounds prove that an
+//! assembly closes everywhere in the interval, or nowhere, or that the condition on which it depends is monotonic
+//! there, so that its values at the ends tell whether there is one limit or none. Other intervals are halved until
+//! rounding decides, where every length counts as known to one unit in its last place. An assembly that closes on both
+//! sides of such a place has a change point there. [`Cycle::is_complete`] is then true. One thing is tested and not
+//! proved: the choice by a declared range of an unknown is made at the ends and in the middle of each interval.
+//!
+//! The search has a unit of length of its own, so that a multiple of all lengths has the same cycle.
 //!
 //! If a block is coupled, all its limits come first: the real solutions of the closure and det J = 0, with the input unknown, by
 //! [`continuation`](crate::continuation). The closure is fitted by polynomials in cosines, sines and lengths, which are compared with its values.
@@ -37,24 +40,31 @@
 //!
 //! This needs polynomials of at most 1024 paths, which have no product of three quantities, lengths that cannot become infinite, and unknowns
 //! without declared ranges. For any other mechanism all positions are sought at stated inputs, and `is_complete` is false.
+//! [`Cycle::incomplete`] says why.
 
 mod bounds;
 mod class;
 mod closed;
 mod coupled;
+mod curved;
 mod free;
+mod incomplete;
 mod interpolation;
 mod limits;
 mod line;
 mod measure;
 mod pieces;
 mod polynomial;
+#[cfg(test)]
+mod scale_tests;
 mod shown;
 mod singular;
 #[cfg(test)]
 mod tests;
+mod unit;
 
 pub use class::{BarkerClass, BlockClass, GrashofType, InvertedSliderCrankType, SliderCrankType};
+pub use incomplete::Incomplete;
 pub use measure::{MeasureError, Stroke, StrokeEnd, WorstTransmission};
 
 use alloc::vec;
@@ -65,11 +75,15 @@ use core::ops::RangeInclusive;
 use num_traits::Float;
 
 use crate::failure::{Failure, InputValues, SolveError};
-use crate::mechanism::Mechanism;
-use crate::number::Row;
+use crate::mechanism::{Mechanism, OneInput};
+use crate::number::{ClosedRange, Row};
 use crate::quantity::Dimension;
 use line::{InputLine, distance, nearest, reach};
 use pieces::{BranchPiece, FoundPieces, Tip};
+use unit::LengthUnit;
+
+/// The largest distance from half a period that may be rounding, as a part of it.
+const HALFWAY: f64 = 1e-6;
 
 /// The full cycle of every mechanism.
 pub trait FullCycle: Mechanism<Scalar = f64> {
@@ -80,32 +94,31 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// [`cycle_over`](Self::cycle_over) takes another range.
     ///
     /// # Errors
-    /// An error if a parameter is not finite.
+    /// An error if a parameter is not finite, and that of the solver if it refuses the lengths, because they are too
+    /// large or too small.
     fn cycle(&self) -> Result<Cycle<Self>, SolveError>
     where
-        Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+        Self::Inputs<f64>: OneInput,
     {
-        let line = InputLine::whole(self, [0.0], [1.0]);
-        Cycle::new(self, line)
+        Cycle::new(self, Row::splat(0.0), Row::splat(1.0), None)
     }
 
     /// All circuits and branches over a range of the only input. Branches that leave the range end there.
     ///
     /// # Errors
-    /// An error if a parameter or the range is not finite, or if the range has no length.
-    fn cycle_over(&self, range: RangeInclusive<f64>) -> Result<Cycle<Self>, SolveError>
+    /// As for `cycle`, and an error if the range is not finite or has no length.
+    fn cycle_over(&self, range: impl ClosedRange) -> Result<Cycle<Self>, SolveError>
     where
-        Self: Mechanism<Scalar = f64, Inputs<f64> = [f64; 1]>,
+        Self::Inputs<f64>: OneInput,
     {
-        let line = InputLine::over(self, [0.0], [1.0], &range);
-        Cycle::new(self, line)
+        Cycle::new(self, Row::splat(0.0), Row::splat(1.0), Some(range.ends()))
     }
 
     /// All circuits and branches along a line in the space of the inputs: the inputs are `from + s direction`, and s takes the place of the
     /// only input of [`cycle`](Self::cycle).
     ///
     /// # Errors
-    /// An error if a parameter or an input is not finite, or if the direction is zero.
+    /// As for `cycle`, and an error if an input is not finite, or if the direction is zero.
     ///
     /// ```
     /// use kin_core::cycle::FullCycle;
@@ -118,8 +131,7 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
     /// # Ok::<(), kin_core::SolveError>(())
     /// ```
     fn cycle_along(&self, from: Self::Inputs<f64>, direction: Self::Inputs<f64>) -> Result<Cycle<Self>, SolveError> {
-        let line = InputLine::whole(self, from, direction);
-        Cycle::new(self, line)
+        Cycle::new(self, from, direction, None)
     }
 
     /// [`cycle_along`](Self::cycle_along) over a range of s.
@@ -130,10 +142,9 @@ pub trait FullCycle: Mechanism<Scalar = f64> {
         &self,
         from: Self::Inputs<f64>,
         direction: Self::Inputs<f64>,
-        range: RangeInclusive<f64>,
+        range: impl ClosedRange,
     ) -> Result<Cycle<Self>, SolveError> {
-        let line = InputLine::over(self, from, direction, &range);
-        Cycle::new(self, line)
+        Cycle::new(self, from, direction, Some(range.ends()))
     }
 }
 
@@ -145,7 +156,8 @@ impl<M: Mechanism<Scalar = f64>> FullCycle for M {}
 pub enum EndKind {
     /// A limit: the input turns back, and the branch meets another one of its circuit.
     Limit,
-    /// A change point: branches cross, or meet where a part turns freely, and geometry does not determine which one the mechanism follows.
+    /// A change point: branches cross, or meet where a part turns freely or where several blocks have their limits, and
+    /// geometry does not determine which one the mechanism follows.
     ChangePoint,
     /// The end of the domain of a function, of the declared range of an unknown, or a pole.
     Domain,
@@ -267,56 +279,103 @@ pub struct Cycle<M: Mechanism<Scalar = f64>> {
     line: InputLine<M>,
     branches: Vec<Branch<M>>,
     circuits: Vec<Circuit<M>>,
-    is_complete: bool,
+    incomplete: Vec<Incomplete>,
     undecided: Vec<(M::Assembly, [f64; 2])>,
     seeds: Vec<f64>,
 }
 
 impl<M: Mechanism<Scalar = f64>> Cycle<M> {
-    fn new(mechanism: &M, line: InputLine<M>) -> Result<Self, SolveError> {
-        let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        let parameters = mechanism.parameters();
-        let [low, high] = [line.low, line.high];
-        let is_line = is_finite(line.from.as_ref()) && is_finite(line.direction.as_ref());
-        let is_known = is_finite(parameters.as_ref()) && is_line && (high - low).is_finite();
-        let stands = line.direction.as_ref().iter().all(|rate| *rate == 0.0);
-        if !is_known || stands || high <= low {
-            // what a search along the line or over the range would divide by
-            let quantity = if !is_known {
-                "parameters or range of the inputs"
-            } else if stands {
-                "reciprocal of the direction of the inputs, which is zero"
-            } else {
-                "reciprocal of the length of the range, which is zero"
-            };
-            let failure = Failure::NotFinite { quantity };
-            let names = InputValues::new(M::DESCRIPTION.inputs, line.from.as_ref());
-            return Err(failure.at(M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns), names));
-        }
-        let found = if M::ASSEMBLY_COUNT > 0 {
-            closed::search(mechanism, &line)
-        } else {
-            coupled::search(mechanism, &line)?
+    fn new(
+        mechanism: &M,
+        from: M::Inputs<f64>,
+        direction: M::Inputs<f64>,
+        range: Option<[f64; 2]>,
+    ) -> Result<Self, SolveError> {
+        let failed = |quantity: &'static str| {
+            let names = InputValues::new(M::DESCRIPTION.inputs, from.as_ref());
+            let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
+            Failure::NotFinite { quantity }.at(block, names)
         };
-        let size = reach(mechanism);
-        let mut branches = joined_at_the_seam(&line, size, &found);
-        let is_whole = branches
-            .iter()
-            .all(|branch| branch.ends.iter().all(|end| end.kind != EndKind::Lost));
-        let circuits = circuits(&mut branches);
-        Ok(Self {
+        let unit = LengthUnit::of(mechanism, from);
+        // The search sees lengths in its unit, and the same places of the line.
+        let sought = unit.mechanism(mechanism);
+        let line = InputLine::new(&sought, unit.inputs::<M>(from), unit.inputs::<M>(direction), range);
+        let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        let is_known = is_finite(mechanism.parameters().as_ref())
+            && is_finite(from.as_ref())
+            && is_finite(direction.as_ref())
+            && (line.high - line.low).is_finite();
+        // what a search along the line or over the range would divide by
+        if !is_known {
+            return Err(failed("parameters or range of the inputs"));
+        } else if direction.as_ref().iter().all(|rate| *rate == 0.0) {
+            return Err(failed("reciprocal of the direction of the inputs, which is zero"));
+        } else if line.high <= line.low {
+            return Err(failed("reciprocal of the length of the range, which is zero"));
+        }
+        let mut found = if M::ASSEMBLY_COUNT > 0 {
+            closed::search(&sought, &line)
+        } else {
+            coupled::search(&sought, &line)?
+        };
+        let mut branches = joined_at_the_seam(&line, reach(&sought), &found);
+        let lost = branches.iter().flat_map(|branch| &branch.ends);
+        found.incomplete.extend(
+            lost.filter(|end| end.kind == EndKind::Lost)
+                .map(|end| Incomplete::Lost {
+                    input: end.input,
+                    is_angle: line.is_angle(),
+                }),
+        );
+        let circuits = circuits(&line, &mut branches);
+        for branch in &mut branches {
+            let ends = branch.ends.iter_mut().map(|end| &mut end.unknowns);
+            for unknowns in ends.chain(branch.samples.iter_mut().map(|(_, unknowns)| unknowns)) {
+                *unknowns = unit.told::<M>(*unknowns);
+            }
+        }
+        let cycle = Self {
             mechanism: *mechanism,
-            line,
+            line: InputLine {
+                from,
+                direction,
+                ..line
+            },
             branches,
             circuits,
-            is_complete: found.is_complete && is_whole,
+            incomplete: found.incomplete,
             undecided: found
                 .undecided
                 .iter()
                 .filter_map(|(index, range)| Some((M::assembly(*index)?, *range)))
                 .collect(),
             seeds: found.seeds,
-        })
+        };
+        match cycle.refusal() {
+            Some(error) => Err(error),
+            None => Ok(cycle),
+        }
+    }
+
+    /// The error of the solver if lengths are so large or so small that it refuses the positions of the cycle, which
+    /// has its own unit.
+    fn refusal(&self) -> Option<SolveError> {
+        let refused = |error: SolveError| matches!(error.failure, Failure::NotFinite { .. }).then_some(error);
+        let mut middles = self.branches.iter().filter_map(|branch| {
+            let (s, unknowns) = branch.samples.get(branch.samples.len() / 2)?;
+            let inputs = self.line.inputs(*s);
+            let solved = match branch.assembly {
+                Some(assembly) => self.mechanism.solve_position(inputs, assembly),
+                None => self.mechanism.solve_position_near(inputs, *unknowns),
+            };
+            solved.err()
+        });
+        if !self.branches.is_empty() {
+            return middles.find_map(refused);
+        }
+        let inputs = self.line.inputs(0.5 * (self.line.low + self.line.high));
+        let mut solved = M::assemblies().map(|assembly| self.mechanism.solve_position(inputs, assembly));
+        solved.find_map(|solved| refused(solved.err()?))
     }
 
     /// The circuits.
@@ -334,7 +393,14 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
     /// Whether it is proved that there is no other branch. The [module](self#what-is-proved) says what that means.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        self.is_complete
+        self.incomplete.is_empty()
+    }
+
+    /// The reasons why there may be other branches; none if the cycle [is complete](Self::is_complete). Each prints as
+    /// a clause.
+    #[must_use]
+    pub fn incomplete(&self) -> &[Incomplete] {
+        &self.incomplete
     }
 
     /// The assemblies of closed forms about which the bounds told nothing, each with a range of the input. There, only the ends and the middles
@@ -492,7 +558,9 @@ fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(
             let shift = if is_turning {
                 0.0
             } else {
-                period * Float::round((line.reduced(middle) - middle) / period)
+                // A branch whose middle lies half a period away has it on the positive side, whatever rounding says.
+                let aside = HALFWAY * period;
+                period * Float::round((line.reduced(middle - aside) + aside - middle) / period)
             };
             if shift != 0.0 {
                 for end in &mut branch.ends {
@@ -512,7 +580,7 @@ fn joined_at_the_seam<M: Mechanism<Scalar = f64>>(
 type EnteredBranch = (usize, usize);
 
 /// The circuits of branches that meet at nodes. Each branch learns its circuit and its neighbours.
-fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circuit<M>> {
+fn circuits<M: Mechanism<Scalar = f64>>(line: &InputLine<M>, branches: &mut [Branch<M>]) -> Vec<Circuit<M>> {
     let at_node = |branches: &[Branch<M>], node: usize| -> Vec<EnteredBranch> {
         let all = branches.iter().enumerate();
         all.flat_map(|(index, branch)| [0, 1].map(|side| (index, side, branch.ends[side].node)))
@@ -538,7 +606,7 @@ fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circu
         if seen[start] {
             continue;
         }
-        let circuit = around(branches, start, &at_node).unwrap_or_else(|| {
+        let circuit = around(line, branches, start, &at_node).unwrap_or_else(|| {
             let mut own = vec![start];
             let mut place = 0;
             while let Some(branch) = own.get(place).copied() {
@@ -566,6 +634,7 @@ fn circuits<M: Mechanism<Scalar = f64>>(branches: &mut [Branch<M>]) -> Vec<Circu
 
 /// The circuit that leads from a branch through its limits back to it, if there is one way only.
 fn around<M: Mechanism<Scalar = f64>>(
+    line: &InputLine<M>,
     branches: &[Branch<M>],
     start: usize,
     at_node: &impl Fn(&[Branch<M>], usize) -> Vec<EnteredBranch>,
@@ -606,13 +675,9 @@ fn around<M: Mechanism<Scalar = f64>>(
     }
     #[expect(clippy::cast_possible_truncation, reason = "a circuit has far fewer turns")]
     let turns = |sum: f64| Float::round(sum / TAU) as i32;
-    let input_is_angle = M::DESCRIPTION
-        .inputs
-        .iter()
-        .all(|input| input.dimension == Dimension::Angle);
     Some(Circuit {
         branches: own,
-        input_turns: Some(if input_is_angle { turns(way) } else { 0 }),
+        input_turns: Some(if line.is_angle() { turns(way) } else { 0 }),
         turns: Some(Row::from_fn(|index| match M::DESCRIPTION.unknowns[index].dimension {
             Dimension::Angle => turns(angles[index]),
             _ => 0,

@@ -40,7 +40,8 @@ pub(super) struct BranchPiece<M: Mechanism<Scalar = f64>> {
 pub(super) struct FoundPieces<M: Mechanism<Scalar = f64>> {
     pub(super) nodes: Vec<BranchNode<M>>,
     pub(super) pieces: Vec<BranchPiece<M>>,
-    pub(super) is_complete: bool,
+    /// The reasons why there may be other pieces.
+    pub(super) incomplete: Vec<super::Incomplete>,
     /// Assemblies by their indices, and ranges in which it is not known whether they close.
     pub(super) undecided: Vec<(usize, [f64; 2])>,
     /// The inputs at which all positions were sought, if a block has no closed form.

@@ -46,7 +46,7 @@ impl<M: Mechanism<Scalar = f64>> Debug for Cycle<M> {
             .field("mechanism", &self.mechanism)
             .field("branches", &self.branches)
             .field("circuits", &self.circuits)
-            .field("is_complete", &self.is_complete)
+            .field("incomplete", &self.incomplete)
             .finish_non_exhaustive()
     }
 }

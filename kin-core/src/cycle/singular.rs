@@ -6,8 +6,10 @@ use core::f64::consts::PI;
 
 use num_traits::Float;
 
+use super::Incomplete;
 use super::polynomial::{ClosurePolynomial, ClosureQuantity, Quantities, determinant, polynomials};
 use crate::assemblies::continuation::{BorrowedSystem, BorrowedTerm, real_solutions};
+use crate::mechanism::Block;
 
 /// The largest number of paths.
 const MOST_PATHS: usize = 1024;
@@ -141,33 +143,34 @@ impl Closure {
     }
 }
 
-/// The singular positions of every block. `blocks` are the indices of their equations and of their unknowns. The input is the first of the
-/// quantities.
+/// The singular positions of every block. The input is the first of the quantities.
 ///
-/// It is `None` if the closure is not algebraic, if an unknown may grow beyond all bounds, if there are too many paths, or if one of them was
-/// lost.
+/// # Errors
+/// Says if the closure is not algebraic, if an unknown may grow beyond all bounds, if there are too many paths, or
+/// if one of them was lost.
 pub(super) fn singular_positions(
     quantities: &Quantities,
     size: f64,
-    blocks: &[[&[usize]; 2]],
+    blocks: &[Block],
     closure: &mut dyn FnMut(&[f64], &mut [f64]),
-) -> Option<Vec<SingularPosition>> {
-    let closure = Closure::new(quantities, size.max(f64::MIN_POSITIVE), closure)?;
+) -> Result<Vec<SingularPosition>, Incomplete> {
+    let closure = Closure::new(quantities, size.max(f64::MIN_POSITIVE), closure).ok_or(Incomplete::NotAlgebraic)?;
     if !is_bounded(quantities, &closure.equations) {
-        return None;
+        return Err(Incomplete::Unbounded);
     }
     let mut all = Vec::new();
-    for (block, [own, members]) in blocks.iter().enumerate() {
+    for (block, own) in blocks.iter().enumerate() {
+        let members = own.members;
         let row = |equation: &usize| {
             let columns = members.iter();
             columns
                 .map(|member| closure.derivative(*equation, member + 1))
                 .collect()
         };
-        let matrix: Vec<Vec<ClosurePolynomial>> = own.iter().map(row).collect();
+        let matrix: Vec<Vec<ClosurePolynomial>> = own.equations.iter().map(row).collect();
         let singular = determinant(&matrix);
         if singular.is_zero() {
-            return None;
+            return Err(Incomplete::AlwaysSingular { block: own.unknowns });
         }
         if singular.degree() == 0 {
             continue;
@@ -178,9 +181,9 @@ pub(super) fn singular_positions(
             None => vec![0],
         };
         for needed in needed(&closure, blocks, block) {
-            let [equations, unknowns] = blocks[needed];
+            let Block { equations, members, .. } = blocks[needed];
             system.extend(equations.iter().map(|equation| closure.equations[*equation].clone()));
-            involved.extend(unknowns.iter().map(|member| member + 1));
+            involved.extend(members.iter().map(|member| member + 1));
         }
         reduce(&mut system);
         system.push(singular);
@@ -188,7 +191,7 @@ pub(super) fn singular_positions(
         if closure.turned.is_some_and(|turned| !involved.contains(&turned)) {
             continue;
         }
-        for (at, is_multiple) in solutions(&closure, &system, &involved)? {
+        for (at, is_multiple) in solutions(&closure, &system, &involved, own.unknowns)? {
             let mut variables = quantities.variables(&at);
             if let Some(turned) = closure.turned {
                 let first = usize::from(quantities.first(turned));
@@ -222,7 +225,7 @@ pub(super) fn singular_positions(
             });
         }
     }
-    Some(all)
+    Ok(all)
 }
 
 /// Subtracts equations from each other, so that fewer have a degree above one.
@@ -286,21 +289,22 @@ fn kernel(mut matrix: Vec<Vec<f64>>) -> Vec<f64> {
 }
 
 /// The blocks on which a block depends, itself included, in the order of solution.
-fn needed(closure: &Closure, blocks: &[[&[usize]; 2]], block: usize) -> Vec<usize> {
+fn needed(closure: &Closure, blocks: &[Block], block: usize) -> Vec<usize> {
     let mut needed = vec![false; block + 1];
     needed[block] = true;
     for own in (0..=block).rev() {
         if !needed[own] {
             continue;
         }
-        let terms = blocks[own][0]
+        let terms = blocks[own]
+            .equations
             .iter()
             .flat_map(|equation| closure.equations[*equation].terms());
         for (variable, _) in terms.flat_map(|(powers, _)| powers) {
             let quantity = closure.quantities.quantity(*variable);
             let earlier = blocks[..own]
                 .iter()
-                .position(|[_, members]| quantity > 0 && members.contains(&(quantity - 1)));
+                .position(|block| quantity > 0 && block.members.contains(&(quantity - 1)));
             if let Some(earlier) = earlier {
                 needed[earlier] = true;
             }
@@ -355,9 +359,15 @@ fn is_bounded(quantities: &Quantities, equations: &[ClosurePolynomial]) -> bool 
     }
 }
 
-/// The real solutions of a system, as values of all quantities, of which some are involved, and whether they are multiple. `None` if there
-/// are too many paths, or if one was lost.
-fn solutions(closure: &Closure, system: &[ClosurePolynomial], involved: &[usize]) -> Option<Vec<SingularSolution>> {
+/// The real solutions of a system for a block, as values of all quantities, of which some are involved, and whether
+/// they are multiple.
+fn solutions(
+    closure: &Closure,
+    system: &[ClosurePolynomial],
+    involved: &[usize],
+    block: &'static str,
+) -> Result<Vec<SingularSolution>, Incomplete> {
+    let lost = Incomplete::PathLost { block };
     let quantities = &closure.quantities;
     let mut first = Vec::new();
     let mut count = 0_u16;
@@ -385,7 +395,7 @@ fn solutions(closure: &Closure, system: &[ClosurePolynomial], involved: &[usize]
                 .iter()
                 .map(|(variable, power)| Some((own(*variable)?, *power)))
                 .collect();
-            terms.push((equation, coefficient, powers?));
+            terms.push((equation, coefficient, powers.ok_or(lost)?));
         }
         equation += 1;
     }
@@ -401,15 +411,15 @@ fn solutions(closure: &Closure, system: &[ClosurePolynomial], involved: &[usize]
             equation += 1;
         }
     }
-    if equation != count || paths > MOST_PATHS {
-        return None;
-    }
+    let most = MOST_PATHS;
     let real = match (usize::from(count), paths) {
-        (0..=6, 0..=32) => real::<6, 32>(&mut terms, &pairs, count)?,
-        (0..=10, 0..=128) => real::<10, 128>(&mut terms, &pairs, count)?,
-        (0..=20, _) => real::<20, MOST_PATHS>(&mut terms, &pairs, count)?,
-        _ => return None,
+        _ if equation != count => None,
+        (0..=6, 0..=32) => real::<6, 32>(&mut terms, &pairs, count),
+        (0..=10, 0..=128) => real::<10, 128>(&mut terms, &pairs, count),
+        (0..=20, 0..=MOST_PATHS) => real::<20, MOST_PATHS>(&mut terms, &pairs, count),
+        _ => return Err(Incomplete::TooManyPaths { block, paths, most }),
     };
+    let real = real.ok_or(lost)?;
     let mut all = Vec::new();
     for (variables, is_multiple) in real {
         let mut at = vec![0.0; quantities.len()];
@@ -431,7 +441,7 @@ fn solutions(closure: &Closure, system: &[ClosurePolynomial], involved: &[usize]
             all.push((at, is_multiple));
         }
     }
-    Some(all)
+    Ok(all)
 }
 
 /// The real solutions of a system of `count` equations, with room for `N` variables. The others are zero.

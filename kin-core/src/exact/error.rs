@@ -6,7 +6,7 @@ use core::fmt;
 use crate::quantity::Digits;
 
 /// The reason why bytes or parts are no exact table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ReadError {
     /// The first bytes are not those of an exact table.
@@ -61,10 +61,12 @@ impl fmt::Display for ReadError {
     }
 }
 
+crate::__debug_by_display!(ReadError);
+
 impl Error for ReadError {}
 
 /// The reason why a table has no number at a place.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PlaceError {
     /// The place is beyond the table, which does not repeat itself, or it is not finite.
@@ -73,6 +75,14 @@ pub enum PlaceError {
         at: f64,
         /// The first and the last place of the table.
         range: [f64; 2],
+    },
+    /// The place is so many periods away from the table, which repeats itself, that numbers of its size do not tell one part of a period
+    /// from another.
+    TooManyTurns {
+        /// The place.
+        at: f64,
+        /// The period of the table.
+        period: f64,
     },
     /// The speed is not finite.
     Speed {
@@ -105,6 +115,12 @@ impl fmt::Display for PlaceError {
                 Digits(*low),
                 Digits(*high)
             ),
+            Self::TooManyTurns { at, period } => write!(
+                formatter,
+                "{} is so far from the table, which repeats itself after {}, that its part of a period cannot be told: leave whole periods out",
+                Digits(*at),
+                Digits(*period)
+            ),
             Self::Speed { speed } => write!(formatter, "the speed is {speed}: give a finite number"),
             Self::Orders { asked, order } => write!(
                 formatter,
@@ -117,5 +133,7 @@ impl fmt::Display for PlaceError {
         }
     }
 }
+
+crate::__debug_by_display!(PlaceError);
 
 impl Error for PlaceError {}

@@ -11,7 +11,7 @@ use crate::quantity::Digits;
 use crate::sweep::SweepError;
 
 /// The reason why there is no exact table of a motion.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum ExactTableError {
     /// The sweep itself is at fault.
@@ -155,6 +155,8 @@ impl fmt::Display for ExactTableError {
         }
     }
 }
+
+crate::__debug_by_display!(ExactTableError);
 
 impl Error for ExactTableError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

@@ -15,6 +15,9 @@ pub(super) const VERSION: u32 = 1;
 pub(super) const MAGIC: [u8; 8] = *b"kinExact";
 /// The number of bytes of the head.
 pub(super) const HEAD: usize = 32;
+/// The most periods between the first row of a closed table and a place. With more of them, the places that can be told from each other are
+/// further apart than 1/512 of a period.
+pub(super) const MOST_TURNS: f64 = 8_796_093_022_208.0;
 /// The number of bytes of a number.
 pub(super) const WORD: usize = 8;
 
@@ -137,6 +140,12 @@ impl<'b> ExactTableRef<'b> {
         let found = checksum(all);
         if stored != found {
             return Err(ReadError::Checksum { stored, found });
+        }
+        if bytes[HEAD..][length as usize..(length as usize).next_multiple_of(WORD)]
+            .iter()
+            .any(|byte| *byte != 0)
+        {
+            return contradiction("the bytes behind its names are not zero");
         }
         let Ok(text) = core::str::from_utf8(&bytes[HEAD..HEAD + length as usize]) else {
             return contradiction("its names are no text");
@@ -338,6 +347,10 @@ impl<'b> ExactTableRef<'b> {
         let (mut at, mut turns) = (at, 0.0);
         if self.layout.is_closed {
             turns = Float::floor((at - low) / (high - low));
+            if Float::abs(turns) > MOST_TURNS {
+                let period = high - low;
+                return Err(PlaceError::TooManyTurns { at, period });
+            }
             at = (at - turns * (high - low)).max(low).min(high);
         }
         if !(low..=high).contains(&at) {

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use std::{println, vec, vec::Vec};
 
-use super::read::{VERSION, WORD, checksum};
+use super::read::{HEAD, VERSION, WORD, checksum};
 use super::{ExactTable, ExactTableError, ExactTableRef, PlaceError, Precision, ReadError};
 use crate::assembly::{Assembly, Near};
 use crate::geometry::{Plane, Space};
@@ -150,8 +150,50 @@ fn turns_go_on() {
     assert_eq!(rocker.turn(), TAU);
     let [[first], [third]] = [0.5, 0.5 + 2.0 * TAU].map(|at| rocker.at(at).unwrap());
     assert!((third - first - 2.0 * TAU).abs() < 1e-13);
-    // and without an end: the table is closed
-    assert!(table.column("theta3").unwrap().at::<5>(1e6).is_ok());
+    // and on: the table is closed
+    let coupler = table.column("theta3").unwrap();
+    assert!(coupler.at::<5>(1e6).is_ok() && coupler.at::<5>(-1e12).is_ok());
+    // as long as numbers of this size tell one part of a period from another
+    for at in [1e14, 1e300, f64::MAX] {
+        for at in [at, -at] {
+            let told = PlaceError::TooManyTurns { at, period: TAU };
+            assert_eq!(coupler.at::<5>(at), Err(told));
+            let near = drag_link.position_near(at, [at, at]);
+            assert!(near.is_err() || at.abs() < 1e15, "{at}");
+        }
+    }
+    let told = PlaceError::TooManyTurns { at: 1e300, period: TAU };
+    let told = std::format!("{told}");
+    assert!(told.contains("1e300") && told.contains("6.28"), "{told}");
+}
+
+/// Two tables with the same content have the same bytes.
+#[test]
+fn bytes_behind_names_are_zero() {
+    let table = table().named("a name of an odd length").unwrap();
+    let whole = table.as_bytes();
+    let length = table.name().len() + table.parameter().0.len() + 3;
+    let length = length + table.columns().map(|column| column.name().len() + 3).sum::<usize>();
+    let padding = HEAD + length..(HEAD + length).next_multiple_of(WORD);
+    assert!(!padding.is_empty());
+    for place in padding {
+        let mut bytes = whole.to_vec();
+        assert_eq!(bytes[place], 0);
+        bytes[place] = 1;
+        resum(&mut bytes);
+        assert!(matches!(
+            ExactTable::from_bytes(bytes),
+            Err(ReadError::Contradiction { .. })
+        ));
+    }
+}
+
+/// Stores the sum of the bytes before.
+fn resum(bytes: &mut [u8]) {
+    if let Some(end) = bytes.len().checked_sub(WORD) {
+        let sum = checksum(&bytes[..end]);
+        bytes[end..].copy_from_slice(&sum.to_le_bytes());
+    }
 }
 
 /// Near a change point the rocker jerks, and the rows are close to each other there alone.
@@ -630,7 +672,7 @@ fn damaged_bytes_are_errors() {
         reason = "it is below the number of bytes"
     )]
     let mut below = |end: usize| random.between(0.0, end as f64) as usize;
-    let mut kinds = [0; 5];
+    let (mut kinds, mut accepted) = ([0; 5], 0);
     for case in 0..20_000 {
         let mut bytes = whole.clone();
         for _ in 0..=below(3) {
@@ -650,10 +692,8 @@ fn damaged_bytes_are_errors() {
             }
         }
         // half of them with a sum that fits
-        if case % 2 == 0 && bytes.len() >= WORD {
-            let end = bytes.len() - WORD;
-            let sum = checksum(&bytes[..end]);
-            bytes[end..].copy_from_slice(&sum.to_le_bytes());
+        if case % 2 == 0 {
+            resum(&mut bytes);
         }
         match ExactTableRef::new(&bytes) {
             Ok(table) => {
@@ -665,6 +705,10 @@ fn damaged_bytes_are_errors() {
                 }
                 // bytes that still have their sum are those of the table
                 assert!(case % 2 == 0 || bytes == whole);
+                // and all that is read is in the parts
+                let owned = ExactTable::from_bytes(bytes.clone()).unwrap();
+                assert_eq!(owned.parts().table().unwrap().as_bytes(), bytes, "case {case}");
+                accepted += usize::from(bytes != whole);
             }
             Err(error) => {
                 let kind = match error {
@@ -679,6 +723,7 @@ fn damaged_bytes_are_errors() {
         }
     }
     assert!(kinds.iter().all(|count| *count > 20), "{kinds:?}");
+    assert!(accepted > 500, "{accepted}");
 }
 
 /// Rounding may put a row, or an end of the range, beside a joint of a law.

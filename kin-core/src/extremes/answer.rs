@@ -1,9 +1,10 @@
 //! What a question to a sweep may return for a pose.
 
 use crate::load::LoadError;
+use crate::motion::Motion;
 use crate::sweep::Local;
 
-/// A quantity of a pose: a number, or the result of loads, which may have no balance there.
+/// A quantity of a pose: a number, a motion for its value, or the result of loads, which may have no balance there.
 ///
 /// Do not implement it for other types: a new version may add items.
 #[diagnostic::on_unimplemented(
@@ -21,6 +22,13 @@ pub trait Answer {
 impl Answer for Local {
     fn answer(self) -> Result<Local, LoadError> {
         Ok(self)
+    }
+}
+
+/// A motion answers by its value.
+impl<const N: usize> Answer for Motion<Local, N> {
+    fn answer(self) -> Result<Local, LoadError> {
+        Ok(self.value())
     }
 }
 

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::Deref;
 
-use crate::load::{Balance, Load, LoadError, Loads};
+use crate::load::{Balance, LoadError, Loaded, LoadsOf};
 use crate::mechanism::{Block, BlockForm, Mechanism, Pose, PoseOf};
 use crate::motion::Motion;
 use crate::number::{Number, Row};
@@ -14,7 +14,7 @@ use crate::sweep::{Instant, Local, OutputsOf, READ, by_time, composed};
 /// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
 /// them carries its own.
 ///
-/// It has the fields of the pose: `at.theta4.jerk()`. Constants are `Local::constant(2.0)`.
+/// It has the fields of the pose: `at.theta4.jerk()`. Plain numbers are constants among them: `2.0 * at.theta4.jerk()`.
 ///
 /// ```
 /// use std::f64::consts::TAU;
@@ -157,12 +157,9 @@ impl<M: Mechanism> At<M> {
     /// The balance of loads and drives, with its change along the sweep. The loads are those of the mechanism over `Local`.
     ///
     /// # Errors
-    /// As for [`Loads::at`].
-    pub fn balance<L: Load<M::With<Local>>>(
-        &self,
-        loads: &Loads<M::With<Local>, L>,
-    ) -> Result<Balance<M::With<Local>>, LoadError> {
-        loads.near(&self.mechanism, self.inputs, self.near_series())
+    /// As for [`balance`](Loaded::balance).
+    pub fn balance<L: LoadsOf<M::With<Local>>>(&self, loads: &L) -> Result<Balance<M::With<Local>>, LoadError> {
+        self.mechanism.balance_near(loads, self.inputs, self.near_series())
     }
 
     /// The effort of the drive of an input, by its index: a torque or a force.
@@ -197,12 +194,8 @@ impl<M: Mechanism> At<M> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Loads::at`], and [`LoadError::NoEffort`] if there is no such input, or if the mechanism is declared to a lower order than 2.
-    pub fn effort<L: Load<M::With<Local>>>(
-        &self,
-        loads: &Loads<M::With<Local>, L>,
-        input: usize,
-    ) -> Result<Local, LoadError> {
+    /// As for [`balance`](Loaded::balance), and [`LoadError::NoEffort`] if there is no such input, or if the mechanism is declared to a lower order than 2.
+    pub fn effort<L: LoadsOf<M::With<Local>>>(&self, loads: &L, input: usize) -> Result<Local, LoadError> {
         let efforts = self.balance(loads)?.efforts();
         let effort = efforts.as_ref().get(input).and_then(|effort| effort.derivative(0));
         effort.ok_or(LoadError::NoEffort { input })

@@ -79,7 +79,7 @@ fn an_angle_jumps_where_a_vector_vanishes() {
     for length in [1.0, 0.3] {
         for rows in [2, 11, 90] {
             let sweep = InvertedSliderCrank { r1: length, r2: length }
-                .sweep(())
+                .sweep()
                 .over(2.0..=4.0, rows)
                 .speed(1.0);
             let extremes = sweep.extremes("theta4").unwrap();
@@ -94,7 +94,7 @@ fn an_angle_jumps_where_a_vector_vanishes() {
             );
         }
         let table = InvertedSliderCrank { r1: length, r2: length }
-            .sweep(())
+            .sweep()
             .over(2.0..=4.0, 11)
             .table()
             .unwrap();
@@ -118,7 +118,7 @@ crate::mechanism! {
 #[test]
 fn a_pole_is_unbounded() {
     for rows in [2, 5, 37, 100] {
-        let sweep = Lever { h: 1.0 }.sweep(()).over(0.0..=PI, rows).speed(1.0);
+        let sweep = Lever { h: 1.0 }.sweep().over(0.0..=PI, rows).speed(1.0);
         for name in ["y", "travel", "ratio"] {
             assert!(
                 matches!(sweep.highest(name), Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9),

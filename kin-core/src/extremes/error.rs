@@ -11,7 +11,7 @@ use crate::quantity::Digits;
 use crate::sweep::{NoSuchColumn, SweepError};
 
 /// The reason why a question to a sweep has no answer.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum ExtremesError {
     /// No quantity has this name.
@@ -147,6 +147,8 @@ impl fmt::Display for ExtremesError {
         }
     }
 }
+
+crate::__debug_by_display!(ExtremesError);
 
 impl Error for ExtremesError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

@@ -42,6 +42,7 @@ mod curve;
 #[cfg(test)]
 mod edge_tests;
 mod error;
+mod guessed;
 mod mean;
 mod parts;
 mod progress;

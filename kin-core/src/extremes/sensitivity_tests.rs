@@ -8,7 +8,7 @@ use crate::assembly::{Assembly, Near};
 use crate::geometry::{Plane, Space};
 use crate::law::{Dwell, Law, Rise, Sequence, Shape};
 use crate::library::{ClassThreeTriad, FourBar, SliderCrank};
-use crate::load::{Load, LoadError, Loads};
+use crate::load::{Load, LoadError, Loaded, Loads};
 use crate::mechanism::{Mechanism, Partials, sensitivities_of};
 use crate::motion::Motion;
 use crate::number::{Changing, Number, Row, samples};
@@ -235,8 +235,8 @@ fn peaks_of_efforts() {
         |press| press.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(12.0),
         &on_press(),
         |press, at| {
-            let [effort] = on_press()
-                .at(press, [steady(at, 12.0)], Assembly::Open)
+            let [effort] = press
+                .balance(&on_press(), [steady(at, 12.0)], Assembly::Open)
                 .unwrap()
                 .efforts();
             effort.value()
@@ -261,7 +261,7 @@ fn peaks_of_efforts_of_two_drives() {
         &on_robot(),
         |robot, at| {
             let inputs = [under(&left, at), under(&right, at)];
-            let [effort, _] = on_robot().at(robot, inputs, Assembly::Open).unwrap().efforts();
+            let [effort, _] = robot.balance(&on_robot(), inputs, Assembly::Open).unwrap().efforts();
             effort.value()
         },
     );
@@ -282,8 +282,8 @@ fn peaks_of_efforts_in_space() {
         },
         &on_spatial(),
         |linkage, at| {
-            let [effort] = on_spatial()
-                .at(linkage, [steady(at, 6.0)], Assembly::Open)
+            let [effort] = linkage
+                .balance(&on_spatial(), [steady(at, 6.0)], Assembly::Open)
                 .unwrap()
                 .efforts();
             effort.value()
@@ -313,7 +313,7 @@ fn peaks_of_efforts_by_newtons_method() {
         &on_triad(),
         |triad, at| {
             let inputs = [0, 1, 2].map(|leg| under(&legs[leg], at));
-            let [effort, ..] = on_triad().at(triad, inputs, near).unwrap().efforts();
+            let [effort, ..] = triad.balance(&on_triad(), inputs, near).unwrap().efforts();
             effort.value()
         },
     );
@@ -330,7 +330,10 @@ fn an_effort_on_a_sweep_is_that_of_the_pose() {
     assert!(!crossings.is_empty() && rates.len() >= 2);
     let single = |at: f64| {
         let crank = Motion::at_constant_speed(at, speed);
-        let [effort] = on_press().at(&PRESS, [crank], Assembly::Crossed).unwrap().efforts();
+        let [effort] = PRESS
+            .balance(&on_press(), [crank], Assembly::Crossed)
+            .unwrap()
+            .efforts();
         effort
     };
     let size = rates

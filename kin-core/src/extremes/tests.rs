@@ -29,6 +29,56 @@ fn rocker(linkage: FourBar, assembly: Assembly, at: f64, order: usize) -> [f64; 
     [derivatives[order], derivatives[order + 1]]
 }
 
+/// Closures calculate with plain numbers, and compare, as with numbers of any kind.
+#[test]
+fn closures_calculate_with_plain_numbers() {
+    let turn = turn(CRANK_ROCKER, Assembly::Open);
+    let [high, low] = [turn.highest("theta4").unwrap(), turn.lowest("theta4").unwrap()];
+    let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-14 * (1.0 + other.abs()), "{one} {other}");
+    // motions, which answer by their values, and the series that they give
+    let found = turn.highest_by(|at| 2.0 * at.theta4 + 1.0).unwrap();
+    near(found.value, 2.0 * high.value + 1.0);
+    near(found.at, high.at);
+    near(turn.highest_by(|at| at.theta4 * 2.0).unwrap().value, 2.0 * high.value);
+    let found = turn.highest_by(|at| 1.0 - at.theta4.position() / 4.0).unwrap();
+    near(found.value, 1.0 - low.value / 4.0);
+    near(found.at, low.at);
+    near(turn.highest_by(|at| at.theta4.sqrt()).unwrap().value, high.value.sqrt());
+    // the rocker stays in the half-plane in which the cosine falls
+    assert!(low.value > 0.0 && high.value < PI);
+    near(turn.lowest_by(|at| at.theta4.cos()).unwrap().value, high.value.cos());
+    near(
+        turn.lowest_by(|at| at.theta4.position().cos()).unwrap().value,
+        high.value.cos(),
+    );
+    // as the function itself is, derivatives and all
+    let sine = turn.peak_by(|at| 90.0 * at.theta4.sin().velocity()).unwrap();
+    let chain = turn
+        .peak_by(|at| 90.0 * at.theta4.velocity() * at.theta4.position().cos())
+        .unwrap();
+    near(sine.value, chain.value);
+    // comparisons: the part of the travel above a level
+    let level = 0.5 * (low.value + high.value);
+    let above = turn.highest_by(|at| (at.theta4 - level).max(0.0 * at.theta4)).unwrap();
+    near(above.value, high.value - level);
+    let above = turn
+        .lowest_by(|at| {
+            if at.theta4.position() < level {
+                Local::constant(level)
+            } else {
+                at.theta4.position()
+            }
+        })
+        .unwrap();
+    near(above.value, level);
+    near(
+        turn.highest_by(|at| (at.theta4.position() - level).abs())
+            .unwrap()
+            .value,
+        high.value - level,
+    );
+}
+
 /// Every extreme of a turn is found once: as many as a dense scan sees, each where the next derivative vanishes.
 #[test]
 fn a_turn_has_the_extremes_of_a_dense_scan() {
@@ -91,7 +141,7 @@ fn a_yoke_is_a_cosine() {
         gamma: PI / 2.0,
     };
     for start in [0.0, 1.0, -7.0] {
-        let turn = yoke.sweep(()).over(start..=start + TAU, 50).speed(3.0);
+        let turn = yoke.sweep().over(start..=start + TAU, 50).speed(3.0);
         let name = "x";
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = std::format!("{name}{suffix}");
@@ -376,7 +426,7 @@ fn margins_are_quantities() {
         crank: 2.0,
         gamma: PI / 2.0,
     };
-    let error = yoke.sweep(()).over(0.0..=TAU, 50).extremes("margin").unwrap_err();
+    let error = yoke.sweep().over(0.0..=TAU, 50).extremes("margin").unwrap_err();
     assert!(matches!(error, ExtremesError::NoSuchColumn(_)));
 }
 
@@ -586,7 +636,7 @@ fn formulas_have_extremes() {
         crank: 2.0,
         gamma: PI / 2.0,
     };
-    let swing = yoke.sweep(()).by_formula(0.0..=TAU, 30, |time| {
+    let swing = yoke.sweep().by_formula(0.0..=TAU, 30, |time| {
         let (sine, _) = time.sin_cos();
         [Instant::constant(0.25) + Instant::constant(0.5) * sine]
     });
@@ -645,7 +695,7 @@ fn mistakes_are_told() {
 #[test]
 fn the_end_of_a_range_bounds_everything() {
     let inverse: Inverse = Inverse { factor: 1.0 };
-    let sweep = inverse.sweep(()).over(0.0..=1.5, 10).speed(2.0);
+    let sweep = inverse.sweep().over(0.0..=1.5, 10).speed(2.0);
     let end = 1_f64.sin();
     for (name, value) in [("x", 1.0), ("x_velocity", 2.0 / 1_f64.cos())] {
         let extremes = sweep.extremes(name).unwrap();

@@ -9,7 +9,7 @@ use crate::quantity::{Digits, WithUnit};
 /// The reason why a solver found no position.
 ///
 /// Lengths are in the mechanism's own units, angles in radians.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Failure {
     /// The links do not reach: the loop closure has no solution.
@@ -202,6 +202,8 @@ impl fmt::Display for Failure {
     }
 }
 
+crate::__debug_by_display!(Failure);
+
 impl Error for Failure {}
 
 /// The reason why a solver found no position, and where.
@@ -253,11 +255,7 @@ impl fmt::Display for SolveError {
     }
 }
 
-impl fmt::Debug for SolveError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, formatter)
-    }
-}
+crate::__debug_by_display!(SolveError);
 
 impl Error for SolveError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

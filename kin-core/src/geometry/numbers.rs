@@ -6,6 +6,7 @@ use core::ops::{Add, Div, Mul};
 
 use super::{Plane, Space};
 use crate::number::Number;
+use crate::number::plain::with_derivatives;
 
 macro_rules! vector {
     ($vector:ident: $first:ident, $($axis:ident),+) => {
@@ -72,6 +73,41 @@ macro_rules! vector {
 
 vector!(Plane: x, y);
 vector!(Space: x, y, z);
+
+/// Vectors of numbers with derivatives, times and over plain numbers, which are constants.
+macro_rules! by_plain_numbers {
+    ([$($parameter:tt)*] $number:ty) => {
+        by_plain_numbers!(@vector [$($parameter)*] $number, Plane<$number>);
+        by_plain_numbers!(@vector [$($parameter)*] $number, Space<$number>);
+    };
+    (@vector [$($parameter:tt)*] $number:ty, $vector:ty) => {
+        impl<$($parameter)*> Mul<f64> for $vector {
+            type Output = Self;
+
+            fn mul(self, factor: f64) -> Self {
+                self * <$number>::constant(factor)
+            }
+        }
+
+        impl<$($parameter)*> Mul<$vector> for f64 {
+            type Output = $vector;
+
+            fn mul(self, vector: $vector) -> $vector {
+                vector * self
+            }
+        }
+
+        impl<$($parameter)*> Div<f64> for $vector {
+            type Output = Self;
+
+            fn div(self, divisor: f64) -> Self {
+                self / <$number>::constant(divisor)
+            }
+        }
+    };
+}
+
+with_derivatives!(by_plain_numbers);
 
 #[cfg(test)]
 mod tests {

@@ -7,7 +7,7 @@ use crate::number::Number;
 use crate::quantity::Digits;
 
 /// The reason why a law cannot be made.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum LawError {
     /// A quantity that must be positive is not, or is not finite.
@@ -36,6 +36,11 @@ pub enum LawError {
         /// The result, in a few words.
         quantity: &'static str,
         /// Its value.
+        value: f64,
+    },
+    /// A motion within limits ends where it starts, which takes no time.
+    NoMove {
+        /// The value.
         value: f64,
     },
     /// A sequence has no laws.
@@ -67,10 +72,17 @@ impl fmt::Display for LawError {
                 "the {quantity} becomes {}; choose units in which distance and limits are of a more similar size",
                 Digits(value)
             ),
+            Self::NoMove { value } => write!(
+                formatter,
+                "the S-curve starts and ends at {}, and no move takes no time: leave it out, or hold the value by a `Dwell`",
+                Digits(value)
+            ),
             Self::Empty => formatter.write_str("the sequence is empty; it needs one law at least"),
         }
     }
 }
+
+crate::__debug_by_display!(LawError);
 
 impl Error for LawError {}
 

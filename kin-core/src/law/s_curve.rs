@@ -81,13 +81,16 @@ impl<T: Number> SCurve<T> {
     /// The motion from rest at one value to rest at another.
     ///
     /// # Errors
-    /// [`LawError::NotFinite`] for the values, [`LawError::NotPositive`] if they are equal or for a limit, and [`LawError::OutOfRange`] if
+    /// [`LawError::NotFinite`] for the values, [`LawError::NoMove`] if they are equal, [`LawError::NotPositive`] for a limit, and [`LawError::OutOfRange`] if
     /// limits and distance are too far apart for the number type.
     pub fn new(from: T, to: T, limits: Limits<T>) -> Result<Self, LawError> {
         finite("value from which the S-curve starts", from)?;
         finite("value at which the S-curve ends", to)?;
         let ahead = to - from;
         let direction = T::constant(if ahead.real() < 0.0 { -1.0 } else { 1.0 });
+        if ahead.real() == 0.0 {
+            return Err(LawError::NoMove { value: to.real() });
+        }
         let distance = positive("distance of the S-curve", direction * ahead)?;
         positive("limit of the velocity", limits.velocity)?;
         positive("limit of the acceleration", limits.acceleration)?;

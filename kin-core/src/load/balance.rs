@@ -71,7 +71,7 @@ impl<M: Mechanism, V: Copy + fmt::Debug> fmt::Debug for Rates<M, V> {
     }
 }
 
-/// The balance of loads and drives in one pose, as [`Loads::at`](crate::load::Loads::at) returns it.
+/// The balance of loads and drives in one pose, as [`Loaded::balance`](crate::load::Loaded::balance) returns it.
 ///
 /// Units follow from those of the loads: with metres, kilograms and seconds, efforts are newtons at inputs that are lengths and
 /// newton metres at inputs that are angles, energies are joules, powers watts.

@@ -2,8 +2,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use crate::geometry::Space;
-use crate::load::{Change, Moving, Varying};
+use crate::load::{Change, Moving, VaryingNumber, VaryingVector};
 use crate::mechanism::Mechanism;
 use crate::motion::leibniz;
 use crate::number::{Number, Row};
@@ -25,7 +24,7 @@ pub(super) struct Coordinate<M: Mechanism> {
 
 impl<M: Mechanism> Coordinate<M> {
     /// The coordinates of a selected point, x, y and z.
-    pub(super) fn of_point<P: Varying<Space<Change<M::Scalar>>>>(
+    pub(super) fn of_point<P: VaryingVector<Change<M::Scalar>>>(
         poses: &M::Inputs<Moving<M>>,
         point: impl Fn(Moving<M>) -> P,
     ) -> [Self; 3] {
@@ -44,7 +43,7 @@ impl<M: Mechanism> Coordinate<M> {
     }
 
     /// A selected angle, or another coordinate that is a number.
-    pub(super) fn of_number<P: Varying<Change<M::Scalar>>>(
+    pub(super) fn of_number<P: VaryingNumber<Change<M::Scalar>>>(
         poses: &M::Inputs<Moving<M>>,
         number: impl Fn(Moving<M>) -> P,
     ) -> Self {

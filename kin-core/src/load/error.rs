@@ -4,11 +4,12 @@ use core::error::Error;
 use core::fmt;
 
 use crate::failure::SolveError;
+use crate::quantity::Digits;
 
 /// The reason why loads give no result in a pose.
 ///
 /// A load is named by its place, in the order in which the loads were added, from 1 on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum LoadError {
     /// The mechanism has no pose there.
@@ -39,6 +40,15 @@ pub enum LoadError {
     NoEffort {
         /// The place of the input, from 0 on.
         input: usize,
+    },
+    /// A mass or a moment of inertia is negative.
+    Negative {
+        /// The place of the load.
+        load: usize,
+        /// The quantity, in a few words.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
     },
     /// A result is not finite: a mass, a force, the effort of a drive or another number of a load is not, or is too large.
     NotFinite,
@@ -76,6 +86,12 @@ impl fmt::Display for LoadError {
                 "the drive of input {input}, counted from 0, has no effort: there is no such input, or the mechanism is declared \
                  without accelerations"
             ),
+            Self::Negative { load, quantity, value } => write!(
+                formatter,
+                "load {load}: the {quantity} is {}: give one that is not negative; a hole is part of its link, whose mass and centre \
+                 are those of the whole",
+                Digits(*value)
+            ),
             Self::NotFinite => write!(
                 formatter,
                 "the result is not finite: a mass, force, effort or other number of a load is not finite or too large"
@@ -83,6 +99,8 @@ impl fmt::Display for LoadError {
         }
     }
 }
+
+crate::__debug_by_display!(LoadError);
 
 impl Error for LoadError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

@@ -3,7 +3,7 @@
 use crate::geometry::Space;
 use crate::load::coordinate::{Coordinate, cross, difference, dot};
 use crate::load::totals::Totals;
-use crate::load::{Change, LoadError, Moving, Varying};
+use crate::load::{Change, LoadError, Moving, VaryingNumber, VaryingVector};
 use crate::mechanism::Mechanism;
 use crate::number::Number;
 
@@ -48,17 +48,25 @@ pub struct Mass<F> {
     pub(super) point: F,
 }
 
-impl<M: Mechanism, P: Varying<Space<Change<M::Scalar>>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Mass<F> {
+impl<M: Mechanism, P: VaryingVector<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Mass<F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
         let point = Coordinate::of_point(&totals.poses, self.point);
-        add_mass(totals, self.mass, &point);
-        Ok(())
+        add_mass(totals, self.mass, &point)
     }
 }
 
-fn add_mass<M: Mechanism>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate<M>; 3]) {
+/// Refuses what no body has.
+fn not_negative(load: usize, quantity: &'static str, value: f64) -> Result<(), LoadError> {
+    if value < 0.0 {
+        return Err(LoadError::Negative { load, quantity, value });
+    }
+    Ok(())
+}
+
+fn add_mass<M: Mechanism>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate<M>; 3]) -> Result<(), LoadError> {
+    not_negative(totals.load, "mass", mass)?;
     for coordinate in point {
         totals.inertia(mass, coordinate, coordinate);
     }
@@ -66,6 +74,7 @@ fn add_mass<M: Mechanism>(totals: &mut Totals<M>, mass: f64, point: &[Coordinate
     let Space { x, y, z } = totals.gravity;
     let along = [x, y, z].map(|part| M::Scalar::constant(-mass * part));
     totals.potential(&(point[0].scale(along[0]) + point[1].scale(along[1]) + point[2].scale(along[2])));
+    Ok(())
 }
 
 /// A moment of inertia about an axis of fixed direction.
@@ -76,10 +85,11 @@ pub struct Inertia<F> {
     pub(super) angle: F,
 }
 
-impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Inertia<F> {
+impl<M: Mechanism, P: VaryingNumber<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for Inertia<F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
+        not_negative(totals.load, "moment of inertia", self.moment)?;
         let angle = Coordinate::of_number(&totals.poses, self.angle);
         totals.inertia(self.moment, &angle, &angle);
         let Space { x, y, z } = self.axis;
@@ -114,7 +124,7 @@ pub struct SpaceBody<F> {
     pub(super) points: F,
 }
 
-impl<M: Mechanism, P: Varying<Space<Change<M::Scalar>>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for SpaceBody<F> {
+impl<M: Mechanism, P: VaryingVector<Change<M::Scalar>>, F: Fn(Moving<M>) -> [P; 3] + Copy> Load<M> for SpaceBody<F> {
     const COUNT: usize = 1;
 
     // With the arms ξ from the centre of mass along unit vectors e fixed to the body, the velocity of a mass element is that of the
@@ -149,7 +159,10 @@ impl<M: Mechanism, P: Varying<Space<Change<M::Scalar>>>, F: Fn(Moving<M>) -> [P;
                 .map(|(axis, arm)| axis[coordinate].scale(M::Scalar::constant(arm)));
             steps.fold(a[coordinate], |sum, step| sum + step)
         });
-        add_mass(totals, mass, &point);
+        add_mass(totals, mass, &point)?;
+        for (axis, row) in inertia.iter().enumerate() {
+            not_negative(load, "moment of inertia about an axis of the body", row[axis])?;
+        }
         let half_trace = 0.5 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
         for row in 0..3 {
             for column in 0..3 {
@@ -189,8 +202,8 @@ pub struct Force<V, F> {
 impl<M, V, P, F> Load<M> for Force<V, F>
 where
     M: Mechanism,
-    V: Varying<Space<M::Scalar>>,
-    P: Varying<Space<Change<M::Scalar>>>,
+    V: VaryingVector<M::Scalar>,
+    P: VaryingVector<Change<M::Scalar>>,
     F: Fn(Moving<M>) -> P + Copy,
 {
     const COUNT: usize = 1;
@@ -214,8 +227,8 @@ pub struct Torque<V, F> {
 impl<M, V, P, F> Load<M> for Torque<V, F>
 where
     M: Mechanism,
-    V: Varying<M::Scalar>,
-    P: Varying<Change<M::Scalar>>,
+    V: VaryingNumber<M::Scalar>,
+    P: VaryingNumber<Change<M::Scalar>>,
     F: Fn(Moving<M>) -> P + Copy,
 {
     const COUNT: usize = 1;
@@ -259,8 +272,8 @@ pub struct Damper {
 fn square<M, P, Q>(totals: &Totals<M>, from: impl Fn(Moving<M>) -> P, to: impl Fn(Moving<M>) -> Q) -> Coordinate<M>
 where
     M: Mechanism,
-    P: Varying<Space<Change<M::Scalar>>>,
-    Q: Varying<Space<Change<M::Scalar>>>,
+    P: VaryingVector<Change<M::Scalar>>,
+    Q: VaryingVector<Change<M::Scalar>>,
 {
     let (from, to) = (
         Coordinate::of_point(&totals.poses, from),
@@ -282,8 +295,8 @@ fn distance<M: Mechanism>(square: Coordinate<M>, load: usize) -> Result<Coordina
 impl<M, P, Q, F, G> Load<M> for BetweenPoints<Spring, F, G>
 where
     M: Mechanism,
-    P: Varying<Space<Change<M::Scalar>>>,
-    Q: Varying<Space<Change<M::Scalar>>>,
+    P: VaryingVector<Change<M::Scalar>>,
+    Q: VaryingVector<Change<M::Scalar>>,
     F: Fn(Moving<M>) -> P + Copy,
     G: Fn(Moving<M>) -> Q + Copy,
 {
@@ -307,8 +320,8 @@ where
 impl<M, P, Q, F, G> Load<M> for BetweenPoints<Damper, F, G>
 where
     M: Mechanism,
-    P: Varying<Space<Change<M::Scalar>>>,
-    Q: Varying<Space<Change<M::Scalar>>>,
+    P: VaryingVector<Change<M::Scalar>>,
+    Q: VaryingVector<Change<M::Scalar>>,
     F: Fn(Moving<M>) -> P + Copy,
     G: Fn(Moving<M>) -> Q + Copy,
 {
@@ -321,7 +334,7 @@ where
     }
 }
 
-impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Spring, F> {
+impl<M: Mechanism, P: VaryingNumber<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Spring, F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {
@@ -332,7 +345,7 @@ impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> 
     }
 }
 
-impl<M: Mechanism, P: Varying<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Damper, F> {
+impl<M: Mechanism, P: VaryingNumber<Change<M::Scalar>>, F: Fn(Moving<M>) -> P + Copy> Load<M> for OnAngle<Damper, F> {
     const COUNT: usize = 1;
 
     fn add(&self, totals: &mut Totals<M>) -> Result<(), LoadError> {

@@ -1,7 +1,7 @@
 //! Loads: the efforts of drives, equivalent inertia, energies and shaking forces, by virtual work.
 //!
 //! [`Loads`] lists masses, moments of inertia, gravity, forces, torques, springs and dampers. Each is tied to a point or an angle of the
-//! mechanism by a function of the pose. [`Loads::at`] returns the [`Balance`] of a pose: what the drive of each input must give, with the
+//! mechanism by a function of the pose. [`balance`](Loaded::balance) of a mechanism returns the [`Balance`] of a pose: what the drive of each input must give, with the
 //! first and second rates that a servo has to follow, and more.
 //!
 //! ```
@@ -28,7 +28,7 @@
 //!     .force(Plane::new(-120.0, 0.0), |pose| pose.tool);
 //!
 //! let crank = Motion::at_constant_speed(1.1, 10.0);
-//! let balance = loads.at(&press, [crank], Assembly::Open)?;
+//! let balance = press.balance(&loads, [crank], Assembly::Open)?;
 //! let [torque] = balance.efforts();
 //! println!("{} N m, {} N m/s, {} N m/s²", torque.value(), torque.rate(), torque.second_rate());
 //!
@@ -63,6 +63,7 @@ mod coordinate;
 mod dynamics;
 mod error;
 mod kinds;
+mod loaded;
 #[cfg(test)]
 mod tests;
 mod totals;
@@ -72,9 +73,10 @@ pub use balance::{Balance, Rates};
 pub use dynamics::EquivalentInertia;
 pub use error::LoadError;
 pub use kinds::{BetweenPoints, Damper, Force, Inertia, Load, Mass, OnAngle, Solid, SpaceBody, Spring, Torque};
+pub use loaded::{Loaded, LoadsOf};
 #[doc(hidden)]
 pub use totals::Totals;
-pub use varying::Varying;
+pub use varying::{VaryingNumber, VaryingVector};
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -82,7 +84,7 @@ use core::marker::PhantomData;
 use crate::failure::SolveError;
 use crate::geometry::Space;
 use crate::mechanism::Mechanism;
-use crate::number::{Changing, Number, Row};
+use crate::number::Changing;
 
 /// A number with its change along one input.
 pub type Change<T = f64> = Changing<T>;
@@ -145,16 +147,16 @@ impl<M: Mechanism, L> Loads<M, L> {
 
     /// The acceleration of gravity, a `Plane` or `Space`. It acts on all masses, wherever they stand in the list.
     #[must_use]
-    pub fn gravity(mut self, acceleration: impl Varying<Space<f64>>) -> Self {
+    pub fn gravity(mut self, acceleration: impl VaryingVector<f64>) -> Self {
         self.gravity = acceleration.entry(0);
         self
     }
 
-    /// A mass at a point: the centre of mass of a link or of a slider.
+    /// A mass at a point: the centre of mass of a link or of a slider. A negative mass is an error of the [balance](Loaded::balance).
     #[must_use]
     pub fn mass<P, F>(self, mass: f64, point: F) -> Loads<M, (L, Mass<F>)>
     where
-        P: Varying<Space<Change<M::Scalar>>>,
+        P: VaryingVector<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         self.and(Mass { mass, point })
@@ -165,7 +167,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn inertia<P, F>(self, inertia: f64, angle: F) -> Loads<M, (L, Inertia<F>)>
     where
-        P: Varying<Change<M::Scalar>>,
+        P: VaryingNumber<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         self.inertia_about(Space::new(0.0, 0.0, 1.0), inertia, angle)
@@ -175,7 +177,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn inertia_about<P, F>(self, axis: Space<f64>, inertia: f64, angle: F) -> Loads<M, (L, Inertia<F>)>
     where
-        P: Varying<Change<M::Scalar>>,
+        P: VaryingNumber<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         self.and(Inertia {
@@ -210,7 +212,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     ///     inertia: [[0.1, 0.0, 0.0], [0.0, 0.15, 0.0], [0.0, 0.0, 0.06]],
     /// };
     /// let loads = Loads::<Plate>::new().body(solid, |pose| [pose.hub, pose.rim, pose.top]);
-    /// let felt = loads.equivalent_inertia(&plate, [0.7], ())?;
+    /// let felt = plate.equivalent_inertia(&loads, [0.7])?;
     /// // Steiner's theorem
     /// assert!((felt.matrix[0][0] - (0.15 + 4.0 * 0.1 * 0.1)).abs() < 1e-15);
     /// # Ok::<(), kin_core::load::LoadError>(())
@@ -218,7 +220,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn body<P, F>(self, solid: Solid, points: F) -> Loads<M, (L, SpaceBody<F>)>
     where
-        P: Varying<Space<Change<M::Scalar>>>,
+        P: VaryingVector<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> [P; 3] + Copy,
     {
         self.and(SpaceBody { solid, points })
@@ -228,8 +230,8 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn force<V, P, F>(self, force: V, point: F) -> Loads<M, (L, Force<V, F>)>
     where
-        V: Varying<Space<M::Scalar>>,
-        P: Varying<Space<Change<M::Scalar>>>,
+        V: VaryingVector<M::Scalar>,
+        P: VaryingVector<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         const { assert!(has_rates::<M>(V::ENTRIES), "a force needs its derivatives") };
@@ -240,8 +242,8 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn torque<V, P, F>(self, torque: V, angle: F) -> Loads<M, (L, Torque<V, F>)>
     where
-        V: Varying<M::Scalar>,
-        P: Varying<Change<M::Scalar>>,
+        V: VaryingNumber<M::Scalar>,
+        P: VaryingNumber<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         const { assert!(has_rates::<M>(V::ENTRIES), "a torque needs its derivatives") };
@@ -258,8 +260,8 @@ impl<M: Mechanism, L> Loads<M, L> {
         to: G,
     ) -> Loads<M, (L, BetweenPoints<Spring, F, G>)>
     where
-        P: Varying<Space<Change<M::Scalar>>>,
-        Q: Varying<Space<Change<M::Scalar>>>,
+        P: VaryingVector<Change<M::Scalar>>,
+        Q: VaryingVector<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
         G: Fn(Moving<M>) -> Q + Copy,
     {
@@ -271,8 +273,8 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn damper<P, Q, F, G>(self, damping: f64, from: F, to: G) -> Loads<M, (L, BetweenPoints<Damper, F, G>)>
     where
-        P: Varying<Space<Change<M::Scalar>>>,
-        Q: Varying<Space<Change<M::Scalar>>>,
+        P: VaryingVector<Change<M::Scalar>>,
+        Q: VaryingVector<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
         G: Fn(Moving<M>) -> Q + Copy,
     {
@@ -284,7 +286,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn torsion_spring<P, F>(self, stiffness: f64, rest: f64, angle: F) -> Loads<M, (L, OnAngle<Spring, F>)>
     where
-        P: Varying<Change<M::Scalar>>,
+        P: VaryingNumber<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         let kind = Spring { stiffness, rest };
@@ -295,7 +297,7 @@ impl<M: Mechanism, L> Loads<M, L> {
     #[must_use]
     pub fn torsion_damper<P, F>(self, damping: f64, angle: F) -> Loads<M, (L, OnAngle<Damper, F>)>
     where
-        P: Varying<Change<M::Scalar>>,
+        P: VaryingNumber<Change<M::Scalar>>,
         F: Fn(Moving<M>) -> P + Copy,
     {
         let kind = Damper { damping };
@@ -308,40 +310,7 @@ const fn has_rates<M: Mechanism>(entries: usize) -> bool {
     entries.saturating_add(2) >= coordinate::entries::<M>()
 }
 
-impl<M: Mechanism, L: Load<M>> Loads<M, L> {
-    /// The balance of loads and drives in the pose at given motions of the inputs.
-    ///
-    /// The mechanism is solved once for each input, over numbers with their change.
-    ///
-    /// # Errors
-    /// Returns [`LoadError::Solve`] where the mechanism has no pose, and the other errors for loads without a result there.
-    pub fn at(
-        &self,
-        mechanism: &M,
-        inputs: M::Inputs<M::Motion<M::Scalar>>,
-        assembly: M::Assembly,
-    ) -> Result<Balance<M>, LoadError> {
-        self.balance(mechanism, inputs, |changing, moved| {
-            changing.solve_motion(moved, assembly)
-        })
-    }
-
-    /// [`at`](Self::at), in the pose closest to values of the unknowns.
-    ///
-    /// # Errors
-    /// As for [`at`](Self::at).
-    pub fn near(
-        &self,
-        mechanism: &M,
-        inputs: M::Inputs<M::Motion<M::Scalar>>,
-        near: M::Unknowns<M::Scalar>,
-    ) -> Result<Balance<M>, LoadError> {
-        let zero = M::Scalar::constant(0.0);
-        self.balance(mechanism, inputs, |changing, moved| {
-            changing.solve_motion_near(moved, Row::from_fn(|unknown| Change::new(near[unknown], zero)))
-        })
-    }
-
+impl<M: Mechanism, L: Load<M>> LoadsOf<M> for Loads<M, L> {
     fn balance(
         &self,
         mechanism: &M,

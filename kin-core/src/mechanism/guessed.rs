@@ -85,3 +85,17 @@ pub trait LaterOrders {
     #[doc(hidden)]
     fn snap(&self) {}
 }
+
+/// A mechanism that finds all of its positions. None implements it, because those that do have a method of their own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not find all of its positions",
+    label = "start from values near a position instead: `position_near`, `solve_near`, and `track` from one to the next",
+    note = "`assemblies_at` is there if the coupled equations are algebraic in their unknowns, sines and cosines, and the product of \
+            their degrees is 1024 at most: the coordinates of joints as unknowns often give a smaller one than the angles of a body in space"
+)]
+pub trait FindsAllPositions {
+    /// What would be found. Its absence prevents further errors.
+    type Found;
+    /// A value for the method that cannot be called.
+    const FOUND: Self::Found;
+}

@@ -8,6 +8,7 @@ mod failed;
 mod formulas;
 #[doc(hidden)]
 pub mod guessed;
+mod one_input;
 mod pose_of;
 mod position_search;
 mod sensitive;
@@ -22,6 +23,7 @@ pub use description::{Block, Description};
 #[doc(hidden)]
 pub use failed::{culprit, failed};
 pub use formulas::{Formula, Formulas};
+pub use one_input::OneInput;
 pub use pose_of::PoseOf;
 pub use position_search::PositionSearch;
 pub use sensitive::{Partials, Sensitive};
@@ -228,7 +230,9 @@ pub trait Mechanism: Copy + Debug {
     ///
     /// Where every block has a closed form, these are the assemblies in which the mechanism closes. Otherwise they are the
     /// positions that the inherent method `assemblies_at` finds, in double precision, each refined in the mechanism's own
-    /// numbers. If there is no such method, nothing is found and the search is not complete.
+    /// numbers. There is no such method where the coupled equations are not algebraic in the unknowns, their sines and
+    /// cosines, or where the product of their degrees is above 1024, as for the angles of many platforms in space. Then
+    /// nothing is found, and the search is not complete.
     ///
     /// # Errors
     /// Returns an error if a parameter or an input is not finite.

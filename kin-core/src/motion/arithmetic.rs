@@ -7,6 +7,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::{Motion, leibniz};
 use crate::geometry::{Plane, Space};
 use crate::number::Number;
+use crate::number::plain::with_derivatives;
 
 impl<T: Copy + Add<Output = T>, const N: usize> Add for Motion<T, N> {
     type Output = Self;
@@ -244,10 +245,75 @@ macro_rules! number_first {
 
 number_first!(f32 f64);
 
+/// Motions of numbers with derivatives, such as those of a sweep, with plain numbers, which are constants.
+macro_rules! with_plain_numbers {
+    ([$($parameter:tt)*] $number:ty) => {
+        with_plain_numbers!(@sum [$($parameter)*] $number, Add add);
+        with_plain_numbers!(@sum [$($parameter)*] $number, Sub sub);
+        with_plain_numbers!(@product [$($parameter)*] $number);
+        with_plain_numbers!(@product [$($parameter)*] Plane<$number>);
+        with_plain_numbers!(@product [$($parameter)*] Space<$number>);
+
+        impl<$($parameter)*, const N: usize> Div<Motion<$number, N>> for f64 {
+            type Output = Motion<$number, N>;
+
+            fn div(self, motion: Motion<$number, N>) -> Motion<$number, N> {
+                Motion::constant(<$number>::constant(self)) / motion
+            }
+        }
+    };
+    (@sum [$($parameter:tt)*] $number:ty, $operation:ident $method:ident) => {
+        impl<$($parameter)*, const N: usize> $operation<f64> for Motion<$number, N> {
+            type Output = Self;
+
+            fn $method(self, constant: f64) -> Self {
+                $operation::$method(self, <$number>::constant(constant))
+            }
+        }
+
+        impl<$($parameter)*, const N: usize> $operation<Motion<$number, N>> for f64 {
+            type Output = Motion<$number, N>;
+
+            fn $method(self, motion: Motion<$number, N>) -> Motion<$number, N> {
+                $operation::$method(Motion::constant(<$number>::constant(self)), motion)
+            }
+        }
+    };
+    (@product [$($parameter:tt)*] $entry:ty) => {
+        impl<$($parameter)*, const N: usize> Mul<f64> for Motion<$entry, N> {
+            type Output = Self;
+
+            fn mul(self, factor: f64) -> Self {
+                self.map(|entry| entry * factor)
+            }
+        }
+
+        impl<$($parameter)*, const N: usize> Mul<Motion<$entry, N>> for f64 {
+            type Output = Motion<$entry, N>;
+
+            fn mul(self, motion: Motion<$entry, N>) -> Motion<$entry, N> {
+                motion * self
+            }
+        }
+
+        impl<$($parameter)*, const N: usize> Div<f64> for Motion<$entry, N> {
+            type Output = Self;
+
+            fn div(self, divisor: f64) -> Self {
+                self.map(|entry| entry / divisor)
+            }
+        }
+    };
+}
+
+with_derivatives!(with_plain_numbers);
+
 #[cfg(test)]
 mod tests {
     use crate::geometry::{Plane, Space};
     use crate::motion::Motion;
+    use crate::number::series::Series;
+    use crate::number::{Changing, Number};
 
     const X: Motion<f64, 4> = Motion::new([2.0, 3.0, -1.0, 0.5]);
     const Y: Motion<f64, 4> = Motion::new([4.0, -2.0, 6.0, 1.0]);
@@ -300,6 +366,63 @@ mod tests {
         assert_eq!((Y * space).z(), -X * Y);
         assert_eq!(2.0 * space, space * 2.0);
         assert_eq!(space * Y / Y, space);
+    }
+
+    #[test]
+    fn plain_numbers_are_constants_among_series() {
+        type Second = Series<2>;
+        let series = |entry: f64| Second::from_coefficients([entry, 10.0 * entry]);
+        let motion = X.map(series);
+        let two = Second::constant(2.0);
+        let numbers = |motion: Motion<Second, 4>| motion.map(|entry| entry.coefficients());
+        for (plain, constant) in [
+            (motion + 2.0, motion + two),
+            (2.0 + motion, motion + two),
+            (motion - 2.0, motion - two),
+            (2.0 - motion, -(motion - two)),
+            (motion * 2.0, motion * two),
+            (2.0 * motion, motion * two),
+            (motion / 2.0, motion / two),
+            (2.0 / motion, Motion::constant(two) / motion),
+        ] {
+            assert_eq!(numbers(plain), numbers(constant));
+        }
+        let point = Motion::from_coordinates(motion, -motion);
+        assert_eq!(numbers((2.0 * point / 4.0).x()), numbers(motion * 0.5));
+        assert_eq!((0.5 * point[1]).y.coefficients(), [-1.5, -15.0]);
+        // numbers with a change, as loads see them
+        let changing = Motion::from([Changing::new(2.0, 1.0), Changing::new(3.0, 0.0)]);
+        assert_eq!((1.0 - 3.0 * changing)[0].value, -5.0);
+        assert_eq!((1.0 - 3.0 * changing)[0].change, -3.0);
+    }
+
+    /// The chain rule, against the series of the same function.
+    #[test]
+    fn functions_of_motions_follow_the_chain_rule() {
+        let series = Series::from_derivatives(X.derivatives());
+        for (motion, series) in [
+            (X.sin(), series.sin()),
+            (X.cos(), series.cos()),
+            (X.sqrt(), series.sqrt()),
+            ((-X).abs(), series),
+            (X.max(Y), Series::from_derivatives(Y.derivatives())),
+            (X.min(Y), series),
+        ] {
+            for (one, other) in motion.derivatives().into_iter().zip(series.derivatives()) {
+                assert!(
+                    (one - other).abs() <= 1e-14 * (1.0 + other.abs()),
+                    "{motion:?} {series:?}"
+                );
+            }
+        }
+        assert!(
+            (X * X)
+                .sqrt()
+                .derivatives()
+                .iter()
+                .zip(X.derivatives())
+                .all(|(a, b)| (a - b).abs() < 1e-15)
+        );
     }
 
     #[test]

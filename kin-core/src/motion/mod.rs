@@ -231,6 +231,62 @@ impl<T: Number, const N: usize> Motion<T, N> {
         }
         (Self::new(sines), Self::new(cosines))
     }
+
+    /// The sine of an angle in motion.
+    #[must_use]
+    pub fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// The cosine of an angle in motion.
+    #[must_use]
+    pub fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// The square root: of each derivative of the root times itself, all terms but the highest derivative are known.
+    ///
+    /// Where the value is zero, the derivatives are infinite or NaN.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let mut root = [T::constant(0.0); N];
+        root[0] = self.value().sqrt();
+        for order in 1..N {
+            // the entry of this order is still zero
+            let known = leibniz(&root[..=order], &root[..=order]);
+            root[order] = (self.derivatives[order] - known) / (root[0] + root[0]);
+        }
+        Self::new(root)
+    }
+}
+
+/// What is chosen by the value. Numbers that hold several poses, which have no order, are left out.
+impl<T: Number + PartialOrd, const N: usize> Motion<T, N> {
+    /// The size: the motion itself, or its negative if its value is below zero. At zero it has a kink.
+    #[must_use]
+    pub fn abs(self) -> Self {
+        if self.value() < T::constant(0.0) { -self } else { self }
+    }
+
+    /// The motion whose value is larger. NaN if one of the values is.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        if self.value() >= other.value() || self.value().real().is_nan() {
+            self
+        } else {
+            other
+        }
+    }
+
+    /// The motion whose value is smaller. NaN if one of the values is.
+    #[must_use]
+    pub fn min(self, other: Self) -> Self {
+        if self.value() <= other.value() || self.value().real().is_nan() {
+            self
+        } else {
+            other
+        }
+    }
 }
 
 /// The highest derivative of a product, given both factors up to that order: the sum of the binomial coefficients times

@@ -8,7 +8,9 @@ pub(crate) mod elementary;
 mod gauss;
 mod hyperbolic;
 mod operations;
+pub(crate) mod plain;
 mod primitive;
+mod range;
 mod row;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -20,6 +22,7 @@ pub use changing::Changing;
 #[cfg(feature = "alloc")]
 pub(crate) use gauss::GAUSS;
 pub use operations::Operations;
+pub use range::ClosedRange;
 pub use row::Row;
 pub(crate) use single::single;
 
@@ -101,6 +104,28 @@ pub trait Number:
     /// The sine and cosine of an angle, in this order.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
+
+    /// The sine of an angle. [`sin_cos`](Self::sin_cos) calculates the cosine with it.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// The cosine of an angle.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// The tangent of an angle.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn tan(self) -> Self {
+        let (sine, cosine) = self.sin_cos();
+        sine / cosine
+    }
 
     /// The angle in -π/2 ..= π/2 whose sine is this number.
     #[must_use]

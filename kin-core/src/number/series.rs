@@ -21,7 +21,19 @@ use crate::number::Number;
 /// let (sine, _) = angle.sin_cos();
 /// assert_eq!(sine.derivatives(), [0.0, 2.0, 0.0, -8.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// Plain numbers take part as constants. Comparisons, `==` among them, compare the values and leave the derivatives aside:
+///
+/// ```
+/// use kin_core::Number;
+/// use kin_core::series::Series;
+///
+/// let angle = Series::from_derivatives([0.5, 2.0, 0.0]);
+/// let lift = 3.0 * angle.sin() + 1.0;
+/// assert!(lift > 2.0 && lift == 3.0 * 0.5_f64.sin() + 1.0);
+/// assert_eq!((-lift).abs().derivatives(), lift.derivatives());
+/// ```
+#[derive(Clone, Copy, Debug)]
 pub struct Series<const N: usize> {
     coefficients: [f64; N],
 }

@@ -37,7 +37,13 @@ pub fn decisive_vector<T: Scalar, const N: usize>(vector: Plane<T>, terms: impl 
 /// smallest](Number::SMALLEST) divisor.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn least<T: Scalar>(size: impl FnOnce() -> T) -> T {
-    let smallest = T::constant(T::SMALLEST);
+    least_from(T::SMALLEST, size)
+}
+
+/// The smallest number above `smallest` that decides, if it is a sum of terms of the given size.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn least_from<T: Scalar>(smallest: f64, size: impl FnOnce() -> T) -> T {
+    let smallest = T::constant(smallest);
     if T::DOUBT == 0.0 {
         return smallest;
     }
@@ -153,6 +159,20 @@ mod tests {
         );
     }
 
+    /// Coefficients that are next to what rounding leaves of zeros.
+    #[test]
+    fn coefficients_that_may_be_zeros_are_left_to_others() {
+        let coefficients = Lanes([1.0, 1e-16, 1e-9, 1.79e-15]);
+        let zero = Four::constant(0.0);
+        let Plane { x, .. } = cosine_sine(coefficients, zero, zero, 1.0, Assembly::Open).unwrap();
+        // the last one is clearly larger than 8 ε
+        assert_eq!(x.0.map(f64::is_finite), [true, false, true, true]);
+        for coefficient in coefficients.0 {
+            let one = cosine_sine(coefficient, 0.0, 0.0, 1.0, Assembly::Open);
+            assert_eq!(one.is_ok(), coefficient > 8.0 * f64::EPSILON, "{coefficient}");
+        }
+    }
+
     fn every_form_of_lengths(unit: f64) {
         let is = |value: f64| Four::constant(value);
         let long = |length: f64| is(length * unit);
@@ -191,7 +211,7 @@ mod tests {
         leaves_the_second(
             1.0 * unit,
             5.0 * unit,
-            |c| cosine_sine(long(3.0), long(4.0), c, open).unwrap(),
+            |c| cosine_sine(long(3.0), long(4.0), c, 7.0 * unit, open).unwrap(),
             |r| r.x,
         );
         leaves_the_second(

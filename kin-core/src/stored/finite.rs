@@ -16,7 +16,7 @@ const REASON: &str = ", and only finite numbers can be stored";
 /// let error = stored::check(&path).unwrap_err();
 /// assert_eq!(error.to_string(), "[1].x is NaN, and only finite numbers can be stored");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct NotFinite {
     /// The place and the number: `unknowns.theta4[3] is NaN`.
     text: Text<SHORT>,
@@ -45,6 +45,8 @@ impl Display for NotFinite {
         write!(formatter, "{number}{text}{REASON}")
     }
 }
+
+crate::__debug_by_display!(NotFinite);
 
 impl Error for NotFinite {}
 

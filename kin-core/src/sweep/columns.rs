@@ -63,6 +63,13 @@ pub struct Unit<'t> {
     pub(super) time: &'t str,
 }
 
+impl Unit<'_> {
+    /// Whether it is the unit of a plain number, which is not written.
+    fn is_none(&self) -> bool {
+        self.dimension == Dimension::Scalar && self.order == 0 && !self.is_time
+    }
+}
+
 impl fmt::Display for Unit<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_time {
@@ -99,6 +106,18 @@ pub struct ColumnOf<'t> {
     pub unit: Unit<'t>,
     /// A number for each row, NaN where the mechanism does not close.
     pub values: &'t [f64],
+}
+
+/// The heading of a column where it stands over numbers: its name, and its unit in brackets, as in `theta4_velocity [rad/s]`.
+impl fmt::Display for ColumnOf<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { label, unit, .. } = self;
+        write!(formatter, "{label}")?;
+        if unit.is_none() {
+            return Ok(());
+        }
+        write!(formatter, " [{unit}]")
+    }
 }
 
 /// The labels of all columns of a mechanism: the variable unless it is an input, then inputs, unknowns and outputs, each in all orders.

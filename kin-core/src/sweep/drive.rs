@@ -1,12 +1,18 @@
 //! How the inputs move during a sweep.
 
-use crate::batch::{Column, LengthMismatch};
+use crate::batch::Column;
+#[cfg(feature = "alloc")]
+use crate::batch::LengthMismatch;
 use crate::hermite::TERMS;
 use crate::law::{Law, Piecewise, Side, approached};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Row, series::Series};
+#[cfg(feature = "alloc")]
+use crate::quantity::Dimension;
 use crate::quantity::{Quantity, RATES};
+#[cfg(feature = "alloc")]
+use crate::sweep::SweepError;
 
 /// A value that carries its first four derivatives with respect to the variable of a sweep.
 pub type Local = Series<TERMS>;
@@ -16,6 +22,10 @@ pub type Instant = Series<READ>;
 
 /// The number of derivatives of an input that are read, with its value: those of the highest order, and those of its series.
 pub(crate) const READ: usize = RATES.len() + TERMS;
+
+/// The largest rounding of a number of turns that is whole.
+#[cfg(feature = "alloc")]
+const WHOLE: f64 = 1e-9;
 
 /// The inputs of the mechanism `M`, each in all orders, as numbers of the type `V`.
 pub type InputMotions<M, V> = <M as Mechanism>::Inputs<<M as Mechanism>::Motion<V>>;
@@ -62,11 +72,12 @@ pub trait Drive<M: Mechanism<Scalar = f64>> {
         1.0
     }
 
-    /// The first column of one's own whose length differs from the number of rows.
+    /// Whether the inputs can move so over a range of the variable, from the smaller end to the larger one, in a number of rows.
     #[doc(hidden)]
-    fn mismatch(&self, rows: usize) -> Option<LengthMismatch> {
-        let _ = rows;
-        None
+    #[cfg(feature = "alloc")]
+    fn check(&self, range: [f64; 2], rows: usize) -> Result<(), SweepError> {
+        let _ = (range, rows);
+        Ok(())
     }
 }
 
@@ -179,6 +190,21 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
             _ => Some(0.0),
         }
     }
+
+    #[cfg(feature = "alloc")]
+    fn check(&self, _: [f64; 2], _: usize) -> Result<(), SweepError> {
+        let of = |quantity, values: &[f64]| {
+            let culprit = values.iter().copied().find(|value| !value.is_finite());
+            culprit.map_or(Ok(()), |value| Err(SweepError::NotFinite { quantity, value }))
+        };
+        of("start", self.from.as_ref())?;
+        of("end", self.to.as_ref())?;
+        of("speed", &[self.speed])?;
+        if self.speed == 0.0 {
+            return Err(SweepError::NoSpeed);
+        }
+        Ok(())
+    }
 }
 
 impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for StraightLine<M> {
@@ -255,6 +281,44 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Laws<'_, M> {
             Row::from_fn(|order| motion[order])
         })
     }
+
+    /// A mechanism does not jump. A jump of an angle by whole turns is none: a crank starts a new turn at zero.
+    #[cfg(feature = "alloc")]
+    fn check(&self, range: [f64; 2], _: usize) -> Result<(), SweepError> {
+        for (law, quantity) in self.0.as_ref().iter().zip(M::DESCRIPTION.inputs) {
+            let period = law.repeats().then(|| law.duration());
+            let jump = law.joints::<1>().find_map(|joint| {
+                let by = joint.jump().value();
+                let turns = by / core::f64::consts::TAU;
+                let is_none = joint.first_jump().is_none()
+                    || quantity.dimension == Dimension::Angle
+                        && (turns - num_traits::Float::round(turns)).abs() < WHOLE;
+                (!is_none)
+                    .then(|| within(joint.time, period, range))?
+                    .map(|at| (at, by))
+            });
+            if let Some((at, by)) = jump {
+                let (input, dimension) = (quantity.name, quantity.dimension);
+                return Err(SweepError::Jump {
+                    input,
+                    dimension,
+                    at,
+                    by,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The first of the times, one or one in each period, that lies inside of a range.
+#[cfg(feature = "alloc")]
+fn within(time: f64, period: Option<f64>, [start, end]: [f64; 2]) -> Option<f64> {
+    let first = match period {
+        None => time,
+        Some(period) => time + period * (num_traits::Float::floor((start - time) / period) + 1.0),
+    };
+    (start < first && first < end).then_some(first)
 }
 
 impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for Laws<'_, M> {
@@ -328,7 +392,8 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
         }
     }
 
-    fn mismatch(&self, rows: usize) -> Option<LengthMismatch> {
+    #[cfg(feature = "alloc")]
+    fn check(&self, _: [f64; 2], rows: usize) -> Result<(), SweepError> {
         let inputs = self.0.as_ref().iter().zip(M::DESCRIPTION.inputs);
         let mut lengths = inputs.flat_map(|(orders, quantity)| {
             orders.as_ref().iter().filter_map(|column| match column {
@@ -338,10 +403,12 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for Along<'_, M> {
         });
         lengths
             .find(|(_, length)| *length != rows)
-            .map(|(quantity, length)| LengthMismatch {
-                quantity,
-                poses: rows,
-                length,
+            .map_or(Ok(()), |(quantity, length)| {
+                Err(SweepError::Columns(LengthMismatch {
+                    quantity,
+                    poses: rows,
+                    length,
+                }))
             })
     }
 }

@@ -4,12 +4,12 @@ use core::error::Error;
 use core::fmt;
 
 use crate::batch::LengthMismatch;
-use crate::quantity::Digits;
+use crate::quantity::{Digits, Dimension, WithUnit};
 
 /// The reason why there is no table.
 ///
 /// A mechanism that does not close is none: its rows say by how much.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SweepError {
     /// An end of the range is not finite.
@@ -23,6 +23,19 @@ pub enum SweepError {
     Tolerance {
         /// Its value.
         value: f64,
+    },
+    /// The speed is zero, with which the inputs do not move.
+    NoSpeed,
+    /// The value of a motion law jumps inside of the sweep.
+    Jump {
+        /// The input.
+        input: &'static str,
+        /// Its dimension.
+        dimension: Dimension,
+        /// The time.
+        at: f64,
+        /// The jump of the value.
+        by: f64,
     },
     /// A sweep of no rows.
     NoRows,
@@ -76,6 +89,15 @@ impl fmt::Display for SweepError {
                 formatter,
                 "the tolerance of the adaptive table is {value}: give a positive, finite number"
             ),
+            Self::NoSpeed => formatter.write_str(
+                "the speed of the sweep is zero, with which the inputs do not move: give a positive or negative one, or none for 1",
+            ),
+            Self::Jump { input, dimension, at, by } => write!(
+                formatter,
+                "the law of {input} jumps by {} at the time {}, and no mechanism does: let each law begin where the one before ends",
+                WithUnit::new(*by, *dimension),
+                Digits(*at)
+            ),
             Self::NoRows => formatter.write_str("the sweep has no rows: give two or more"),
             Self::MoreRows { most, rows } => write!(
                 formatter,
@@ -104,5 +126,7 @@ impl fmt::Display for SweepError {
         }
     }
 }
+
+crate::__debug_by_display!(SweepError);
 
 impl Error for SweepError {}

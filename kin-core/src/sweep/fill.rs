@@ -31,7 +31,8 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
     /// Where every block has a closed form, `solve_batch` solves several rows at once.
     ///
     /// # Errors
-    /// [`SweepError`] if an end of the range is not finite, if there are no rows, or if given columns have different lengths.
+    /// [`SweepError`] if an end of the range or the speed is not finite, if there are no rows or no speed, if a law jumps, or if given columns have
+    /// different lengths.
     pub fn table(&self) -> Result<Table, SweepError> {
         self.table_with_progress(|_| {})
     }
@@ -116,8 +117,7 @@ impl<M: Mechanism<Scalar = f64>, D: Drive<M>> Course<M, D> {
             }
         }
         self.drive
-            .mismatch(self.count)
-            .map_or(Ok(()), |mismatch| Err(SweepError::Columns(mismatch)))
+            .check([self.from.min(self.to), self.from.max(self.to)], self.count)
     }
 
     /// A table of zeros.

@@ -50,6 +50,8 @@ mod error;
 mod fill;
 #[cfg(feature = "alloc")]
 mod gaps;
+#[doc(hidden)]
+pub mod guessed;
 #[cfg(feature = "alloc")]
 mod limits;
 #[cfg(feature = "alloc")]
@@ -90,17 +92,17 @@ pub use table::{RowOf, Table};
 #[cfg(feature = "alloc")]
 pub(crate) use walk::{OutputsOf, Reached, Walk};
 
-use core::ops::RangeInclusive;
-
 use crate::batch::Column;
 use crate::law::Piecewise;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, OneInput};
+use crate::number::{ClosedRange, Row};
 
 /// The first word of a sweep, for every mechanism.
 pub trait Sweep: Mechanism<Scalar = f64> {
     /// A sweep of this mechanism in an assembly. The next word says how its inputs move.
     ///
-    /// For a mechanism with coupled blocks, the assembly is [`Near`](crate::Near) values of the unknowns at the first row.
+    /// For a mechanism with coupled blocks, the assembly is [`Near`](crate::Near) values of the unknowns at the first row. A mechanism with
+    /// a single position has a method of the same name without this argument: `lift.sweep()`.
     fn sweep(&self, assembly: Self::Assembly) -> Assembled<Self> {
         Assembled {
             mechanism: *self,
@@ -132,13 +134,14 @@ pub struct Course<M: Mechanism<Scalar = f64>, D> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Assembled<M> {
-    fn course<D>(self, drive: D, range: &RangeInclusive<f64>, count: usize) -> Course<M, D> {
+    fn course<D>(self, drive: D, range: impl ClosedRange, count: usize) -> Course<M, D> {
+        let [from, to] = range.ends();
         Course {
             mechanism: self.mechanism,
             assembly: self.assembly,
             drive,
-            from: *range.start(),
-            to: *range.end(),
+            from,
+            to,
             count,
         }
     }
@@ -148,11 +151,12 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     ///
     /// The speed is 1 unless [`speed`](Course::speed) tells another one, so that rates are per unit of the input. A mechanism of several
     /// inputs takes [`between`](Self::between).
-    pub fn over(self, range: RangeInclusive<f64>, rows: usize) -> Course<M, StraightLine<M>>
+    pub fn over(self, range: impl ClosedRange, rows: usize) -> Course<M, StraightLine<M>>
     where
-        M: Mechanism<Inputs<f64> = [f64; 1]>,
+        M::Inputs<f64>: OneInput,
     {
-        self.between([*range.start()], [*range.end()], rows)
+        let [from, to] = range.ends().map(Row::splat);
+        self.between(from, to, rows)
     }
 
     /// Over the straight line between two places in the space of the inputs. The variable of the sweep is the first input that moves, and
@@ -172,7 +176,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     pub fn between(self, from: M::Inputs<f64>, to: M::Inputs<f64>, rows: usize) -> Course<M, StraightLine<M>> {
         let line = StraightLine::<M>::new(from, to);
         let range = from[line.lead]..=to[line.lead];
-        self.course(line, &range, rows)
+        self.course(line, range, rows)
     }
 
     /// Over a range of the time, with a function that gives the motion of every input: an array of what `solve` takes.
@@ -190,39 +194,36 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// assert_eq!(start.table()?.column("theta_velocity")?[100], 2.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn over_time<F>(self, range: RangeInclusive<f64>, rows: usize, motions: F) -> Course<M, OverTime<F>>
+    pub fn over_time<F>(self, range: impl ClosedRange, rows: usize, motions: F) -> Course<M, OverTime<F>>
     where
         F: Fn(f64) -> InputMotions<M, f64>,
     {
-        self.course(OverTime(motions), &range, rows)
+        self.course(OverTime(motions), range, rows)
     }
 
     /// Over a range of the time, with a formula that gives the value of every input. It is calculated in numbers that carry their
-    /// derivatives, so the formula says nothing of rates. Constants are `Instant::constant(2.0)`.
+    /// derivatives, so the formula says nothing of rates.
     ///
     /// ```
     /// use kin_core::library::SliderCrank;
     /// use kin_core::prelude::*;
-    /// use kin_core::sweep::Instant;
     ///
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// // the crank swings by half a radian about one, twice a second
-    /// let frequency = Instant::constant(2.0 * std::f64::consts::TAU);
-    /// let swing = press.sweep(Assembly::Open).by_formula(0.0..=0.5, 101, |time| {
-    ///     let (sine, _) = (frequency * time).sin_cos();
-    ///     [Instant::constant(1.0) + Instant::constant(0.5) * sine]
-    /// });
+    /// let frequency = 2.0 * std::f64::consts::TAU;
+    /// let swing = press.sweep(Assembly::Open).by_formula(0.0..=0.5, 101, |time| [1.0 + 0.5 * (frequency * time).sin()]);
     /// println!("{} m/s³", swing.peak("s_jerk")?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
-    pub fn by_formula<F>(self, range: RangeInclusive<f64>, rows: usize, formula: F) -> Course<M, ByFormula<F>>
+    pub fn by_formula<F>(self, range: impl ClosedRange, rows: usize, formula: F) -> Course<M, ByFormula<F>>
     where
         F: Fn(Instant) -> M::Inputs<Instant>,
     {
-        self.course(ByFormula(formula), &range, rows)
+        self.course(ByFormula(formula), range, rows)
     }
 
-    /// Over a range of the time, with a [motion law](crate::law) for each input.
+    /// Over a range of the time, with a [motion law](crate::law) for each input, in brackets. A law whose value jumps inside of the range
+    /// is an error of every question to the sweep, unless an angle jumps by whole turns.
     ///
     /// ```
     /// use kin_core::law::{Rise, Shape};
@@ -239,10 +240,10 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     pub fn under_laws(
         self,
         laws: M::Inputs<&dyn Piecewise<f64>>,
-        range: RangeInclusive<f64>,
+        range: impl ClosedRange,
         rows: usize,
     ) -> Course<M, Laws<'_, M>> {
-        self.course(Laws(laws), &range, rows)
+        self.course(Laws(laws), range, rows)
     }
 
     /// Along columns: one for each order of each input, as `solve_batch` takes them. The number of rows is the length of the first column
@@ -257,7 +258,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
             Column::Each(values) => Some(values.len()),
         });
         let count = length.clone().next().unwrap_or(1);
-        self.course(Along(columns), &(0.0..=count.saturating_sub(1) as f64), count)
+        self.course(Along(columns), 0.0..=count.saturating_sub(1) as f64, count)
     }
 }
 

@@ -7,7 +7,7 @@ use core::error::Error;
 use core::fmt;
 
 /// A name that no column of the table has.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct NoSuchColumn {
     /// The name.
     pub name: String,
@@ -19,14 +19,16 @@ pub struct NoSuchColumn {
 
 impl NoSuchColumn {
     pub(crate) fn new(name: &str, columns: impl Iterator<Item = impl ToString>) -> Self {
+        // without a unit that no column has
+        let bare = name.split_once(" [").map_or(name, |(bare, _)| bare);
         let mut all: Vec<(usize, String)> = columns
             .map(|column| column.to_string())
-            .map(|column| (distance(name, &column), column))
+            .map(|column| (distance(bare, &column), column))
             .collect();
         let count = all.len();
         // as many changes as a third of the name, or a name that the other begins with
-        let is_near = |entry: &(usize, String)| 3 * entry.0 <= name.len() + 2 || entry.1.starts_with(name);
-        all.sort_by_key(|(distance, _)| *distance);
+        let is_near = |entry: &(usize, String)| 3 * entry.0 <= bare.len() + 2 || entry.1.starts_with(bare);
+        all.sort_by_key(|(distance, own)| (!own.starts_with(bare), *distance));
         let near = all.into_iter().filter(is_near).map(|(_, column)| column).take(3);
         Self {
             name: name.to_string(),
@@ -74,6 +76,8 @@ impl fmt::Display for NoSuchColumn {
     }
 }
 
+crate::__debug_by_display!(NoSuchColumn);
+
 impl Error for NoSuchColumn {}
 
 #[cfg(test)]
@@ -103,6 +107,12 @@ mod tests {
             error.to_string(),
             "none of the 4 columns is called `theta4_velocty`: did you mean `theta4_velocity`?".trim_end_matches('?')
         );
+        let with_a_unit = NoSuchColumn::new("theta4 [deg]", columns.iter());
+        assert_eq!(with_a_unit.near[0], "theta4");
+        // a beginning comes before what a few changes lead to
+        let columns = ["theta4_jerk", "theta3_snap", "theta4_acceleration", "theta4_snap"];
+        let cut = NoSuchColumn::new("theta4_acc", columns.iter());
+        assert_eq!(cut.near[0], "theta4_acceleration");
         let far = NoSuchColumn::new("x", columns.iter()).to_string();
         assert!(far.contains("as in `theta4`"), "{far}");
     }

@@ -75,7 +75,7 @@ impl Table {
         self.count
     }
 
-    /// The values of a column, one for each row.
+    /// The values of a column, one for each row. The column is called by its name, or by its heading in a file: `theta4 [rad]`.
     ///
     /// # Errors
     /// [`NoSuchColumn`], with names that may have been meant.
@@ -193,7 +193,10 @@ impl Table {
 
     pub(super) fn find(&self, name: &str) -> Result<usize, NoSuchColumn> {
         let found = self.labels.iter().position(|label| label.is(name));
-        found.ok_or_else(|| NoSuchColumn::new(name, self.labels.iter()))
+        let headed = || self.columns().position(|column| column.to_string() == name);
+        found
+            .or_else(headed)
+            .ok_or_else(|| NoSuchColumn::new(name, self.labels.iter()))
     }
 
     pub(super) fn values(&self, column: usize) -> &[f64] {

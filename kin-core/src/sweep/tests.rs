@@ -9,11 +9,13 @@ use super::samples::{CRANK_ROCKER, Inverse, LIMITED, triad};
 use super::{Instant, LimitKind, Sweep, SweepError, Table};
 use crate::assembly::{Assembly, Near};
 use crate::batch::{Column, Outcome};
-use crate::law::{Law, Rise, Shape};
-use crate::library::{FiveBar, FourBar};
-use crate::mechanism::Mechanism;
+use crate::law::{ConstantSpeed, Law, Rise, Sequence, Shape};
+use crate::library::{FiveBar, FourBar, ScotchYoke};
+use crate::load::{Loaded, Loads};
+use crate::mechanism::{Mechanism, OneInput};
 use crate::motion::Motion;
 use crate::number::{Number, samples};
+use crate::quantity::Dimension;
 
 /// The table and the iterator hold the same poses, up to the rounding of lanes and whole turns.
 #[test]
@@ -575,7 +577,7 @@ fn a_turn_in_two_rows_becomes_dense() {
 #[test]
 fn an_end_of_a_range_has_its_own_unknowns() {
     let inverse: Inverse = Inverse { factor: 1.0 };
-    let table = inverse.sweep(()).over(0.0..=1.5, 4).table().unwrap();
+    let table = inverse.sweep().over(0.0..=1.5, 4).table().unwrap();
     let [limit] = table.limits() else {
         panic!("{:?}", table.limits())
     };
@@ -626,6 +628,156 @@ fn mistakes_are_told() {
     };
     let table = broken.sweep(Assembly::Open).over(0.0..=PI, 3).table().unwrap();
     assert_eq!(table.outcome(1), Some(Outcome::Failed));
+}
+
+/// Inputs that do not move, or that nobody knows, are no sweep. Rates of zero would be answers.
+#[test]
+fn speeds_and_lines_that_are_none_are_refused() {
+    let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5);
+    assert_eq!(turn.speed(0.0).table(), Err(SweepError::NoSpeed));
+    assert_eq!(turn.speed(-0.0).peak("theta4"), Err(SweepError::NoSpeed.into()));
+    assert!(SweepError::NoSpeed.to_string().contains("is zero"));
+    for speed in [f64::NAN, f64::INFINITY] {
+        let error = turn.speed(speed).table().unwrap_err();
+        assert!(
+            matches!(error, SweepError::NotFinite { quantity: "speed", .. }),
+            "{error}"
+        );
+        assert!(turn.speed(speed).mean("theta4", crate::extremes::Over::Time).is_err());
+        assert!(turn.speed(speed).adaptive_table(1e-2, 1, 100).is_err());
+    }
+    assert!(turn.speed(-3.0).table().is_ok());
+    // also the inputs beside the first one that moves
+    let robot = FiveBar {
+        ground: 2.0,
+        left: 1.5,
+        left_rod: 2.0,
+        right_rod: 2.0,
+        right: 1.5,
+    };
+    for wrong in [f64::NAN, f64::NEG_INFINITY] {
+        for ([from, to], quantity) in [
+            ([[1.0, wrong], [2.0, 1.0]], "start"),
+            ([[1.0, 2.0], [2.0, wrong]], "end"),
+        ] {
+            let error = robot.sweep(Assembly::Open).between(from, to, 5).table().unwrap_err();
+            assert!(
+                matches!(error, SweepError::NotFinite { quantity: told, .. } if told == quantity),
+                "{error}"
+            );
+        }
+    }
+}
+
+/// A mechanism does not jump from one place to another: its velocity would have no value.
+#[test]
+fn laws_that_jump_are_refused() {
+    let rise = |from, to| Rise::new(Shape::Cycloidal, from, to, 1.0).unwrap();
+    let [first, second] = [rise(0.0, 1.0), rise(2.0, 3.0)];
+    let laws = Sequence::new([&first, &second]).unwrap();
+    let under = |from: f64, to: f64| CRANK_ROCKER.sweep(Assembly::Open).under_laws([&laws], from..=to, 21);
+    let jump = SweepError::Jump {
+        input: "theta2",
+        dimension: Dimension::Angle,
+        at: 1.0,
+        by: 1.0,
+    };
+    assert_eq!(under(0.0, 2.0).table().unwrap_err(), jump);
+    assert_eq!(under(2.0, 0.0).table().unwrap_err(), jump);
+    assert_eq!(under(0.0, 2.0).peak("theta4_velocity").unwrap_err(), jump.into());
+    assert_eq!(
+        jump.to_string(),
+        "the law of theta2 jumps by 1 rad (57.3°) at the time 1, and no mechanism does: let each law begin where the one before ends"
+    );
+    // on either side there is no jump
+    assert!(under(0.0, 1.0).table().is_ok() && under(1.0, 2.0).table().is_ok());
+    // a law that repeats jumps at its end, in each cycle
+    let saw = rise(0.0, 1.0).repeated();
+    let again = |from: f64, to: f64| {
+        CRANK_ROCKER
+            .sweep(Assembly::Open)
+            .under_laws([&saw], from..=to, 21)
+            .table()
+    };
+    assert!(again(4.0, 5.0).is_ok());
+    for (from, to, first) in [(4.5, 9.5, 5.0), (-3.5, 0.5, -3.0), (0.0, 1.5, 1.0)] {
+        let error = again(from, to).unwrap_err();
+        assert!(
+            matches!(error, SweepError::Jump { at, by, .. } if at == first && by == -1.0),
+            "{error}"
+        );
+    }
+    // a crank that starts its next turn at zero goes on
+    let turn = rise(0.0, TAU).repeated();
+    assert!(
+        CRANK_ROCKER
+            .sweep(Assembly::Open)
+            .under_laws([&turn], 0.0..=3.0, 31)
+            .table()
+            .is_ok()
+    );
+    // a jump of velocity is none of the value
+    let even = ConstantSpeed::new(0.0, 1.0, 1.0).unwrap();
+    assert!(
+        CRANK_ROCKER
+            .sweep(Assembly::Open)
+            .under_laws([&even], -1.0..=2.0, 31)
+            .table()
+            .is_ok()
+    );
+}
+
+/// Code for any mechanism gives the assembly, whatever it is; a program with a mechanism of a single position gives none.
+#[test]
+fn a_single_position_takes_no_assembly() {
+    fn rows<M: Mechanism<Scalar = f64>>(mechanism: &M, assembly: M::Assembly) -> Table
+    where
+        M::Inputs<f64>: OneInput,
+    {
+        mechanism.sweep(assembly).over(0.0..=1.0, 11).table().unwrap()
+    }
+    let yoke = ScotchYoke { crank: 2.0, gamma: 1.5 };
+    assert_eq!(yoke.sweep().over(0.0..=1.0, 11).table().unwrap(), rows(&yoke, ()));
+    assert_eq!(rows(&CRANK_ROCKER, Assembly::Crossed).count(), 11);
+
+    let loads = Loads::<ScotchYoke>::new()
+        .inertia(0.5, |pose| pose.theta)
+        .torque(-3.0, |pose| pose.x);
+    let motion = Motion::from((0.7, 3.0, -2.0, 0.0, 0.0));
+    let [effort] = yoke.balance(&loads, [motion]).unwrap().efforts();
+    let [of_any] = Loaded::balance(&yoke, &loads, [motion], ()).unwrap().efforts();
+    assert_eq!(effort.as_slice(), of_any.as_slice());
+    let [acceleration] = yoke.accelerations(&loads, [0.7], [3.0], [effort.value()]).unwrap();
+    assert!((acceleration + 2.0).abs() < 1e-13);
+    assert_eq!(yoke.equivalent_inertia(&loads, [0.7]).unwrap().matrix, [[0.5]]);
+    let mut found = [0.0; 2];
+    ScotchYoke::balance_batch(
+        &loads,
+        [Column::Same(2.0), Column::Same(1.5)],
+        [motion.map(Column::Same)],
+        |balance| balance.unwrap().efforts()[0].value(),
+        &mut found,
+    )
+    .unwrap();
+    assert_eq!(found, [effort.value(); 2]);
+}
+
+/// A column is found by its heading in a file, whose unit must be that of the table.
+#[test]
+fn columns_are_called_by_their_headings() {
+    let table = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=1.0, 3).table().unwrap();
+    assert_eq!(table.column("theta4 [rad]"), table.column("theta4"));
+    let error = table.column("theta4 [deg]").unwrap_err();
+    assert_eq!(error.near[0], "theta4");
+    assert!(
+        std::format!("{error:?}").starts_with("none of the 15 columns is called `theta4 [deg]`: did you mean `theta4`")
+    );
+    let table = table.in_degrees().units("mm", "s");
+    for column in table.columns() {
+        let found = table.column(&column.to_string()).unwrap();
+        assert_eq!(found, column.values, "{column}");
+    }
+    assert_eq!(table.column("theta4_jerk [deg/s³]"), table.column("theta4_jerk"));
 }
 
 #[test]

@@ -102,6 +102,10 @@ const TAKEN: &[&str] = &[
     "kinDistance",
     "kinIsRounding",
     "kinDistinct",
+    "kinCount",
+    "kinMotion",
+    "kinMistake",
+    "isRight",
     "constructor",
 ];
 
@@ -258,7 +262,8 @@ impl Tape {
     ///
     /// The result is `{ok: true, pose}` with an array for each unknown and output, position first, and with `joints` and
     /// `slides` if the skeleton was asked for. Where the mechanism has no pose, it is `{ok: false, check, block, margin}`;
-    /// the fields are those of a [`Stop`](crate::tape::Stop). Names are spelled in ASCII letters.
+    /// the fields are those of a [`Stop`](crate::tape::Stop). Names are spelled in ASCII letters. A name that is missing or unknown, and
+    /// what is neither `OPEN` nor `CROSSED`, throws a `TypeError` that says what to give.
     ///
     /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long as
     /// angles stay below 10⁵. Inverse sines and cosines, hyperbolic functions, exponentials and logarithms are those of
@@ -311,7 +316,6 @@ impl Tape {
     #[must_use]
     pub fn java_script_names(&self) -> JavaScriptNames {
         let signature = Signature::new(self, TAKEN);
-        let names = |entries: &[SignatureEntry]| entries.iter().map(|entry| entry.name.clone()).collect();
         JavaScriptNames {
             parameters: names(&signature.parameters),
             inputs: names(&signature.inputs),
@@ -320,6 +324,10 @@ impl Tape {
             results: names(&signature.results),
         }
     }
+}
+
+fn names(entries: &[SignatureEntry]) -> Vec<String> {
+    entries.iter().map(|entry| entry.name.clone()).collect()
 }
 
 /// A module while it is written.
@@ -353,40 +361,60 @@ impl<'a> JavaScriptModule<'a> {
     }
 
     fn opening(&mut self) {
-        let read = |entries: &[SignatureEntry]| {
-            entries
-                .iter()
-                .map(|entry| entry.name.clone())
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
-        let parameters = read(&self.signature.parameters);
+        let parameters = names(&self.signature.parameters);
         if !parameters.is_empty() {
-            self.line(1, &format!("const {{ {parameters} }} = parameters;"));
+            self.line(
+                1,
+                &format!("const {{ {} }} = parameters ?? {{}};", parameters.join(", ")),
+            );
         }
+        let mut numbers = parameters.clone();
+        let mut tests = Vec::new();
         let inputs: Vec<(String, usize)> = self
             .signature
             .inputs
             .iter()
             .map(|entry| (entry.name.clone(), entry.places.len()))
             .collect();
-        for (name, orders) in inputs {
-            let rates: Vec<String> = (1..orders).map(|order| format!(", {name}${order} = 0")).collect();
-            self.line(1, &format!("const [{name}{}] = inputs.{name};", rates.concat()));
+        for (name, orders) in &inputs {
+            let rates = (1..*orders).map(|order| format!("{name}${order}"));
+            let defaults: Vec<String> = rates.clone().map(|rate| format!(", {rate} = 0")).collect();
+            self.line(
+                1,
+                &format!("const [{name}{}] = kinMotion(inputs?.{name});", defaults.concat()),
+            );
+            numbers.push(name.clone());
+            numbers.extend(rates);
         }
-        let names = |entries: &[SignatureEntry]| entries.iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
         for name in names(&self.signature.near) {
-            self.line(1, &format!("const {name}$near = assembly.{name};"));
+            self.line(1, &format!("const {name}$near = assembly?.{name};"));
+            numbers.push(format!("{name}$near"));
         }
         let choices = names(&self.signature.assemblies);
-        match choices.as_slice() {
-            [only] => self.line(1, &format!("const {only}$near = assembly;")),
-            several => {
-                for name in several {
-                    self.line(1, &format!("const {name}$near = assembly.{name};"));
-                }
-            }
+        for name in &choices {
+            let place = if choices.len() == 1 {
+                String::new()
+            } else {
+                format!("?.{name}")
+            };
+            self.line(1, &format!("const {name}$near = assembly{place};"));
+            tests.push(format!("({name}$near === OPEN || {name}$near === CROSSED)"));
         }
+        let count = |name: &str, count: usize| format!("kinCount({name}) === {count}");
+        tests.push(count("parameters", parameters.len()));
+        tests.push(count("inputs", inputs.len()));
+        match self.signature.near.len() {
+            0 if choices.len() > 1 => tests.push(count("assembly", choices.len())),
+            0 => {}
+            near => tests.push(count("assembly", near)),
+        }
+        tests.splice(0..0, numbers.iter().map(|name| format!("typeof {name} === \"number\"")));
+        self.line(1, "const isRight =");
+        let last = tests.len().saturating_sub(1);
+        for (place, test) in tests.iter().enumerate() {
+            self.line(2, &format!("{test}{}", if place == last { ";" } else { " &&" }));
+        }
+        self.line(1, "if (!isRight) throw kinMistake(parameters, inputs, assembly);");
     }
 
     fn closing(&mut self) {
@@ -425,7 +453,9 @@ impl<'a> JavaScriptModule<'a> {
         text.push_str(&self.documentation());
         text.push_str("export function solve(parameters, inputs, assembly) {\n");
         text.push_str(&self.body.text);
-        text.push_str("}\n\n/**\n * @param {number} index\n * @param {number} margin\n * @returns {Failed}\n */\nfunction failed(index, margin) {\n  return { ok: false, ...CHECKS[index], margin };\n}\n");
+        text.push_str("}\n\n");
+        text.push_str(&self.arguments());
+        text.push_str("\n/**\n * @param {number} index\n * @param {number} margin\n * @returns {Failed}\n */\nfunction failed(index, margin) {\n  return { ok: false, ...CHECKS[index], margin };\n}\n");
         if tape
             .nodes
             .iter()
@@ -438,6 +468,31 @@ impl<'a> JavaScriptModule<'a> {
             text.push_str(&functions);
         }
         text
+    }
+
+    /// The names of the arguments, and what tells mistakes in them.
+    fn arguments(&self) -> String {
+        let signature = &self.signature;
+        let choices = match signature.assemblies.as_slice() {
+            // the assembly is the choice itself
+            [_] => &[],
+            several => several,
+        };
+        let members = [
+            ("parameters", signature.parameters.as_slice()),
+            ("inputs", &signature.inputs),
+            ("near", &signature.near),
+            ("assemblies", choices),
+        ];
+        let members = members.map(|(name, entries)| {
+            let entries: Vec<String> = entries.iter().map(|entry| quoted(&entry.name)).collect();
+            format!("  {name}: [{}],\n", entries.join(", "))
+        });
+        format!(
+            "/** The names in the arguments. */\nconst NAMES = {{\n{}}};\n\n{}",
+            members.concat(),
+            runtime::JAVA_SCRIPT_ARGUMENTS
+        )
     }
 
     /// The types, and the documentation of the function.

@@ -287,7 +287,8 @@ impl Tape {
     /// Each number may be an array; they are broadcast to one shape. The result is a `Pose` with an array for each unknown
     /// and output, whose first axis are the orders, and with `reached`, a mask of the poses that exist. Numbers of other
     /// poses are NaN; `check` is the index among `CHECKS` of the check that failed, and `margin` the distance from
-    /// passing. With a skeleton it has `joints` and `slides`, whose first axes are the joint and the coordinate. Names are
+    /// passing. A name that is missing or unknown, and what is neither `OPEN` nor `CROSSED`, raises a `TypeError` that says what to give.
+    /// With a skeleton it has `joints` and `slides`, whose first axes are the joint and the coordinate. Names are
     /// spelled in ASCII letters.
     ///
     /// The numbers are those of `solve` in a build of this crate that does not fuse products, to the last bit, as long as
@@ -306,6 +307,15 @@ impl Tape {
     pub fn python(&self) -> String {
         PythonModule::new(self, None).text()
     }
+}
+
+/// The line that refuses other names than these.
+fn named(what: &str, entries: &[SignatureEntry]) -> String {
+    let names: Vec<String> = entries
+        .iter()
+        .map(|entry| format!("{}, ", quoted(&entry.name)))
+        .collect();
+    format!("_named(\"{what}\", {what}, ({}))", names.concat().trim_end())
 }
 
 /// A module while it is written.
@@ -353,6 +363,30 @@ impl<'a> PythonModule<'a> {
             }
         }
         read.sort();
+        for (what, entries) in [
+            ("parameters", &self.signature.parameters),
+            ("inputs", &self.signature.inputs),
+        ] {
+            let line = named(what, entries);
+            self.body.line(1, &line);
+        }
+        for entry in &self.signature.inputs {
+            let name = quoted(&entry.name);
+            self.body.line(1, &format!("_moving({name}, inputs[{name}])"));
+        }
+        let (near, choices) = (&self.signature.near, self.signature.assemblies.as_slice());
+        match choices {
+            [_] => self.body.line(1, "_chosen(\"assembly\", assembly)"),
+            several => {
+                for entries in [near.as_slice(), several].into_iter().filter(|own| !own.is_empty()) {
+                    self.body.line(1, &named("assembly", entries));
+                }
+                for entry in several {
+                    let place = format!("assembly[{}]", quoted(&entry.name));
+                    self.body.line(1, &format!("_chosen({}, {place})", quoted(&place)));
+                }
+            }
+        }
         self.line(1, "_given = np.broadcast_arrays(");
         for (_, text) in &read {
             self.line(2, &format!("{text},"));
@@ -406,6 +440,8 @@ impl<'a> PythonModule<'a> {
         text.push_str(&self.documentation());
         text.push_str("    with np.errstate(all=\"ignore\"):\n        return _solve(parameters, inputs, assembly)\n");
         text.push_str("\n\ndef _rate(motion: Sequence[npt.ArrayLike], order: int) -> npt.ArrayLike:\n    return motion[order] if order < len(motion) else 0.0\n");
+        text.push_str("\n\n");
+        text.push_str(runtime::PYTHON_ARGUMENTS);
         text.push_str(STACKED);
         text.push_str("\n\ndef _solve(parameters: Parameters, inputs: Inputs, assembly: Assembly) -> Pose:\n");
         text.push_str(&self.body.text);

@@ -78,7 +78,7 @@ impl Options {
 }
 
 /// The reason why a solver cannot be recorded.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RecordError {
     /// The solver took a decision that is not a named check.
@@ -110,6 +110,8 @@ impl fmt::Display for RecordError {
         }
     }
 }
+
+crate::__debug_by_display!(RecordError);
 
 impl Error for RecordError {}
 

@@ -12,7 +12,7 @@ use crate::solve;
 use crate::tape::{Condition, Function, Operator, Plain, Tape, TapeNode, TapeStep, Value};
 
 /// The check that failed in a run of a tape.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Stop {
     /// The index of the check.
@@ -36,6 +36,8 @@ impl fmt::Display for Stop {
         )
     }
 }
+
+crate::__debug_by_display!(Stop);
 
 impl Error for Stop {}
 

@@ -211,12 +211,7 @@ impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Debug for Halt<I, U> {
     }
 }
 
-/// The sentence of `Display`, because that is what `unwrap` and a `main` that returns the error show.
-impl<I: AsRef<[f64]>, U> Debug for TrackError<I, U> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, formatter)
-    }
-}
+crate::__debug_by_display!([I: AsRef<[f64]>, U] TrackError<I, U>);
 
 impl<I: AsRef<[f64]>, U: AsRef<[f64]>> Error for TrackError<I, U> {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

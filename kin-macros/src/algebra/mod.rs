@@ -5,6 +5,7 @@
 //! sines and cosines have their quarter turns and signs taken out. Nodes are numbered in the order of creation, and
 //! nothing depends on the order of a hash table. So the same declaration gives the same graph, byte for byte.
 
+mod amplitude;
 mod construct;
 mod content;
 mod evaluate;

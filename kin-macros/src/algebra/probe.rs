@@ -105,6 +105,30 @@ impl Graph {
         }
     }
 
+    /// Whether an expression is zero but for rounding because terms of it cancel, at any depth of sums and products. However
+    /// small it is otherwise, its magnitude does not matter.
+    pub(crate) fn cancels(&mut self, node: Node) -> bool {
+        match self.kind(node).clone() {
+            NodeKind::Number(value) => value.get() == 0.0,
+            NodeKind::Pi | NodeKind::Symbol(_) | NodeKind::Call(..) => false,
+            NodeKind::Product(factors) => factors
+                .iter()
+                .any(|&(factor, exponent)| exponent > 0 && self.cancels(factor)),
+            NodeKind::Sum(constant, terms) => {
+                let values = self.probe(node);
+                let mut seen = false;
+                let is_rounding = (0..POINTS).filter(|&place| values[place].is_finite()).all(|place| {
+                    seen = true;
+                    let size = terms.iter().fold(constant.get().abs(), |size, &(part, coefficient)| {
+                        size + (coefficient.get() * self.probed[part.index()][place]).abs()
+                    });
+                    values[place].abs() <= TOLERANCE * size
+                });
+                seen && is_rounding || constant.get() == 0.0 && terms.iter().all(|&(term, _)| self.cancels(term))
+            }
+        }
+    }
+
     /// Whether two expressions are equal for all values of their symbols.
     pub(crate) fn same(&mut self, a: Node, b: Node) -> bool {
         a == b || {
@@ -148,6 +172,23 @@ mod tests {
         ] {
             assert_eq!(graph.vanishes(node), vanishes);
         }
+    }
+
+    /// What cancels leaves rounding, and a sum of products with such factors leaves rounding too. A small number does not
+    /// cancel.
+    #[test]
+    fn sums_of_what_cancels_cancel() {
+        let mut graph = Graph::new();
+        let (x, radius) = (graph.symbol(Symbol::Unknown(0)), graph.symbol(Symbol::Parameter(0)));
+        let (cosine, sine) = (graph.cosine(x), graph.sine(x));
+        let (c2, s2) = (graph.power(cosine, 2), graph.power(sine, 2));
+        let nothing = graph.linear(-1.0, &[(c2, 1.0), (s2, 1.0)]);
+        let [first, second] = [cosine, sine].map(|factor| graph.product(&[(factor, 1), (nothing, 1), (radius, -1)]));
+        let sum = graph.linear(0.0, &[(first, 2.0), (second, 3.0)]);
+        assert!(graph.cancels(nothing) && graph.cancels(first) && graph.cancels(sum));
+        let small = graph.scale(1e-200, radius);
+        let with_small = graph.linear(0.0, &[(first, 2.0), (radius, 1e-200)]);
+        assert!(!graph.cancels(small) && !graph.cancels(with_small) && !graph.cancels(cosine));
     }
 
     /// Whether an expression vanishes does not depend on the unit.

@@ -232,7 +232,14 @@ impl Builder<'_> {
                 self.turn_vector(*unknown, *radius, ComplexNode::new(found, known));
             }
             ClosedForm::CosineSine { unknown, a, b, c } => {
-                let arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
+                let sizes = [*a, *b].map(|node| self.graph.amplitude(node));
+                let size = match sizes {
+                    [Some(a), Some(b)] => a + b,
+                    // nothing is known of lengths
+                    _ => 0.0,
+                };
+                let mut arguments = [*a, *b, *c].map(|node| FormArgument::Scalar(self.known(node))).to_vec();
+                arguments.push(FormArgument::Known(size));
                 let ([x, y], unit) = self.fresh_plane(&self.unknown_name(*unknown));
                 self.solve(Solver::CosineSine, arguments, vec![x, y]);
                 self.turn(*unknown, unit);
@@ -275,6 +282,11 @@ impl Builder<'_> {
                     unknowns.iter().map(|&unknown| Symbol::Unknown(unknown)).collect(),
                 );
             }
+            ClosedForm::LinearSystem {
+                unknowns,
+                matrix,
+                right,
+            } => self.linear_system(unknowns, matrix, right),
             ClosedForm::TwoAngles { unknowns, arms, target } => self.two_angles(*unknowns, arms, *target),
             ClosedForm::AngleLength {
                 angle,
@@ -312,6 +324,34 @@ impl Builder<'_> {
                 FormArgument::Scalar(self.known(right)),
             ];
             self.solve(Solver::Linear, arguments, vec![symbol]);
+        }
+    }
+
+    fn linear_system(&mut self, unknowns: &[usize], matrix: &[Vec<Node>], right: &[Node]) {
+        let (symbol, factors) = self.fresh("factors");
+        let matrix = matrix
+            .iter()
+            .map(|row| row.iter().map(|&entry| self.known(entry)).collect())
+            .collect();
+        let right = right.iter().map(|&entry| self.known(entry)).collect();
+        let solution: Vec<(Symbol, Node)> = unknowns
+            .iter()
+            .map(|&unknown| {
+                let name = self.unknown_name(unknown);
+                self.fresh(&format!("{name}_solution"))
+            })
+            .collect();
+        self.steps.push(Step::Factor { symbol, matrix });
+        self.steps.push(Step::Substitute {
+            factors,
+            right,
+            results: solution.iter().map(|&(symbol, _)| symbol).collect(),
+        });
+        for (&unknown, (_, value)) in unknowns.iter().zip(solution) {
+            self.steps.push(Step::Define {
+                symbol: Symbol::Unknown(unknown),
+                value,
+            });
         }
     }
 

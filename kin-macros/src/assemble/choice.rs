@@ -42,7 +42,10 @@ pub(super) fn orientation(graph: &mut Graph, part: &Part) -> Option<Node> {
 
 fn orientation_of(graph: &mut Graph, form: &ClosedForm) -> Option<Node> {
     Some(match form {
-        ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } | ClosedForm::Direction { .. } => return None,
+        ClosedForm::Linear { .. }
+        | ClosedForm::LinearPair { .. }
+        | ClosedForm::LinearSystem { .. }
+        | ClosedForm::Direction { .. } => return None,
         ClosedForm::Inverse { then, .. } => return orientation_of(graph, then),
         ClosedForm::SquareRoot { unknown, .. } => graph.symbol(Symbol::Unknown(*unknown)),
         ClosedForm::EvenInverse {

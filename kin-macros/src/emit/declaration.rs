@@ -5,6 +5,7 @@ use quote::{quote, quote_spanned};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Path, Token, Visibility, parse_quote};
 
+use super::equality::Equality;
 use crate::model::{Dimension, Model};
 use crate::translate::vector_type;
 
@@ -39,6 +40,7 @@ pub(crate) fn structure<'a>(
     let mechanism = name;
     let numeric = Ident::new("T", Span::mixed_site());
     let fields: Vec<Field<'a>> = fields.collect();
+    let names: Vec<&Ident> = fields.iter().map(|&(_, _, name, _)| name).collect();
     // a parameter of any dimension makes use of the number type, which otherwise would cause a further error
     let is_any_known = fields.iter().any(|(_, _, _, dimension)| dimension.is_some());
     let mut fields: Vec<TokenStream> = fields
@@ -57,7 +59,16 @@ pub(crate) fn structure<'a>(
     if fields.is_empty() {
         fields.push(quote!(nothing: ::core::marker::PhantomData<#numeric>));
     }
-    let derives = derives(attributes);
+    let mut missing = missing(attributes);
+    let mut implemented = TokenStream::new();
+    if let Some(place) = missing.iter().position(|&(trait_name, _)| trait_name == "PartialEq") {
+        let equality = Equality::of(name, &numeric, &names);
+        if equality.derived.is_none() {
+            missing.remove(place);
+        }
+        implemented = equality.implemented;
+    }
+    let derives = derives(&missing);
     quote! {
         #(#attributes)*
         #derives
@@ -65,11 +76,12 @@ pub(crate) fn structure<'a>(
         #visibility struct #name<#numeric = #number> {
             #(#fields,)*
         }
+        #implemented
     }
 }
 
-/// The traits that parameters should have, without those that the user derived.
-fn derives(attributes: &[Attribute]) -> TokenStream {
+/// The traits that parameters should have, by name, without those that the user derived.
+fn missing(attributes: &[Attribute]) -> Vec<(&'static str, TokenStream)> {
     let derived: Vec<String> = attributes
         .iter()
         .filter(|attribute| attribute.path().is_ident("derive"))
@@ -81,7 +93,7 @@ fn derives(attributes: &[Attribute]) -> TokenStream {
         .flatten()
         .filter_map(|path| Some(path.segments.last()?.ident.to_string()))
         .collect();
-    let missing: Vec<TokenStream> = [
+    [
         ("Clone", quote!(::core::clone::Clone)),
         ("Copy", quote!(::core::marker::Copy)),
         ("Debug", quote!(::core::fmt::Debug)),
@@ -89,12 +101,14 @@ fn derives(attributes: &[Attribute]) -> TokenStream {
     ]
     .into_iter()
     .filter(|(name, _)| !derived.iter().any(|other| other == name))
-    .map(|(_, path)| path)
-    .collect();
-    if missing.is_empty() {
-        return TokenStream::new();
-    }
+    .collect()
+}
+
+fn derives(missing: &[(&str, TokenStream)]) -> TokenStream {
     // two traits per line
-    let missing = missing.chunks(2);
+    let lines = missing
+        .chunks(2)
+        .map(|line| line.iter().map(|(_, path)| path).collect::<Vec<_>>());
+    let missing: Vec<Vec<&TokenStream>> = lines.collect();
     quote_spanned!(Span::mixed_site()=> #(#[derive(#(#missing),*)])*)
 }

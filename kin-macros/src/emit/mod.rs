@@ -3,6 +3,7 @@
 mod bindings;
 mod compiled;
 pub(crate) mod declaration;
+mod equality;
 mod items;
 mod text;
 
@@ -82,6 +83,7 @@ pub(crate) fn tokens(
         stored::tokens(inside),
         readable::tokens(inside),
         assembly::methods(inside),
+        every::absence(inside),
     ];
     let name = &model.name;
     let implementations = quote! {

@@ -124,19 +124,12 @@ impl<'a> Solutions<'a> {
                 unknowns,
                 matrix,
                 right,
-            } => matrix
-                .iter()
-                .zip(right)
-                .map(|(row, &right)| {
-                    let terms = row
-                        .iter()
-                        .zip(unknowns)
-                        .filter(|(entry, _)| !self.graph.is_zero(**entry));
-                    let left =
-                        terms.map(|(&entry, &unknown)| Notation::product([self.scalar(entry), self.unknown(unknown)]));
-                    DisplayLine::equation(Notation::sum(left.collect::<Vec<_>>()), self.scalar(right))
-                })
-                .collect(),
+            } => self.linear(unknowns, matrix.iter().map(<[Node; 2]>::as_slice), right),
+            ClosedForm::LinearSystem {
+                unknowns,
+                matrix,
+                right,
+            } => self.linear(unknowns, matrix.iter().map(Vec::as_slice), right),
             ClosedForm::TwoAngles { arms, target, .. } => self.two_angles(arms, *target),
             ClosedForm::AngleLength {
                 length,
@@ -161,6 +154,27 @@ impl<'a> Solutions<'a> {
                 target,
             } => self.polar([*length, *angle], *mirrored, *offset, *target),
         }
+    }
+
+    /// Σ entry · x = right, row by row.
+    fn linear<'n>(
+        &self,
+        unknowns: &[usize],
+        matrix: impl Iterator<Item = &'n [Node]>,
+        right: &[Node],
+    ) -> Vec<DisplayLine> {
+        matrix
+            .zip(right)
+            .map(|(row, &right)| {
+                let terms = row
+                    .iter()
+                    .zip(unknowns)
+                    .filter(|(entry, _)| !self.graph.is_zero(**entry));
+                let left =
+                    terms.map(|(&entry, &unknown)| Notation::product([self.scalar(entry), self.unknown(unknown)]));
+                DisplayLine::equation(Notation::sum(left.collect::<Vec<_>>()), self.scalar(right))
+            })
+            .collect()
     }
 
     /// x = (-b ± √(b² - 4 a c)) / (2 a)

@@ -1,7 +1,9 @@
 //! The scalar equations.
 
-use super::{Model, Request};
-use crate::algebra::Node;
+use std::collections::BTreeSet;
+
+use super::{Dimension, Model, Request};
+use crate::algebra::{Node, Symbol};
 
 /// The declared equation to which a scalar equation belongs, and the part that it is.
 #[derive(Clone, Copy)]
@@ -25,6 +27,29 @@ impl Model {
             name.push('_');
         }
         name
+    }
+
+    /// The unknowns that are lengths, and the plain numbers among all quantities.
+    pub(crate) fn lengths_and_numbers(&self) -> (BTreeSet<usize>, BTreeSet<Symbol>) {
+        let unknowns = || self.unknowns.iter().map(|unknown| unknown.dimension).enumerate();
+        let inputs = self.inputs.iter().map(|input| input.dimension).enumerate();
+        let parameters = self.parameters.iter().flat_map(|parameter| {
+            let parts = parameter.dimension.shape().axes().len().max(1);
+            (0..parts).map(|_| parameter.dimension)
+        });
+        let quantities = (unknowns().map(|(index, dimension)| (Symbol::Unknown(index), dimension)))
+            .chain(inputs.map(|(index, dimension)| (Symbol::Input(index), dimension)))
+            .chain(
+                parameters
+                    .enumerate()
+                    .map(|(index, dimension)| (Symbol::Parameter(index), dimension)),
+            );
+        let numbers = quantities.filter(|&(_, dimension)| dimension == Dimension::Scalar);
+        let lengths = unknowns().filter(|&(_, dimension)| dimension == Dimension::Length);
+        (
+            lengths.map(|(index, _)| index).collect(),
+            numbers.map(|(symbol, _)| symbol).collect(),
+        )
     }
 
     /// The scalar parts of the equations, and the origin of each.

@@ -10,6 +10,8 @@ pub(crate) enum FormArgument<E> {
     Plane([E; 2]),
     Pair([E; 2]),
     Matrix([[E; 2]; 2]),
+    /// A number that is known when the code is generated.
+    Known(f64),
 }
 
 impl<E> FormArgument<E> {
@@ -19,6 +21,7 @@ impl<E> FormArgument<E> {
             Self::Scalar(value) => vec![value],
             Self::Plane(pair) | Self::Pair(pair) => pair.iter().collect(),
             Self::Matrix(rows) => rows.iter().flatten().collect(),
+            Self::Known(_) => Vec::new(),
         }
     }
 
@@ -29,6 +32,7 @@ impl<E> FormArgument<E> {
             Self::Plane(pair) => FormArgument::Plane(pair.each_ref().map(other)),
             Self::Pair(pair) => FormArgument::Pair(pair.each_ref().map(other)),
             Self::Matrix(rows) => FormArgument::Matrix(rows.each_ref().map(|row| row.each_ref().map(&mut other))),
+            Self::Known(number) => FormArgument::Known(*number),
         }
     }
 }

@@ -51,6 +51,12 @@ pub(crate) enum ClosedForm {
         matrix: [[Node; 2]; 2],
         right: [Node; 2],
     },
+    /// A linear system of any size.
+    LinearSystem {
+        unknowns: Vec<usize>,
+        matrix: Vec<Vec<Node>>,
+        right: Vec<Node>,
+    },
     /// first + second = target, both directions unknown: the intersection of two circles (RRR dyad).
     TwoAngles {
         unknowns: [usize; 2],
@@ -85,7 +91,7 @@ impl ClosedForm {
     /// Whether there are two solutions to choose from.
     pub(crate) fn has_assemblies(&self) -> bool {
         match self {
-            Self::Linear { .. } | Self::LinearPair { .. } | Self::Direction { .. } => false,
+            Self::Linear { .. } | Self::LinearPair { .. } | Self::LinearSystem { .. } | Self::Direction { .. } => false,
             Self::Inverse { then, .. } => then.has_assemblies(),
             _ => true,
         }
@@ -110,6 +116,7 @@ impl ClosedForm {
             }
             Self::EvenInverse { function, .. } => format!("inverse of {}, with both signs", function.name()),
             Self::LinearPair { .. } => "two linear equations".to_owned(),
+            Self::LinearSystem { unknowns, .. } => format!("{} linear equations", unknowns.len()),
             Self::TwoAngles { .. } => "circle meets circle (RRR dyad)".to_owned(),
             Self::AngleLength { .. } => "circle meets line (RRP dyad)".to_owned(),
             Self::Direction { .. } => "direction of a placed link".to_owned(),

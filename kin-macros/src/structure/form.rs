@@ -70,7 +70,9 @@ fn block_form(graph: &mut Graph, residuals: &[Node], blocks: &[Block], block: &B
         } => link_and_slider(graph, arm.factor, *direction, *target),
         ClosedForm::Polar { offset, target, .. } => slider_on_link(graph, *offset, *target),
         ClosedForm::Direction { .. } => BlockForm::plain(BlockKind::PlacedLink),
-        ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } => BlockForm::plain(BlockKind::Linear),
+        ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } | ClosedForm::LinearSystem { .. } => {
+            BlockForm::plain(BlockKind::Linear)
+        }
         ClosedForm::SquareRoot { .. } | ClosedForm::Quadratic { .. } => BlockForm::plain(BlockKind::Quadratic),
         ClosedForm::CosineSine { .. } => BlockForm::plain(BlockKind::CosineSine),
         ClosedForm::InverseCosine { .. }

@@ -9,6 +9,7 @@ mod closed_form;
 mod complex;
 mod dyads;
 mod form;
+mod growth;
 mod matching;
 mod order;
 mod polynomials;
@@ -22,6 +23,7 @@ pub(crate) use closed_form::ClosedForm;
 pub(crate) use complex::ComplexNode;
 pub(crate) use dyads::{Dyad, dyads};
 pub(crate) use form::{BlockKind, block_forms};
+pub(crate) use growth::CoefficientMagnitudes;
 pub(crate) use polynomials::{PolynomialSystem, PolynomialVariable};
 
 use crate::algebra::{Expansion, Graph, Misfit, Node, Probe, Symbol, Variables};
@@ -69,6 +71,10 @@ impl Block {
 
 /// The reason why a declaration cannot be solved. Equations and unknowns are given by index.
 pub(crate) enum Fault {
+    /// An unknown that cancels out of every equation that should determine it.
+    Cancels { unknown: usize },
+    /// An equation out of which every unknown cancels.
+    WithoutUnknown { equation: usize },
     /// More unknowns than equations that contain them.
     Underdetermined {
         unknowns: Vec<usize>,
@@ -104,9 +110,20 @@ pub(crate) enum Refusal {
 }
 
 /// Orders scalar equations into solvable blocks.
-pub(crate) fn analyse(mut graph: Graph, residuals: &[Node], unknowns: usize) -> Result<Structure, Refusal> {
+pub(crate) fn analyse(
+    mut graph: Graph,
+    residuals: &[Node],
+    unknowns: usize,
+    magnitudes: &CoefficientMagnitudes,
+) -> Result<Structure, Refusal> {
     let residuals = without_cancelling(&mut graph, residuals, Variables::AllUnknowns);
-    let blocks = blocks(&mut graph, &residuals, unknowns);
+    let blocks = blocks(&mut graph, &residuals, unknowns, magnitudes);
+    // the constants of what cancels mean nothing
+    let cancels = |faults: &Vec<Fault>| faults.iter().any(|fault| matches!(fault, Fault::Cancels { .. }));
+    let blocks = match blocks {
+        Err(faults) if cancels(&faults) => return Err(Refusal::Faults(faults)),
+        blocks => blocks,
+    };
     if let Some(misfit) = graph.misfit() {
         return Err(Refusal::Constants(misfit));
     }
@@ -118,8 +135,18 @@ pub(crate) fn analyse(mut graph: Graph, residuals: &[Node], unknowns: usize) -> 
 }
 
 /// The blocks, or all faults.
-fn blocks(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<Block>, Vec<Fault>> {
+fn blocks(
+    graph: &mut Graph,
+    residuals: &[Node],
+    unknowns: usize,
+    magnitudes: &CoefficientMagnitudes,
+) -> Result<Vec<Block>, Vec<Fault>> {
     let incidence = incidence(graph, residuals, Variables::AllUnknowns);
+    let cancelled = cancelled(&incidence, unknowns);
+    // an unknown may also be lost with a coefficient that is too small for an `f64`
+    if !cancelled.is_empty() && graph.misfit().is_none() {
+        return Err(cancelled);
+    }
     let matching = matching::Matching::of(&incidence, unknowns);
     let mut faults = matching.faults(&incidence);
     if !faults.is_empty() {
@@ -132,12 +159,29 @@ fn blocks(graph: &mut Graph, residuals: &[Node], unknowns: usize) -> Result<Vec<
             .map(|&equation| matching.unknown_of(equation))
             .collect();
         members.sort_unstable();
-        match solve_block(graph, residuals, equations, members) {
+        match solve_block(graph, residuals, magnitudes, equations, members) {
             Ok(block) => blocks.push(block),
             Err(fault) => faults.push(fault),
         }
     }
     if faults.is_empty() { Ok(blocks) } else { Err(faults) }
+}
+
+/// The unknowns that are in no equation after these are multiplied out, otherwise the equations without unknowns.
+fn cancelled(incidence: &[BTreeSet<usize>], unknowns: usize) -> Vec<Fault> {
+    let is_missing = |unknown: &usize| !incidence.iter().any(|contained| contained.contains(unknown));
+    let missing: Vec<Fault> = (0..unknowns)
+        .filter(is_missing)
+        .map(|unknown| Fault::Cancels { unknown })
+        .collect();
+    if !missing.is_empty() {
+        return missing;
+    }
+    let equations = incidence.iter().enumerate();
+    equations
+        .filter(|(_, contained)| contained.is_empty())
+        .map(|(equation, _)| Fault::WithoutUnknown { equation })
+        .collect()
 }
 
 /// The same equations, each multiplied out if that cancels an unknown. The solution would otherwise contain this
@@ -170,9 +214,19 @@ fn incidence(graph: &mut Graph, equations: &[Node], variables: Variables<'_>) ->
 fn solve_block(
     graph: &mut Graph,
     residuals: &[Node],
+    magnitudes: &CoefficientMagnitudes,
     equations: Vec<usize>,
     unknowns: Vec<usize>,
 ) -> Result<Block, Fault> {
+    for &unknown in &unknowns {
+        let mut cancels = |&equation: &usize| {
+            let partial = graph.partial(residuals[equation], Symbol::Unknown(unknown));
+            graph.cancels(partial)
+        };
+        if equations.iter().all(&mut cancels) {
+            return Err(Fault::Cancels { unknown });
+        }
+    }
     if is_dependent(graph, residuals, &equations, &unknowns) {
         let repeats = repeated(graph, residuals, &equations);
         return Err(Fault::Dependent {
@@ -187,14 +241,14 @@ fn solve_block(
             .polynomial(node)
             .is_none()
     });
-    let parts = tear::parts(graph, &nodes, &unknowns);
+    let parts = tear::parts(graph, magnitudes, &nodes, &unknowns);
     let check_jacobian = match parts.as_slice() {
         [
             Part {
                 method: Method::Closed(form),
                 ..
             },
-        ] => cleared || form.has_inverse(),
+        ] => cleared || form.has_inverse() || matches!(form, ClosedForm::LinearSystem { .. }),
         _ => true,
     };
     let mut block = Block {

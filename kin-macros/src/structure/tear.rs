@@ -8,69 +8,140 @@
 //!
 //! The remaining equations may fall into smaller parts, or have a closed form. (The word "tearing" is G. Kron's:
 //! "Diakoptics", 1963.)
+//!
+//! An unknown that is replaced by its relation hands its rounding errors on, [magnified](Growth) by the coefficients of
+//! the relation. One relation replaced in another multiplies them: a chain `20 x₀ - x₁ = t`, `20 x₁ - x₀ - x₂ = k`, …
+//! would be shot through from its first unknown. Links magnify nothing, because a direction depends on the vector alone.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::growth::{CLOSED, COUPLED, CoefficientMagnitudes, Growth};
 use super::matching::Matching;
 use super::{ClosedForm, Method, Part, incidence, order, recognise, without_cancelling};
 use crate::algebra::{Expansion, Graph, Node, Symbol, TrigonometricPolynomial, Variables};
 
 /// The parts into which equations fall, in the order in which they are solved.
-pub(super) fn parts(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
-    let equations = &without_cancelling(graph, equations, Variables::Unknowns(unknowns));
-    // renumbered within the block, because the matching counts from zero
-    let incidence: Vec<BTreeSet<usize>> = incidence(graph, equations, Variables::Unknowns(unknowns))
-        .into_iter()
-        .map(|members| {
-            members
-                .into_iter()
-                .filter_map(|unknown| unknowns.iter().position(|&own| own == unknown))
-                .collect()
-        })
-        .collect();
-    let matching = Matching::of(&incidence, unknowns.len());
-    if !matching.faults(&incidence).is_empty() {
-        // an unknown cancelled when another was taken out: solve the equations as they are
-        return vec![newton(equations, unknowns, false)];
+///
+/// As much as possible is taken out if closed forms solve the rest. Equations that need a guess anyway keep the unknowns
+/// whose relations would magnify rounding, and Newton's method sees their equations as they are.
+pub(super) fn parts(
+    graph: &mut Graph,
+    magnitudes: &CoefficientMagnitudes,
+    equations: &[Node],
+    unknowns: &[usize],
+) -> Vec<Part> {
+    let mut tearing = Tearing::new(magnitudes, f64::INFINITY);
+    let parts = tearing.parts(graph, equations, unknowns);
+    let is_closed = parts.iter().all(|part| matches!(part.method, Method::Closed(_)));
+    if tearing.growth.get() <= COUPLED {
+        return parts;
     }
-    let mut parts = Vec::new();
-    for block in order::blocks(&incidence, &matching) {
-        let mut members: Vec<usize> = block
-            .iter()
-            .map(|&equation| unknowns[matching.unknown_of(equation)])
-            .collect();
-        members.sort_unstable();
-        let nodes: Vec<Node> = block.iter().map(|&equation| equations[equation]).collect();
-        parts.extend(connected(graph, &nodes, &members));
+    if is_closed && let Some(system) = recognise::linear_system(graph, equations, unknowns) {
+        return vec![closed(unknowns.to_vec(), system)];
     }
-    parts
+    if is_closed && tearing.growth.get() <= CLOSED {
+        return parts;
+    }
+    Tearing::new(magnitudes, COUPLED).parts(graph, equations, unknowns)
 }
 
-/// The parts of equations that cannot be ordered further.
-fn connected(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
-    let mut is_complete = true;
-    let polynomials: Vec<TrigonometricPolynomial> = equations
-        .iter()
-        .map(|&equation| {
-            let mut expansion = Expansion::new(graph, Variables::Unknowns(unknowns));
-            let polynomial = expansion.equation(equation);
-            is_complete &= expansion.is_complete();
-            polynomial
-        })
-        .collect();
-    if let Some(form) = recognise::closed_form(graph, &polynomials, unknowns) {
-        return vec![closed(unknowns.to_vec(), form)];
+/// What is taken out of a block, and what that does to rounding errors.
+struct Tearing<'a> {
+    magnitudes: &'a CoefficientMagnitudes,
+    /// The growth above which nothing is replaced by its relation.
+    largest: f64,
+    /// The growth through all relations so far.
+    growth: Growth,
+}
+
+impl<'a> Tearing<'a> {
+    fn new(magnitudes: &'a CoefficientMagnitudes, largest: f64) -> Self {
+        Self {
+            magnitudes,
+            largest,
+            growth: Growth::NONE,
+        }
     }
-    let torn = relation(graph, equations, unknowns)
-        .or_else(|| link(graph, equations, &polynomials, unknowns))
-        .or_else(|| length(graph, equations, unknowns));
-    let Some(Torn { rest, unknown, form }) = torn else {
-        return vec![newton(equations, unknowns, !is_complete)];
-    };
-    let others: Vec<usize> = unknowns.iter().copied().filter(|&other| other != unknown).collect();
-    let mut parts = parts(graph, &rest, &others);
-    parts.push(closed(vec![unknown], form));
-    parts
+
+    fn parts(&mut self, graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
+        let equations = &without_cancelling(graph, equations, Variables::Unknowns(unknowns));
+        // renumbered within the block, because the matching counts from zero
+        let incidence: Vec<BTreeSet<usize>> = incidence(graph, equations, Variables::Unknowns(unknowns))
+            .into_iter()
+            .map(|members| {
+                members
+                    .into_iter()
+                    .filter_map(|unknown| unknowns.iter().position(|&own| own == unknown))
+                    .collect()
+            })
+            .collect();
+        let matching = Matching::of(&incidence, unknowns.len());
+        if !matching.faults(&incidence).is_empty() {
+            // an unknown cancelled when another was taken out: solve the equations as they are
+            return vec![newton(equations, unknowns, false)];
+        }
+        let mut parts = Vec::new();
+        for block in order::blocks(&incidence, &matching) {
+            let mut members: Vec<usize> = block
+                .iter()
+                .map(|&equation| unknowns[matching.unknown_of(equation)])
+                .collect();
+            members.sort_unstable();
+            let nodes: Vec<Node> = block.iter().map(|&equation| equations[equation]).collect();
+            parts.extend(self.connected(graph, &nodes, &members));
+        }
+        parts
+    }
+
+    /// The parts of equations that cannot be ordered further.
+    fn connected(&mut self, graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Vec<Part> {
+        let mut is_complete = true;
+        let polynomials: Vec<TrigonometricPolynomial> = equations
+            .iter()
+            .map(|&equation| {
+                let mut expansion = Expansion::new(graph, Variables::Unknowns(unknowns));
+                let polynomial = expansion.equation(equation);
+                is_complete &= expansion.is_complete();
+                polynomial
+            })
+            .collect();
+        if let Some(form) = recognise::closed_form(graph, &polynomials, unknowns) {
+            return vec![closed(unknowns.to_vec(), form)];
+        }
+        let torn = self
+            .relation(graph, equations, unknowns, linear_relation)
+            .or_else(|| link(graph, equations, &polynomials, unknowns))
+            .or_else(|| self.relation(graph, equations, unknowns, relation));
+        let Some(Torn { rest, unknown, form }) = torn else {
+            return vec![newton(equations, unknowns, !is_complete)];
+        };
+        let others: Vec<usize> = unknowns.iter().copied().filter(|&other| other != unknown).collect();
+        let mut parts = self.parts(graph, &rest, &others);
+        parts.push(closed(vec![unknown], form));
+        parts
+    }
+
+    /// Takes out the first relation of a kind that does not magnify rounding errors too much.
+    fn relation(
+        &mut self,
+        graph: &mut Graph,
+        equations: &[Node],
+        unknowns: &[usize],
+        kind: impl Fn(&mut Graph, Node, &[usize], &mut dyn FnMut(&mut Graph, usize, Node) -> bool) -> Option<(usize, Node)>,
+    ) -> Option<Torn> {
+        equations.iter().enumerate().find_map(|(place, &equation)| {
+            let mut grown = self.growth;
+            let (unknown, coefficient) = kind(graph, equation, unknowns, &mut |graph, unknown, coefficient| {
+                let others = unknowns.iter().copied().filter(|&other| other != unknown);
+                grown = self
+                    .growth
+                    .through(graph, self.magnitudes, equation, (unknown, coefficient), others);
+                grown.get() <= self.largest
+            })?;
+            self.growth = grown;
+            Some(substituted(graph, equations, place, unknown, coefficient))
+        })
+    }
 }
 
 /// A block without its linear relations. The solutions of the remaining equations are those of the block.
@@ -89,7 +160,10 @@ pub(super) fn whole(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -
         relations: Vec::new(),
     };
     while whole.unknowns.len() > 1
-        && let Some(Torn { rest, unknown, form }) = relation(graph, &whole.equations, &whole.unknowns)
+        && let Some(Torn { rest, unknown, form }) = whole.equations.iter().enumerate().find_map(|(place, &equation)| {
+            let (unknown, coefficient) = linear_relation(graph, equation, &whole.unknowns, &mut |_, _, _| true)?;
+            Some(substituted(graph, &whole.equations, place, unknown, coefficient))
+        })
     {
         whole.equations = rest;
         whole.unknowns.retain(|&other| other != unknown);
@@ -123,36 +197,38 @@ fn newton(equations: &[Node], unknowns: &[usize], is_given_up: bool) -> Part {
     }
 }
 
-/// Takes out a relation that is linear in all of its unknowns, such as the relation of two gears. It gives the first
-/// unknown whose coefficient is 1 or -1.
-fn relation(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<Torn> {
-    for (place, &equation) in equations.iter().enumerate() {
-        let partials: Vec<(usize, Node)> = unknowns
-            .iter()
-            .map(|&unknown| (unknown, graph.partial(equation, Symbol::Unknown(unknown))))
-            .collect();
-        let is_linear = partials.iter().all(|&(_, partial)| !graph.has_unknowns(partial));
-        let unit = partials
-            .iter()
-            .find(|&&(_, partial)| graph.as_number(partial).is_some_and(|number| number.abs() == 1.0));
-        if is_linear && let Some(&(unknown, coefficient)) = unit {
-            return Some(substituted(graph, equations, place, unknown, coefficient));
-        }
-    }
-    None
+/// The unknown that an equation gives if the equation is linear in all of its unknowns, such as the relation of two
+/// gears: the first one whose coefficient is 1 or -1, with the coefficient. `accepts` may refuse it.
+fn linear_relation(
+    graph: &mut Graph,
+    equation: Node,
+    unknowns: &[usize],
+    accepts: &mut dyn FnMut(&mut Graph, usize, Node) -> bool,
+) -> Option<(usize, Node)> {
+    let partials: Vec<(usize, Node)> = unknowns
+        .iter()
+        .map(|&unknown| (unknown, graph.partial(equation, Symbol::Unknown(unknown))))
+        .collect();
+    let is_linear = partials.iter().all(|&(_, partial)| !graph.has_unknowns(partial));
+    let (unknown, coefficient) = partials
+        .into_iter()
+        .find(|&(_, partial)| graph.as_number(partial).is_some_and(|number| number.abs() == 1.0))?;
+    (is_linear && accepts(graph, unknown, coefficient)).then_some((unknown, coefficient))
 }
 
-/// Takes out an unknown that an equation contains with a number as its coefficient, such as a length along an axis.
-fn length(graph: &mut Graph, equations: &[Node], unknowns: &[usize]) -> Option<Torn> {
-    for (place, &equation) in equations.iter().enumerate() {
-        for &unknown in unknowns {
-            let coefficient = graph.partial(equation, Symbol::Unknown(unknown));
-            if graph.as_number(coefficient).is_some_and(|number| number != 0.0) {
-                return Some(substituted(graph, equations, place, unknown, coefficient));
-            }
-        }
-    }
-    None
+/// The first unknown that an equation contains with a number as its coefficient, such as a length along an axis, and that
+/// `accepts` does not refuse.
+fn relation(
+    graph: &mut Graph,
+    equation: Node,
+    unknowns: &[usize],
+    accepts: &mut dyn FnMut(&mut Graph, usize, Node) -> bool,
+) -> Option<(usize, Node)> {
+    unknowns.iter().find_map(|&unknown| {
+        let coefficient = graph.partial(equation, Symbol::Unknown(unknown));
+        let is_number = graph.as_number(coefficient).is_some_and(|number| number != 0.0);
+        (is_number && accepts(graph, unknown, coefficient)).then_some((unknown, coefficient))
+    })
 }
 
 /// The other equations with an unknown replaced by its solution from one equation.

@@ -281,3 +281,64 @@ fn what_is_too_deep_or_too_long_is_told_once() {
         assert!(messages[0].contains(message), "{messages:?}");
     }
 }
+
+/// The compiler follows a derived comparison by recursion, field by field.
+#[test]
+fn no_structure_of_many_fields_derives_its_comparison() {
+    let [sum, sines] = [(sum as Family, 400), (abbreviations, 400)].map(|(family, size)| {
+        let declaration = family(size);
+        let items = expand(quote!(#declaration order = 1;));
+        syn::parse2::<syn::File>(items).expect("the expansion is Rust").items
+    });
+    let structures = [sum, sines].into_iter().flatten().filter_map(|item| match item {
+        syn::Item::Struct(structure) => Some(structure),
+        _ => None,
+    });
+    let mut large = 0;
+    for structure in structures.filter(|structure| structure.fields.len() > 256) {
+        large += 1;
+        let attributes = structure.attrs.iter().map(|attribute| quote!(#attribute).to_string());
+        assert!(
+            !attributes.into_iter().any(|text| text.contains("PartialEq")),
+            "{}",
+            structure.ident
+        );
+    }
+    // the parameters of the one, and the position of the other
+    assert_eq!(large, 2);
+}
+
+/// An unknown that cancels is told as such, whatever follows from it: no constants, and no counts of equations.
+#[test]
+fn unknowns_that_cancel_are_told_once() {
+    let vectors = quote!(struct A { a: Vector3, l: Length } input t: Angle; unknown u: Angle;);
+    let numbers = quote!(struct A { a: Scalar } input t: Scalar; unknown u: Scalar;);
+    let two = quote!(struct A { a: Length } input t: Scalar; unknown u: Angle, y: Length;);
+    let unity = quote!((sin(u) * sin(u) + cos(u) * cos(u)));
+    for declaration in [
+        // a vector that is turned about itself
+        quote!(#vectors norm(rot(a, u) * a - rot_z(t) * vec3(l, 0, 0)) == l;),
+        quote!(#vectors dot(rot(a, u) * a, rot_z(t) * vec3(l, 0, 0)) == l * l;),
+        quote!(#numbers a * #unity == a * t;),
+        quote!(#numbers sqrt(#unity) == a * t;),
+        quote!(#numbers exp(a - u) * exp(u) == t;),
+        quote!(#two norm(a * cis(u)) + y == a * t; y == a * t * t;),
+        quote!(#two a * #unity + y == a * t; y * y == a * a * t;),
+        quote!(#two norm(a * cis(u)) + y * y / a == a * t; y * norm(a * cis(u)) == a * a;),
+    ] {
+        let messages = mistakes(declaration.clone());
+        assert_eq!(
+            messages,
+            ["unknown `u` cancels out of every equation: nothing determines it"],
+            "{declaration}"
+        );
+    }
+    let messages = mistakes(quote!(#numbers a * #unity == a * t; u == t;));
+    assert_eq!(
+        messages,
+        ["every unknown cancels out of this equation, so it determines none: remove it"]
+    );
+    // small numbers do not cancel
+    let small = quote!(#numbers 1e-13 * a * u + 1e-14 * sin(u) == t;);
+    assert_eq!(mistakes(small), Vec::<String>::new());
+}

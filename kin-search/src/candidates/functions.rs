@@ -5,10 +5,13 @@ use std::sync::Arc;
 
 use datafusion::arrow::array::{ArrayRef, AsArray, Float64Array};
 use datafusion::arrow::datatypes::{DataType, Float64Type, Int64Type};
-use datafusion::common::{Result, ScalarValue, exec_err};
+use datafusion::common::{Result, ScalarValue, exec_err, plan_err};
 use datafusion::logical_expr::{
-    ColumnarValue, DocSection, Documentation, ScalarFunctionArgs, ScalarUDF, ScalarUDFImpl, Signature, Volatility,
+    ColumnarValue, DocSection, Documentation, ScalarFunctionArgs, ScalarUDF, ScalarUDFImpl, Signature, TypeSignature,
+    Volatility,
 };
+
+use crate::function::accepted;
 
 use super::sequence::{MOST_DIMENSIONS, Sequence, at};
 
@@ -52,16 +55,25 @@ struct CandidateFunction {
 
 const NAMES: [&str; 5] = ["id", "dimension", "dimensions", "low", "high"];
 
+const TYPES: [DataType; 5] = [
+    DataType::Int64,
+    DataType::Int64,
+    DataType::Int64,
+    DataType::Float64,
+    DataType::Float64,
+];
+
 impl CandidateFunction {
     fn new(scale: Scale) -> Self {
-        let types = vec![
-            DataType::Int64,
-            DataType::Int64,
-            DataType::Int64,
-            DataType::Float64,
-            DataType::Float64,
-        ];
-        let mut signature = Signature::exact(types, Volatility::Immutable);
+        let types = TYPES.to_vec();
+        let mut signature = Signature::one_of(
+            vec![
+                TypeSignature::UserDefined,
+                TypeSignature::Exact(types),
+                TypeSignature::Nullary,
+            ],
+            Volatility::Immutable,
+        );
         signature.parameter_names = Some(NAMES.map(String::from).to_vec());
         let even = match scale {
             Scale::Linear => "evenly",
@@ -146,6 +158,36 @@ impl CandidateFunction {
         Ok(Arc::new(all?))
     }
 
+    /// The types to which the arguments of a call are converted, if there is such a call.
+    fn coerced(&self, types: &[DataType]) -> Result<Vec<DataType>> {
+        if types.len() != NAMES.len() {
+            return plan_err!(
+                "{} takes {} arguments, and {} are given: {}({})",
+                self.name(),
+                NAMES.len(),
+                types.len(),
+                self.name(),
+                NAMES.join(", ")
+            );
+        }
+        for (index, (given, wanted)) in types.iter().zip(&TYPES).enumerate() {
+            let (fits, kind) = if wanted.is_integer() {
+                (given.is_integer(), "whole number")
+            } else {
+                (given.is_numeric(), "number")
+            };
+            if !fits && !given.is_null() {
+                return plan_err!(
+                    "argument {} of {}, {}, is no {kind} but {given}",
+                    index + 1,
+                    self.name(),
+                    NAMES[index]
+                );
+            }
+        }
+        Ok(TYPES.to_vec())
+    }
+
     fn check(&self, low: f64, high: f64) -> Result<()> {
         let (is_good, wanted) = match self.scale {
             Scale::Linear => ((high - low).is_finite(), "finite, and so is their difference"),
@@ -187,7 +229,12 @@ impl ScalarUDFImpl for CandidateFunction {
         &self.signature
     }
 
-    fn return_type(&self, _: &[DataType]) -> Result<DataType> {
+    fn coerce_types(&self, types: &[DataType]) -> Result<Vec<DataType>> {
+        Ok(accepted(self.coerced(types), types))
+    }
+
+    fn return_type(&self, types: &[DataType]) -> Result<DataType> {
+        self.coerced(types)?;
         Ok(DataType::Float64)
     }
 

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::time::Duration;
 
+use crate::say;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::sleep;
 
@@ -25,8 +26,8 @@ impl Listen {
         (!self.0.ip().is_loopback()).then(|| {
             format!(
                 "warning: {} can be reached from other machines. Nothing is encrypted, and nobody is asked for a password: \
-                 whoever reaches it runs queries, and reads the files of this user. Read \"On several machines\" in the \
-                 chapter on searches first.",
+                 whoever reaches it runs queries, and reads and writes files as the user who runs this program. Read \"On several \
+                 machines\" in the chapter on searches first.",
                 self.0.ip()
             )
         })
@@ -75,7 +76,7 @@ impl Place {
         let mut said = false;
         while let Err(error) = TcpStream::connect((self.host.as_str(), self.port)).await {
             if !said {
-                eprintln!("waiting for the scheduler at {self} ({error})");
+                say(format_args!("waiting for the scheduler at {self} ({error})"));
                 said = true;
             }
             sleep(PAUSE).await;

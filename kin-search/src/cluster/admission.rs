@@ -17,6 +17,7 @@ use datafusion_proto::protobuf::{LogicalPlanNode, PhysicalPlanNode};
 use super::assigned::Assigned;
 use super::cores::{FreeCores, busy};
 use super::identity::{Identity, tag_of};
+use crate::say;
 
 /// The state of the cluster in memory, behind a door.
 ///
@@ -75,7 +76,7 @@ impl Admission {
             self.identity.tag(),
             self.identity
         );
-        eprintln!("executor {executor} {refusal}");
+        say(format_args!("executor {executor} {refusal}"));
         Err(BallistaError::Configuration(refusal))
     }
 }
@@ -115,7 +116,7 @@ impl ClusterState for Admission {
         let (name, all, free) = (metadata.id.clone(), data.total_vcores, data.available_vcores);
         self.state.register_executor(metadata, data).await?;
         self.cores().join(&name, all, free);
-        eprintln!("executor {name} joined with {all} cores");
+        say(format_args!("executor {name} joined with {all} cores"));
         Ok(())
     }
 
@@ -146,7 +147,7 @@ impl ClusterState for Admission {
         }
         self.state.remove_executor(executor).await?;
         if self.cores().leave(executor) {
-            eprintln!("executor {executor} left");
+            say(format_args!("executor {executor} left"));
         }
         Ok(())
     }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use ballista_core::config::BALLISTA_CLIENT_PULL;
 use ballista_core::extension::{SessionConfigExt, SessionStateExt};
 use datafusion::arrow::array::RecordBatch;
 use datafusion::catalog::MemoryCatalogProviderList;
@@ -19,6 +20,7 @@ use kin_core::batch::Vectors;
 use tokio::sync::watch;
 
 use crate::function::Settings;
+use crate::session::Signals;
 
 use super::address::Place;
 use super::codec::Codec;
@@ -30,12 +32,19 @@ use super::job::{self, End};
 use super::options::Caller;
 use super::parts::Parts;
 use super::progress::Progress;
-use super::signals::Signals;
 use super::stop::{Stop, reached};
 use super::tables;
+use crate::say;
 
-/// How often a query is tried from which executors are lost.
+/// How often a query is tried whose rows were lost with an executor after it was finished.
 const ATTEMPTS: usize = 5;
+
+/// How many executors a query may lose while it is worked on. One machine can fail. A query that loses a second one may
+/// be what ends them.
+const MOST_LOST: usize = 1;
+
+/// The most ranges of a search. The scheduler keeps something of each.
+const MOST_RANGES: i64 = 1_000_000;
 
 /// How a client searches.
 #[derive(Clone, Debug)]
@@ -138,8 +147,8 @@ impl Connection {
         if let Some(cut) = Cut::of(&optimized) {
             return Ok(cut.join(&self.search(&remote, &cut).await?)?);
         }
-        let all = all_ids(&optimized);
-        eprintln!("searching {all} ids in one query");
+        let all = all_ids(&optimized)?;
+        say(format_args!("searching {all} ids in one query"));
         let progress = Progress::new(all);
         let stop = Stop {
             interrupted: self.stopped.clone(),
@@ -160,7 +169,16 @@ impl Connection {
             None => None,
         };
         let length = i64::try_from(self.client.range).unwrap_or(i64::MAX);
+        let count = cut.ids.count_of_pieces(length);
+        if count > MOST_RANGES {
+            return Ok(plan_err!(
+                "the {} ids of the search are {count} ranges of {length}, and a cluster searches {MOST_RANGES} ranges at most; make \
+                 them larger with `--range`, or search fewer ids",
+                cut.ids.count()
+            )?);
+        }
         let ranges: Vec<_> = cut.ids.pieces(length).collect();
+        ranges.iter().try_for_each(|range| range.check())?;
         let mut found = Vec::with_capacity(ranges.len());
         for range in &ranges {
             found.push(match &parts {
@@ -172,17 +190,17 @@ impl Connection {
         if let Some(parts) = &parts
             && kept > 0
         {
-            eprintln!(
+            say(format_args!(
                 "{kept} of {} ranges were finished before, in {}",
                 ranges.len(),
                 parts.folder().display()
-            );
+            ));
         }
         let columns = cut.columns();
         let left = ranges.iter().zip(&found).filter(|(_, found)| found.is_none());
         let progress = Progress::new(left.map(|(range, _)| range.count()).sum());
         let count = ranges.len();
-        eprintln!("searching {} ids in {count} ranges", cut.ids.count());
+        say(format_args!("searching {} ids in {count} ranges", cut.ids.count()));
         let (fail, failed) = watch::channel(false);
         let searches = ranges
             .into_iter()
@@ -243,7 +261,7 @@ impl Connection {
         parts: Option<&Parts>,
         stop: Stop,
     ) -> Result<Vec<RecordBatch>, Fault> {
-        let mut attempt = 1;
+        let (mut attempt, mut lost) = (1, 0);
         loop {
             let end = match job::run(remote, query, &self.url(), name, progress, stop.clone()).await {
                 Ok(rows) => return Ok(rows),
@@ -264,14 +282,31 @@ impl Connection {
                         advice: advice(parts),
                     });
                 }
+                End::Another => return Err(Fault::Another(self.client.scheduler.clone())),
+                End::CalledOff if lost == MOST_LOST => {
+                    return Err(Fault::Executors {
+                        name: name.to_owned(),
+                        count: lost + 1,
+                        advice: advice(parts),
+                    });
+                }
+                End::CalledOff => {
+                    lost += 1;
+                    say(format_args!("{name}: an executor was lost; it is searched again"));
+                    continue;
+                }
                 End::Gone(_) if attempt < ATTEMPTS => {
                     attempt += 1;
-                    eprintln!("{name}: an executor was lost; it is searched again");
+                    say(format_args!(
+                        "{name}: its rows were lost with an executor; it is searched again"
+                    ));
                     continue;
                 }
                 End::Gone(error) | End::Failed(error) => error,
             };
-            return Err(Fault::refusal(&self.identity, &error.to_string()).unwrap_or_else(|| error.into()));
+            let text = error.to_string();
+            let known = Fault::refusal(&self.identity, &text).or_else(|| Fault::memory(&text));
+            return Err(known.unwrap_or_else(|| error.into()));
         }
     }
 
@@ -296,6 +331,9 @@ impl Connection {
             .upgrade_for_ballista()
             // The adaptive planner of Ballista 55 does not end a stage whose rows were lost with an executor, and made again.
             .with_ballista_adaptive_query_planner(false)
+            // The client asks for the state of its job. It would learn the job's number with the first change of this
+            // state otherwise, too late to call the job off.
+            .set_bool(BALLISTA_CLIENT_PULL, true)
             .with_target_partitions(self.client.tasks.max(1));
         // Ballista replaces a catalog in the list that its state holds. It gets a list of its own, so that the local tables stay.
         let state = SessionStateBuilder::new_from_existing(state)
@@ -371,13 +409,15 @@ fn crosses(query: &LogicalPlan) -> Result<bool, Fault> {
     }
 }
 
-/// All ids that a query reads.
-fn all_ids(query: &LogicalPlan) -> i64 {
-    let mut count = 0;
-    // The closure does not fail.
-    let _ = query.apply_with_subqueries(|node| {
-        count += ids::scanned(node).map_or(0, Ids::count);
+/// All ids that a query reads, if they are no more than executors can list.
+fn all_ids(query: &LogicalPlan) -> Result<i64, Fault> {
+    let mut count = 0_i64;
+    query.apply_with_subqueries(|node| {
+        if let Some(ids) = ids::scanned(node) {
+            ids.check()?;
+            count = count.saturating_add(ids.count());
+        }
         Ok(TreeNodeRecursion::Continue)
-    });
-    count
+    })?;
+    Ok(count)
 }

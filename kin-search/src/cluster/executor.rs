@@ -15,12 +15,13 @@ use datafusion::functions_nested::all_default_nested_functions;
 use tokio::time::{sleep, timeout};
 
 use crate::function::Functions;
+use crate::session::Signals;
 
 use super::address::{Listen, PAUSE, Place, announce};
 use super::fault::Fault;
 use super::identity::{Identity, executor_name};
 use super::scheduler::settings;
-use super::signals::Signals;
+use crate::say;
 
 /// How long an executor that was told to end may work on.
 const GRACE: Duration = Duration::from_secs(5);
@@ -34,11 +35,25 @@ pub struct Executor {
     pub listen: Listen,
     /// How many tasks it works on at a time.
     pub cores: usize,
+    /// The memory that its tasks may take together, in bytes; [`SHARE`](Self::SHARE) of the machine's, or as much less
+    /// as it works on fewer tasks than the machine has cores, if not given.
+    pub memory: Option<u64>,
     /// Where it keeps results of stages until they are fetched; a folder of its own in that for temporary files if not given.
     pub folder: Option<PathBuf>,
 }
 
 impl Executor {
+    /// The share of the machine's memory for executors that use all its cores.
+    pub const SHARE: f64 = 0.7;
+
+    /// The share of the machine's memory for this executor. Executors that share the cores of a machine share its
+    /// memory as well.
+    fn share(&self) -> f64 {
+        let all = std::thread::available_parallelism().map_or(1, usize::from);
+        let count = |cores: usize| f64::from(u32::try_from(cores).unwrap_or(u32::MAX));
+        Self::SHARE * (count(self.cores) / count(all)).clamp(f64::MIN_POSITIVE, 1.0)
+    }
+
     /// Runs the executor until SIGINT or SIGTERM.
     ///
     /// It waits for the scheduler, prints `listening on ADDRESS`, and waits again if the scheduler is lost.
@@ -48,10 +63,10 @@ impl Executor {
     /// [`Fault`], if the address cannot be listened on, the scheduler refuses the executor, or Ballista reports an error.
     pub async fn run(self, functions: &Functions) -> Result<(), Fault> {
         if let Some(warning) = self.listen.warning() {
-            eprintln!("{warning}");
+            say(format_args!("{warning}"));
         }
         let identity = Identity::of(functions);
-        eprintln!("{identity}");
+        say(format_args!("{identity}"));
         let mut registry = BallistaFunctionRegistry::default();
         // Ballista's own registry lacks the functions of lists, with which ids are made.
         let nested = all_default_nested_functions();
@@ -80,6 +95,8 @@ impl Executor {
                 scheduler_host: self.scheduler.host.clone(),
                 scheduler_port: self.scheduler.port,
                 vcores: self.cores,
+                memory_pool_size: self.memory,
+                memory_pool_fraction: self.share(),
                 work_dir: Some(folder.0.display().to_string()),
                 executor_heartbeat_interval_seconds: 1,
                 override_function_registry: Some(Arc::clone(&registry)),
@@ -100,7 +117,10 @@ impl Executor {
             match worked {
                 // The scheduler was lost.
                 Ok(()) | Err(BallistaError::GrpcConnectionError(_) | BallistaError::TonicError(_)) => {
-                    eprintln!("the scheduler at {} is lost; waiting for it", self.scheduler);
+                    say(format_args!(
+                        "the scheduler at {} is lost; waiting for it",
+                        self.scheduler
+                    ));
                 }
                 // Another process took one of the ports.
                 Err(BallistaError::IoError(error)) if error.kind() == io::ErrorKind::AddrInUse => {}
@@ -128,5 +148,32 @@ impl Drop for Folder {
     fn drop(&mut self) {
         // A folder that cannot be removed is no reason to fail.
         let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn executors_that_share_cores_share_memory() {
+        let all = std::thread::available_parallelism().map_or(1, usize::from);
+        let share = |cores| {
+            let executor = Executor {
+                scheduler: Place {
+                    host: "localhost".to_owned(),
+                    port: 1,
+                },
+                listen: Listen::default(),
+                cores,
+                memory: None,
+                folder: None,
+            };
+            executor.share()
+        };
+        let together: f64 = (0..all).map(|_| share(1)).sum();
+        assert!((together - Executor::SHARE).abs() < 1e-12, "{together}");
+        assert_eq!(share(all), Executor::SHARE);
+        assert_eq!(share(2 * all), Executor::SHARE);
     }
 }

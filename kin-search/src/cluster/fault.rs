@@ -42,6 +42,22 @@ pub enum Fault {
         /// What is left of the search, and how it goes on.
         advice: String,
     },
+    /// What listens at the address of the scheduler is none: it may be an executor.
+    Another(Place),
+    /// A query lost more executors than one machine that failed explains.
+    Executors {
+        /// What of the search it is.
+        name: String,
+        /// How many executors were lost.
+        count: usize,
+        /// What is left of the search, and how it goes on.
+        advice: String,
+    },
+    /// A query needs more memory than an executor has.
+    Memory {
+        /// What was asked for, and what there was.
+        report: String,
+    },
     /// The search was interrupted, and its work on executors has been called off.
     Interrupted {
         /// What is left of the search, and how it goes on.
@@ -63,6 +79,18 @@ impl Fault {
         Some(Self::Refused {
             here: here.to_string(),
             there: there.to_owned(),
+        })
+    }
+
+    /// A lack of memory on an executor, if the text of an error holds one.
+    pub(super) fn memory(text: &str) -> Option<Self> {
+        let (_, report) = text.split_once("ResourcesExhausted(")?;
+        Some(Self::Memory {
+            report: report
+                .trim_start_matches(['"', '\\'])
+                .split(['"', '\\'])
+                .next()?
+                .to_owned(),
         })
     }
 }
@@ -89,6 +117,20 @@ impl fmt::Display for Fault {
             Self::Restarted { scheduler, advice } => write!(
                 f,
                 "the scheduler at {scheduler} was started again, and does not know the query. {advice}"
+            ),
+            Self::Another(place) => write!(
+                f,
+                "what listens at {place} is no scheduler; give the address that `kin-search scheduler` has printed"
+            ),
+            Self::Executors { name, count, advice } => write!(
+                f,
+                "{name}: {count} executors were lost, one after the other. If it needs more memory than they have, give executors \
+                 a limit with --memory, or make the ranges smaller with --range. {advice}"
+            ),
+            Self::Memory { report } => write!(
+                f,
+                "an executor has too little memory for the query: {report}. Give it more with --memory, or make the ranges smaller with \
+                 --range."
             ),
             Self::Interrupted { advice } => write!(
                 f,

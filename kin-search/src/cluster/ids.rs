@@ -10,7 +10,7 @@ use datafusion::arrow::array::{Int64Array, RecordBatch};
 use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
 use datafusion::catalog::{Session, TableProvider};
 use datafusion::common::tree_node::Transformed;
-use datafusion::common::{Result, UnnestOptions, exec_err};
+use datafusion::common::{Result, UnnestOptions, exec_err, plan_err};
 use datafusion::datasource::memory::MemorySourceConfig;
 use datafusion::datasource::{provider_as_source, source_as_provider};
 use datafusion::functions_nested::range::range_udf;
@@ -29,6 +29,9 @@ const LIST: std::ops::RangeInclusive<i64> = 1 << 13..=1 << 20;
 /// The most lists, which all stand in the plan of a query, as long as they hold no more than they may.
 const LISTS: i64 = 1 << 16;
 
+/// The most ids of a range that executors list.
+const MOST: i64 = LISTS * *LIST.end();
+
 /// The ids from the first to before the end, as a table with the column `value`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Ids {
@@ -42,10 +45,26 @@ impl Ids {
         self.end - self.first
     }
 
+    /// Refuses more ids than executors can list.
+    pub(super) fn check(self) -> Result<()> {
+        if self.count() <= MOST {
+            return Ok(());
+        }
+        plan_err!(
+            "a range of a query on a cluster has {MOST} ids at most, and this one has {}",
+            self.count()
+        )
+    }
+
+    /// How many [`pieces`](Self::pieces) there are.
+    pub(super) fn count_of_pieces(self, length: i64) -> i64 {
+        quotient(self.count(), length.max(1))
+    }
+
     /// The same ids in pieces of a length, counted from the first.
     pub(super) fn pieces(self, length: i64) -> impl Iterator<Item = Self> {
         let length = length.max(1);
-        (0..quotient(self.count(), length)).map(move |piece| {
+        (0..self.count_of_pieces(length)).map(move |piece| {
             let first = self.first + piece * length;
             Self {
                 first,
@@ -123,6 +142,7 @@ impl TableProvider for Ids {
         _: &[Expr],
         _: Option<usize>,
     ) -> Result<Arc<dyn ExecutionPlan>> {
+        self.check()?;
         let options = state.config_options();
         let parts = i64::try_from(options.execution.target_partitions).unwrap_or(1).max(1);
         // Parts of nearly the same length, and never more than there are ids.

@@ -16,6 +16,7 @@ use datafusion::logical_expr::LogicalPlan;
 use datafusion::physical_plan::{ExecutionPlan, collect};
 use datafusion_proto::protobuf::LogicalPlanNode;
 use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
+use tonic::Code;
 
 use super::progress::Progress;
 use super::stop::Stop;
@@ -38,8 +39,12 @@ pub(super) enum End {
     Lost(String),
     /// The scheduler does not know the query: it was started again.
     Restarted,
-    /// An executor was lost. The query was called off, or it is finished and its rows are not there.
+    /// An executor was lost, and the scheduler called the query off.
+    CalledOff,
+    /// The query is finished, and its rows are not there: the executor that has them was lost.
     Gone(DataFusionError),
+    /// What answers is no scheduler.
+    Another,
     /// The query failed.
     Failed(DataFusionError),
 }
@@ -117,26 +122,25 @@ async fn reason(scheduler: &str, job: Option<String>, error: DataFusionError) ->
         let Some(job_id) = job else {
             // It was refused before it was given a number, unless the scheduler ended while it was asked.
             let asked = client.get_job_status(GetJobStatusParams::default()).await;
-            let is_there = asked.map_or_else(|status| !is_lost(status.code().into()), |_| true);
-            return is_there.then_some(None);
+            return match asked.map_or_else(|status| status.code(), |_| Code::Ok) {
+                Code::Unknown | Code::Unavailable => None,
+                Code::Unimplemented => Some(Err(End::Another)),
+                _ => Some(Ok(None)),
+            };
         };
         let status = client.get_job_status(GetJobStatusParams { job_id }).await.ok()?;
-        Some(Some(status.into_inner().status.and_then(|status| status.status)))
+        Some(Ok(Some(status.into_inner().status.and_then(|status| status.status))))
     })
     .await;
     match asked {
         Err(_) | Ok(None) => End::Lost(brief(&error)),
-        Ok(Some(None)) => End::Failed(error),
-        Ok(Some(Some(None))) => End::Restarted,
-        Ok(Some(Some(Some(job_status::Status::Successful(_))))) => End::Gone(error),
-        Ok(Some(Some(Some(job_status::Status::Failed(failed))))) if failed.error == CALLED_OFF => End::Gone(error),
-        Ok(Some(Some(Some(_)))) => End::Failed(error),
+        Ok(Some(Err(end))) => end,
+        Ok(Some(Ok(None))) => End::Failed(error),
+        Ok(Some(Ok(Some(None)))) => End::Restarted,
+        Ok(Some(Ok(Some(Some(job_status::Status::Successful(_)))))) => End::Gone(error),
+        Ok(Some(Ok(Some(Some(job_status::Status::Failed(failed)))))) if failed.error == CALLED_OFF => End::CalledOff,
+        Ok(Some(Ok(Some(Some(_))))) => End::Failed(error),
     }
-}
-
-/// Whether a status of gRPC shows that nobody answers: it is 2, unknown, or 14, unavailable.
-fn is_lost(status: i32) -> bool {
-    matches!(status, 2 | 14)
 }
 
 /// The first line of an error, which can be a page.

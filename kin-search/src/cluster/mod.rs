@@ -19,7 +19,6 @@ mod options;
 mod parts;
 mod progress;
 mod scheduler;
-mod signals;
 mod stop;
 mod tables;
 

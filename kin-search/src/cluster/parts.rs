@@ -12,6 +12,7 @@ use datafusion::parquet::errors::ParquetError;
 use super::fault::Fault;
 use super::ids::Ids;
 use crate::digest::digest;
+use crate::session::draft_of;
 
 /// The folder of the finished ranges of one search.
 ///
@@ -63,7 +64,7 @@ impl Parts {
     /// Keeps the rows of a range. The file gets its name when it is whole.
     pub(super) fn write(&self, range: Ids, columns: &SchemaRef, rows: &[RecordBatch]) -> Result<(), Fault> {
         let path = self.file(range);
-        let draft = path.with_extension(format!("{}.draft", std::process::id()));
+        let draft = draft_of(&path);
         let failed = |error: std::io::Error| Fault::File(draft.clone(), error);
         let file = File::create(&draft).map_err(failed)?;
         let mut writer =

@@ -1,5 +1,6 @@
 //! How far a search is, on the standard error stream.
 
+use crate::say;
 use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicI64, Ordering};
@@ -46,11 +47,11 @@ impl Progress {
         let mut open = self.open.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if self.terminal {
             // The rest of a longer line is cleared.
-            eprint!("\r\x1b[K{text}");
-            let _ = std::io::stderr().flush();
+            let mut stream = std::io::stderr();
+            let _ = write!(stream, "\r\x1b[K{text}").and_then(|()| stream.flush());
             *open = true;
         } else {
-            eprintln!("{text}");
+            say(format_args!("{text}"));
         }
     }
 }
@@ -58,7 +59,7 @@ impl Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         if *self.open.lock().unwrap_or_else(std::sync::PoisonError::into_inner) {
-            eprintln!();
+            say(format_args!(""));
         }
     }
 }

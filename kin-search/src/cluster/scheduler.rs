@@ -18,7 +18,7 @@ use tokio::time::sleep;
 use tonic::Request;
 
 use crate::function::{Functions, Settings};
-use crate::session::{self, Options};
+use crate::session::{self, Options, Signals};
 
 use super::address::{Listen, announce};
 use super::admission::Admission;
@@ -26,7 +26,7 @@ use super::codec::Codec;
 use super::fault::Fault;
 use super::identity::Identity;
 use super::options::Caller;
-use super::signals::Signals;
+use crate::say;
 
 /// How a scheduler runs.
 #[derive(Clone, Debug)]
@@ -57,7 +57,7 @@ impl Scheduler {
     /// [`Fault`], if the address cannot be had, or if Ballista reports an error.
     pub async fn run(self, functions: &Functions) -> Result<(), Fault> {
         if let Some(warning) = self.listen.warning() {
-            eprintln!("{warning}");
+            say(format_args!("{warning}"));
         }
         if self.host.is_none() && self.listen.ip().is_unspecified() {
             return Err(Fault::Nameless(self.listen));
@@ -94,7 +94,7 @@ impl Scheduler {
         let cluster = BallistaCluster::new(executors, Arc::new(jobs));
         let scheduler = create_scheduler::<LogicalPlanNode, PhysicalPlanNode>(cluster, Arc::new(config)).await?;
         admission.serve(scheduler.clone());
-        eprintln!("{identity}");
+        say(format_args!("{identity}"));
         announce(address);
         tokio::select! {
             () = signals.come() => Ok(()),

@@ -43,10 +43,16 @@ impl Argument {
 
 /// The signature of a function with these arguments, of which the last can be left out.
 ///
-/// All of them stand in the information schema. The types of a call are checked by [`coerced`].
+/// All of them stand in the information schema, which is why they are listed. The types of a call are those of
+/// [`accepted`], which come first and always fit: a list that is tried as well would make texts of numbers. A call
+/// without arguments is let through as well.
 pub(crate) fn signature(arguments: &[Argument], volatility: Volatility) -> Signature {
     let all = arguments.iter().map(|argument| data_type(argument.is_text)).collect();
-    let types = TypeSignature::OneOf(vec![TypeSignature::Exact(all), TypeSignature::UserDefined]);
+    let types = TypeSignature::OneOf(vec![
+        TypeSignature::UserDefined,
+        TypeSignature::Exact(all),
+        TypeSignature::Nullary,
+    ]);
     let mut signature = Signature::new(types, volatility);
     signature.parameter_names = Some(arguments.iter().map(|argument| argument.name.clone()).collect());
     signature
@@ -100,6 +106,14 @@ pub(crate) fn coerced(
         Ok(data_type(is_text))
     };
     types.iter().enumerate().map(one).collect()
+}
+
+/// The types to which the arguments of a call are converted; those that are given, if the call is wrong.
+///
+/// The engine replaces an error of a conversion by one of its own, which names types and no arguments. So the function
+/// itself reports the mistake, when it is asked for the type of its result.
+pub(crate) fn accepted(coerced: Result<Vec<DataType>>, given: &[DataType]) -> Vec<DataType> {
+    coerced.unwrap_or_else(|_| given.to_vec())
 }
 
 /// The names of arguments, separated by commas.

@@ -30,6 +30,7 @@ mod trace;
 mod turn;
 pub(crate) mod used;
 
+pub(crate) use arguments::accepted;
 pub use list::{Functions, functions, register};
 pub(crate) use path::ENDING;
 pub(crate) use points::{Points, text_of};

@@ -1,9 +1,9 @@
 //! The function of a mechanism that solves one pose for each row.
 
 use std::hash::{Hash, Hasher};
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
-use datafusion::arrow::array::{ArrayRef, DictionaryArray, Float64Array, StringArray, StructArray, UInt8Array};
+use datafusion::arrow::array::{ArrayRef, Float64Array, StringArray, StructArray};
 use datafusion::arrow::buffer::{BooleanBuffer, NullBuffer};
 use datafusion::arrow::datatypes::{DataType, Field, FieldRef, Fields};
 use datafusion::common::{Result, ScalarValue, exec_datafusion_err, plan_err};
@@ -13,7 +13,7 @@ use datafusion::logical_expr::{
 use kin_core::batch::{Column, Outcome, Place, Vectors};
 use kin_core::{Dimension, in_small_letters};
 
-use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, coerced, signature, valid_rows};
+use super::arguments::{Argument, FEWEST_ROWS, Numbers, Texts, accepted, coerced, signature, valid_rows};
 use super::assembly;
 use super::names::{of_order, plain, unit};
 use super::settings;
@@ -34,16 +34,17 @@ pub(crate) fn is_own(function: &datafusion::logical_expr::ScalarUDF) -> bool {
         .is_some_and(|documentation| documentation.doc_section.label == SECTION.label)
 }
 
-/// The texts of an outcome, by [`code`].
+/// The texts of all outcomes.
 const OUTCOMES: [&str; 4] = ["solved", "out_of_reach", "singular", "failed"];
 
-fn code(outcome: Outcome) -> u8 {
-    match outcome {
+/// The text of an outcome.
+fn text_of(outcome: Outcome) -> &'static str {
+    OUTCOMES[match outcome {
         Outcome::Solved => 0,
         Outcome::OutOfReach { .. } => 1,
         Outcome::Singular => 2,
         _ => 3,
-    }
+    }]
 }
 
 /// A function such as `four_bar(r1, r2, r3, r4, theta2, …)`.
@@ -144,6 +145,11 @@ impl PoseFunction {
         }
     }
 
+    /// The types to which the arguments of a call are converted, if there is such a call.
+    fn coerced(&self, types: &[DataType]) -> Result<Vec<DataType>> {
+        coerced(&self.name, &self.arguments, self.required, types)
+    }
+
     fn layout(&self, types: &[DataType]) -> Result<Layout> {
         let is_text = |place: &usize| types[*place] != DataType::Float64;
         let assembly = (self.required..types.len()).find(is_text);
@@ -175,8 +181,9 @@ impl PoseFunction {
                 fields.push(Field::new(of_order(&plain(quantity), order), DataType::Float64, true));
             }
         }
-        let outcome = DataType::Dictionary(Box::new(DataType::UInt8), Box::new(DataType::Utf8));
-        fields.push(Field::new("outcome", outcome, true));
+        // A plain text: executors of a cluster send a dictionary as its texts, and the next stage would wait for a
+        // dictionary.
+        fields.push(Field::new("outcome", DataType::Utf8, true));
         fields.push(Field::new("margin", DataType::Float64, true));
         fields.into()
     }
@@ -312,10 +319,10 @@ impl Poses {
         }
         let is_valid = |row: usize| valid.as_ref().is_none_or(|valid| valid.is_valid(row));
         let rows_with_outcomes = || self.outcomes.iter().enumerate();
-        let codes: UInt8Array = rows_with_outcomes()
-            .map(|(row, outcome)| is_valid(row).then(|| code(*outcome)))
+        let texts: StringArray = rows_with_outcomes()
+            .map(|(row, outcome)| is_valid(row).then(|| text_of(*outcome)))
             .collect();
-        arrays.push(Arc::new(DictionaryArray::try_new(codes, Arc::clone(&TEXTS))?));
+        arrays.push(Arc::new(texts));
         let margins: Float64Array = if all_solved {
             Float64Array::new_null(rows)
         } else {
@@ -327,8 +334,6 @@ impl Poses {
         Ok(StructArray::try_new_with_length(fields, arrays, valid, rows)?)
     }
 }
-
-static TEXTS: LazyLock<ArrayRef> = LazyLock::new(|| Arc::new(StringArray::from_iter_values(OUTCOMES)));
 
 /// The result of a function for all rows, or for one if all its arguments are constant.
 pub(crate) fn constant_or_column(args: &[ColumnarValue], array: ArrayRef) -> Result<ColumnarValue> {
@@ -409,13 +414,12 @@ impl ScalarUDFImpl for PoseFunction {
     }
 
     fn coerce_types(&self, types: &[DataType]) -> Result<Vec<DataType>> {
-        let types = coerced(&self.name, &self.arguments, self.required, types)?;
-        self.layout(&types)?;
-        Ok(types)
+        Ok(accepted(self.coerced(types), types))
     }
 
     fn return_type(&self, types: &[DataType]) -> Result<DataType> {
-        Ok(DataType::Struct(self.fields(self.layout(types)?.order)))
+        let types = self.coerced(types)?;
+        Ok(DataType::Struct(self.fields(self.layout(&types)?.order)))
     }
 
     fn return_field_from_args(&self, args: ReturnFieldArgs<'_>) -> Result<FieldRef> {

@@ -9,7 +9,7 @@ use datafusion::logical_expr::{ColumnarValue, Documentation, ScalarFunctionArgs,
 use kin_core::batch::{Column, Turn, Vectors};
 use kin_core::{Dimension, in_small_letters};
 
-use super::arguments::{Argument, Numbers, Texts, coerced, signature, valid_rows};
+use super::arguments::{Argument, Numbers, Texts, accepted, coerced, signature, valid_rows};
 use super::assembly;
 use super::names::{plain, unit};
 use super::pose::{choice, dimensions, documented};
@@ -122,7 +122,17 @@ impl Search {
         }
     }
 
-    pub(crate) fn coerce_types(&self, types: &[DataType]) -> Result<Vec<DataType>> {
+    /// The types to which the arguments of a call are converted.
+    pub(crate) fn accepted(&self, types: &[DataType]) -> Vec<DataType> {
+        accepted(self.coerced(types), types)
+    }
+
+    /// Refuses a call with wrong arguments.
+    pub(crate) fn check(&self, types: &[DataType]) -> Result<()> {
+        self.coerced(types).map(drop)
+    }
+
+    fn coerced(&self, types: &[DataType]) -> Result<Vec<DataType>> {
         let (types, used) = used::split_types(types);
         let mut types = coerced(&self.name, &self.arguments, self.required, types)?;
         self.places(&types)?;
@@ -144,7 +154,11 @@ impl Search {
         }
         match options.len() {
             0..=4 => Ok((texts.first().copied(), options)),
-            many => plan_err!("{} takes four options at most, and {many} are given", self.name),
+            many => plan_err!(
+                "{} takes four numbers at most after the {} that it needs, poses, speed, from and to, and {many} are given",
+                self.name,
+                self.required
+            ),
         }
     }
 
@@ -180,13 +194,13 @@ impl<'s> Call<'s> {
         let name = &self.search.name;
         let option = |index: usize| self.options.get(index).map(|numbers| numbers.at(row));
         let poses = option(0).unwrap_or(POSES);
-        if !(1.0..=MOST_POSES).contains(&poses) {
-            return exec_err!("{name} takes 1 to {MOST_POSES} poses, and not {poses}");
+        if !(1.0..=MOST_POSES).contains(&poses) || poses.fract() != 0.0 {
+            return exec_err!("{name} takes a whole number of poses from 1 to {MOST_POSES}, and not {poses}");
         }
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "it lies between 1 and a million"
+            reason = "it is a whole number between 1 and a million"
         )]
         let poses = poses as usize;
         let (turn, is_whole) = match (option(2), option(3)) {
@@ -257,10 +271,11 @@ macro_rules! function_of_a_search {
             }
 
             fn coerce_types(&self, types: &[DataType]) -> Result<Vec<DataType>> {
-                self.search.coerce_types(types)
+                Ok(self.search.accepted(types))
             }
 
-            fn return_type(&self, _: &[DataType]) -> Result<DataType> {
+            fn return_type(&self, types: &[DataType]) -> Result<DataType> {
+                self.search.check(types)?;
                 Ok(DataType::Struct(self.fields.clone()))
             }
 

@@ -7,6 +7,7 @@ use kin_search::Functions;
 use kin_search::cluster::{Client, Connection, Executor, Identity, Listen, Place, Scheduler};
 
 use super::fault::Fault;
+use super::memory::bytes;
 
 /// What `scheduler` takes.
 #[derive(Debug, clap::Args)]
@@ -44,8 +45,12 @@ pub(crate) struct ExecutorArguments {
     #[arg(long, value_name = "ADDRESS", value_parser = listen, default_value = "127.0.0.1")]
     listen: Listen,
     /// How many tasks are done at a time; one for each core of the machine if not given
-    #[arg(long)]
+    #[arg(long, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..))]
     cores: Option<usize>,
+    /// The memory that its tasks may take together, as in 512MB or 4GB. If not given, 70 % of the machine's memory for
+    /// all cores, and as much less as it works on fewer tasks at a time
+    #[arg(long, value_parser = bytes)]
+    memory: Option<usize>,
     /// Where results of stages are kept until they are fetched; among the temporary files if not given
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
@@ -61,6 +66,7 @@ impl ExecutorArguments {
                 .or_else(|| std::thread::available_parallelism().ok().map(usize::from))
                 .unwrap_or(1)
                 .max(1),
+            memory: self.memory.map(|bytes| bytes as u64),
             folder: self.folder,
         };
         Ok(executor.run(functions).await?)

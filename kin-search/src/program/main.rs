@@ -7,6 +7,7 @@ mod fault;
 mod functions;
 #[cfg(feature = "refine")]
 mod mechanisms;
+mod memory;
 #[cfg(feature = "refine")]
 mod pages;
 mod print;
@@ -18,11 +19,13 @@ mod query;
 mod refine;
 #[cfg(feature = "cluster")]
 mod scaling;
+mod table;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use kin_search::Functions;
+use kin_search::say;
 
 /// Searches of mechanisms by their dimensions, in SQL over kin's solvers
 #[derive(Debug, Parser)]
@@ -78,7 +81,7 @@ async fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
-            eprintln!("{fault}");
+            say(format_args!("{fault}"));
             fault.code()
         }
     }

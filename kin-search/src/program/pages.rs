@@ -5,12 +5,13 @@ use std::process::{Command, Stdio};
 
 use datafusion::arrow::array::{AsArray, RecordBatch};
 use datafusion::arrow::compute::cast;
-use datafusion::arrow::csv::Writer;
 use datafusion::arrow::datatypes::DataType;
 use kin_search::refine::write_pages_of;
 
 use super::fault::Fault;
 use super::mechanisms::of_mechanism;
+use super::print::separated;
+use kin_search::say;
 
 /// What `query` takes for pages.
 #[derive(Debug, clap::Args)]
@@ -36,16 +37,10 @@ impl PagesArguments {
             return Ok(());
         };
         let mechanism = mechanism(rows)?;
-        let mut table = Vec::new();
-        let mut writer = Writer::new(&mut table);
-        for rows in rows {
-            writer.write(rows).map_err(wrong)?;
-        }
-        drop(writer);
-        let table = String::from_utf8(table).map_err(wrong)?;
+        let table = separated(rows)?;
         let pages = of_mechanism!(&mechanism, |M| write_pages_of::<M>(&table, folder).map_err(wrong))?;
         for page in &pages {
-            eprintln!("{}", page.display());
+            say(format_args!("{}", page.display()));
         }
         match pages.first() {
             Some(page) if self.open => open(page),

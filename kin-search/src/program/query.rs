@@ -3,17 +3,22 @@
 use std::fs;
 use std::future::pending;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
-use datafusion::arrow::util::pretty::pretty_format_batches;
+use datafusion::arrow::array::RecordBatch;
 use datafusion::dataframe::{DataFrame, DataFrameWriteOptions};
+use datafusion::datasource::MemTable;
 use datafusion::logical_expr::LogicalPlan;
 use datafusion::prelude::SessionContext;
-use kin_search::session::{plan, statements};
-use kin_search::{Functions, Options, session};
+use kin_search::session::{Drafts, Signals, plan, rows, statements};
+use kin_search::{Functions, Options, say, session};
+use url::Url;
 
 use super::fault::{Fault, INTERRUPTED};
-use super::print::print;
+use super::memory::bytes;
+use super::print::to_output;
+use super::table::write_table;
 
 /// What `query` takes.
 #[derive(Debug, clap::Args)]
@@ -27,7 +32,7 @@ pub(crate) struct QueryArguments {
     #[arg(long, value_parser = bytes)]
     memory: Option<usize>,
     /// How many cores of this machine work; all if not given. Executors of a cluster have a limit of their own
-    #[arg(long)]
+    #[arg(long, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..))]
     cores: Option<usize>,
     #[cfg(feature = "refine")]
     #[command(flatten)]
@@ -59,50 +64,54 @@ impl Form {
     }
 }
 
-/// Answers the queries, unless Ctrl-C is pressed before.
+/// Answers the queries, unless Ctrl-C is pressed or SIGTERM comes before. Files that are not whole are removed.
 pub(crate) async fn run(arguments: QueryArguments, functions: &Functions) -> Result<(), Fault> {
-    // A search on a cluster hears Ctrl-C itself, and calls the work of the executors off. A second Ctrl-C does not wait for that.
-    #[cfg(feature = "cluster")]
-    if arguments.cluster.is_given() {
-        tokio::spawn(async {
-            if tokio::signal::ctrl_c().await.is_ok() && tokio::signal::ctrl_c().await.is_ok() {
-                std::process::exit(INTERRUPTED.into());
-            }
-        });
-        return answer(&arguments, functions).await;
-    }
-    let staged = arguments.output.as_deref().map(staged_of);
-    // A task of its own hears Ctrl-C while the query keeps this thread busy. The process ends at once: nobody waits for rows that are
-    // not wanted any more.
-    tokio::spawn(async move {
-        if tokio::signal::ctrl_c().await.is_ok() {
-            eprintln!("{}", Fault::Interrupted);
-            if let Some(staged) = staged {
-                // It may not be there yet.
-                let _ = fs::remove_file(staged);
-            }
-            std::process::exit(INTERRUPTED.into());
-        }
-    });
-    answer(&arguments, functions).await
-}
-
-/// The file in which the engine collects rows, and which takes the place of the wanted one when all are there.
-fn staged_of(path: &Path) -> PathBuf {
-    let mut staged = path.as_os_str().to_owned();
-    staged.push("#1");
-    PathBuf::from(staged)
-}
-
-async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(), Fault> {
-    let form = arguments.output.as_deref().map(Form::of).transpose()?;
-    let sql = fs::read_to_string(&arguments.file)
-        .map_err(|error| Fault::Wrong(format!("{} cannot be read: {error}", arguments.file.display())))?;
     let options = Options {
         memory: arguments.memory,
         partitions: arguments.cores,
     };
     let session = session(functions, &options)?;
+    let drafts = Drafts::of(&session);
+    let mut signals = Signals::listen().map_err(|error| Fault::Wrong(format!("cannot listen for signals: {error}")))?;
+    let begun = Arc::clone(&drafts);
+    // A search on a cluster hears the first signal itself, and calls the work of the executors off. The second one does
+    // not wait for that.
+    #[cfg(feature = "cluster")]
+    let is_first_heard = arguments.cluster.is_given();
+    #[cfg(not(feature = "cluster"))]
+    let is_first_heard = false;
+    // A task of its own hears the signal while the query keeps this thread busy. The process ends at once: nobody waits
+    // for rows that are not wanted any more.
+    tokio::spawn(async move {
+        signals.come().await;
+        if is_first_heard {
+            signals.come().await;
+        } else {
+            say(format_args!("{}", Fault::Interrupted));
+        }
+        begun.discard();
+        std::process::exit(INTERRUPTED.into());
+    });
+    let answered = answer(&arguments, functions, &session, &drafts).await;
+    if answered.is_err() {
+        drafts.discard();
+    }
+    answered
+}
+
+#[cfg_attr(
+    not(feature = "cluster"),
+    expect(unused_variables, reason = "the processes of a cluster compare their functions")
+)]
+async fn answer(
+    arguments: &QueryArguments,
+    functions: &Functions,
+    session: &SessionContext,
+    drafts: &Drafts,
+) -> Result<(), Fault> {
+    let form = arguments.output.as_deref().map(Form::of).transpose()?;
+    let sql = fs::read_to_string(&arguments.file)
+        .map_err(|error| Fault::Wrong(format!("{} cannot be read: {error}", arguments.file.display())))?;
     #[cfg(feature = "cluster")]
     let cluster = arguments.cluster.connect(functions).await?;
     let mut statements = statements(&sql)?;
@@ -110,10 +119,10 @@ async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(),
         return Err(Fault::Wrong(format!("{} has no statement", arguments.file.display())));
     }
     while let Some(statement) = statements.pop_front() {
-        let plan = plan(&session, statement).await?;
+        let plan = plan(session, statement).await?;
         #[cfg(feature = "cluster")]
         let plan = match &cluster {
-            Some(cluster) => cluster.plan(&session, plan).await?,
+            Some(cluster) => cluster.plan(session, plan).await?,
             None => plan,
         };
         #[cfg(feature = "cluster")]
@@ -126,7 +135,7 @@ async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(),
         #[cfg(not(feature = "cluster"))]
         let interrupted = pending::<()>();
         tokio::select! {
-            done = finish(&session, plan, arguments, form, statements.is_empty()) => done?,
+            done = finish(session, drafts, plan, arguments, form, statements.is_empty()) => done?,
             () = interrupted => return Err(Fault::Interrupted),
         }
     }
@@ -136,94 +145,85 @@ async fn answer(arguments: &QueryArguments, functions: &Functions) -> Result<(),
 /// Does what is left of a statement in this process. The rows of the last one go to the file and the pages that are wanted.
 async fn finish(
     session: &SessionContext,
+    drafts: &Drafts,
     plan: LogicalPlan,
     arguments: &QueryArguments,
     form: Option<Form>,
     is_last: bool,
 ) -> Result<(), Fault> {
-    let frame = session.execute_logical_plan(plan).await?;
-    #[cfg(feature = "refine")]
-    let (frame, rows) = if arguments.pages.are_wanted() && is_last {
-        let frame = frame.cache().await?;
-        (frame.clone(), frame.collect().await?)
-    } else {
-        (frame, Vec::new())
-    };
-    let output = arguments.output.as_deref().zip(form).filter(|_| is_last);
-    show(frame, output).await?;
-    #[cfg(feature = "refine")]
-    if arguments.pages.are_wanted() && is_last {
-        arguments.pages.write(&rows)?;
-    }
-    Ok(())
-}
-
-/// Prints the rows of a statement, or writes them to a file.
-async fn show(frame: DataFrame, output: Option<(&Path, Form)>) -> Result<(), Fault> {
     let start = Instant::now();
-    if let Some((path, form)) = output {
-        write(frame, path, form).await?;
-        eprintln!(
-            "{} is written in {:.2} s",
-            path.display(),
-            start.elapsed().as_secs_f64()
-        );
-        return Ok(());
-    }
-    let has_columns = !frame.schema().fields().is_empty();
-    let rows = frame.collect().await?;
-    if has_columns {
-        let table = pretty_format_batches(&rows).map_err(|error| Fault::Wrong(error.to_string()))?;
-        print(&format!("{table}\n"))?;
-        let count: usize = rows.iter().map(datafusion::arrow::array::RecordBatch::num_rows).sum();
-        eprintln!("{count} rows in {:.2} s", start.elapsed().as_secs_f64());
+    let frame = session.execute_logical_plan(with_address(plan)?).await?;
+    let output = arguments.output.as_deref().zip(form).filter(|_| is_last);
+    #[cfg(feature = "refine")]
+    let has_pages = arguments.pages.are_wanted() && is_last;
+    #[cfg(not(feature = "refine"))]
+    let has_pages = false;
+    let seconds = || start.elapsed().as_secs_f64();
+    match output {
+        Some((path, form)) if !has_pages => {
+            write(frame, path, form).await?;
+            publish(drafts)?;
+            say(format_args!("{} is written in {:.2} s", path.display(), seconds()));
+        }
+        _ => {
+            let schema = Arc::clone(frame.schema().inner());
+            let rows = rows(frame).await?;
+            publish(drafts)?;
+            if let Some((path, form)) = output {
+                let table = MemTable::try_new(schema, vec![rows.clone()])?;
+                write(session.read_table(Arc::new(table))?, path, form).await?;
+                publish(drafts)?;
+                say(format_args!("{} is written in {:.2} s", path.display(), seconds()));
+            } else if !schema.fields().is_empty() {
+                to_output(|output| write_table(output, &schema, &rows))?;
+                let count: usize = rows.iter().map(RecordBatch::num_rows).sum();
+                say(format_args!("{count} rows in {:.2} s", seconds()));
+            }
+            #[cfg(feature = "refine")]
+            if has_pages {
+                arguments.pages.write(&rows)?;
+            }
+        }
     }
     Ok(())
 }
 
-/// Writes rows to a file. The engine collects them in a [file beside it](staged_of), and removes that file if the query fails.
+/// Gives the files of a statement their names.
+fn publish(drafts: &Drafts) -> Result<(), Fault> {
+    drafts
+        .publish()
+        .map_err(|(path, error)| Fault::Wrong(format!("{} cannot be written: {error}", path.display())))
+}
+
+/// Writes rows to a file, which is a draft until it is [published](publish).
 async fn write(frame: DataFrame, path: &Path, form: Form) -> Result<(), Fault> {
-    let Some(name) = path.to_str() else {
-        return Err(Fault::Wrong(format!("{} is no text", path.display())));
-    };
+    let address = address(path)?;
     let options = DataFrameWriteOptions::new().with_single_file_output(true);
     match form {
-        Form::Parquet => frame.write_parquet(name, options, None).await,
-        Form::Csv => frame.write_csv(name, options, None).await,
-        Form::Json => frame.write_json(name, options, None).await,
+        Form::Parquet => frame.write_parquet(address.as_str(), options, None).await,
+        Form::Csv => frame.write_csv(address.as_str(), options, None).await,
+        Form::Json => frame.write_json(address.as_str(), options, None).await,
     }?;
     Ok(())
 }
 
-/// A number of bytes, as in `512MB` or `2GiB`.
-fn bytes(text: &str) -> Result<usize, String> {
-    let wrong = || format!("`{text}` is no amount of memory; write it as 512MB or 4GB");
-    let digits = text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
-    let unit: usize = match text[digits.len()..].to_ascii_uppercase().as_str() {
-        "" | "B" => 1,
-        "KB" => 1_000,
-        "MB" => 1_000_000,
-        "GB" => 1_000_000_000,
-        "KIB" => 1 << 10,
-        "MIB" => 1 << 20,
-        "GIB" => 1 << 30,
-        _ => return Err(wrong()),
-    };
-    let count: usize = digits.trim().parse().map_err(|_| wrong())?;
-    count.checked_mul(unit).filter(|bytes| *bytes > 0).ok_or_else(wrong)
+/// The address of a file. The engine takes some letters of a path for patterns, and does not in an address.
+fn address(path: &Path) -> Result<Url, Fault> {
+    let address = std::path::absolute(path)
+        .ok()
+        .and_then(|path| Url::from_file_path(path).ok());
+    address.ok_or_else(|| Fault::Wrong(format!("{} is no path of a file", path.display())))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::bytes;
-
-    #[test]
-    fn amounts_of_memory() {
-        assert_eq!(bytes("512MB"), Ok(512_000_000));
-        assert_eq!(bytes("2 GiB"), Ok(2 << 30));
-        assert_eq!(bytes("7"), Ok(7));
-        for wrong in ["", "MB", "0", "3 apples", "99999999999GB"] {
-            assert!(bytes(wrong).is_err(), "{wrong}");
+/// A statement with the address of the file to which it copies, if the path has letters of patterns.
+fn with_address(plan: LogicalPlan) -> Result<LogicalPlan, Fault> {
+    Ok(match plan {
+        LogicalPlan::Copy(mut copy)
+            if copy.output_url.contains(['?', '*', '[']) && Url::parse(&copy.output_url).is_err() =>
+        {
+            copy.output_url = address(Path::new(&copy.output_url))?.into();
+            LogicalPlan::Copy(copy)
         }
-    }
+        other => other,
+    })
 }

@@ -1,21 +1,24 @@
 //! `refine`: the best candidates of a query, polished and checked.
 
-use std::fs;
+use std::fmt::Display;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use datafusion::parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use kin_core::Mechanism;
 use kin_search::refine::{Job, polish};
+use kin_search::say;
 
 use super::fault::Fault;
 use super::mechanisms::of_mechanism;
-use super::print::print;
+use super::print::{print, separated};
 
 /// What `refine` takes.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RefineArguments {
     /// The job: a file of JSON with the targets and the bounds
     job: PathBuf,
-    /// The candidates: a file .csv that `query --output` has written, the best ones first
+    /// The candidates: a file .csv or .parquet that `query --output` has written, the best ones first
     #[arg(long, value_name = "FILE")]
     candidates: PathBuf,
     /// Refine this many of the first rows, each in all its assemblies; all if not given
@@ -32,12 +35,24 @@ pub(crate) struct RefineArguments {
 /// Prints the results as comma-separated values, and what was dropped to the standard error.
 pub(crate) fn run(arguments: &RefineArguments) -> Result<(), Fault> {
     let job = Job::read(&text(&arguments.job)?).map_err(wrong)?;
-    let candidates = text(&arguments.candidates)?;
+    let candidates = table(&arguments.candidates)?;
     of_mechanism!(&job.mechanism, |M| refined::<M>(arguments, &job, &candidates))
 }
 
 fn text(path: &Path) -> Result<String, Fault> {
     fs::read_to_string(path).map_err(|error| Fault::Wrong(format!("{} cannot be read: {error}", path.display())))
+}
+
+/// A file of rows as comma-separated values.
+fn table(path: &Path) -> Result<String, Fault> {
+    if path.extension().is_none_or(|ending| ending != "parquet") {
+        return text(path);
+    }
+    let unread = |error: &dyn Display| Fault::Wrong(format!("{} cannot be read: {error}", path.display()));
+    let file = File::open(path).map_err(|error| unread(&error))?;
+    let rows = ParquetRecordBatchReaderBuilder::try_new(file).and_then(ParquetRecordBatchReaderBuilder::build);
+    let rows: Result<Vec<_>, _> = rows.map_err(|error| unread(&error))?.collect();
+    separated(&rows.map_err(|error| unread(&error))?)
 }
 
 fn wrong(error: impl std::fmt::Display) -> Fault {
@@ -55,13 +70,17 @@ where
     let candidates = job.candidates::<M>(candidates, best).map_err(wrong)?;
     let found = polish(&objective, &candidates, &job.settings(arguments.threads.unwrap_or(0))).map_err(wrong)?;
     print(&found.table())?;
-    eprintln!("{} candidates, {} kept", candidates.len(), found.results.len());
+    say(format_args!(
+        "{} candidates, {} kept",
+        candidates.len(),
+        found.results.len()
+    ));
     for (kind, count) in found.counts() {
-        eprintln!("{count} dropped: {kind}");
+        say(format_args!("{count} dropped: {kind}"));
     }
     if let Some(folder) = &arguments.pages {
         for path in found.write_pages(&objective, folder).map_err(wrong)? {
-            eprintln!("{}", path.display());
+            say(format_args!("{}", path.display()));
         }
     }
     Ok(())

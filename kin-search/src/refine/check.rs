@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use kin_core::cycle::{Branch, Cycle, FullCycle};
+use kin_core::cycle::{Branch, Cycle, FullCycle, Incomplete};
 use kin_core::{Mechanism, Row};
 
 use super::defect::Defect;
@@ -39,6 +39,13 @@ pub(super) fn check<M: Mechanism<Scalar = f64>>(
         return Err(undecided(format!(
             "the assembly between the inputs {low:.6} and {high:.6}"
         )));
+    }
+    if let Some(reason) = cycle
+        .incomplete()
+        .iter()
+        .find(|reason| matches!(reason, Incomplete::Rounding { .. }))
+    {
+        return Err(undecided(reason.to_string()));
     }
     let inputs = objective.inputs_of(design);
     let places = one_branch(&cycle, design.assembly, &inputs)?;

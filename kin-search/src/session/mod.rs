@@ -1,7 +1,11 @@
-//! A session of queries in this process: its functions and its limits.
+//! A session of queries in this process: its functions, its limits, and the files that it writes.
 
+mod drafts;
 mod fields;
+mod memory;
 mod points;
+mod rows;
+mod signals;
 
 use std::sync::Arc;
 
@@ -10,15 +14,21 @@ use datafusion::execution::runtime_env::RuntimeEnvBuilder;
 use datafusion::execution::session_state::{SessionState, SessionStateBuilder};
 use datafusion::prelude::{SessionConfig, SessionContext};
 
+pub use drafts::Drafts;
+#[cfg(feature = "cluster")]
+pub(crate) use drafts::draft_of;
 pub use points::{plan, statements};
+pub use rows::rows;
+pub use signals::Signals;
 
 use crate::function::{Functions, Settings};
 
 /// The limits of a session.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The memory that a query may take, in bytes. A query that needs more ends with an error, or writes to the disk
-    /// where its operators can.
+    /// The memory that a query may take for what its sorts, groups and joins hold, in bytes, and for the rows of
+    /// [`rows`]. A query that needs more ends with an error, or writes to the disk where its operators can. Tables that
+    /// are made in memory do not count.
     pub memory: Option<usize>,
     /// The number of parts of a query that run at the same time, one for each core if it is not given.
     pub partitions: Option<usize>,
@@ -47,7 +57,7 @@ pub fn config(options: &Options) -> SessionConfig {
 pub fn state(functions: &Functions, config: SessionConfig, options: &Options) -> Result<SessionState> {
     let mut runtime = RuntimeEnvBuilder::new();
     if let Some(memory) = options.memory {
-        runtime = runtime.with_memory_limit(memory, 1.0);
+        runtime = runtime.with_memory_pool(memory::pool(memory));
     }
     let mut state = SessionStateBuilder::new()
         .with_config(config)

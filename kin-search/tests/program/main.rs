@@ -1,12 +1,14 @@
 //! The program, as a process.
 
 use std::fs;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read as _};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 #[cfg(all(feature = "problem", feature = "refine"))]
 mod straight_line;
+mod whole_files;
 
 /// A process that ends with its test, whatever happens.
 struct Process(Child);
@@ -16,6 +18,21 @@ impl Drop for Process {
         // It may have ended by itself.
         let _ = self.0.kill();
         let _ = self.0.wait();
+    }
+}
+
+impl Process {
+    /// Waits for a line of the standard output that contains a text.
+    fn wait_for(&mut self, text: &str) {
+        let mut lines = BufReader::new(self.0.stdout.as_mut().unwrap()).lines();
+        assert!(lines.any(|line| line.unwrap().contains(text)), "{text}");
+    }
+
+    #[cfg(unix)]
+    fn signal(&self, signal: &str) {
+        let mut kill = Command::new("kill");
+        let sent = kill.arg(format!("-{signal}")).arg(self.0.id().to_string()).status();
+        assert!(sent.unwrap().success());
     }
 }
 
@@ -92,6 +109,10 @@ fn mistakes_end_with_a_message() {
             ],
             ".parquet",
         ),
+        (
+            vec![file("arguments.sql", "select four_bar(1, 2, 3)").display().to_string()],
+            "four_bar takes 5 to 10 arguments, and 3 are given",
+        ),
     ] {
         let output = program().arg("query").args(arguments).output().unwrap();
         let message = String::from_utf8(output.stderr).unwrap();
@@ -114,14 +135,8 @@ fn an_interrupt_cancels_the_query() {
         .spawn()
         .unwrap();
     let mut process = Process(child);
-    let mut lines = BufReader::new(process.0.stdout.take().unwrap()).lines();
-    assert!(lines.any(|line| line.unwrap().contains("started")));
-    let sent = Command::new("kill")
-        .arg("-INT")
-        .arg(process.0.id().to_string())
-        .status()
-        .unwrap();
-    assert!(sent.success());
+    process.wait_for("started");
+    process.signal("INT");
     let status = process.0.wait().unwrap();
     let messages: Vec<String> = BufReader::new(process.0.stderr.take().unwrap())
         .lines()
@@ -131,5 +146,143 @@ fn an_interrupt_cancels_the_query() {
     assert!(
         messages.iter().any(|line| line == "the query is cancelled"),
         "{messages:?}"
+    );
+}
+
+/// `kin-search query … 2>&1 | head -1`
+#[test]
+fn a_reader_that_goes_away_is_no_mistake() {
+    let query = file("rows.sql", "select value from range(0, 30000)");
+    for (arguments, code) in [(vec![query], 0), (vec![PathBuf::from("nowhere.sql")], 1)] {
+        let mut child = program()
+            .arg("query")
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop((child.stdout.take(), child.stderr.take()));
+        assert_eq!(Process(child).0.wait().unwrap().code(), Some(code));
+    }
+}
+
+#[test]
+fn letters_that_are_patterns_of_the_engine_stand_in_names_of_files() {
+    let name = "a?[1] é%20*.csv";
+    let path = file(name, "");
+    let query = file("one.sql", "select 1 as one");
+    let output = program()
+        .arg("query")
+        .arg(query)
+        .arg("--output")
+        .arg(&path)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(fs::read_to_string(&path).unwrap(), "one\n1\n");
+    let copy = file("two.sql", &format!("copy (select 2 as two) to '{}'", path.display()));
+    let output = program().arg("query").arg(copy).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(fs::read_to_string(&path).unwrap(), "two\n2\n");
+}
+
+#[test]
+fn no_cores_are_refused() {
+    let query = file("cores.sql", "select 1 as one");
+    let output = program()
+        .arg("query")
+        .arg(query)
+        .args(["--cores", "0"])
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(!output.status.success() && message.contains("--cores"), "{message}");
+}
+
+/// The query stood still for ever with two threads that hand rows to each other and write them to the disk.
+#[test]
+fn a_query_that_needs_too_much_memory_ends_with_an_error() {
+    let groups = "select value % 1500000 as k, count(*) as n, max(candidate(value, 1, 1, 0, 1)) as m from range(0, 3000000) \
+                  group by 1 order by m, k limit 3";
+    // The rows that are printed count as well.
+    let rows = "select value, value + 1 as next from range(0, 1000000)";
+    for (name, sql, memory) in [("groups.sql", groups, "1500KB"), ("many.sql", rows, "3MB")] {
+        let query = file(name, sql);
+        let arguments = ["--memory", memory, "--cores", "2"];
+        let child = program()
+            .arg("query")
+            .arg(query)
+            .args(arguments)
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut process = Process(child);
+        let until = Instant::now() + Duration::from_mins(2);
+        let status = loop {
+            match process.0.try_wait().unwrap() {
+                Some(status) => break status,
+                None if Instant::now() > until => panic!("{name} stands still"),
+                None => std::thread::sleep(Duration::from_millis(20)),
+            }
+        };
+        let mut message = String::new();
+        process.0.stderr.take().unwrap().read_to_string(&mut message).unwrap();
+        assert_eq!(status.code(), Some(1), "{name}: {message}");
+        assert!(message.contains("Resources exhausted"), "{name}: {message}");
+    }
+}
+
+/// The candidates of a refinement are the same, whatever the form of their file.
+#[cfg(feature = "refine")]
+#[test]
+fn candidates_of_a_refinement_are_read_from_both_forms() {
+    let job = file(
+        "job.json",
+        r#"{ "mechanism": "hoeken_linkage", "evaluations": 100, "bounds": { "crank": [0.5, 1.5], "coupler": [2, 3] },
+             "goal": { "path": { "point": "tracer", "targets": [[0, 4.0], [1, 4.0], [2, 4.0], [3, 4.0], [4, 4.0]] } } }"#,
+    );
+    let query = file(
+        "hoeken.sql",
+        "select value as id, 2e0 as ground, 1.1 + 0.1 / 3 * value as crank, 2.6e0 as coupler, 'open' as assembly \
+         from range(0, 3) order by id",
+    );
+    let refined = |candidates: &PathBuf| {
+        let output = program()
+            .arg("refine")
+            .arg(&job)
+            .arg("--candidates")
+            .arg(candidates)
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let tables = ["csv", "parquet"].map(|ending| {
+        let candidates = query.with_extension(ending);
+        let written = program()
+            .arg("query")
+            .arg(&query)
+            .arg("--output")
+            .arg(&candidates)
+            .status();
+        assert!(written.unwrap().success());
+        refined(&candidates)
+    });
+    assert_eq!(tables[0].lines().count(), 4, "{}", tables[0]);
+    assert_eq!(tables[0], tables[1]);
+    // A file of another form says so.
+    let wrong = file("wrong.parquet", "id,ground\n");
+    let output = program()
+        .arg("refine")
+        .arg(&job)
+        .arg("--candidates")
+        .arg(wrong)
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        output.status.code() == Some(1) && message.contains("wrong.parquet cannot be read"),
+        "{message}"
     );
 }

@@ -33,7 +33,7 @@ function solve({ r, l }, { theta }, assembly) {
   const height = sine.map((value) => r * value);
   const square = times(height, height).map((value, order) => (order === 0 ? l * l - value : -value));
   if (!(square[0] > 1e-300)) {
-    return { ok: false, check: "reach of a line and a circle", block: "s", margin: l - Math.abs(height[0]) };
+    return { ok: false, check: "reach of a circle and a line", block: "s", margin: l - Math.abs(height[0]) };
   }
   const near = root(square);
   const sign = assembly >= 0 ? 1 : -1;

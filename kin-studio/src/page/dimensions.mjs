@@ -1,9 +1,9 @@
 /** The drawer: a slider and a field for each dimension, for the inputs that stand still, and for the speed. */
-import { made } from "./elements.mjs";
-import { numberText, unitFactor, unitText } from "./numbers.mjs";
+import { made, tell } from "./elements.mjs";
+import { numberText, unitFactor, unitText, withUnit } from "./numbers.mjs";
 
 /**
- * @typedef {{name: string, text: string, note: string, dimension: string, order: number, group: "parameters" | "standing" | "speed"}} Entry
+ * @typedef {{name: string, declared: string, text: string, note: string, dimension: string, order: number, group: "parameters" | "standing" | "speed"}} Entry
  */
 
 /**
@@ -24,25 +24,33 @@ export function createSliders(place, model, given, changed) {
     const label = made("label", { for: id, title: entry.note }, entry.text);
     const head = made("div", { className: "row" }, label, made("span", {}, field, " ", unit));
     const note = entry.note ? [made("p", { className: "quiet-text" }, entry.note)] : [];
-    const box = made("div", { className: "dimension" }, head, slider, ...note);
+    const caution = made("p", { className: "caution", role: "status" });
+    const box = made("div", { className: "dimension" }, head, slider, caution, ...note);
     place.append(box);
     const factor = () => unitFactor(entry.dimension, degrees);
+    const last = () => withUnit(numberText(Number(slider.value)), unitText(entry.dimension, entry.order, model.units, degrees));
     for (const input of [slider, field]) {
       input.addEventListener("input", () => {
-        const value = Number(input.value);
-        if (input.value !== "" && Number.isFinite(value)) {
-          changed(entry.group, entry.name, value / factor());
+        tell(caution, cautionOf(entry, input.value, valueIn(given, entry), last()));
+        if (isTaken(entry, input.value)) {
+          changed(entry.group, entry.name, Number(input.value) / factor());
         }
       });
     }
+    field.addEventListener("blur", () => {
+      if (!isTaken(entry, field.value)) {
+        field.value = String(Number(Number(slider.value).toPrecision(8)));
+        tell(caution, cautionOf(entry, field.value, valueIn(given, entry), ""));
+      }
+    });
     const [low, high] = boundsOf(entry, valueIn(given, entry), size);
-    return { entry, slider, field, unit, box, low, high, factor };
+    return { entry, slider, field, unit, caution, box, low, high, factor };
   });
   return {
     /** @param {import("./model.mjs").Design} design @param {boolean} inDegrees */
     show(design, inDegrees) {
       degrees = inDegrees;
-      for (const { entry, slider, field, unit, box, low, high, factor } of entries) {
+      for (const { entry, slider, field, unit, caution, box, low, high, factor } of entries) {
         const value = valueIn(design, entry) * factor();
         slider.min = String(low * factor());
         slider.max = String(high * factor());
@@ -50,6 +58,7 @@ export function createSliders(place, model, given, changed) {
         const text = String(Number(value.toPrecision(8)));
         if (document.activeElement !== field) {
           field.value = text;
+          tell(caution, cautionOf(entry, text, valueIn(given, entry), ""));
         }
         unit.textContent = unitText(entry.dimension, entry.order, model.units, degrees);
         slider.setAttribute("aria-valuetext", `${numberText(value)} ${unit.textContent}`);
@@ -59,11 +68,35 @@ export function createSliders(place, model, given, changed) {
   };
 }
 
+/** Whether what was typed is a value of an entry. */
+function isTaken({ group }, typed) {
+  const value = Number(typed);
+  return typed !== "" && Number.isFinite(value) && !(group === "speed" && value === 0);
+}
+
+/**
+ * What is to be said of a value that was typed, or nothing.
+ * @param {Entry} entry
+ * @param {string} typed
+ * @param {number} usual the value of the report
+ * @param {string} last the value that is shown, with its unit
+ */
+export function cautionOf(entry, typed, usual, last) {
+  if (!isTaken(entry, typed)) {
+    return `${typed === "" ? "This is no number" : "A speed is not zero"}: ${last} is still shown.`;
+  }
+  const value = Number(typed);
+  if (entry.group !== "parameters" || entry.dimension !== "length" || entry.declared.includes(".") || !(usual > 0) || value > 0) {
+    return "";
+  }
+  return value === 0 ? "A link of length zero joins its pins into one." : "A link of a negative length points half a turn away from its angle; an offset lies on the other side.";
+}
+
 function entriesOf(model) {
   const { parameters, inputs } = model;
-  const entry = (group, order) => ({ name, text, documentation, dimension }) => ({ group, order, name, dimension, text: text || name, note: (documentation ?? "").replaceAll("`", "") });
+  const entry = (group, order) => ({ name, text, declared, documentation, dimension }) => ({ group, order, name, declared, dimension, text: text || name, note: (documentation ?? "").replaceAll("`", "") });
   const standing = inputs.filter(({ name }) => name !== model.moving.name).map(entry("standing", 0));
-  const speed = { group: "speed", order: 1, name: "speed", text: `Speed of ${model.moving.text}`, note: "", dimension: model.moving.dimension };
+  const speed = { group: "speed", order: 1, name: "speed", declared: "speed", text: `Speed of ${model.moving.text}`, note: "", dimension: model.moving.dimension };
   return [...parameters.map(entry("parameters", 0)), ...standing, speed];
 }
 

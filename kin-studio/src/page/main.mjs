@@ -7,20 +7,20 @@ import { inputText, marksOf, stopText } from "./marks.mjs";
 import { blockText, createModel, givenDesign, reasonToRefuse, sameDesign } from "./model.mjs";
 import { nearestInput } from "./nearest.mjs";
 import { numberText, withUnit } from "./numbers.mjs";
+import { paceText, pacesAround, secondsOf, watchablePace } from "./pace.mjs";
 import { createPaper } from "./paper.mjs";
 import { givenPeaks, ownPeaks } from "./peaks.mjs";
 import { createPicture } from "./picture.mjs";
 import { createPlots } from "./plots.mjs";
 import { circleOfCurvature, instantCentre, ratesOfJoints } from "./rates.mjs";
+import { gapText } from "./reasons.mjs";
 import { handOver, pictureFile, pictureOfPixels, sweepTable } from "./saving.mjs";
 import { createScrubber } from "./scrubber.mjs";
-import { allRows, gapText, innerRows, isAtLimit, movedInput, rowAt, spanAt, sweepDesign } from "./sweep.mjs";
+import { allRows, innerRows, isAtLimit, movedInput, rowAt, spanAt, sweepDesign } from "./sweep.mjs";
 import { poorTransmission, worstTransmission } from "./transmission.mjs";
 import { createView, fitView, flat } from "./view.mjs";
 import { poseText } from "./words.mjs";
 
-/** Seconds for the whole range at the pace 1. */
-const SECONDS = 8;
 /** What can be shown in the picture, with its words. */
 const OPTIONS = [
   ["names", "Names"],
@@ -53,6 +53,7 @@ export function start(report, solver) {
   const model = createModel(report, solver);
   const given = givenDesign(model);
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const watchable = watchablePace(model, given);
   const state = {
     design: structuredClone(given),
     reference: null,
@@ -67,7 +68,7 @@ export function start(report, solver) {
     playing: false,
     hovering: false,
     once: 0,
-    pace: 1,
+    pace: watchable,
     forward: 1,
     held: 0,
     followed: [],
@@ -95,7 +96,7 @@ export function start(report, solver) {
   const paper = createPaper(part("paper"), model, (x) => goTo(x));
   const sliders = createSliders(part("sliders"), model, given, (group, name, value) => {
     if (group === "speed") {
-      state.design.speed = value || 1e-9;
+      state.design.speed = value;
     } else {
       state.design[group][name] = value;
     }
@@ -179,7 +180,7 @@ export function start(report, solver) {
       state.x = ends.reduce((near, end) => (Math.abs(end - state.x) < Math.abs(near - state.x) ? end : near));
     }
     if (sweep.spans.length === 0) {
-      say(`It closes nowhere in this assembly: ${gapText(model, sweep.gaps[0], amount(-sweep.gaps[0].margin))}.`, true);
+      say(`It closes nowhere in this assembly: ${gapText(model, sweep.gaps[0], amount)}.`, true);
     } else {
       say("", false);
     }
@@ -229,7 +230,7 @@ export function start(report, solver) {
       state.held -= seconds;
       return;
     }
-    const change = (state.forward * state.pace * seconds * (model.to - model.from)) / SECONDS;
+    const change = state.forward * state.pace * seconds * Math.abs(state.design.speed) * secondsOf(model.units.time);
     const moved = movedInput(model, sweep, state.x, change);
     state.x = moved.x;
     if (state.once > 0) {
@@ -623,8 +624,7 @@ export function start(report, solver) {
     document.title = report.title;
     tell(part("title"), report.title);
     tell(part("subtitle"), (report.documentation ?? "").split(/\n\s*\n/)[0].replaceAll("\n", " ").replaceAll("`", ""));
-    const paces = [["0.25", "¼"], ["0.5", "½"], ["1", "1"], ["2", "2"], ["4", "4"]];
-    part("pace").append(...paces.map(([value, text]) => made("option", { value, selected: value === "1" }, `${text}×`)));
+    part("pace").append(...pacesAround(watchable).map((pace) => made("option", { value: String(pace), selected: pace === watchable }, paceText(pace))));
     part("assembly").append(
       ...report.assemblies.map((assembly, index) => made("option", { value: String(index), selected: index === state.assembly }, nameOfAssembly(assembly))),
     );
@@ -804,7 +804,6 @@ export function start(report, solver) {
     unsolved = true;
   } else if (!still) {
     state.once = model.to - model.from;
-    state.pace = 1;
     setPlaying(true);
   }
   ask();

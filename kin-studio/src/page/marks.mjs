@@ -1,7 +1,7 @@
 /** The ends of what closes, and the places within it that matter: exact ones of the report, or the page's own. */
 import { numberText, unitFactor, unitText, withUnit } from "./numbers.mjs";
 import { blockText } from "./model.mjs";
-import { gapText } from "./sweep.mjs";
+import { gapText } from "./reasons.mjs";
 
 const KINDS = {
   Limit: "Limit",
@@ -25,7 +25,7 @@ export function marksOf(model, sweep, assembly, given) {
     for (const x of [gap.from, gap.to]) {
       const inside = x > model.from + 1e-9 && x < model.to - 1e-9;
       if (inside && !exact.some((mark) => isThere(model, mark, x))) {
-        marks.push({ x, kind: gap.lost ? "Lost" : "Limit", text: gapText(model, gap, ""), own: true });
+        marks.push({ x, kind: gap.lost ? "Lost" : "Limit", text: gapText(model, gap, null), own: true });
       }
     }
   }
@@ -105,6 +105,6 @@ export function stopText(model, marks, gaps, x, degrees) {
     return `End of the range at ${place}.`;
   }
   const gap = gaps.find(({ from, to }) => Math.abs(from - x) < 1e-6 || Math.abs(to - x) < 1e-6);
-  const reason = mark.text || (gap ? gapText(model, gap, "") : "");
+  const reason = mark.text || (gap ? gapText(model, gap, null) : "");
   return `${kindText(mark.kind)} at ${place}${reason ? `: ${reason}` : ""}.`;
 }

@@ -189,13 +189,19 @@ function isCylinder(model, scene, slide) {
   return model.outline.slides[slide].guide !== null && (model.space || scene.anatomy.drivenSlides[slide]);
 }
 
+/** Whether a slide stands: its joint keeps its place on the body, which is as long as an input that does not move. */
+function standsStill(model, scene, slide) {
+  const [low, high] = scene.sweep.travel[slide];
+  return model.outline.slides[slide].guide !== null && high - low <= 1e-9 * Math.max(Math.abs(low), Math.abs(high));
+}
+
 function cornersOf(model, scene, body, joints, pose) {
   const corners = model.outline.bodies[body].joints.map((joint) => joints[joint]);
   model.outline.slides.forEach(({ joint, guide }, slide) => {
     if (guide !== body) {
       return;
     }
-    if (isCylinder(model, scene, slide)) {
+    if (isCylinder(model, scene, slide) || standsStill(model, scene, slide)) {
       corners.push(joints[joint]);
     } else {
       const [from, to] = guideOf(model, scene, slide, pose);
@@ -268,7 +274,7 @@ function bodies(layer, hits, model, scene, joints, room) {
   model.outline.bodies.forEach((_, body) => {
     const { driven, colours } = scene.anatomy;
     const corners = cornersOf(model, scene, body, joints, scene.pose);
-    const cylinder = model.outline.slides.some(({ guide }, slide) => guide === body && isCylinder(model, scene, slide));
+    const cylinder = model.outline.slides.some(({ guide }, slide) => guide === body && isCylinder(model, scene, slide) && !standsStill(model, scene, slide));
     const outer = hull(corners);
     const shifted = model.outline.slides.some(({ guide }, slide) => guide === body && scene.anatomy.drivenSlides[slide]);
     const colour = driven[body] || shifted ? "driven" : colours[body] === null ? "plain" : `c${colours[body]}`;
@@ -300,7 +306,7 @@ function bodies(layer, hits, model, scene, joints, room) {
 function sliders(layer, model, scene, joints, room) {
   layer.begin();
   model.outline.slides.forEach(({ joint }, slide) => {
-    if (isCylinder(model, scene, slide)) {
+    if (isCylinder(model, scene, slide) || standsStill(model, scene, slide)) {
       return;
     }
     const [x, y] = directionOf(model, scene, slide);
@@ -405,8 +411,10 @@ function names(layer, model, scene, joints, room, choices) {
       write(`p${index}`, [onPage(scene.view, placeOf(model, followed, scene.pose.joints))], followed.name, "of-point");
     });
     scene.centres.forEach(({ at, name }, index) => write(`i${index}`, [onPage(scene.view, at)], name, "of-centre"));
-    model.outline.bodies.forEach(({ name }, body) => {
-      const outer = hull(cornersOf(model, scene, body, joints, scene.pose));
+    model.outline.bodies.forEach(({ name, joints: own }, body) => {
+      const corners = cornersOf(model, scene, body, joints, scene.pose);
+      // a plate has the name of the line from its first joint to the second
+      const outer = own.length > 2 ? corners.slice(0, 2) : hull(corners);
       const around = [];
       for (const part of [0.5, 0.35, 0.65, 0.2, 0.8]) {
         outer.forEach((from, index) => {

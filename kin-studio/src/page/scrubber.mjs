@@ -2,6 +2,7 @@
 import { change, drawn, line, tell, tenth } from "./elements.mjs";
 import { inputText, kindText } from "./marks.mjs";
 import { ticks, unitFactor } from "./numbers.mjs";
+import { shortfallOf } from "./reasons.mjs";
 
 const SIDE = 22;
 const TRACK = 40;
@@ -21,24 +22,26 @@ export function createScrubber(svg, model) {
 
   return {
     /**
-     * @param {{width: number, sweep: import("./sweep.mjs").Sweep, marks: import("./sweep.mjs").Mark[], poor: [number, number][], degrees: boolean, amount: (margin: number) => string}} seen
+     * @param {{width: number, sweep: import("./sweep.mjs").Sweep, marks: import("./sweep.mjs").Mark[], poor: [number, number][], degrees: boolean, amount: (length: number) => string}} seen
      */
     draw({ width: whole, sweep, marks, poor, degrees, amount }) {
       width = whole;
       still.replaceChildren();
-      for (const { from, to, margin, lost } of sweep.gaps) {
+      for (const gap of sweep.gaps) {
+        const { from, to, lost } = gap;
+        const short = shortfallOf(gap);
         const [left, right] = [across(from), across(to)];
         const title = drawn("title", {}, drawn("rect", { x: left, width: Math.max(1, right - left), y: TRACK - THICK / 2, height: THICK, class: "gap" }, still));
         const known = marks.some((mark) => !mark.own && Math.min(Math.abs(mark.x - from), Math.abs(mark.x - to)) < 1e-5 * (model.to - model.from));
-        const text = lost && !known ? "assembly lost" : margin < 0 && Number.isFinite(margin) ? `out of reach by ${amount(-margin)}` : "does not close";
+        const text = lost && !known ? "assembly lost" : Number.isFinite(short) ? `out of reach by ${amount(short)}` : "does not close";
         title.textContent = text;
         let d = "";
         for (let x = left + 3; x < right - 2; x += 7) {
           d += line([[x, TRACK + 5], [x + 5, TRACK - 5]]);
         }
         drawn("path", { d, class: "gap-hatch" }, still);
-        const short = right - left > 6.2 * text.length ? text : right - left > 80 && margin < 0 && !lost ? `short by ${amount(-margin)}` : "";
-        drawn("text", { x: tenth(0.5 * (left + right)), y: TRACK - 13, class: "quiet middle" }, still).textContent = short;
+        const label = right - left > 6.2 * text.length ? text : right - left > 80 && Number.isFinite(short) && !lost ? `short by ${amount(short)}` : "";
+        drawn("text", { x: tenth(0.5 * (left + right)), y: TRACK - 13, class: "quiet middle" }, still).textContent = label;
       }
       for (const { from, to } of sweep.spans) {
         drawn("rect", { x: across(from), width: Math.max(1, across(to) - across(from)), y: TRACK - THICK / 2, height: THICK, class: "closes" }, still);

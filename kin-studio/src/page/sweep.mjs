@@ -1,5 +1,5 @@
 /** The whole turn of a design in one assembly: its poses, where it closes, and where it does not. */
-import { blockText, movedOn, solveAt, valuesNear } from "./model.mjs";
+import { movedOn, solveAt, valuesNear } from "./model.mjs";
 
 /** Parts of the range. */
 const PARTS = 360;
@@ -29,9 +29,7 @@ const ASTRAY = 1e-3;
 export function sweepDesign(model, design, assembly) {
   const found = model.frames ? standing(model) : model.coupled ? goOn(model, design, assembly) : lookAround(model, design, assembly.argument);
   const { spans, gaps } = found;
-  for (const span of spans) {
-    unwind(model, span.rows);
-  }
+  unwind(model, spans);
   const full = gaps.length === 0 && spans.length === 1 && Math.abs(model.to - model.from - model.period) < 1e-9;
   const sweep = { spans, gaps, full, travel: [], scales: [] };
   sweep.travel = model.outline.slides.map((_, slide) => travelOf(model, sweep, slide));
@@ -237,18 +235,38 @@ function sizeOf(model, pose) {
   return size;
 }
 
-/** Counts the turns of angles from row to row, so that curves do not jump. */
-function unwind(model, rows) {
-  let before = null;
-  for (const row of rows) {
-    row.shifts = model.quantities.map(({ name, dimension }, index) => {
-      if (before === null || dimension !== "angle") {
-        return 0;
-      }
-      return turnsBetween(row.pose[name][0], before.pose[name][0] + before.shifts[index]);
-    });
-    before = row;
+/**
+ * Counts the turns of angles from row to row, so that curves do not jump. Behind a gap they go on from the last row of the grid before it,
+ * as the rows of kin's tables do.
+ */
+function unwind(model, spans) {
+  let last = null;
+  for (const { rows } of spans) {
+    const shiftsOf = (row, before) =>
+      model.quantities.map(({ name, dimension }, index) => {
+        if (before === null || dimension !== "angle") {
+          return 0;
+        }
+        return turnsBetween(row.pose[name][0], before.pose[name][0] + before.shifts[index]);
+      });
+    const onGrid = rows.filter(({ x }) => isOnGrid(model, x));
+    const first = Math.max(0, rows.indexOf(onGrid[0]));
+    if (rows.length > 0) {
+      rows[first].shifts = shiftsOf(rows[first], last);
+    }
+    for (let index = first - 1; index >= 0; index -= 1) {
+      rows[index].shifts = shiftsOf(rows[index], rows[index + 1]);
+    }
+    for (let index = first + 1; index < rows.length; index += 1) {
+      rows[index].shifts = shiftsOf(rows[index], rows[index - 1]);
+    }
+    last = onGrid[onGrid.length - 1] ?? rows[rows.length - 1] ?? last;
   }
+}
+
+function isOnGrid(model, x) {
+  const place = ((x - model.from) / (model.to - model.from)) * PARTS;
+  return Math.abs(place - Math.round(place)) < 1e-9;
 }
 
 /**
@@ -413,18 +431,4 @@ export function movedInput(model, sweep, x, change) {
  */
 export function isAtLimit(sweep, x) {
   return sweep.gaps.some(({ from, to }) => Math.abs(from - x) < 1e-6 || Math.abs(to - x) < 1e-6);
-}
-
-/**
- * The reason for a gap, in words.
- * @param {import("./model.mjs").Model} model
- * @param {Gap} gap
- * @param {string} amount by how much, with its unit; empty if not known
- */
-export function gapText(model, gap, amount) {
-  const block = gap.block ? ` (${blockText(model, gap.block)})` : "";
-  if (gap.lost) {
-    return `the assembly is lost here${gap.check ? `: ${gap.check}${block}` : ""}`;
-  }
-  return `${gap.check}${block}${amount ? `: short by ${amount}` : ""}`;
 }

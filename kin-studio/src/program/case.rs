@@ -81,6 +81,7 @@ impl Typed {
     pub(crate) fn known(&self, subject: &dyn Subject) -> Result<Known, Fault> {
         let mut lengths = self.lengths()?;
         let (parameters, standing) = self.values(subject, &mut lengths)?;
+        self.assembly(subject, &mut lengths)?;
         let motions = self.said(subject, &standing, &mut lengths)?;
         Ok(Known {
             parameters,
@@ -115,6 +116,30 @@ impl Typed {
         }
     }
 
+    /// Remarks on lengths that no link has. An offset may be negative, so they are not refused.
+    pub(crate) fn remarks(&self, subject: &dyn Subject) -> Vec<String> {
+        let example = subject.example();
+        let Ok((values, _)) = self.values(subject, &mut Lengths::default()) else {
+            return Vec::new();
+        };
+        let description = subject.description();
+        let quantities = description.parameters.iter().zip(values).enumerate();
+        let remarks = quantities.filter_map(|(index, (quantity, value))| {
+            let usual = example.as_ref().map_or(1.0, |example| example.parameters[index]);
+            let is_link = quantity.dimension == Dimension::Length && !quantity.name.contains('.') && usual > 0.0;
+            let name = quantity.name;
+            match value {
+                _ if !is_link => None,
+                0.0 => Some(format!("`{name}` is zero: a link of this length joins its pins into one")),
+                value if value < 0.0 => Some(format!(
+                    "`{name}` is negative: a link of this length points half a turn away from its angle; an offset lies on the other side"
+                )),
+                _ => None,
+            }
+        });
+        remarks.collect()
+    }
+
     /// A value for each dimension.
     pub(crate) fn dimensions(&self, subject: &dyn Subject) -> Result<Vec<f64>, Fault> {
         Ok(self.values(subject, &mut Lengths::default())?.0)
@@ -135,6 +160,9 @@ impl Typed {
                     "`{text}` is not a name with a value, as in `--set {text}=30`"
                 )));
             };
+            if value.contains('=') {
+                return Err(several(text));
+            }
             for (name, value) in parts(name.trim(), value.trim())? {
                 let (quantity, place) = match place_of(description.parameters, &name) {
                     Some(index) => (description.parameters[index], &mut parameters[index]),
@@ -214,6 +242,17 @@ impl Typed {
         let mut motions: Vec<Option<InputMotion>> =
             standing.iter().map(|value| value.map(InputMotion::Stands)).collect();
         for text in &self.over {
+            if let Some(index) = place_of(inputs, text.trim()) {
+                let Quantity { name, dimension, .. } = inputs[index];
+                let range = if dimension == Dimension::Angle {
+                    "0..360deg"
+                } else {
+                    "10..60"
+                };
+                return Err(Fault::wrong(format!(
+                    "`{name}` has no range: write `--over {name}={range}`"
+                )));
+            }
             let (index, text) = match text.split_once('=').filter(|(name, _)| !name.contains('.')) {
                 Some((name, text)) => {
                     let index = place_of(inputs, name.trim()).ok_or_else(|| {
@@ -398,6 +437,30 @@ fn default_range(subject: &dyn Subject, index: usize, said: Option<InputMotion>)
     })
 }
 
+/// Several dimensions behind one `--set`.
+fn several(text: &str) -> Fault {
+    let mut parts: Vec<String> = Vec::new();
+    for part in text.split(',') {
+        match parts.last_mut() {
+            // the coordinates of a point
+            Some(last) if !part.contains('=') => last.extend([",", part]),
+            _ => parts.push(part.trim().to_owned()),
+        }
+    }
+    let quoted = |part: &String| {
+        if part.contains('(') {
+            format!("'{part}'")
+        } else {
+            part.clone()
+        }
+    };
+    let options: Vec<String> = parts.iter().map(|part| format!("--set {}", quoted(part))).collect();
+    Fault::wrong(format!(
+        "`{text}` has several dimensions: write `--set` in front of each, as in `{}`",
+        options.join(" ")
+    ))
+}
+
 /// The names of coordinates.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -524,6 +587,24 @@ mod tests {
         }
         let case = typed(&FIVE, &["alpha=0..90deg", "beta=0..45deg at 60rpm"]).case(&subject);
         assert!(case.is_err());
+    }
+
+    #[test]
+    fn lengths_that_no_link_has_are_told() {
+        let subject = bare::<FiveBar>();
+        let mut set = FIVE;
+        assert!(typed(&set, &[]).remarks(&subject).is_empty());
+        set[1] = "left=-2";
+        set[3] = "right_rod=0";
+        let remarks = typed(&set, &[]).remarks(&subject);
+        assert!(
+            remarks[0].contains("`left` is negative") && remarks[1].contains("`right_rod` is zero"),
+            "{remarks:?}"
+        );
+        // coordinates and plain numbers are what they are
+        let subject = bare::<Pantograph>();
+        let set = typed(&["upper=3", "lower=3", "factor=-2"], &[]);
+        assert!(set.remarks(&subject).is_empty());
     }
 
     #[test]

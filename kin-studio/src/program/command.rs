@@ -37,6 +37,21 @@ impl Task {
     pub(crate) const NAMES: [&'static str; 10] = [
         "show", "sweep", "cycle", "peaks", "verify", "code", "fit", "table", "report", "serve",
     ];
+
+    /// The dimensions, the motion and the assembly, where they are asked for.
+    pub(crate) fn setup(&self) -> Option<&Setup> {
+        match self {
+            Self::Show | Self::Code(_) => None,
+            Self::Sweep(Sweep { setup, .. })
+            | Self::Peaks(Peaks { setup, .. })
+            | Self::Fit(Fit { setup, .. })
+            | Self::Table(ExactTable { setup, .. })
+            | Self::Report(Report { setup, .. })
+            | Self::Serve(Serve { setup, .. })
+            | Self::Cycle(setup)
+            | Self::Verify(setup) => Some(setup),
+        }
+    }
 }
 
 /// Dimensions, motion and assembly.
@@ -123,7 +138,7 @@ pub(crate) enum Language {
     #[value(name = "js", alias = "javascript")]
     JavaScript,
     /// A Python module for NumPy arrays
-    #[value(alias = "numpy")]
+    #[value(alias = "numpy", alias = "py")]
     Python,
 }
 
@@ -291,6 +306,6 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
 /// What stands under the help of the program.
 pub(crate) const EXIT_CODES: &str = "Exit codes:
   0  done
-  1  the mechanism does not close, somewhere or everywhere it was asked for
+  1  the mechanism does not close somewhere it was asked for; what closes is printed or written
   2  something was typed wrong, or a file cannot be read or written
   3  a .kin file could not be built";

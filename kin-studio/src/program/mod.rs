@@ -2,6 +2,7 @@
 //!
 //! [`main`] makes a program of one's own mechanism, [`library`] is the binary `kin`.
 
+mod advice;
 mod case;
 mod command;
 mod fault;
@@ -54,7 +55,7 @@ pub fn main<M: Mechanism<Scalar = f64>>() -> ExitCode {
     let subject = subject::bare::<M>();
     let arguments: Vec<OsString> = std::env::args_os().collect();
     let name = program_name(&arguments);
-    ended(run_own(&subject, &name, arguments, &Told::default()))
+    ended(run_own(&subject, &name, &arguments, &Told::default()))
 }
 
 /// The program that `kin run` builds from a file. Its first argument is what the file says besides the declaration.
@@ -70,13 +71,14 @@ pub fn of_file<M: Mechanism<Scalar = f64>>() -> ExitCode {
         return ended(Err(Fault::wrong("this program is run by `kin run FILE.kin`")));
     };
     arguments.remove(1);
-    ended(run_own(&subject, &told.program, arguments, &told))
+    ended(run_own(&subject, &told.program, &arguments, &told))
 }
 
 /// The program of many mechanisms. Each is called by its name in small letters, with or without underscores.
 #[must_use]
 pub fn library(all: &[Entry]) -> ExitCode {
-    ended(run_library(all, std::env::args_os().collect()))
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    ended(run_library(all, &arguments))
 }
 
 /// Prints the reason why the program failed.
@@ -127,12 +129,17 @@ fn completions(command: &mut Command, name: &str, matches: &clap::ArgMatches) ->
 }
 
 /// Help and the version go to the output and are no mistake.
-fn parsed(command: &Command, arguments: Vec<OsString>) -> Result<clap::ArgMatches, Fault> {
-    command.clone().try_get_matches_from(arguments).map_err(|error| {
+fn parsed(command: &Command, arguments: &[OsString], has_library: bool) -> Result<clap::ArgMatches, Fault> {
+    command.clone().try_get_matches_from(arguments).or_else(|error| {
         let code = match error.kind() {
             ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => 0,
             _ => 2,
         };
+        if code != 0
+            && let Some(advice) = advice::advice(arguments, has_library)
+        {
+            return Err(Fault::wrong(advice));
+        }
         // a closed output is no reason to fail
         let _ = error.print();
         std::process::exit(code)
@@ -146,11 +153,11 @@ fn program_name(arguments: &[OsString]) -> String {
     stem.unwrap_or("kin").to_owned()
 }
 
-fn run_own(subject: &dyn Subject, name: &str, arguments: Vec<OsString>, told: &Told) -> Result<ExitCode, Fault> {
+fn run_own(subject: &dyn Subject, name: &str, arguments: &[OsString], told: &Told) -> Result<ExitCode, Fault> {
     let about = format!("The mechanism {}", subject.description().name);
     let command = completed(Task::augment_subcommands(base(name)).about(about), name);
     let mut command = command::with_examples(command, name, "").bin_name(name);
-    let matches = parsed(&command, arguments)?;
+    let matches = parsed(&command, arguments, false)?;
     if let Some(("completions", matches)) = matches.subcommand() {
         return completions(&mut command, name, matches);
     }
@@ -158,9 +165,9 @@ fn run_own(subject: &dyn Subject, name: &str, arguments: Vec<OsString>, told: &T
     tasks::run(subject, &task, told).map(|()| ExitCode::SUCCESS)
 }
 
-fn run_library(all: &[Entry], arguments: Vec<OsString>) -> Result<ExitCode, Fault> {
+fn run_library(all: &[Entry], arguments: &[OsString]) -> Result<ExitCode, Fault> {
     let mut command = library_command();
-    let matches = parsed(&command, arguments)?;
+    let matches = parsed(&command, arguments, true)?;
     match matches.subcommand() {
         Some(("completions", matches)) => completions(&mut command, "kin", matches),
         Some(("list", _)) => tasks::list(all).map(|()| ExitCode::SUCCESS),
@@ -172,7 +179,10 @@ fn run_library(all: &[Entry], arguments: Vec<OsString>) -> Result<ExitCode, Faul
         }
         Some((_, own)) => {
             let wanted = own.get_one::<String>("mechanism").map_or("", String::as_str);
-            let subject = find(all, wanted)?;
+            let subject = match (find(all, wanted), advice::advice(arguments, true)) {
+                (Err(_), Some(advice)) => return Err(Fault::wrong(advice)),
+                (found, _) => found?,
+            };
             let task = Task::from_arg_matches(&matches).map_err(Fault::wrong)?;
             tasks::run(subject, &task, &Told::default()).map(|()| ExitCode::SUCCESS)
         }

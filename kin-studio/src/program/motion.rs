@@ -92,12 +92,18 @@ impl InputMotion {
     pub(crate) fn read(dimension: Dimension, text: &str, lengths: &mut Lengths) -> Result<Self, String> {
         let text = text.trim();
         if !text.contains("..") {
+            if let Some(message) = other_range(dimension, text) {
+                return Err(message);
+            }
             if text.contains(" at ") || text.contains(" by ") {
                 return Err(format!(
                     "`{text}` has a speed or a law, and no range: write it as in `0..360deg at 60rpm`"
                 ));
             }
             return value::quantity(dimension, text, lengths).map(Self::Stands);
+        }
+        if let Some(message) = bare_speed(text) {
+            return Err(message);
         }
         if let Some((range, law)) = text.split_once(" by ") {
             let (from, to) = value::range(dimension, range, lengths)?;
@@ -175,6 +181,46 @@ impl InputMotion {
     }
 }
 
+/// The message for a range as other programs write it: `0-360`, `0:360:10`, `0 to 360`.
+fn other_range(dimension: Dimension, text: &str) -> Option<String> {
+    let (from, behind) = value::split(text).ok()?;
+    let behind = match behind.strip_prefix("to ") {
+        Some(_) => behind,
+        None => behind.trim_start_matches(char::is_alphabetic).trim_start(),
+    };
+    let signs = ["-", ":", "–", "—", "…", "to "];
+    let rest = signs.into_iter().find_map(|sign| behind.strip_prefix(sign))?;
+    let (to, unit) = value::split(rest).ok()?;
+    let has_step = unit.starts_with(':');
+    let unit: String = unit
+        .chars()
+        .take_while(|letter| letter.is_alphabetic() || *letter == '°')
+        .collect();
+    let unit = match dimension {
+        Dimension::Angle if unit.is_empty() => "deg",
+        _ => unit.as_str(),
+    };
+    let rows = if has_step {
+        ", and `--rows` says how many rows there are"
+    } else {
+        ""
+    };
+    Some(format!(
+        "`{text}` is no range: a range has two dots, as in `{from}..{to}{unit}`{rows}"
+    ))
+}
+
+/// The message for a speed without `at`: `0..360deg 45rpm`.
+fn bare_speed(text: &str) -> Option<String> {
+    let (_, end) = text.split_once("..")?;
+    let (_, unit) = value::split(end.strip_prefix('=').unwrap_or(end)).ok()?;
+    let (unit, speed) = unit.split_once(char::is_whitespace)?;
+    let speed = speed.trim();
+    let begins = speed.starts_with(|letter: char| letter.is_ascii_digit());
+    let range = text.strip_suffix(speed)?.trim();
+    (begins && !unit.is_empty()).then(|| format!("`{text}` has a speed without `at`: write `{range} at {speed}`"))
+}
+
 /// A speed without its sign: the range tells the direction.
 pub(crate) fn checked(speed: f64) -> Result<f64, String> {
     if speed > 0.0 {
@@ -208,5 +254,20 @@ mod tests {
         assert!(read("0..90deg by cycloidal").contains("in 0.4s"));
         assert!(read("90deg at 60rpm").contains("`0..360deg at 60rpm`"));
         assert!(read("0..90deg at -60rpm").contains("`360..0deg`"));
+        for (text, advice) in [
+            ("0-360", "`0..360deg`"),
+            ("-10deg - 20deg", "`-10..20deg`"),
+            ("0:360:10", "`0..360deg`, and `--rows`"),
+            ("0:360", "`0..360deg`"),
+            ("0 to 2rad", "`0..2rad`"),
+            ("0..360deg 45rpm", "write `0..360deg at 45rpm`"),
+            ("0deg..=360deg  45 rpm", "write `0deg..=360deg at 45 rpm`"),
+        ] {
+            assert!(read(text).contains(advice), "{text}: {}", read(text));
+        }
+        assert_eq!(
+            InputMotion::read(Dimension::Angle, "-1e-3rad", &mut Lengths::default()),
+            Ok(InputMotion::Stands(-1e-3))
+        );
     }
 }

@@ -10,11 +10,12 @@ use kin_core::prelude::*;
 use kin_core::sweep::{Course, Laws, Local, StraightLine, Sweep, SweepError, Table};
 use kin_core::tape::{self, RecordError, Tape};
 use kin_core::verify;
-use kin_core::{Description, Number, Row, track};
+use kin_core::{Description, Number, Row, TrackError, track};
 
 use super::case::Case;
 use super::fault::Fault;
 use super::motion::InputMotion;
+use super::text;
 use crate::report::ReportError;
 
 /// The assembly that is wanted.
@@ -71,8 +72,8 @@ pub(crate) struct Reached {
 /// All circuits and branches.
 #[derive(Clone, Debug)]
 pub(crate) struct CycleOf {
-    /// Whether it is proved that there is no other branch.
-    pub(crate) is_complete: bool,
+    /// The reasons why there may be other branches, each a clause.
+    pub(crate) incomplete: Vec<String>,
     /// The circuits.
     pub(crate) circuits: Vec<CircuitOf>,
     /// What Grashof, Barker and others call the blocks.
@@ -133,6 +134,8 @@ pub(crate) trait Subject {
     fn example(&self) -> Option<Example>;
     /// The names of its assemblies; none if they depend on the dimensions, an empty name if there is only one.
     fn assemblies(&self) -> Vec<String>;
+    /// Whether it closes all along the motion, between the rows of tables too.
+    fn closes(&self, case: &Case) -> Result<(), Fault>;
     /// The table of a sweep.
     fn table(&self, case: &Case, rows: usize) -> Result<Table, Fault>;
     /// The extremes of one derivative over a sweep.
@@ -374,6 +377,36 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
         M::assemblies().map(M::assembly_name).collect()
     }
 
+    fn closes(&self, case: &Case) -> Result<(), Fault> {
+        // several laws lead along a curve, and one along a line
+        const ROWS: usize = 721;
+        let moving = case.motions.iter().filter(|motion| motion.moves()).count();
+        if case.time_of_laws().is_some() && moving > 1 {
+            let table = self.table(case, ROWS)?;
+            let open = table.rows().find(|row| !row.outcome().is_solved());
+            return open.map_or(Ok(()), |row| {
+                let at = table.variable().values[row.index()];
+                Err(Fault::open(format!(
+                    "the mechanism does not close at {} s",
+                    text::digits(at)
+                )))
+            });
+        }
+        let mechanism = Self::mechanism(&case.parameters);
+        let [from, to] =
+            [InputMotion::start, InputMotion::end].map(|end| Row::from_fn(|index| end(&case.motions[index])));
+        let start = mechanism
+            .solve_position(from, Self::assembly(case, &mechanism)?)
+            .map_err(Fault::open)?;
+        match track(&mechanism, from, start, to) {
+            Err(error @ (TrackError::Limit(_) | TrackError::Unbounded(_) | TrackError::Failed(_))) => Err(Fault::open(
+                format!("the mechanism does not close all along the motion: {error}"),
+            )),
+            // branches cross, or nothing certain is known
+            _ => Ok(()),
+        }
+    }
+
     fn table(&self, case: &Case, rows: usize) -> Result<Table, Fault> {
         match case.time_of_laws() {
             None => Self::line(case, rows)?.table(),
@@ -432,7 +465,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
         let forms = mechanism.block_forms();
         let classes = M::DESCRIPTION.blocks.iter().zip(forms.as_ref());
         Ok(CycleOf {
-            is_complete: cycle.is_complete(),
+            incomplete: cycle.incomplete().iter().map(ToString::to_string).collect(),
             circuits: circuits.collect(),
             classes: classes
                 .filter_map(|(block, form)| Some((block.unknowns, BlockClass::of(form)?)))

@@ -1,7 +1,5 @@
 //! Numbers with units and tables as text, as wide as the terminal.
 
-use std::fmt::Write as _;
-
 use console::Term;
 use kin_core::Dimension;
 
@@ -198,11 +196,14 @@ pub(crate) fn table(columns: &[Column]) -> String {
             };
             let (cell, width) = (cell.map_or("", String::as_str), column.width());
             let gap = if row.is_empty() { "" } else { "  " };
-            if column.is_number {
-                let _ = write!(row, "{gap}{cell:>width$}");
+            // the width of a format is at most 65 535, and a name may be longer
+            let blank = " ".repeat(width - cell.chars().count());
+            let [before, behind] = if column.is_number {
+                [blank.as_str(), ""]
             } else {
-                let _ = write!(row, "{gap}{cell:<width$}");
-            }
+                ["", blank.as_str()]
+            };
+            row.extend([gap, before, cell, behind]);
         }
         text.push_str(row.trim_end());
         text.push('\n');
@@ -235,5 +236,11 @@ mod tests {
         let column = || Column::numbers("12345678", vec!["1".to_owned()]);
         assert_eq!(fitting(&[column(), column(), column()], 20), 2);
         assert_eq!(fitting(&[column()], 4), 1);
+        let long = "x".repeat(70_000);
+        let columns = [
+            Column::words(&long, vec!["1".to_owned()]),
+            Column::numbers("y", vec!["2".to_owned()]),
+        ];
+        assert_eq!(table(&columns).lines().last().map(str::len), Some(70_003));
     }
 }

@@ -79,12 +79,18 @@ fn length_unit(name: &str) -> Result<LengthUnit, String> {
 }
 
 /// A number and the text behind it.
-fn split(text: &str) -> Result<(f64, &str), String> {
+pub(super) fn split(text: &str) -> Result<(f64, &str), String> {
     let text = text.trim();
     let is_number = |end: &usize| text.is_char_boundary(*end) && text[..*end].trim_end().parse::<f64>().is_ok();
     let begins = |text: &str| text.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter));
     let end = (1..=text.len()).rev().find(is_number);
     let (number, unit) = match end {
+        Some(end) if begins(text) && text[end..].starts_with(',') => {
+            return Err(format!(
+                "`{text}` has a comma: write `{}` with a point",
+                text.replacen(',', ".", 1)
+            ));
+        }
         Some(end) if begins(text) => text.split_at(end),
         _ => {
             return Err(format!(
@@ -224,6 +230,8 @@ mod tests {
             (Dimension::Length, "long", "does not begin with a number"),
             (Dimension::Length, "inf", "does not begin with a number"),
             (Dimension::Length, "1e400", "too large"),
+            (Dimension::Length, "45,5", "write `45.5` with a point"),
+            (Dimension::Angle, "45,5deg", "write `45.5deg` with a point"),
         ] {
             let message = quantity(dimension, text, &mut lengths).unwrap_err();
             assert!(message.contains(word), "{message}");

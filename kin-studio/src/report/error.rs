@@ -8,7 +8,6 @@ use std::path::PathBuf;
 use kin_core::SolveError;
 
 /// The reason why there is no report, or why it cannot be read or written.
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum ReportError {
     /// The mechanism closes nowhere: at no place of the moving input, or not where it was asked for.
@@ -21,6 +20,8 @@ pub enum ReportError {
         /// The quantity, in a few words.
         quantity: String,
     },
+    /// The speed of the moving input is zero, with which nothing moves.
+    NoSpeed,
     /// The mechanism has no input with this name.
     NoSuchInput {
         /// The name that was given.
@@ -65,6 +66,9 @@ impl fmt::Display for ReportError {
         match self {
             Self::ClosesNowhere { error } => write!(formatter, "the mechanism does not close: {error}"),
             Self::NotFinite { quantity } => write!(formatter, "{quantity} is not finite: give a number"),
+            Self::NoSpeed => formatter.write_str(
+                "the speed of the moving input is zero, with which nothing moves: give a positive or negative one, or none for 1",
+            ),
             Self::NoSuchInput { name, inputs } => {
                 write!(formatter, "no input is called `{name}`: there is {}", listed(inputs))
             }
@@ -97,6 +101,8 @@ fn listed(names: &[String]) -> String {
         [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
     }
 }
+
+kin_core::__debug_by_display!(ReportError);
 
 impl Error for ReportError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

@@ -160,6 +160,9 @@ pub enum Argument {
 pub struct Cycle {
     /// Whether it is proved that there is no other branch.
     pub complete: bool,
+    /// The reasons why there may be other branches, each a clause.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub incomplete: Vec<String>,
     /// The circuits.
     pub circuits: Vec<Circuit>,
     /// The branches.
@@ -182,8 +185,8 @@ pub struct Circuit {
 pub struct Branch {
     /// The index of its circuit.
     pub circuit: usize,
-    /// The index of its assembly.
-    pub assembly: usize,
+    /// The index of its assembly; none if it lies beyond the range.
+    pub assembly: Option<usize>,
     /// The smallest and the largest input.
     pub range: [f64; 2],
     /// Whether the input turns without an end.

@@ -19,6 +19,8 @@ pub(super) const MODULES: &[(&str, &str)] = modules! {
     "elements"
     "model"
     "sweep"
+    "pace"
+    "reasons"
     "marks"
     "view"
     "labels"

@@ -7,13 +7,7 @@ use kin_core::sweep::Table;
 pub(super) fn text(table: &Table) -> String {
     let mut text = String::new();
     for column in table.columns() {
-        let (name, unit) = (column.label.to_string(), column.unit.to_string());
-        let head = if unit.is_empty() {
-            name
-        } else {
-            format!("{name} [{unit}]")
-        };
-        text.push_str(&quoted(&head));
+        text.push_str(&quoted(&column.to_string()));
         text.push(',');
     }
     text.push_str("outcome,margin\n");

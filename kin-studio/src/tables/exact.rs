@@ -42,7 +42,7 @@ pub trait ExactJson: Sized {
 }
 
 /// The reason why a text is no exact table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum JsonError {
     /// The text is no JSON.
@@ -86,6 +86,8 @@ impl fmt::Display for JsonError {
         }
     }
 }
+
+kin_core::__debug_by_display!(JsonError);
 
 impl Error for JsonError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {

@@ -1,5 +1,6 @@
 //! The program, as a person types it.
 
+mod codes;
 mod commands;
 mod files;
 mod mistakes;

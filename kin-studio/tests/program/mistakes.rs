@@ -15,6 +15,19 @@ fn messages_say_what_to_do() {
         "kin sweep four_bar --set r7=3",
         "kin sweep four_bar --set r2",
         "kin sweep four_bar --set r2=30deg",
+        "kin sweep four_bar --set r2=30,r3=80",
+        "kin sweep watt_i --set 'p=(1, 2),r2=4'",
+        "kin sweep four_bar --set r2=45,5",
+        "kin sweep four_bar r2=45",
+        "kin sweep four_bar --set r2=-30 --rows 1 --columns theta4",
+        "kin sweep four_bar --set r2=0 --rows 1 --columns theta4",
+        "kin sweep four_bar --over theta2",
+        "kin sweep five_bar --over beta",
+        "kin sweep four_bar --over 0-360",
+        "kin sweep four_bar --over 0:360:10",
+        "kin sweep four_bar --over '0..360deg 45rpm'",
+        "kin sweep four_bar --columns theta4_acc",
+        "kin sweep four_bar --step 10",
         "kin sweep four_bar --set theta2=30",
         "kin sweep watt_i --set p=3",
         "kin sweep watt_i --set 'p=(1, 2, 3, 4)'",
@@ -42,7 +55,11 @@ fn messages_say_what_to_do() {
         "kin peaks four_bar --set r1=900",
         "kin report four_bar --set r1=900",
         "kin report four_bar -o no/such/folder/page.html",
+        "kin report four_bar -o page.pdf",
         "kin code four_bar fortran",
+        "kin code c four_bar",
+        "kin wiper.kin",
+        "kin report wiper.kin",
         "kin fit four_bar --data none.csv",
         "kin completions tcsh",
         "kin run none.kin report",
@@ -91,10 +108,28 @@ fn mistakes_in_kin_files_have_places() {
         ),
         ("rod * cis(phi)", "rod * cis(phi"),
         ("motion {", "movement {"),
+        ("input theta: Angle;", "input theta;"),
+        ("at 45rpm", "45rpm"),
+        ("/// A windscreen", "# it's a comment\n/// A windscreen"),
+        ("crank = 40mm", "crank = 40,5mm"),
     ]
     .map(|(own, other)| {
         folder.write("wiper.kin", &right.replacen(own, other, 1));
         typed_in(&folder, "kin run wiper.kin report")
     });
     assert_snapshot!("mistakes in kin files", all.join("\n"));
+    // without any of them, the first line is told
+    folder.write("wiper.kin", &right.replace(';', ""));
+    let told = typed_in(&folder, "kin run wiper.kin report");
+    assert!(
+        told.contains("a statement ends with `;`") && told.contains("wiper.kin:4:14\n"),
+        "{told}"
+    );
+    // a line that is longer than formats are wide
+    folder.write("wiper.kin", &format!("kin 1\n//{}", "a".repeat(70_000)));
+    let told = typed_in(&folder, "kin run wiper.kin report");
+    assert!(
+        told.contains("there is no declaration") && told.ends_with("code 3\n"),
+        "{told}"
+    );
 }

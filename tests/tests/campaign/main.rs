@@ -8,6 +8,7 @@
 //! The tests run a small campaign. `cargo test -p kin-tests --test campaign -- --ignored --nocapture` runs a large one and prints its
 //! tables. The environment may give it another number of draws, `KIN_CAMPAIGN_DRAWS`, and other numbers, `KIN_CAMPAIGN_SEED`.
 
+mod chains;
 mod checks;
 mod draw;
 #[rustfmt::skip]
@@ -21,6 +22,7 @@ mod topologies;
 mod topology;
 mod trees;
 mod unit;
+mod units;
 
 use checks::{Size, run};
 use engine::Of;

@@ -14,7 +14,7 @@ pub(crate) struct Source {
     pub(crate) file: String,
     /// The module that it is, without `crate`.
     module: Vec<String>,
-    tokens: TokenStream,
+    pub(crate) tokens: TokenStream,
     /// The types that it declares, outside of functions.
     pub(crate) types: Vec<Type>,
     /// The lines that are neither blank nor comments nor tests.

@@ -3,6 +3,7 @@
 //! A room is a part of a crate with one task. It imports only from the rooms below it, which stand before it in the lists here.
 
 mod drawing;
+mod errors;
 mod imports;
 mod rooms;
 
@@ -11,6 +12,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use errors::errors;
 use imports::{Source, Target, sources, targets};
 use rooms::{CORE, House, MACROS, OF_BOTH_CRATES, SEVERAL_TIMES};
 
@@ -240,4 +242,20 @@ fn one_name_means_one_thing() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// What `main` and `unwrap` print of an error is a sentence: its `Debug` is its `Display`.
+#[test]
+fn every_error_prints_its_sentence() {
+    let inner = ["Found"];
+    for (source, least) in [(CORE.source, 18), ("kin-studio/src", 2)] {
+        let errors = errors(&root().join(source));
+        assert!(errors.len() >= least, "{source}: {:?}", errors.keys());
+        for (name, (is_printed, file)) in errors {
+            assert!(
+                is_printed || inner.contains(&name.as_str()),
+                "{source}/{file}: {name} prints its structure: call `__debug_by_display!({name})` instead of deriving `Debug`"
+            );
+        }
+    }
 }

@@ -42,7 +42,7 @@ pub(crate) const CORE: House = House {
     name: "kin-core",
     source: "kin-core/src",
     faces: &["lib.rs", "prelude.rs", "private.rs"],
-    root_items: &["storable", "each_library_mechanism"],
+    root_items: &["storable", "each_library_mechanism", "__debug_by_display"],
     rooms: &[
         room("number", &["number/"], "numbers and rows"),
         room("geometry", &["geometry/"], "vectors and rotations"),

@@ -63,6 +63,30 @@ fn functions_200_deep_are_solved() {
     assert!(nested.closure(0.7, [pose.x.position()])[0].abs() <= 200.0 * f64::EPSILON * value);
 }
 
+macro_rules! nested_twice {
+    ([] $($functions:tt)*) => {
+        mechanism! {
+            struct NestedTwice { a: Scalar }
+            input t: Scalar;
+            unknown x: Scalar, y: Scalar;
+            order = 1;
+            x == a * t $($functions)* $($functions)*;
+            y == a * (t + 1) $($functions)* $($functions)*;
+        }
+    };
+}
+
+tenfold! { [tenfold nested_twice] .sin() }
+
+/// A position keeps 400 cosines for the velocity. A derived comparison of some thousand would end the compiler.
+#[test]
+fn poses_of_many_values_are_compared() {
+    let nested: NestedTwice = NestedTwice { a: 2.0 };
+    let [one, same, other] = [0.7, 0.7, 0.8].map(|t| nested.position(t).expect("it closes"));
+    assert_eq!(one, same);
+    assert_ne!(one, other);
+}
+
 macro_rules! signs {
     ([] $($signs:tt)*) => {
         mechanism! {

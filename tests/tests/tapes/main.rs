@@ -3,6 +3,8 @@
 //! Tests of other languages need tools besides Rust, and much to compile: they stand behind the feature `every-case`.
 
 #[cfg(feature = "every-case")]
+mod arguments;
+#[cfg(feature = "every-case")]
 mod c;
 #[cfg(feature = "every-case")]
 mod chapter;

@@ -53,7 +53,7 @@ impl PathCounts {
 }
 
 /// The reason why continuation cannot solve a system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Unsuitable {
     /// The table is invalid: it is out of order, refers to equations, variables or coefficients that do not exist, or
@@ -97,5 +97,7 @@ impl fmt::Display for Unsuitable {
         }
     }
 }
+
+crate::__debug_by_display!(Unsuitable);
 
 impl Error for Unsuitable {}

@@ -75,7 +75,7 @@ impl FoldedNumber {
 }
 
 /// The error for a fold that cannot be started.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FoldError {
     /// A column has another length than there are poses.
@@ -124,5 +124,7 @@ impl fmt::Display for FoldError {
         }
     }
 }
+
+crate::__debug_by_display!(FoldError);
 
 impl Error for FoldError {}

@@ -8,6 +8,7 @@ use std::string::{String, ToString as _};
 use std::vec::Vec;
 
 use super::owned::{ExactParts, ExactTable};
+use super::read::MOST_TURNS;
 use crate::quantity::Dimension;
 use crate::tape::C;
 use crate::tape::words::{DistinctNames, identifier, quoted, snake};
@@ -62,12 +63,12 @@ impl ExactTable {
             low = self.range().start(),
             high = self.range().end(),
             again = if parts.is_closed {
-                ", which repeats itself beyond, or not finite"
+                ", which repeats itself beyond, is too many periods away, or is not finite"
             } else {
                 ", or not finite"
             },
         );
-        let code = include_str!("table.c")
+        let code = with_most_turns(include_str!("table.c"))
             .replace("PREFIX", &prefix)
             .replace("UPPER", &upper);
         let source = format!(
@@ -97,7 +98,7 @@ impl ExactTable {
     #[must_use]
     pub fn java_script(&self) -> String {
         let parts = self.parts();
-        let code = include_str!("table.js");
+        let code = with_most_turns(include_str!("table.js"));
         format!(
             "// {head}\n\n{constants}\n{code}",
             head = head(&parts).join("\n// "),
@@ -116,13 +117,18 @@ impl ExactTable {
     #[must_use]
     pub fn python(&self) -> String {
         let parts = self.parts();
-        let code = include_str!("table.py");
+        let code = with_most_turns(include_str!("table.py"));
         format!(
             "# {head}\n\nimport math\n\n{constants}\n\n{code}",
             head = head(&parts).join("\n# "),
             constants = constants(&parts, self, ["", "\n"], ["_CHANGES", "_TABLE"], ["False", "True"]),
         )
     }
+}
+
+/// The code with the largest number of periods between the table and a place.
+fn with_most_turns(code: &str) -> String {
+    code.replace("MOST_TURNS", &format!("{MOST_TURNS:?}"))
 }
 
 /// The constants of a module in JavaScript or Python, which write lists alike.

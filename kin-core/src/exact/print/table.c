@@ -50,6 +50,9 @@ int PREFIX_at(double place, double speed, double result[UPPER_COLUMNS][UPPER_ORD
     }
     if (IS_CLOSED) {
         turns = floor((place - low) / (high - low));
+        if (!(-MOST_TURNS <= turns && turns <= MOST_TURNS)) {
+            return 1;
+        }
         place -= turns * (high - low);
         place = place < low ? low : place > high ? high : place;
     }

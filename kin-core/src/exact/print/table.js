@@ -43,6 +43,9 @@ export function at(place, speed = 1) {
     let turns = 0, left = 0, right = rows - 1;
     if (IS_CLOSED) {
         turns = Math.floor((place - low) / (high - low));
+        if (Math.abs(turns) > MOST_TURNS) {
+            throw new RangeError(`${place} is too many periods of ${high - low} away to tell its part of one`);
+        }
         place = Math.min(Math.max(place - turns * (high - low), low), high);
     }
     if (!(low <= place && place <= high && Number.isFinite(speed))) {

@@ -33,7 +33,10 @@ def at(place: float, speed: float = 1.0) -> list[list[float]]:
     """
     low, high, turns, left, right = _TABLE[0][0], _TABLE[-1][0], 0.0, 0, len(_TABLE) - 1
     if IS_CLOSED and math.isfinite(place):
-        turns = float(math.floor((place - low) / (high - low)))
+        turns = (place - low) / (high - low)
+        turns = float(math.floor(turns)) if math.isfinite(turns) else turns
+        if abs(turns) > MOST_TURNS:
+            raise ValueError(f"{place} is too many periods of {high - low} away to tell its part of one")
         place = min(max(place - turns * (high - low), low), high)
     if not (low <= place <= high and math.isfinite(speed)):
         raise ValueError(f"the table runs from {low} to {high}; the place is {place}, the speed {speed}")

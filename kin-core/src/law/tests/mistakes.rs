@@ -52,7 +52,7 @@ fn messages_have_numbers() {
     let message = |error: Option<LawError>| error.expect("it is refused").to_string();
     assert_eq!(
         message(SCurve::new(2.0, 2.0, limits).err()),
-        "the distance of the S-curve is 0; it must be positive and finite"
+        "the S-curve starts and ends at 2, and no move takes no time: leave it out, or hold the value by a `Dwell`"
     );
     assert_eq!(
         message(Scca::new(0.5, 0.5, 0.25).err()),

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::assembly::Assembly;
 use crate::geometry::{Plane, Space};
-use crate::load::{Balance, Loads};
+use crate::load::{Balance, Loaded, Loads};
 use crate::motion::Motion;
 
 /// In multiples of ε times the sum of the sizes of the terms. The largest that occurs is 20, in space.
@@ -20,7 +20,7 @@ fn worst<C: Case>() -> f64 {
     let mut worst: f64 = 0.0;
     for _ in 0..200 {
         let inputs = C::inputs(&mut numbers);
-        let balance = loads.at(&mechanism, inputs, C::assembly()).expect("it closes");
+        let balance = mechanism.balance(&loads, inputs, C::assembly()).expect("it closes");
         let (kinetic, potential) = (balance.kinetic_energy(), balance.potential_energy());
         let (applied, damped) = (balance.applied_power(), balance.damped_power());
         let powers = balance.powers();
@@ -66,8 +66,8 @@ fn a_conservative_load_at_rest_gives_the_slope_of_its_potential() {
         .spring(80.0, 0.35, |pose| pose.pin, |_| Plane::new(0.4, 0.9))
         .torsion_spring(5.0, 0.3, |pose| pose.theta3);
     let at = |theta2: f64| {
-        loads
-            .at(&FOUR_BAR, [Motion::constant(theta2)], Assembly::Open)
+        FOUR_BAR
+            .balance(&loads, [Motion::constant(theta2)], Assembly::Open)
             .expect("it closes")
     };
     for theta2 in [-1.0, 0.3, 1.2] {
@@ -86,7 +86,7 @@ fn a_conservative_load_at_rest_gives_the_slope_of_its_potential() {
         .spring(90.0, 0.8, |pose| pose.elbow, |pose| pose.middle);
     let at = |alpha: f64, beta: f64| {
         let inputs = [Motion::constant(alpha), Motion::constant(beta)];
-        loads.at(&ARM, inputs, Assembly::Open).expect("it closes")
+        ARM.balance(&loads, inputs, Assembly::Open).expect("it closes")
     };
     let [left, right] = at(2.0, 1.1).efforts();
     let by_alpha = slope(|step| at(2.0 + step, 1.1).potential_energy().value());
@@ -100,8 +100,7 @@ fn a_conservative_load_at_rest_gives_the_slope_of_its_potential() {
 fn the_equivalent_inertia_is_that_of_the_kinetic_energy() {
     let loads = OfArm::loads();
     let at = |alpha: f64, beta: f64| {
-        loads
-            .equivalent_inertia(&ARM, [alpha, beta], Assembly::Open)
+        ARM.equivalent_inertia(&loads, [alpha, beta], Assembly::Open)
             .expect("it closes")
     };
     let felt = at(2.0, 1.1);
@@ -110,7 +109,7 @@ fn the_equivalent_inertia_is_that_of_the_kinetic_energy() {
         Motion::at_constant_speed(2.0, speeds[0]),
         Motion::at_constant_speed(1.1, speeds[1]),
     ];
-    let balance = loads.at(&ARM, inputs, Assembly::Open).expect("it closes");
+    let balance = ARM.balance(&loads, inputs, Assembly::Open).expect("it closes");
     let mut energy = 0.0;
     for (row, one) in felt.matrix.iter().zip(speeds) {
         for (entry, two) in row.iter().zip(speeds) {
@@ -140,14 +139,17 @@ fn the_equivalent_inertia_is_that_of_the_kinetic_energy() {
 #[test]
 fn accelerations_and_efforts_are_inverse() {
     let loads = OfArm::loads();
-    let [first, second] = loads
-        .accelerations(&ARM, [2.0, 1.1], [1.3, -0.7], [4.0, -9.0], Assembly::Open)
+    let [first, second] = ARM
+        .accelerations(&loads, [2.0, 1.1], [1.3, -0.7], [4.0, -9.0], Assembly::Open)
         .expect("it closes");
     let inputs = [
         Motion::from([2.0, 1.3, first, 0.0, 0.0]),
         Motion::from([1.1, -0.7, second, 0.0, 0.0]),
     ];
-    let [left, right] = loads.at(&ARM, inputs, Assembly::Open).expect("it closes").efforts();
+    let [left, right] = ARM
+        .balance(&loads, inputs, Assembly::Open)
+        .expect("it closes")
+        .efforts();
     assert!((left.value() - 4.0).abs() < 1e-11 && (right.value() + 9.0).abs() < 1e-11);
 }
 
@@ -159,7 +161,7 @@ fn a_rotor_shakes_by_its_centrifugal_force() {
         .mass(2.0, |pose| pose.rocker);
     let crank = Motion::from([0.5, 6.0, -20.0, 90.0, 300.0]);
     let pose = FOUR_BAR.solve(crank, Assembly::Open).expect("it closes");
-    let balance = loads.at(&FOUR_BAR, [crank], Assembly::Open).expect("it closes");
+    let balance = FOUR_BAR.balance(&loads, [crank], Assembly::Open).expect("it closes");
     let (speed, acceleration) = (pose.theta4.velocity(), pose.theta4.acceleration());
     let arm = pose.rocker.value() - Plane::new(FOUR_BAR.r1, 0.0);
     // -m a, with a = i α r - ω² r
@@ -190,8 +192,8 @@ fn a_body_in_space_is_the_sum_of_its_particles() {
         .mass(masses[1], |pose| pose.ball)
         .mass(masses[2], |pose| pose.lug);
     let crank = [Motion::from([0.5, 2.0, -3.0, 9.0, 30.0])];
-    let one = body.at(&SPATIAL, crank, Assembly::Open).expect("it closes");
-    let other = particles.at(&SPATIAL, crank, Assembly::Open).expect("it closes");
+    let one = SPATIAL.balance(&body, crank, Assembly::Open).expect("it closes");
+    let other = SPATIAL.balance(&particles, crank, Assembly::Open).expect("it closes");
     let numbers = |balance: &Balance<Spatial>| {
         let [effort] = balance.efforts();
         let [[inertia]] = balance.inertias();
@@ -242,7 +244,7 @@ fn a_higher_order_gives_more_rates_and_a_lower_one_fewer() {
     let loads = Loads::<Long>::new()
         .gravity(Plane::new(0.0, -9.81))
         .mass(2.0, |pose| pose.bob);
-    let [torque] = loads.at(&long, [turn], ()).expect("it closes").efforts();
+    let [torque] = long.balance(&loads, [turn]).expect("it closes").efforts();
     // m l² θ'' + m g l cos θ, and its derivatives
     let (_, cosine) = turn.sin_cos();
     let weight = cosine * (2.0 * 9.81 * 0.5);
@@ -262,9 +264,9 @@ fn a_higher_order_gives_more_rates_and_a_lower_one_fewer() {
     let loads = Loads::<Short>::new()
         .gravity(Plane::new(0.0, -9.81))
         .mass(2.0, |pose| pose.bob);
-    let balance = loads.at(&short, [Motion::from([0.7, 3.0])], ()).expect("it closes");
+    let balance = short.balance(&loads, [Motion::from([0.7, 3.0])]).expect("it closes");
     assert!(balance.efforts()[0].as_slice().is_empty());
     assert!((balance.kinetic_energy().as_slice()[0] - 0.5 * 2.0 * 2.25).abs() < 1e-15);
-    let felt = loads.equivalent_inertia(&short, [0.7], ()).expect("it closes");
+    let felt = short.equivalent_inertia(&loads, [0.7]).expect("it closes");
     assert!((felt.matrix[0][0] - 0.5).abs() < 1e-15);
 }

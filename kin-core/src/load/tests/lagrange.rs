@@ -15,6 +15,7 @@ use super::{
 };
 use crate::geometry::{Plane, Space};
 use crate::library::ClassThreeTriad;
+use crate::load::Loaded;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::number::{Number, Row};
@@ -281,8 +282,8 @@ fn worst<C: Dense>(poses: usize, change: impl Fn(usize, usize, &mut [f64])) -> f
         }
         let motions: Vec<&[f64]> = inputs.as_ref().iter().map(AsRef::as_ref).collect();
         let expected = efforts::<C>(&motions);
-        let found = loads
-            .at(&mechanism, inputs, C::assembly())
+        let found = mechanism
+            .balance(&loads, inputs, C::assembly())
             .expect("it closes")
             .efforts();
         for (found, expected) in found.as_ref().iter().zip(expected) {

@@ -3,7 +3,7 @@
 use super::{Case, FOUR_BAR, FourBar, Numbers, OfFourBar, OfSpatial, PARTICLES, SPATIAL, Spatial};
 use crate::assembly::Assembly;
 use crate::geometry::Space;
-use crate::load::{Balance, Loads};
+use crate::load::{Balance, Loaded, Loads};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 
@@ -61,7 +61,7 @@ fn in_the_plane() {
         let inputs = OfFourBar::inputs(&mut numbers);
         let pose = FOUR_BAR.solve(inputs[0], Assembly::Open).expect("it closes");
         let flat = |point: Motion<crate::geometry::Plane, 5>| [point.x(), point.y(), Motion::constant(0.0)];
-        let balance = loads.at(&FOUR_BAR, inputs, Assembly::Open).expect("it closes");
+        let balance = FOUR_BAR.balance(&loads, inputs, Assembly::Open).expect("it closes");
         check(&balance, &[(2.5, flat(pose.coupler)), (1.5, flat(pose.rocker))]);
     }
 }
@@ -102,7 +102,7 @@ fn in_space() {
                 .map(|axis| root[axis] + one[axis] * by_along + other[axis] * by_across + product[axis] * height);
             particles.push((mass, place));
         }
-        let balance = loads.at(&SPATIAL, inputs, Assembly::Open).expect("it closes");
+        let balance = SPATIAL.balance(&loads, inputs, Assembly::Open).expect("it closes");
         check(&balance, &particles);
     }
 }

@@ -8,6 +8,7 @@ use std::vec::Vec;
 
 use super::{ENGINE, Engine, FOUR_BAR, FourBar};
 use crate::assembly::Assembly;
+use crate::load::Loaded;
 use crate::load::Loads;
 use crate::motion::Motion;
 
@@ -48,7 +49,7 @@ fn the_inertia_force_of_a_piston() {
         let mut worst: f64 = 0.0;
         for angle in turn() {
             let crank = [Motion::at_constant_speed(angle, speed)];
-            let balance = loads.at(&engine, crank, Assembly::Open).expect("it closes");
+            let balance = engine.balance(&loads, crank, Assembly::Open).expect("it closes");
             let force = balance.shaking_force().value();
             let expected = size * (f64::cos(angle) + n * f64::cos(2.0 * angle));
             worst = worst.max((force.x - expected).abs());
@@ -70,8 +71,8 @@ fn the_gas_torque() {
         let size = GAS * engine.crank;
         let bound = 0.5 * size * n * (1.0 / f64::sqrt(1.0 - n * n) - 1.0);
         for angle in turn() {
-            let balance = loads
-                .at(&engine, [Motion::constant(angle)], Assembly::Open)
+            let balance = engine
+                .balance(&loads, [Motion::constant(angle)], Assembly::Open)
                 .expect("it closes");
             let [drive] = balance.efforts();
             // the drive holds what the gas gives
@@ -102,7 +103,7 @@ fn the_inertia_torque_of_a_piston() {
         let mut worst: f64 = 0.0;
         for angle in turn() {
             let crank = [Motion::at_constant_speed(angle, speed)];
-            let balance = loads.at(&engine, crank, Assembly::Open).expect("it closes");
+            let balance = engine.balance(&loads, crank, Assembly::Open).expect("it closes");
             let [drive] = balance.efforts();
             let harmonic = |order: f64| f64::sin(order * angle);
             let expected = 0.5 * size * (0.5 * n * harmonic(1.0) - harmonic(2.0) - 1.5 * n * harmonic(3.0));
@@ -125,8 +126,8 @@ fn the_mechanical_advantage_of_a_four_bar() {
         let crank = Motion::constant(f64::from(degrees).to_radians());
         let pose = FOUR_BAR.solve(crank, Assembly::Open).expect("it closes");
         let [theta2, theta3, theta4] = [crank.value(), pose.theta3.value(), pose.theta4.angle()];
-        let [drive] = loads
-            .at(&FOUR_BAR, [crank], Assembly::Open)
+        let [drive] = FOUR_BAR
+            .balance(&loads, [crank], Assembly::Open)
             .expect("it closes")
             .efforts();
         let ratio = r2 * f64::sin(theta2 - theta3) / (r4 * f64::sin(theta4 - theta3));

@@ -143,7 +143,7 @@ fn checks_know_the_margins_of_the_failures() {
         ),
         (
             "reach of a cosine and a sine",
-            notes_of(|| solve::cosine_sine(r(1.0), r(-2.0), r(3.0), assembly).map(drop)),
+            notes_of(|| solve::cosine_sine(r(1.0), r(-2.0), r(3.0), 3.0, assembly).map(drop)),
         ),
         (
             "reach of a link",

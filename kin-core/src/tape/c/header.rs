@@ -104,9 +104,18 @@ fn outcome(text: &Text<'_>) -> String {
     let (name, upper) = (&text.name, &text.upper);
     let mut own = comment(
         "",
-        "The codes of an outcome: zero if the mechanism closes, otherwise the check that failed and the unknowns that it is about.",
+        "The codes of an outcome: zero if the mechanism closes, otherwise positive for the check that failed and the unknowns that it is \
+         about.",
     );
-    own.push_str(&format!("enum {{\n    {upper}_CLOSED = 0"));
+    own.push_str("enum {\n");
+    if text.choices().next().is_some() {
+        own.push_str(&comment(
+            "    ",
+            "A member of the assembly is neither 1 nor -1; the margin is this member.",
+        ));
+        own.push_str(&format!("    {upper}_NO_ASSEMBLY = -1,\n"));
+    }
+    own.push_str(&format!("    {upper}_CLOSED = 0"));
     for (index, (check, code)) in text.tape.checks.iter().zip(&text.codes).enumerate() {
         own.push_str(",\n");
         let about = format!(
@@ -205,7 +214,7 @@ pub(super) fn example(text: &Text<'_>) -> String {
         "",
         &format!(
             "Reads the arguments of one pose after the other from the standard input, separated by blanks or lines, in this order: {}. \
-             Writes a line for each pose.",
+             Writes a line for each pose. Ends with 1 if an argument is no number, or the last pose has too few of them.",
             order.join(" ")
         ),
     ));
@@ -215,11 +224,11 @@ pub(super) fn example(text: &Text<'_>) -> String {
     ));
     own.push_str(&format!("#include <stdio.h>\n\n#include \"{name}.h\"\n\n"));
     own.push_str(
-        "static int read_all(double *numbers, int count)\n{\n    for (int index = 0; index < count; index++) {\n        \
-         if (scanf(\"%lf\", &numbers[index]) != 1) {\n            return 0;\n        }\n    }\n    return 1;\n}\n\n",
+        "static int read_all(double *numbers, int count)\n{\n    int index = 0;\n    \
+         while (index < count && scanf(\"%lf\", &numbers[index]) == 1) {\n        index++;\n    }\n    return index;\n}\n\n",
     );
     own.push_str(&format!(
-        "int main(void)\n{{\n    double numbers[{count}];\n    while (read_all(numbers, {count})) {{\n"
+        "int main(void)\n{{\n    double numbers[{count}];\n    int given;\n    while ((given = read_all(numbers, {count})) == {count}) {{\n"
     ));
     let cast = |index: usize| {
         if number == "double" {
@@ -255,6 +264,11 @@ pub(super) fn example(text: &Text<'_>) -> String {
             "        printf(\"{field} %.17g{end}\", (double)pose.{field});\n"
         ));
     }
+    own.push_str("    }\n    if (given > 0 || !feof(stdin)) {\n");
+    own.push_str(&format!(
+        "        fprintf(stderr, \"a pose takes {count} numbers, and the last one has %d:\\n%s\\n\", given, \"{}\");\n        return 1;\n",
+        order.join(" ")
+    ));
     own.push_str("    }\n    return 0;\n}\n");
     own
 }

@@ -319,6 +319,14 @@ impl<'a> Text<'a> {
         structures.filter(|(_, members)| !members.is_empty()).collect()
     }
 
+    /// The arguments that choose between open and crossed.
+    fn choices(&self) -> impl Iterator<Item = usize> + use<'a> {
+        let arguments = self.tape.arguments.iter().enumerate();
+        arguments
+            .filter(|(_, argument)| matches!(argument.role, Role::Assembly(_)))
+            .map(|(index, _)| index)
+    }
+
     /// The structure in which an argument stands.
     fn place(&self, argument: usize) -> String {
         let structure = match self.tape.arguments[argument].role {

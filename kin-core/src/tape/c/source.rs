@@ -138,6 +138,11 @@ fn message(text: &Text<'_>) -> String {
     own.push_str(&format!(
         "    case {upper}_CLOSED:\n        return \"the mechanism closes\";\n"
     ));
+    if text.choices().next().is_some() {
+        own.push_str(&format!(
+            "    case {upper}_NO_ASSEMBLY:\n        return \"an assembly is neither 1 nor -1\";\n"
+        ));
+    }
     for (check, code) in text.tape.checks.iter().zip(&text.codes) {
         let words = quoted(&format!("{} ({})", check.name, check.block));
         own.push_str(&format!("    case {code}:\n        return {words};\n"));

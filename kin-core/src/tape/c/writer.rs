@@ -99,6 +99,9 @@ impl<'a> CWriter<'a> {
             return String::new();
         };
         let (text, tape) = (self.text, self.text.tape);
+        if order == 0 {
+            self.assemblies();
+        }
         for step in tape.steps.iter().filter(|step| stages.of_step(tape, **step) == order) {
             self.step(*step);
         }
@@ -145,6 +148,21 @@ impl<'a> CWriter<'a> {
             }
         }
         start + &self.body
+    }
+
+    /// Leaves the function if a choice is neither open nor crossed.
+    fn assemblies(&mut self) {
+        let text = self.text;
+        let [open, crossed] = [1.0, -1.0].map(|sign| self.constant(sign).text);
+        for index in text.choices() {
+            self.read.insert(index);
+            let sign = &text.arguments[index];
+            self.line(&format!("if (!({sign} == {open} || {sign} == {crossed})) {{"));
+            self.indent = 8;
+            self.leave(&format!("{}_NO_ASSEMBLY", text.upper), sign);
+            self.indent = 4;
+            self.line("}");
+        }
     }
 
     /// The function of the equations of a search.

@@ -141,7 +141,8 @@ static int kin_factor(int count, kin_factors *factors, double *detail)
 /* The solution for a right-hand side given in the order of the rows of the matrix. */
 static void kin_substitute(int count, const kin_factors *factors, const double *right, double *solution)
 {
-    for (int row = 0; row < count; row++) {
+    /* The compiler does not know that a matrix has at most as many rows as there are places. */
+    for (int row = 0; row < count && row < KIN_UNKNOWNS; row++) {
         const int origin = factors->origins[row];
         double sum = ldexp(right[origin], factors->row_exponents[origin]);
         for (int column = 0; column < row; column++) {

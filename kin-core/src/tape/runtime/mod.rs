@@ -113,6 +113,12 @@ pub(super) fn c(parts: RuntimeParts, precision: NumberType) -> String {
     text
 }
 
+/// What tells mistakes in the arguments of a solver in JavaScript: `kinCount` and `kinMistake`.
+pub(super) const JAVA_SCRIPT_ARGUMENTS: &str = include_str!("arguments.js");
+
+/// What refuses mistakes in the arguments of a solver in Python: `_named`, `_moving` and `_chosen`.
+pub(super) const PYTHON_ARGUMENTS: &str = include_str!("arguments.py");
+
 /// The run time in JavaScript, as functions of one module: `kinSineCosine`, `kinAtan2`, `kinFactor`, `kinSubstitute` and
 /// `kinNewton`.
 pub(super) fn java_script(parts: RuntimeParts) -> String {

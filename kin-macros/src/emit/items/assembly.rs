@@ -81,13 +81,18 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
-/// The methods of that structure: one call, which kin-core answers.
+/// The methods of that structure, or those of a mechanism with a single position: one call, which kin-core answers.
 pub(in crate::emit) fn methods(mechanism: &Compiled<'_>) -> TokenStream {
     let choices = mechanism.choices();
+    let runtime = mechanism.runtime;
+    if choices.is_empty() && !mechanism.is_coupled() {
+        let (name, order) = (&mechanism.model.name, Literal::usize_unsuffixed(mechanism.order()));
+        return quote!(#runtime::single_position! { #name #order });
+    }
     if choices.len() < 2 {
         return TokenStream::new();
     }
-    let (runtime, name) = (mechanism.runtime, mechanism.assembly_structure());
+    let name = mechanism.assembly_structure();
     let fields = mechanism.assembly_fields();
     let setters = fields
         .iter()

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::compiled::{Compiled, attributes, local};
+use crate::emit::equality::Equality;
 use crate::program::order_name;
 
 /// The structure of columns: `FourBarBatch`.
@@ -34,7 +35,11 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
         let kind = mechanism.output_type(output.value.shape(), &quote!(Column));
         (&output.name, quote!(#runtime::Motion<#kind, #length>))
     });
-    let fields = inputs.chain(unknowns).chain(outputs).map(|(name, kind)| {
+    let fields: Vec<(&Ident, TokenStream)> = inputs.chain(unknowns).chain(outputs).collect();
+    let names: Vec<&Ident> = fields.iter().map(|&(name, _)| name).collect();
+    let Equality { derived, implemented } = Equality::of(&structure, &format_ident!("Column"), &names);
+    let derived = derived.into_iter();
+    let fields = fields.iter().map(|(name, kind)| {
         let line = format!(" As in [`{}`].", mechanism.pose(mechanism.order()));
         quote! {
             #[doc = #line]
@@ -43,11 +48,13 @@ pub(in crate::emit) fn structure(mechanism: &Compiled<'_>) -> TokenStream {
     });
     quote! {
         #[doc = #summary]
-        #[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #[derive(::core::clone::Clone, ::core::fmt::Debug #(, #derived)*)]
         #attributes
         #visibility struct #structure<Column> {
             #(#fields,)*
         }
+
+        #implemented
     }
 }
 

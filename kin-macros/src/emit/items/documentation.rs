@@ -86,7 +86,10 @@ impl Compiled<'_> {
     fn words(&self, form: &ClosedForm, part: usize) -> Option<String> {
         let name = |unknown: &usize| &self.model.unknowns[*unknown].name;
         Some(match form {
-            ClosedForm::Linear { .. } | ClosedForm::LinearPair { .. } | ClosedForm::Direction { .. } => return None,
+            ClosedForm::Linear { .. }
+            | ClosedForm::LinearPair { .. }
+            | ClosedForm::LinearSystem { .. }
+            | ClosedForm::Direction { .. } => return None,
             ClosedForm::Inverse { then, .. } => return self.words(then, part),
             ClosedForm::SquareRoot { unknown, .. } => format!("`{}` is positive", name(unknown)),
             ClosedForm::Polar { length, offset, .. } if self.solvers.graph.is_zero(offset.re) => {

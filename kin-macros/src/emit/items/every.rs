@@ -105,6 +105,15 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>) -> TokenStream {
     }
 }
 
+/// The method of the same name that says why there is none, for a mechanism with coupled blocks.
+pub(in crate::emit) fn absence(mechanism: &Compiled<'_>) -> TokenStream {
+    if !mechanism.is_coupled() || is_found(mechanism) {
+        return TokenStream::new();
+    }
+    let (runtime, name, inputs) = (mechanism.runtime, &mechanism.model.name, mechanism.input_names());
+    quote!(#runtime::not_all_positions! { #name #(#inputs)* })
+}
+
 /// `__one_of_all`: the unknowns of one assembly, as the choices on the way say.
 pub(in crate::emit) fn internal(mechanism: &Compiled<'_>) -> Option<Internal> {
     let (program, _) = search(mechanism)?;

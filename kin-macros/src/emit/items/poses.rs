@@ -1,13 +1,14 @@
 //! The poses: one structure for each order. It holds all motions through that order, and the values that later orders
 //! need.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 use syn::Attribute;
 
 use super::documentation::unit;
 use super::rates;
 use crate::emit::compiled::{Compiled, attributes, local};
+use crate::emit::equality::Equality;
 use crate::program::order_name;
 
 /// The structures.
@@ -86,7 +87,17 @@ fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
             pub #name: #runtime::Motion<#kind, #length>
         }
     });
-    let carried = mechanism.solvers.orders()[order].carries.iter().map(|carried| {
+    let quantities = (model.inputs.iter().map(|input| &input.name))
+        .chain(model.unknowns.iter().map(|unknown| &unknown.name))
+        .chain(model.outputs.iter().map(|output| &output.name));
+    let carries = &mechanism.solvers.orders()[order].carries;
+    let names: Vec<Ident> = quantities
+        .cloned()
+        .chain(carries.iter().map(|carried| mechanism.name_of(carried.symbol)))
+        .collect();
+    let Equality { derived, implemented } = Equality::of(&name, &format_ident!("T"), &names);
+    let derived = derived.into_iter();
+    let carried = carries.iter().map(|carried| {
         let name = mechanism.name_of(carried.symbol);
         match carried.factors {
             None => quote!(#name: T),
@@ -98,7 +109,7 @@ fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
     });
     quote! {
         #[doc = #summary]
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::cmp::PartialEq)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy #(, #derived)*)]
         #attributes
         #visibility struct #name<T = ::core::primitive::f64> {
             #(#inputs,)*
@@ -106,6 +117,8 @@ fn structure(mechanism: &Compiled<'_>, order: usize) -> TokenStream {
             #(#outputs,)*
             #(#carried,)*
         }
+
+        #implemented
     }
 }
 

@@ -7,6 +7,7 @@ use super::description;
 use super::documentation::{cost_line, unit};
 use crate::algebra::Symbol;
 use crate::emit::compiled::{Compiled, attributes, local};
+use crate::emit::equality::Equality;
 use crate::emit::text::ProgramText;
 use crate::model::ValueShape;
 use crate::program::order_name;
@@ -21,10 +22,22 @@ pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     let (visibility, attributes) = (&model.visibility, attributes());
     let (name, whole, partials) = (&model.name, whole(mechanism), partials(mechanism));
     let length = Literal::usize_unsuffixed(mechanism.order() + 1);
-    let derives = quote! {
-        #[derive(::core::clone::Clone, ::core::marker::Copy)]
-        #[derive(::core::fmt::Debug, ::core::cmp::PartialEq)]
+    let derives = |equality: &Equality| {
+        let derived = equality.derived.iter();
+        quote! {
+            #[derive(::core::clone::Clone, ::core::marker::Copy)]
+            #[derive(::core::fmt::Debug #(, #derived)*)]
+        }
     };
+    let all: Vec<&Ident> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+    let of_whole = Equality::of(&whole, &format_ident!("T"), &all);
+    let unknown_names = model.unknowns.iter().map(|unknown| &unknown.name);
+    let all: Vec<&Ident> = unknown_names
+        .chain(model.outputs.iter().map(|output| &output.name))
+        .collect();
+    let of_partials = Equality::of(&partials, &format_ident!("T"), &all);
+    let (whole_derives, partials_derives) = (derives(&of_whole), derives(&of_partials));
+    let (whole_equality, partials_equality) = (of_whole.implemented, of_partials.implemented);
     let parameters = model.parameters.iter().map(|parameter| {
         let field = &parameter.name;
         let line = format!(" By `{field}` ({}).", unit(parameter.dimension));
@@ -62,19 +75,23 @@ pub(in crate::emit) fn structures(mechanism: &Compiled<'_>) -> TokenStream {
     let partials_line = format!(" The partial derivatives of the motion of [`{name}`] by one of its parameters.");
     quote! {
         #[doc = #whole_line]
-        #derives
+        #whole_derives
         #attributes
         #visibility struct #whole<T = ::core::primitive::f64> {
             #(#parameters,)*
         }
 
+        #whole_equality
+
         #[doc = #partials_line]
-        #derives
+        #partials_derives
         #attributes
         #visibility struct #partials<T = ::core::primitive::f64> {
             #(#unknowns,)*
             #(#outputs,)*
         }
+
+        #partials_equality
     }
 }
 

@@ -309,6 +309,7 @@ impl ProgramText<'_> {
             FormArgument::Plane([x, y]) => quote!(#runtime::Plane::new(#x, #y)),
             FormArgument::Pair([first, second]) => quote!([#first, #second]),
             FormArgument::Matrix([[a, b], [c, d]]) => quote!([[#a, #b], [#c, #d]]),
+            FormArgument::Known(number) => quote!(#number),
         }
     }
 

@@ -5,9 +5,11 @@
 mod circular;
 mod inverse;
 mod linear_pair;
+mod linear_system;
 mod loops;
 mod powers;
 
+pub(in crate::structure) use linear_system::recognise as linear_system;
 pub(in crate::structure) use loops::arm;
 
 use super::ClosedForm;

@@ -18,7 +18,7 @@ use read::KinFile;
 pub(super) use watch::watch;
 
 /// What a program that was built from a file is told before its command.
-#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 pub(super) struct Told {
     /// What the person typed up to the command.
     pub(super) program: String,

@@ -34,13 +34,33 @@ impl Mistake {
             .clamp(start, line_start + line.len().max(start - line_start));
         let marks = text.get(start..end).map_or(1, |part| part.chars().count()).max(1);
         let margin = line_number.to_string().len();
+        let (excerpt, before) = excerpt(line, column);
+        let marks = marks.min(excerpt.chars().count().saturating_sub(before)).max(1);
         let mut out = format!("{}\n", self.message);
         let _ = writeln!(out, "{:margin$}--> {file}:{line_number}:{}", "", column + 1);
         let _ = writeln!(out, "{:margin$} |", "");
-        let _ = writeln!(out, "{line_number} | {line}");
-        let _ = write!(out, "{:margin$} | {:column$}{}", "", "", "^".repeat(marks));
+        let _ = writeln!(out, "{line_number} | {excerpt}");
+        let _ = write!(out, "{:margin$} | {}{}", "", " ".repeat(before), "^".repeat(marks));
         out
     }
+}
+
+/// The longest line that is shown whole, in characters.
+const LONGEST: usize = 200;
+
+/// A line, or the part of a long one around a column, with the place of the column in it.
+fn excerpt(line: &str, column: usize) -> (String, usize) {
+    let count = line.chars().count();
+    if count <= LONGEST {
+        return (line.to_owned(), column);
+    }
+    let from = column.saturating_sub(LONGEST / 2).min(count - LONGEST);
+    let part: String = line.chars().skip(from).take(LONGEST).collect();
+    let [before, behind] = [from > 0, from + LONGEST < count].map(|is_cut| if is_cut { "…" } else { "" });
+    (
+        format!("{before}{part}{behind}"),
+        column - from + before.chars().count(),
+    )
 }
 
 /// The bytes of a place that is given by its line and its column, both from one, the column in characters.
@@ -72,5 +92,23 @@ mod tests {
         // behind the end
         let end = Mistake::new("more", text.len()..text.len() + 9).shown("a.kin", text);
         assert!(end.ends_with("3 | end\n  |    ^"), "{end}");
+    }
+
+    #[test]
+    fn of_a_long_line_the_part_around_the_fault_is_shown() {
+        for (before, behind) in [(0, 100_000), (70_000, 0), (70_000, 70_000), (150, 150)] {
+            let text = format!("kin 1\n{}FAULT{}\nend", "ä".repeat(before), "ö".repeat(behind));
+            let start = text.find("FAULT").unwrap();
+            let shown = Mistake::new("this", start..start + 5).shown("a.kin", &text);
+            let lines: Vec<&str> = shown.lines().collect();
+            let [.., line, marks] = lines.as_slice() else {
+                panic!("{shown}")
+            };
+            assert!(line.chars().count() < 220, "{line}");
+            let place = marks.find('^').unwrap();
+            let marked: String = line.chars().skip(place).take(5).collect();
+            assert_eq!((marked.as_str(), marks.matches('^').count()), ("FAULT", 5), "{shown}");
+            assert!(shown.contains(&format!("a.kin:2:{}", before + 1)), "{shown}");
+        }
     }
 }

@@ -56,11 +56,16 @@ struct Declared {
 impl KinFile {
     /// Reads the text of a file.
     pub(crate) fn read(text: &str) -> Result<Self, Mistake> {
+        // a sign that begins comments elsewhere may be taken for many things
+        Self::read_tokens(text).map_err(|mistake| other_comment(text).unwrap_or(mistake))
+    }
+
+    fn read_tokens(text: &str) -> Result<Self, Mistake> {
         let first = text.lines().next().unwrap_or("");
         if first.trim_end() != FIRST_LINE {
             return Err(wrong_first_line(first));
         }
-        let blanked = format!("{:width$}{}", "", &text[first.len()..], width = first.len());
+        let blanked = format!("{}{}", " ".repeat(first.len()), &text[first.len()..]);
         let stream: TokenStream = blanked.parse().map_err(|error: proc_macro2::LexError| {
             let range = error.span().byte_range();
             Mistake::new(
@@ -71,6 +76,22 @@ impl KinFile {
         let tokens: Vec<TokenTree> = stream.into_iter().collect();
         Reader { text, tokens: &tokens }.read(&blanked)
     }
+}
+
+/// A comment as other languages have them.
+fn other_comment(text: &str) -> Option<Mistake> {
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let code = line.split("//").next().unwrap_or(line);
+        let mut signs = code.match_indices('#');
+        let is_attribute = |place: usize| code[place + 1..].starts_with(['[', '!']);
+        if let Some((place, _)) = signs.find(|(place, _)| !is_attribute(*place)) {
+            let place = start + place;
+            return Some(Mistake::new("a comment begins with `//`", place..place + 1));
+        }
+        start += line.len();
+    }
+    None
 }
 
 fn wrong_first_line(first: &str) -> Mistake {
@@ -119,6 +140,7 @@ impl Reader<'_> {
             let section = [("dimensions", &mut dimensions), ("motion", &mut motion)]
                 .into_iter()
                 .find(|(name, _)| is_ident(Some(token), name));
+            check_end(&declared, token)?;
             if let (Some((name, slot)), Some(group)) = (section, braces(next)) {
                 let whole = range_of(token).start..group.span().byte_range().end;
                 if slot.is_some() {
@@ -153,7 +175,7 @@ impl Reader<'_> {
         }
         harmless(&declared, true)?;
         let (name, fields) = structure(&declared, self.text)?;
-        let inputs = inputs(&declared);
+        let inputs = inputs(&declared)?;
         let (dimensions, dimensions_at) = dimensions.unwrap_or_default();
         let mut lengths = Lengths::default();
         let mut set = numbers(&fields, &dimensions, &dimensions_at, self.text, &mut lengths)?;
@@ -348,33 +370,73 @@ fn structure(declared: &[TokenTree], text: &str) -> Result<(String, Vec<Declared
         ));
     };
     let tokens: Vec<TokenTree> = body.stream().into_iter().collect();
-    Ok((name.to_string(), quantities(&tokens)))
+    Ok((name.to_string(), quantities(&tokens, "")?))
+}
+
+/// The words behind which a statement goes on, and those with which a line may go on.
+const HEADS: [&str; 11] = [
+    "struct", "pub", "input", "unknown", "output", "let", "ground", "body", "slide", "on", "with",
+];
+const INFIXES: [&str; 3] = ["in", "where", "on"];
+
+/// Refuses a line that begins a statement while the one before has no end.
+fn check_end(before: &[TokenTree], token: &TokenTree) -> Result<(), Mistake> {
+    let Some(last) = before.last() else { return Ok(()) };
+    let is_operand = match last {
+        TokenTree::Ident(word) => !HEADS.iter().any(|head| word == head),
+        TokenTree::Literal(_) => true,
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis,
+        TokenTree::Punct(_) => false,
+    };
+    let begins = match token {
+        TokenTree::Ident(word) => !INFIXES.iter().any(|infix| word == infix),
+        TokenTree::Literal(_) => true,
+        TokenTree::Group(_) | TokenTree::Punct(_) => false,
+    };
+    let is_next_line = last.span().end().line < token.span().start().line;
+    if is_operand && begins && is_next_line {
+        return Err(Mistake::new("a statement ends with `;`", range_of(last)));
+    }
+    Ok(())
 }
 
 /// The inputs of all statements `input theta: Angle, s: Length;`.
-fn inputs(declared: &[TokenTree]) -> Vec<Declared> {
+fn inputs(declared: &[TokenTree]) -> Result<Vec<Declared>, Mistake> {
     let body = declared
         .iter()
         .position(|token| braces(Some(token)).is_some())
         .map_or(0, |place| place + 1);
-    let statements = declared[body..].split(|token| is_punct(Some(token), ';'));
-    statements
-        .filter_map(|statement| {
-            let start = statement
-                .iter()
-                .position(|token| matches!(token, TokenTree::Ident(_)))?;
-            is_ident(statement.get(start), "input").then(|| quantities(&statement[start + 1..]))
-        })
-        .flatten()
-        .collect()
+    let mut found = Vec::new();
+    for statement in declared[body..].split(|token| is_punct(Some(token), ';')) {
+        let start = statement.iter().position(|token| matches!(token, TokenTree::Ident(_)));
+        let Some(start) = start else { continue };
+        for head in ["input", "unknown"] {
+            if is_ident(statement.get(start), head) {
+                let own = quantities(&statement[start + 1..], head)?;
+                found.extend(own.into_iter().filter(|_| head == "input"));
+            }
+        }
+    }
+    Ok(found)
 }
 
-/// What is declared as `name: Dimension` between commas. What is not declared so is a mistake that the macro finds.
-fn quantities(tokens: &[TokenTree]) -> Vec<Declared> {
+/// What is declared as `name: Dimension` between commas, behind a word. What is not declared so is a mistake that the macro finds, apart
+/// from a name alone.
+fn quantities(tokens: &[TokenTree], head: &str) -> Result<Vec<Declared>, Mistake> {
     let mut found = Vec::new();
     for part in tokens.split(|token| is_punct(Some(token), ',')) {
         let colon = part.iter().position(|token| is_punct(Some(token), ':'));
         let Some(colon) = colon.filter(|colon| *colon > 0) else {
+            if let [TokenTree::Ident(name)] = part {
+                let (head, kind) = match head {
+                    "" => (String::new(), "Length` or `Angle"),
+                    head => (format!("{head} "), "Angle` or `Length"),
+                };
+                return Err(Mistake::new(
+                    format!("nothing says what `{name}` is: write `{head}{name}: {kind}`"),
+                    name.span().byte_range(),
+                ));
+            }
             continue;
         };
         let (Some(TokenTree::Ident(name)), Some(TokenTree::Ident(dimension))) =
@@ -395,7 +457,7 @@ fn quantities(tokens: &[TokenTree]) -> Vec<Declared> {
             parts,
         });
     }
-    found
+    Ok(found)
 }
 
 const COORDINATES: [&str; 3] = ["x", "y", "z"];
@@ -577,6 +639,56 @@ assembly = open;
         }
     }
 
+    /// The width of a format is at most 65 535.
+    #[test]
+    fn long_lines_are_read_and_told() {
+        let blanks = FILE.replacen("kin 1", &format!("kin 1{}", " ".repeat(70_000)), 1);
+        assert!(KinFile::read(&blanks).is_ok());
+        let long = "a".repeat(70_000);
+        for text in [
+            format!("kin 1\n//{long}"),
+            format!("kin 1 {long}"),
+            FILE.replace("crank", &long).replace("30mm", "30deg"),
+            FILE.replacen("crank = 30mm;", &format!("{long} = 30mm;"), 1),
+        ] {
+            let shown = KinFile::read(&text).unwrap_err().shown("a.kin", &text);
+            assert!(shown.contains("a.kin:"));
+        }
+    }
+
+    /// Whatever a file holds, it is read or there is a mistake in it that can be shown.
+    #[test]
+    fn spoilt_files_are_mistakes() {
+        let mut random = kin_core::verify::Random::new(7);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "it is below the end"
+        )]
+        let mut below = |end: usize| random.between(0.0, end as f64) as usize;
+        let parts = [
+            "#", ";", "\n", "'", "{", ")", "input ", "θ", ",5", "-", "..", " at ", "=", "\u{feff}", "0",
+        ];
+        let mut kinds = [0; 2];
+        for _ in 0..3000 {
+            let mut text: Vec<char> = FILE.chars().collect();
+            for _ in 0..=below(3) {
+                let place = below(text.len());
+                if below(2) == 0 {
+                    text.drain(place..(place + below(9)).min(text.len()));
+                } else {
+                    let part = parts[below(parts.len())].repeat(1 + below(3) * below(400));
+                    text.splice(place..place, part.chars());
+                }
+            }
+            let text: String = text.into_iter().collect();
+            let read = KinFile::read(&text).map_err(|mistake| mistake.shown("a.kin", &text));
+            kinds[usize::from(read.is_err())] += 1;
+        }
+        assert!(kinds[0] > 100 && kinds[1] > 1000, "{kinds:?}");
+    }
+
     #[test]
     fn mistakes_have_places() {
         for (right, wrong, at, word) in [
@@ -592,6 +704,47 @@ assembly = open;
             ("s = 60mm", "x = 60mm", "x = 60", "there is `s`"),
             ("20mm/s", "20rpm", "60mm..100mm at", "20mm/s"),
             ("assembly = open;", "assembly = open", "assembly", "ends with `;`"),
+            ("input s: Length", "input s", "s;", "write `input s: Angle` or `Length`"),
+            ("phi: Angle", "phi", "phi;", "write `unknown phi: Angle`"),
+            (
+                "crank: Length",
+                "crank",
+                "crank, rod",
+                "write `crank: Length` or `Angle`",
+            ),
+            (
+                "s: Length;",
+                "s: Length",
+                "Length\nunknown",
+                "a statement ends with `;`",
+            ),
+            (
+                "vec2(s, 0);",
+                "vec2(s, 0)",
+                "(s, 0)\ndimensions",
+                "a statement ends with `;`",
+            ),
+            ("phi: Angle;", "phi: Angle", "Angle\ncrank", "a statement ends with `;`"),
+            (
+                "input s",
+                "# the pump's input\ninput s",
+                "# the",
+                "a comment begins with `//`",
+            ),
+            (
+                "rod = 80mm;",
+                "rod = 80mm; # long",
+                "# long",
+                "a comment begins with `//`",
+            ),
+            ("80mm", "80,5mm", "80,5mm", "write `80.5mm` with a point"),
+            (
+                "100mm at 20mm/s",
+                "100mm 20mm/s",
+                "60mm..100mm 20",
+                "write `60mm..100mm at 20mm/s`",
+            ),
+            ("60mm..100mm", "60mm-100mm", "60mm-100mm", "as in `60..100mm`"),
         ] {
             let text = FILE.replacen(right, wrong, 1);
             let mistake = KinFile::read(&text).unwrap_err();

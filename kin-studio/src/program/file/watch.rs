@@ -94,11 +94,15 @@ fn page(run: &Run, arguments: &[OsString]) -> Result<String, Fault> {
         .args(["--output", "-"])
         .output()
         .map_err(|error| Fault::build(format!("what was built cannot be run: {error}")))?;
-    if output.status.success() {
-        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
-    }
     let told = String::from_utf8_lossy(&output.stderr);
     let told = told.trim();
+    if !output.stdout.is_empty() {
+        // a page of a motion that does not close everywhere is shown as well
+        if !told.is_empty() {
+            eprintln!("{told}");
+        }
+        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+    }
     Err(Fault::wrong(told.strip_prefix("error: ").unwrap_or(told)))
 }
 

@@ -30,10 +30,10 @@ pub(super) fn run(subject: &dyn Subject, setup: &Setup, told: &Told) -> Result<(
         input.name,
         count(found.circuits.len(), "circuit", "circuits"),
         count(branches, "branch", "branches"),
-        if found.is_complete {
-            "there are no others"
+        if found.incomplete.is_empty() {
+            "there are no others".to_owned()
         } else {
-            "there may be others"
+            format!("there may be others: {}", found.incomplete.join(", and "))
         }
     );
     for (block, class) in &found.classes {

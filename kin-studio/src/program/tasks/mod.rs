@@ -23,6 +23,11 @@ use super::subject::Subject;
 
 /// Does what a command says.
 pub(super) fn run(subject: &dyn Subject, task: &Task, told: &Told) -> Result<(), Fault> {
+    if let Some(setup) = task.setup() {
+        for remark in setup.typed(told).remarks(subject) {
+            eprintln!("note: {remark}");
+        }
+    }
     match task {
         Task::Show => show::run(subject, told),
         Task::Sweep(options) => sweep::run(subject, options, told),

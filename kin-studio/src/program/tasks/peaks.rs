@@ -62,7 +62,8 @@ pub(super) fn run(subject: &dyn Subject, options: &Peaks, told: &Told) -> Result
             })
             .collect()
     });
-    print(&shown(subject, &case, &wanted, &found?))
+    print(&shown(subject, &case, &wanted, &found?))?;
+    subject.closes(&case)
 }
 
 fn label(quantity: &Quantity, order: usize) -> String {

@@ -1,5 +1,7 @@
 //! `kin report`: the page of a mechanism.
 
+use std::path::Path;
+
 use super::super::command::Report;
 use super::super::fault::Fault;
 use super::super::file::Told;
@@ -9,6 +11,9 @@ use super::super::subject::{PageWishes, Subject};
 use super::write;
 
 pub(super) fn run(subject: &dyn Subject, options: &Report, told: &Told) -> Result<(), Fault> {
+    if let Some(path) = &options.output {
+        is_page(path)?;
+    }
     let page = page(subject, options, told)?;
     let path = options.output.clone().unwrap_or_else(|| {
         let name = snake(subject.description().name);
@@ -18,7 +23,28 @@ pub(super) fn run(subject: &dyn Subject, options: &Report, told: &Told) -> Resul
     if path.as_os_str() != "-" {
         eprintln!("open it in a browser");
     }
-    Ok(())
+    // without a range it is the mechanism that says how far the page goes
+    let typed = options.setup.typed(told);
+    if typed.has_range() {
+        subject.closes(&typed.case(subject)?)
+    } else {
+        Ok(())
+    }
+}
+
+/// Refuses a name that promises another kind of file.
+fn is_page(path: &Path) -> Result<(), Fault> {
+    let Some(ending) = path.extension() else { return Ok(()) };
+    if ["html", "htm", "xhtml"]
+        .iter()
+        .any(|own| ending.eq_ignore_ascii_case(own))
+    {
+        return Ok(());
+    }
+    Err(Fault::wrong(format!(
+        "a report is a page in HTML: write `-o {}`; in a browser the page is printed as PDF",
+        path.with_extension("html").display()
+    )))
 }
 
 /// The page as one text.

@@ -17,7 +17,7 @@ pub(super) fn run(subject: &dyn Subject, told: &Told) -> Result<(), Fault> {
 
 fn shown(subject: &dyn Subject, told: &Told) -> Result<String, Fault> {
     let description = subject.description();
-    let known = if told.set.is_empty() {
+    let known = if *told == Told::default() {
         of_library(subject)
     } else {
         Some(of_file(subject, told)?)
@@ -77,6 +77,7 @@ fn of_file(subject: &dyn Subject, told: &Told) -> Result<Known, Fault> {
     Typed {
         set: told.set.clone(),
         over: told.over.clone(),
+        assembly: told.assembly.clone(),
         ..Typed::default()
     }
     .known(subject)
@@ -129,7 +130,7 @@ fn shortened(text: &str, room: usize) -> String {
 mod tests {
     use super::super::super::subject::bare;
     use super::*;
-    use kin_core::library::Pantograph;
+    use kin_core::library::{Pantograph, SliderCrank};
 
     /// The values of a file have its unit, and an input of which it says nothing has no value.
     #[test]
@@ -147,6 +148,17 @@ mod tests {
             "x          length",
         ] {
             assert!(out.contains(line), "{out}");
+        }
+        // what the file says of the assembly is compared with the mechanism as well
+        for (assembly, is_one) in [("open", true), ("1", false)] {
+            let assembly = Some(assembly.to_owned());
+            let set = ["r=30mm", "l=80mm"].map(str::to_owned).to_vec();
+            let told = Told {
+                set,
+                assembly,
+                ..Told::default()
+            };
+            assert_eq!(shown(&bare::<SliderCrank>(), &told).is_ok(), is_one);
         }
     }
 }

@@ -33,7 +33,8 @@ pub(super) fn run(subject: &dyn Subject, options: &Sweep, told: &Told) -> Result
     } else {
         print(&shown(&table, &options.columns)?)?;
     }
-    closes(&table)
+    closes(&table)?;
+    subject.closes(&case)
 }
 
 /// The table in the units that are shown.

@@ -12,7 +12,7 @@ pub(super) fn run(subject: &dyn Subject, setup: &Setup, told: &Told) -> Result<(
     let report = watched("verifying", 1, |_| subject.verify(&case))?;
     print(&format!("{report}\n"))?;
     if report.passed() {
-        Ok(())
+        subject.closes(&case)
     } else {
         Err(Fault::open("the verification did not pass"))
     }

@@ -15,6 +15,7 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
     solver: &Solver,
     cycle: &Cycle<M>,
     own: &Own<M>,
+    range: [f64; 2],
 ) -> (Vec<Assembly>, usize) {
     if M::ASSEMBLY_COUNT > 0 {
         let numbers = numbers(cycle, own);
@@ -42,16 +43,22 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
         circuit,
     };
     let mut all: Vec<Assembly> = Vec::new();
-    for (index, branch) in cycle.branches().iter().enumerate() {
-        let place = place::between(branch);
+    let shown = shown(cycle, own, range);
+    for &index in &shown {
+        let branch = &cycle.branches()[index];
+        let ([low, high], periods) =
+            place::part_in(cycle, branch, range).unwrap_or((branch.ends().map(|end| end.input), 0.0));
+        let place = place::between_places(low, high);
         // a branch is at least known by its samples
-        let found = cycle.position_on(index, place);
+        let found = cycle.position_on(index, place - periods);
         let (place, unknowns) = found.map_or(branch.samples()[branch.samples().len() / 2], |unknowns| {
             (place, unknowns)
         });
         all.push(near(place, unknowns.as_ref(), index + 1, Some(branch.circuit())));
     }
-    let index = own.branches.first().copied().unwrap_or_else(|| {
+    let first = own.branches.first();
+    let index = first.and_then(|first| shown.iter().position(|index| index == first));
+    let index = index.unwrap_or_else(|| {
         let (place, unknowns) = &own.start;
         all.push(near(*place, unknowns.as_ref(), all.len() + 1, None));
         all.len() - 1
@@ -59,14 +66,30 @@ pub(super) fn list<M: Mechanism<Scalar = f64>>(
     (all, index)
 }
 
-/// The index of the assembly to which a branch belongs.
-pub(super) fn of_branch<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, branch: usize) -> usize {
+/// The index of the assembly to which a branch belongs, if it is listed.
+pub(super) fn of_branch<M: Mechanism<Scalar = f64>>(
+    cycle: &Cycle<M>,
+    own: &Own<M>,
+    range: [f64; 2],
+    branch: usize,
+) -> Option<usize> {
     if M::ASSEMBLY_COUNT == 0 {
-        return branch;
+        return shown(cycle, own, range).iter().position(|index| *index == branch);
     }
     let assembly = cycle.branches()[branch].assembly();
     let mut numbers = numbers(cycle, own).into_iter();
-    numbers.position(|number| M::assembly(number) == assembly).unwrap_or(0)
+    numbers.position(|number| M::assembly(number) == assembly)
+}
+
+/// The branches of which a part lies in the range, and the report's own. An assembly of another one would show the numbers of a branch to
+/// which Newton's method goes from values nearby.
+fn shown<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, range: [f64; 2]) -> Vec<usize> {
+    let is_own = |index: usize| own.branches.first() == Some(&index);
+    let branches = cycle.branches().iter().enumerate();
+    branches
+        .filter(|(index, branch)| is_own(*index) || place::part_in(cycle, branch, range).is_some())
+        .map(|(index, _)| index)
+        .collect()
 }
 
 /// The numbers of the assemblies that close somewhere, and of the report's own.

@@ -10,7 +10,12 @@ use crate::report::model;
 const SAMPLES: usize = 91;
 
 /// The cycle as data.
-pub(super) fn of<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, moving: usize) -> model::Cycle {
+pub(super) fn of<M: Mechanism<Scalar = f64>>(
+    cycle: &Cycle<M>,
+    own: &Own<M>,
+    moving: usize,
+    range: [f64; 2],
+) -> model::Cycle {
     let circuits = cycle.circuits().iter().map(|circuit| model::Circuit {
         branches: circuit.branches().to_vec(),
         closed: circuit.is_closed(),
@@ -20,7 +25,7 @@ pub(super) fn of<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, mov
         let ends = branch.ends();
         model::Branch {
             circuit: branch.circuit(),
-            assembly: super::assemblies::of_branch(cycle, own, index),
+            assembly: super::assemblies::of_branch(cycle, own, range, index),
             range: ends.map(|end| end.input),
             full_turn: branch.is_full_turn(),
             ends: ends.each_ref().map(|end| model::End {
@@ -34,6 +39,7 @@ pub(super) fn of<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>, own: &Own<M>, mov
     });
     model::Cycle {
         complete: cycle.is_complete(),
+        incomplete: cycle.incomplete().iter().map(ToString::to_string).collect(),
         circuits: circuits.collect(),
         branches: branches.collect(),
     }

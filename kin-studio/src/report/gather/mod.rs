@@ -43,7 +43,7 @@ pub(super) fn report<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<Rep
     {
         return Err(ReportError::ClosesNowhere { error: *error });
     }
-    let (assemblies, assembly) = assemblies::list(&solver, &cycle, &own);
+    let (assemblies, assembly) = assemblies::list(&solver, &cycle, &own, range);
     let found = peaks::find(&way);
     let closes = poses.iter().all(|(_, pose)| pose.is_ok());
     let parameters = mechanism.parameters();
@@ -75,7 +75,7 @@ pub(super) fn report<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<Rep
         assembly,
         coupled: M::ASSEMBLY_COUNT == 0,
         space: !<<M::Places as PointArray>::Point as PlaneOrSpace>::IS_PLANE,
-        cycle: Some(circuits::of(&cycle, &own, moving)),
+        cycle: Some(circuits::of(&cycle, &own, moving, range)),
         extremes: found.extremes,
         rms: found.rms,
         unanswered: found.unanswered,
@@ -103,11 +103,14 @@ fn check<M: Mechanism<Scalar = f64>>(draft: &Draft<M>) -> Result<(), ReportError
     let parameters = draft.mechanism.parameters();
     let culprit = named(M::DESCRIPTION.parameters, parameters.as_ref())
         .or_else(|| named(M::DESCRIPTION.inputs, draft.inputs.as_ref()))
-        .or((!draft.speed.is_finite() || draft.speed == 0.0).then_some("the speed"));
+        .or((!draft.speed.is_finite()).then_some("the speed"));
     if let Some(quantity) = culprit {
         return Err(ReportError::NotFinite {
             quantity: quantity.to_owned(),
         });
+    }
+    if draft.speed == 0.0 {
+        return Err(ReportError::NoSpeed);
     }
     match draft.range {
         Some([from, to]) if !(to - from > 0.0 && (to - from).is_finite()) => Err(ReportError::NoRange { from, to }),

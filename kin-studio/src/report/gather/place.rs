@@ -114,6 +114,29 @@ impl<M: Mechanism<Scalar = f64>> Own<M> {
     }
 }
 
+/// The largest part of a branch within a range, and the whole periods by which it is shifted there.
+pub(super) fn part_in<M: Mechanism<Scalar = f64>>(
+    cycle: &Cycle<M>,
+    branch: &Branch<M>,
+    range: [f64; 2],
+) -> Option<([f64; 2], f64)> {
+    let [low, high] = branch.ends().map(|end| end.input);
+    let part = |shift: f64| ([range[0].max(low + shift), range[1].min(high + shift)], shift);
+    let length = |([from, to], _): &([f64; 2], f64)| to - from;
+    let parts: Vec<_> = match cycle.period() {
+        Some(_) if branch.is_full_turn() => vec![(range, 0.0)],
+        Some(period) => {
+            let first = ((range[0] - high) / period).floor();
+            (0..4).map(|turn| part(period * (first + f64::from(turn)))).collect()
+        }
+        None => vec![part(0.0)],
+    };
+    let longest = parts
+        .into_iter()
+        .max_by(|one, other| length(one).total_cmp(&length(other)))?;
+    (length(&longest) > 0.0).then_some(longest)
+}
+
 /// A place inside of a branch.
 pub(super) fn between<M: Mechanism<Scalar = f64>>(branch: &Branch<M>) -> f64 {
     let [low, high] = branch.ends().map(|end| end.input);

@@ -1,13 +1,13 @@
-//! The two signals that end a process of a cluster: SIGINT and SIGTERM.
+//! The two signals that end a process: SIGINT, which Ctrl-C sends, and SIGTERM.
 
 use std::io;
 
 #[cfg(unix)]
 use tokio::signal::unix::{Signal, SignalKind, signal};
 
-/// The signals, listened for from the moment when this is made.
+/// SIGINT and SIGTERM, listened for from the moment when this is made. Elsewhere than on Unix it is Ctrl-C alone.
 #[derive(Debug)]
-pub(super) struct Signals {
+pub struct Signals {
     #[cfg(unix)]
     interrupt: Signal,
     #[cfg(unix)]
@@ -20,7 +20,7 @@ impl Signals {
     /// # Errors
     ///
     /// The system's error, if it grants no handler.
-    pub(super) fn listen() -> io::Result<Self> {
+    pub fn listen() -> io::Result<Self> {
         Ok(Self {
             #[cfg(unix)]
             interrupt: signal(SignalKind::interrupt())?,
@@ -31,7 +31,7 @@ impl Signals {
 
     /// Waits for one of them.
     #[cfg(unix)]
-    pub(super) async fn come(&mut self) {
+    pub async fn come(&mut self) {
         tokio::select! {
             _ = self.interrupt.recv() => {}
             _ = self.terminate.recv() => {}
@@ -40,7 +40,7 @@ impl Signals {
 
     /// Waits for one of them.
     #[cfg(not(unix))]
-    pub(super) async fn come(&mut self) {
+    pub async fn come(&mut self) {
         if tokio::signal::ctrl_c().await.is_err() {
             std::future::pending::<()>().await;
         }

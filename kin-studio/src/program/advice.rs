@@ -1,0 +1,112 @@
+//! What people type in place of what the program takes, and what to type.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use super::command::Task;
+
+/// The languages of `code`.
+const LANGUAGES: [&str; 6] = ["c", "js", "javascript", "python", "py", "numpy"];
+
+/// What to type in place of these arguments, whose first one is the program. `has_library` tells that a mechanism is named behind the command.
+pub(super) fn advice(arguments: &[OsString], has_library: bool) -> Option<String> {
+    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|word| word.to_str()).collect();
+    let own = |word: &&str| !word.starts_with('-');
+    let mut named = words.iter().copied().filter(own);
+    let (first, second, third) = (named.next()?, named.next(), named.next());
+    let is_file = |word: &str| Path::new(word).extension().is_some_and(|ending| ending == "kin");
+    if has_library && is_file(first) {
+        return Some(format!(
+            "a file is run with a command: write `kin run {first} {}`",
+            second.unwrap_or("report")
+        ));
+    }
+    if !Task::NAMES.contains(&first) {
+        return None;
+    }
+    if has_library && let Some(file) = second.filter(|word| is_file(word)) {
+        return Some(format!("a file is run: write `kin run {file} {first}`"));
+    }
+    if let ("code", true, Some(language), Some(mechanism)) = (first, has_library, second, third)
+        && LANGUAGES.contains(&language)
+        && !LANGUAGES.contains(&mechanism)
+    {
+        return Some(format!(
+            "the mechanism comes before the language: write `kin code {mechanism} {language}`"
+        ));
+    }
+    if let Some(option) = words.iter().find(|word| is_step(word)) {
+        return Some(format!(
+            "there is no `{option}`: the number of rows is `--rows`, as in `--rows 37`"
+        ));
+    }
+    // an option takes the word behind it
+    let mut before = "";
+    for word in &words {
+        let is_taken = before.starts_with('-') && !before.contains('=') && before != "--radians";
+        if own(word) && !is_taken && is_value(word) {
+            return Some(format!("`{word}` is the value of a dimension: write `--set {word}`"));
+        }
+        before = word;
+    }
+    None
+}
+
+/// Whether an option is the step that other programs take.
+fn is_step(word: &str) -> bool {
+    let name = word.split('=').next().unwrap_or(word);
+    ["--step", "--steps", "--points", "--number", "--count"].contains(&name)
+}
+
+fn is_value(word: &str) -> bool {
+    let is_name = |name: &str| {
+        !name.is_empty()
+            && name
+                .chars()
+                .all(|letter| letter.is_alphanumeric() || "_.".contains(letter))
+    };
+    word.split_once('=').is_some_and(|(name, _)| is_name(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(line: &str, has_library: bool) -> Option<String> {
+        let words: Vec<OsString> = line.split_whitespace().map(OsString::from).collect();
+        advice(&words, has_library)
+    }
+
+    #[test]
+    fn what_is_right_has_no_advice() {
+        for line in [
+            "kin sweep four_bar --set r2=45",
+            "kin sweep four_bar --over theta2=0..90deg --rows 3",
+            "kin code four_bar c",
+            "kin run w.kin report",
+            "kin",
+        ] {
+            assert_eq!(of(line, true), None, "{line}");
+        }
+        assert_eq!(of("pump code c", false), None);
+    }
+
+    #[test]
+    fn what_others_take_is_told() {
+        for (line, advice) in [
+            ("kin w.kin", "`kin run w.kin report`"),
+            ("kin w.kin sweep", "`kin run w.kin sweep`"),
+            ("kin report w.kin", "`kin run w.kin report`"),
+            ("kin code c four_bar", "`kin code four_bar c`"),
+            ("kin sweep four_bar r2=45", "`--set r2=45`"),
+            ("kin sweep four_bar --radians p.x=4", "`--set p.x=4`"),
+            ("kin sweep four_bar --step 10", "`--rows 37`"),
+            ("kin sweep four_bar --steps=10", "`--rows 37`"),
+        ] {
+            let told = of(line, true).unwrap_or_default();
+            assert!(told.contains(advice), "{line}: {told}");
+        }
+        let told = of("pump sweep crank=45mm", false).unwrap_or_default();
+        assert!(told.contains("`--set crank=45mm`"), "{told}");
+    }
+}
