@@ -30,7 +30,7 @@ crate::mechanism! {
 }
 
 /// The steps of the fine table.
-const FINE: usize = 4000;
+const FINE: u32 = 4000;
 
 const DOUBLE_CRANK: Geared = Geared {
     r1: 20.0,
@@ -184,7 +184,8 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
         .rms(name, Over::Time)
         .unwrap_or_else(|error| panic!("{}: {error}", context()));
     // what lies between the last rows and the limits
-    let missing = 4.0 * fine.parts.len() as f64 / FINE as f64 * fine.size;
+    let parts = u32::try_from(fine.parts.len()).unwrap();
+    let missing = 4.0 * f64::from(parts) / f64::from(FINE) * fine.size;
     for (value, expected) in [(mean.value, fine.mean(1)), (square.value, fine.mean(2).sqrt())] {
         assert!(
             (value - expected).abs() <= slack + missing,
@@ -196,7 +197,7 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
 
 fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(rows: &[usize], course: impl Fn(usize) -> Course<M, D>) {
     let description = M::DESCRIPTION;
-    let fine = course(FINE + 1).table().unwrap();
+    let fine = course(FINE as usize + 1).table().unwrap();
     if fine
         .column(description.unknowns[0].name)
         .unwrap()

@@ -72,7 +72,7 @@ fn write<M: Mechanism<Scalar = f64>, D: Drive<M>>(
     let motions = course.drive.motions(at);
     let data = &mut table.data;
     course.write(at, &motions, Some(*reached), |column, value| {
-        data[column * count + row] = value
+        data[column * count + row] = value;
     });
 }
 
