@@ -8,8 +8,8 @@ use super::gradients::{equations_along, gradients, jacobian_rates, rounding_erro
 use super::matrix_condition::condition;
 use super::{Inputs, Unknowns};
 use crate::mechanism::Mechanism;
-use crate::number::Number;
 use crate::number::series::Series;
+use crate::number::{Number, Row};
 use crate::quantity::{Dimension, Quantity};
 
 /// The units of error at a pose.
@@ -29,8 +29,8 @@ use crate::quantity::{Dimension, Quantity};
 /// times a number that depends on the count of terms, [`allowed`]. A term of an equation is the amount by which the
 /// equation changes when one of its quantities has a relative error of one. Two kinds of larger terms may cancel. Those
 /// within the equation show up in a bound on its rounding error, and the size of a row is at least so large that this
-/// bound is allowed. Those of its Taylor polynomial along an unknown exceed the first one near a double root, where
-/// rounding moves a root further than the first term says. The size of a row is at least that of the largest.
+/// bound is allowed. The quadratic term of its Taylor polynomial exceeds the linear one near a double root, where rounding
+/// moves a root further than the linear term says. The size of a row is at least that of the quadratic term.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gauge {
     /// The condition κ of the scaled Jacobian.
@@ -39,7 +39,7 @@ pub struct Gauge {
     pub frequency: f64,
     /// The largest rate of an input.
     pub driving: f64,
-    /// The largest rate of an equation whose unknowns stand still.
+    /// The largest rate of an equation, or of an entry of the scaled Jacobian, while the unknowns stand still.
     pub forcing: f64,
     /// The largest length.
     pub length: f64,
@@ -87,12 +87,14 @@ impl Gauge {
             frequency = frequency.max(equation.frequency);
         }
         let at = values(unknowns.as_ref());
-        let forced = equations_along(mechanism, input, |index| Series::constant(at[index]));
+        let still = M::Unknowns::from_fn(|index| M::Motion::from_fn(|order| if order == 0 { at[index] } else { 0.0 }));
+        let forced = equations_along(mechanism, input, |index| moving(&still.as_ref()[index]));
+        let forced_rates = jacobian_rates(mechanism, inputs, &still);
         let bends = bends(mechanism, &values(inputs.as_ref()), &at);
         let mut forcing = 0.0_f64;
         let mut rows = Vec::new();
-        let beyond = rounding.into_iter().zip(bends).zip(forced);
-        for (((row, others), rates), ((rounding, bend), forced)) in
+        let beyond = rounding.into_iter().zip(bends).zip(forced).zip(forced_rates);
+        for (((row, others), rates), (((rounding, bend), forced), forced_rates)) in
             jacobian.iter_mut().zip(others).zip(rates).zip(beyond)
         {
             for (entry, size) in row.iter_mut().zip(&sizes) {
@@ -102,8 +104,9 @@ impl Gauge {
                 .iter()
                 .chain(&others)
                 .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-            for (rates, own) in rates.into_iter().zip(&sizes) {
+            for ((rates, forced_rates), own) in rates.into_iter().zip(forced_rates).zip(&sizes) {
                 frequency = frequency.max(fastest_of(rates, shifts / own));
+                forcing = forcing.max(fastest_of(forced_rates, shifts / own));
             }
             // Terms that cancel count too.
             let size = shifts.max(rounding / allowed(0)).max(bend);
@@ -126,7 +129,7 @@ impl Gauge {
 
     /// The unit of error of an unknown's n-th derivative, compared with differentiation of the position. That
     /// differentiation has intermediate results that change κ times as fast as the inputs. Newton's method begins with
-    /// unknowns that stand still, and so with residuals that change as fast as the inputs alone drive them.
+    /// unknowns that stand still, and so with equations that change as fast as the inputs alone drive them.
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> f64 {
         self.unit(order, self.solving()) * self.sizes[index]
@@ -165,12 +168,12 @@ impl Gauge {
     }
 }
 
-/// The largest term beyond the first in the Taylor polynomials of each equation, one along each unknown, over the size of its
-/// value.
+/// The largest quadratic term in the Taylor polynomials of each equation, one along each unknown.
 ///
-/// Near a double root the first term is small. There a position that is found from the coefficients of the equation is
-/// right to the rounding of the second term only. The size of an angle is at most a radian, within which its sine and
-/// cosine change.
+/// Near a double root the linear term is small. There a position that is found from the coefficients of the equation is
+/// right to the rounding of the quadratic term only. The step along an unknown is its value. It is at most a radian for
+/// an angle, within which its sine and cosine change, and ends where the polynomial means nothing: where a divisor of
+/// the equation may vanish.
 fn bends<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &[f64], unknowns: &[f64]) -> Vec<f64> {
     let mut largest = vec![0.0_f64; unknowns.len()];
     for along in 0..unknowns.len() {
@@ -185,8 +188,9 @@ fn bends<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &[f64], unknowns: &[
         };
         let equations = equations_along(mechanism, |index| Series::constant(inputs[index]), unknown);
         for (largest, equation) in largest.iter_mut().zip(equations) {
-            let [_, _, higher @ ..] = equation.value.coefficients();
-            *largest = higher.iter().fold(*largest, |largest, term| largest.max(term.abs()));
+            let step = equation.frequency.max(1.0).recip();
+            let [_, _, quadratic, ..] = equation.value.coefficients();
+            *largest = largest.max(quadratic.abs() * step * step);
         }
     }
     largest
