@@ -17,9 +17,9 @@ use crate::quantity::{Dimension, Quantity};
 /// Let κ be the condition of the Jacobian, with columns scaled by the sizes of the unknowns and rows by the terms of
 /// the equations. Let w be the largest |x⁽ᵏ⁾|^(1/k) over all quantities x (lengths relative to the mechanism's size)
 /// and orders k. These quantities include the entries of the scaled Jacobian up to the fourth order, because the
-/// entries change faster than the unknowns where a function of the unknowns is steep. They also include the divisors
-/// of the equations, relative to themselves, because the n-th derivative of a/b has terms of size (b'/b)ⁿ. Every term
-/// of an n-th derivative is at most of size wⁿ, and is computed with an error of a few ε. Solving J q = r multiplies the
+/// entries change faster than the unknowns where a function of the unknowns is steep. They also include the divisors of
+/// the equations, relative to themselves, because the n-th derivative of a/b has terms of size (b'/b)ⁿ. Every term of
+/// an n-th derivative is at most of size wⁿ, and is computed with an error of a few ε. Solving J q = r multiplies the
 /// error of r by κ, and J contains the position, whose error is itself ε κ. So the error of an n-th derivative is
 ///
 /// ```text
@@ -27,10 +27,10 @@ use crate::quantity::{Dimension, Quantity};
 /// ```
 ///
 /// times a number that depends on the count of terms, [`allowed`]. A term of an equation is the amount by which the
-/// equation changes when one of its quantities has a relative error of one. Two kinds of larger terms may cancel. Those
-/// within the equation show up in a bound on its rounding error, and the size of a row is at least so large that this
-/// bound is allowed. The quadratic term of its Taylor polynomial exceeds the linear one near a double root, where rounding
-/// moves a root further than the linear term says. The size of a row is at least that of the quadratic term.
+/// equation changes when one of its quantities has a relative error of one. Larger terms that cancel within the
+/// equation show up in a bound on its rounding error, and the size of a row is at least so large that this bound is
+/// allowed. The quadratic term of its Taylor polynomial exceeds the linear one near a double root, where rounding moves
+/// a root further than the linear term says. The size of a row is at least that of the quadratic term.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gauge {
     /// The condition κ of the scaled Jacobian.

@@ -1,5 +1,5 @@
-//! The units of error of `verify`: right mechanisms near double roots, poles and branch cuts pass, and a derivative that is wrong in
-//! its seventh digit does not.
+//! The units of error of `verify`: right mechanisms near double roots, poles and branch cuts pass, and a derivative that
+//! is wrong in its seventh digit does not.
 #![allow(missing_docs)]
 
 use std::f64::consts::PI;
@@ -10,7 +10,9 @@ use kin_core::{Dimension, Quantity};
 
 /// Declares mechanisms of one equation, and a test that they are verified, whatever the seed.
 macro_rules! one_equation {
-    ($test:ident: $($name:ident($($length:ident)*) $input:ident -> $unknown:ident, |$t:ident, $x:ident| $left:expr, $right:expr;)*) => {
+    ($test:ident: $(
+        $name:ident($($length:ident)*) $input:ident -> $unknown:ident, |$t:ident, $x:ident| $left:expr, $right:expr;
+    )*) => {
         $(
             mechanism! {
                 pub struct $name { $($length: Length,)* }
@@ -144,7 +146,7 @@ impl Mutants {
         let mut hits = [0; 2];
         for index in 0..unknowns {
             for order in 0..5 {
-                let mut own = [0; 2];
+                let mut caught = [0; 2];
                 for (mechanism, inputs, right) in &poses {
                     let gauge = Gauge::new(mechanism, inputs, right);
                     let wrong = M::Unknowns::from_fn(|other| {
@@ -158,18 +160,19 @@ impl Mutants {
                     let motion: Motion<f64, 5> = right[index];
                     let error = motion.derivatives()[order].abs() * CHANGE;
                     let residuals = verify::closure(mechanism, inputs, &wrong);
-                    let is_open = residuals.iter().enumerate().any(|(equation, orders)| {
-                        let left = orders.iter().enumerate();
-                        left.into_iter()
+                    let has_rest = residuals.iter().enumerate().any(|(equation, orders)| {
+                        orders
+                            .iter()
+                            .enumerate()
                             .any(|(order, left)| left.abs() > allowed(order) * gauge.equation(equation, order))
                     });
-                    own[0] += usize::from(error > allowed(order) * gauge.unknown(index, order));
-                    own[1] += usize::from(is_open);
+                    caught[0] += usize::from(error > allowed(order) * gauge.unknown(index, order));
+                    caught[1] += usize::from(has_rest);
                 }
                 self.all += 1;
-                for ((found, hits), own) in self.found.iter_mut().zip(&mut hits).zip(own) {
-                    *found += usize::from(own > 0);
-                    *hits += own;
+                for ((found, hits), caught) in self.found.iter_mut().zip(&mut hits).zip(caught) {
+                    *found += usize::from(caught > 0);
+                    *hits += caught;
                 }
             }
         }
