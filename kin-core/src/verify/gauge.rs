@@ -1,11 +1,15 @@
 //! The units in which errors are measured.
 
+use std::vec;
 use std::vec::Vec;
 
-use super::gradients::{gradients, jacobian_rates, rounding_errors, values};
+use super::carrier::Carrier;
+use super::gradients::{equations_along, gradients, jacobian_rates, rounding_errors, values};
 use super::matrix_condition::condition;
 use super::{Inputs, Unknowns};
 use crate::mechanism::Mechanism;
+use crate::number::series::Series;
+use crate::number::{Number, Row};
 use crate::quantity::{Dimension, Quantity};
 
 /// The units of error at a pose.
@@ -13,9 +17,10 @@ use crate::quantity::{Dimension, Quantity};
 /// Let κ be the condition of the Jacobian, with columns scaled by the sizes of the unknowns and rows by the terms of
 /// the equations. Let w be the largest |x⁽ᵏ⁾|^(1/k) over all quantities x (lengths relative to the mechanism's size)
 /// and orders k. These quantities include the entries of the scaled Jacobian up to the fourth order, because the
-/// entries change faster than the unknowns where a function of the unknowns is steep. Every term of an n-th derivative
-/// is at most of size wⁿ, and is computed with an error of a few ε. Solving J q = r multiplies the error of r by κ, and
-/// J contains the position, whose error is itself ε κ. So the error of an n-th derivative is
+/// entries change faster than the unknowns where a function of the unknowns is steep. They also include the divisors of
+/// the equations, relative to themselves, because the n-th derivative of a/b has terms of size (b'/b)ⁿ. Every term of
+/// an n-th derivative is at most of size wⁿ, and is computed with an error of a few ε. Solving J q = r multiplies the
+/// error of r by κ, and J contains the position, whose error is itself ε κ. So the error of an n-th derivative is
 ///
 /// ```text
 /// ε κ² wⁿ
@@ -23,8 +28,9 @@ use crate::quantity::{Dimension, Quantity};
 ///
 /// times a number that depends on the count of terms, [`allowed`]. A term of an equation is the amount by which the
 /// equation changes when one of its quantities has a relative error of one. Larger terms that cancel within the
-/// equation show up in a bound on its rounding error. The size of a row is at least so large that this bound is
-/// allowed.
+/// equation show up in a bound on its rounding error, and the size of a row is at least so large that this bound is
+/// allowed. The quadratic term of its Taylor polynomial exceeds the linear one near a double root, where rounding moves
+/// a root further than the linear term says. The size of a row is at least that of the quadratic term.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gauge {
     /// The condition κ of the scaled Jacobian.
@@ -33,6 +39,8 @@ pub struct Gauge {
     pub frequency: f64,
     /// The largest rate of an input.
     pub driving: f64,
+    /// The largest rate of an equation, or of an entry of the scaled Jacobian, while the unknowns stand still.
+    pub forcing: f64,
     /// The largest length.
     pub length: f64,
     /// The natural size of each unknown.
@@ -73,8 +81,22 @@ impl Gauge {
         let (mut jacobian, others) = gradients(mechanism, inputs, unknowns);
         let rates = jacobian_rates(mechanism, inputs, unknowns);
         let rounding = rounding_errors(mechanism, inputs, unknowns);
+        let moving = |motion: &M::Motion<f64>| Series::carrying(motion.as_ref());
+        let input = |index: usize| moving(&inputs.as_ref()[index]);
+        for equation in equations_along(mechanism, input, |index| moving(&unknowns.as_ref()[index])) {
+            frequency = frequency.max(equation.frequency);
+        }
+        let at = values(unknowns.as_ref());
+        let still = M::Unknowns::from_fn(|index| M::Motion::from_fn(|order| if order == 0 { at[index] } else { 0.0 }));
+        let forced = equations_along(mechanism, input, |index| moving(&still.as_ref()[index]));
+        let forced_rates = jacobian_rates(mechanism, inputs, &still);
+        let bends = bends(mechanism, &values(inputs.as_ref()), &at);
+        let mut forcing = 0.0_f64;
         let mut rows = Vec::new();
-        for (((row, others), rates), rounding) in jacobian.iter_mut().zip(others).zip(rates).zip(rounding) {
+        let beyond = rounding.into_iter().zip(bends).zip(forced).zip(forced_rates);
+        for (((row, others), rates), (((rounding, bend), forced), forced_rates)) in
+            jacobian.iter_mut().zip(others).zip(rates).zip(beyond)
+        {
             for (entry, size) in row.iter_mut().zip(&sizes) {
                 *entry *= size;
             }
@@ -82,11 +104,13 @@ impl Gauge {
                 .iter()
                 .chain(&others)
                 .fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-            for (rates, own) in rates.into_iter().zip(&sizes) {
+            for ((rates, forced_rates), own) in rates.into_iter().zip(forced_rates).zip(&sizes) {
                 frequency = frequency.max(fastest_of(rates, shifts / own));
+                forcing = forcing.max(fastest_of(forced_rates, shifts / own));
             }
             // Terms that cancel count too.
-            let size = shifts.max(rounding / allowed(0));
+            let size = shifts.max(rounding / allowed(0)).max(bend);
+            forcing = forcing.max(fastest_of(forced.value.derivatives().into_iter().skip(1), size));
             for entry in row.iter_mut() {
                 *entry /= size;
             }
@@ -96,6 +120,7 @@ impl Gauge {
             condition: condition(jacobian),
             frequency,
             driving,
+            forcing,
             length,
             sizes,
             rows,
@@ -103,7 +128,8 @@ impl Gauge {
     }
 
     /// The unit of error of an unknown's n-th derivative, compared with differentiation of the position. That
-    /// differentiation has intermediate results that change κ times as fast as the inputs.
+    /// differentiation has intermediate results that change κ times as fast as the inputs. Newton's method begins with
+    /// unknowns that stand still, and so with equations that change as fast as the inputs alone drive them.
     #[must_use]
     pub fn unknown(&self, index: usize, order: usize) -> f64 {
         self.unit(order, self.solving()) * self.sizes[index]
@@ -131,7 +157,7 @@ impl Gauge {
     }
 
     fn solving(&self) -> f64 {
-        self.frequency.max(self.condition * self.driving)
+        self.frequency.max(self.condition * self.driving).max(self.forcing)
     }
 
     fn unit(&self, order: usize, frequency: f64) -> f64 {
@@ -140,6 +166,34 @@ impl Gauge {
             unit * frequency
         })
     }
+}
+
+/// The largest quadratic term in the Taylor polynomials of each equation, one along each unknown.
+///
+/// Near a double root the linear term is small. There a position that is found from the coefficients of the equation is
+/// right to the rounding of the quadratic term only. The step along an unknown is its value. It is at most a radian for
+/// an angle, within which its sine and cosine change, and ends where the polynomial means nothing: where a divisor of
+/// the equation may vanish.
+fn bends<M: Mechanism<Scalar = f64>>(mechanism: &M, inputs: &[f64], unknowns: &[f64]) -> Vec<f64> {
+    let mut largest = vec![0.0_f64; unknowns.len()];
+    for along in 0..unknowns.len() {
+        let unknown = |index: usize| {
+            let value = unknowns[index];
+            let reach = match M::DESCRIPTION.unknowns[index].dimension {
+                _ if index != along => 0.0,
+                Dimension::Angle => value.clamp(-1.0, 1.0),
+                Dimension::Length | Dimension::Scalar => value,
+            };
+            Series::from_coefficients([value, reach, 0.0, 0.0, 0.0])
+        };
+        let equations = equations_along(mechanism, |index| Series::constant(inputs[index]), unknown);
+        for (largest, equation) in largest.iter_mut().zip(equations) {
+            let step = equation.frequency.max(1.0).recip();
+            let [_, _, quadratic, ..] = equation.value.coefficients();
+            *largest = largest.max(quadratic.abs() * step * step);
+        }
+    }
+    largest
 }
 
 /// The natural size of a quantity: for a length that of the mechanism, for an angle or a number at least one.
@@ -152,7 +206,7 @@ fn natural(length: f64, quantity: &Quantity, motion: &[f64]) -> f64 {
 }
 
 /// The largest rate of a quantity's motion relative to its size, as a frequency.
-fn frequency(motion: &[f64], size: f64) -> f64 {
+pub(super) fn frequency(motion: &[f64], size: f64) -> f64 {
     fastest_of(motion.iter().skip(1).copied(), size)
 }
 

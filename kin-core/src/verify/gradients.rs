@@ -3,6 +3,7 @@
 use std::vec::Vec;
 
 use super::carrier::Carrier;
+use super::divisors::Divided;
 use super::rounded::Rounded;
 use super::{Inputs, Unknowns};
 use crate::mechanism::Mechanism;
@@ -96,6 +97,22 @@ pub(super) fn jacobian_rates<M: Mechanism<Scalar = f64>>(
     (0..columns.len())
         .map(|row| columns.iter().map(|column| rates(&column[row])).collect())
         .collect()
+}
+
+/// The equations with inputs and unknowns that move, and the rates of their divisors.
+pub(super) fn equations_along<M: Mechanism<Scalar = f64>>(
+    mechanism: &M,
+    inputs: impl Fn(usize) -> Series<5>,
+    unknowns: impl Fn(usize) -> Series<5>,
+) -> Vec<Divided> {
+    type D = Divided;
+    let inputs = <<M::With<D> as Mechanism>::Inputs<D> as Row<D>>::from_fn(|index| D::given(inputs(index)));
+    let unknowns = <<M::With<D> as Mechanism>::Unknowns<D> as Row<D>>::from_fn(|index| D::given(unknowns(index)));
+    mechanism
+        .convert(D::constant)
+        .residuals(inputs, unknowns)
+        .as_ref()
+        .to_vec()
 }
 
 /// A bound on the rounding error of each equation, in units of ε.

@@ -50,6 +50,7 @@
 mod carrier;
 mod closure;
 mod differentiation;
+mod divisors;
 mod gauge;
 mod gradients;
 mod matrix_condition;
