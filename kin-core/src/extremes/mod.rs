@@ -29,7 +29,8 @@
 //!
 //! Towards a turning point the curve is a root of the variable. There the parameter is the root of the distance, in which the
 //! curve is smooth. A rate that grows beyond all bounds is `Unbounded`, never a number. Within 10⁻⁵ of the way to a turning point, values
-//! come from the series next to it.
+//! come from the series next to it. At a change point, where the rates jump, each side has a stretch of its own, whose values next to the
+//! change point come from its series as well.
 //!
 //! Two extremes are told from rounding errors if the quantity differs between them by more than 10⁻⁸ of the range of their piece, and by
 //! more than 10⁻¹² of its size.

@@ -133,7 +133,7 @@ impl<M: Mechanism> Balance<M> {
 
     /// The matrix of equivalent inertias: the kinetic energy is half the sum of its entries times the velocities of both inputs. For
     /// one input, it is the inertia that this input feels. Rates are those along the motion; for the derivatives by the inputs, see
-    /// [`Loads::equivalent_inertia`](crate::load::Loads::equivalent_inertia).
+    /// [`Loaded::equivalent_inertia`](crate::load::Loaded::equivalent_inertia).
     #[must_use]
     pub fn inertias(&self) -> M::Inputs<M::Inputs<Rates<M, M::Scalar>>> {
         M::Inputs::from_fn(|row| {

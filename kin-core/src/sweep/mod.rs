@@ -34,8 +34,9 @@
 //! values, and are [tracked](crate::track()) from row to row. They stay in their circuit: where it ends the sweep ends too, and rows
 //! beyond the gap do not close again.
 //!
-//! Angles continue over turns: a crank that has turned twice stands at 4π. Two neighbouring rows must be less than half a turn of every
-//! angle apart for that.
+//! Angles continue over turns, whatever the number of rows: a crank that has turned twice stands at 4π. The rates predict each angle from
+//! row to row, and steps that are too long for it are halved. Angles of outputs continue in the same way, and what is calculated from an
+//! angle, as the position of a rack, follows it.
 
 #[cfg(feature = "alloc")]
 mod adaptive;

@@ -295,9 +295,9 @@ impl<M: Mechanism> Footing<M> {
         let step = self.at - from.at;
         let mut has_moved = false;
         for unknown in angles(M::DESCRIPTION.unknowns) {
-            let before = Angle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
+            let before = MovingAngle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
             let angle = &mut self.unknowns[unknown];
-            let unwrapped = Angle::new(*angle, self.unknown_rates[unknown]).unwrapped(before, step);
+            let unwrapped = MovingAngle::new(*angle, self.unknown_rates[unknown]).unwrapped(before, step);
             has_moved |= unwrapped != *angle;
             *angle = unwrapped;
         }
@@ -310,8 +310,8 @@ impl<M: Mechanism> Footing<M> {
         let step = self.at - from.at;
         let mut near = self.unknowns;
         for unknown in angles(M::DESCRIPTION.unknowns) {
-            let before = Angle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
-            let angle = Angle::new(self.unknowns[unknown], self.unknown_rates[unknown]);
+            let before = MovingAngle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
+            let angle = MovingAngle::new(self.unknowns[unknown], self.unknown_rates[unknown]);
             if let (Some(predicted), false) = (angle.predicted(before, step), angle.follows(before, step)) {
                 near[unknown] = predicted;
             }
@@ -328,8 +328,8 @@ impl<M: Mechanism> Footing<M> {
     fn unwrap_outputs(&mut self, from: &Self) {
         let step = self.at - from.at;
         for output in angles(M::DESCRIPTION.outputs) {
-            let before = Angle::new(from.outputs[output], from.output_rates[output]);
-            let angle = Angle::new(self.outputs[output], self.output_rates[output]);
+            let before = MovingAngle::new(from.outputs[output], from.output_rates[output]);
+            let angle = MovingAngle::new(self.outputs[output], self.output_rates[output]);
             self.outputs[output] = angle.unwrapped(before, step);
         }
     }
@@ -350,28 +350,28 @@ impl<M: Mechanism> Footing<M> {
         angles(inputs).all(|input| (self.inputs[input] - from.inputs[input]).abs() <= LONGEST)
             && self.unknowns_follow(from)
             && angles(M::DESCRIPTION.outputs).all(|output| {
-                let before = Angle::new(from.outputs[output], from.output_rates[output]);
-                Angle::new(self.outputs[output], self.output_rates[output]).follows(before, step)
+                let before = MovingAngle::new(from.outputs[output], from.output_rates[output]);
+                MovingAngle::new(self.outputs[output], self.output_rates[output]).follows(before, step)
             })
     }
 
     fn unknowns_follow(&self, from: &Self) -> bool {
         let step = self.at - from.at;
         angles(M::DESCRIPTION.unknowns).all(|unknown| {
-            let before = Angle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
-            Angle::new(self.unknowns[unknown], self.unknown_rates[unknown]).follows(before, step)
+            let before = MovingAngle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
+            MovingAngle::new(self.unknowns[unknown], self.unknown_rates[unknown]).follows(before, step)
         })
     }
 }
 
 /// An angle with its rate, which is not finite if it is not known.
 #[derive(Clone, Copy)]
-struct Angle {
+struct MovingAngle {
     value: f64,
     rate: f64,
 }
 
-impl Angle {
+impl MovingAngle {
     fn new(value: f64, rate: f64) -> Self {
         Self { value, rate }
     }
