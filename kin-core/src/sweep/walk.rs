@@ -320,6 +320,7 @@ impl<M: Mechanism> Footing<M> {
     }
 
     /// Moves all angles to the turns that follow from another footing.
+    #[cfg(feature = "alloc")]
     pub(super) fn unwrap(&mut self, from: &Self) {
         self.unwrap_unknowns(from);
         self.unwrap_outputs(from);
