@@ -3,7 +3,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::error::Error;
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 use core::fmt;
 
 use num_traits::Float;
@@ -14,7 +14,7 @@ use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::series::Series;
 use crate::number::{Number, Row};
-use crate::quantity::{Digits, Quantity};
+use crate::quantity::{Digits, Dimension, Quantity};
 use crate::track::track;
 
 /// The number of places of a branch between which extremes are sought.
@@ -182,7 +182,14 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         let sample = inner.min_by(closest).or(own.samples.iter().min_by(closest));
         let (s, near) = *sample.ok_or_else(none)?;
         match own.assembly {
-            Some(assembly) => Ok(nearest::<M>(self.mechanism.solve_position(inputs, assembly)?, &near)),
+            Some(assembly) => {
+                let unknowns = nearest::<M>(self.mechanism.solve_position(inputs, assembly)?, &near);
+                // what depends on an angle itself, as the position of a rack does, depends on its turn
+                let turned = self.mechanism.solve_position_near(inputs, unknowns).ok();
+                let is_same = |turned: &M::Unknowns<f64>| self.mechanism.assembly_near(inputs, *turned) == assembly;
+                let turned = turned.filter(is_same);
+                Ok(turned.map_or(unknowns, |turned| nearest::<M>(turned, &unknowns)))
+            }
             None => track(&self.mechanism, self.line.inputs(s), near, inputs).map_err(|error| match error {
                 crate::track::TrackError::Failed(error) => error,
                 _ => none(),
@@ -226,8 +233,10 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             })
         });
         match self.branches[branch].assembly {
-            Some(assembly) => self.mechanism.solve_motion(motions, assembly),
-            None => self.mechanism.solve_motion_near(motions, near),
+            Some(assembly) if self.mechanism.assembly_near(values, near) != assembly => {
+                self.mechanism.solve_motion(motions, assembly)
+            }
+            _ => self.mechanism.solve_motion_near(motions, near),
         }
     }
 
@@ -260,9 +269,11 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         })?;
         let mut stroke: Option<Stroke> = None;
         for branch in self.circuit(circuit)? {
+            // the input, the value and the rate of the sample before, from which an angle goes on
+            let mut before: Option<[f64; 3]> = None;
             let value = |input: f64| {
                 let pose = self.pose_on(*branch, input)?;
-                Ok(match which {
+                let [mut value, rate] = match which {
                     Which::Unknown(index) => {
                         let near = self.position_on(*branch, input)?;
                         let motions = pose.unknown_motions_near(Row::from_fn(|unknown| near[unknown]));
@@ -275,7 +286,15 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                             motions[index].as_ref().get(1).copied().unwrap_or(0.0),
                         ]
                     }
-                })
+                };
+                if let (Which::Output(index), Some([place, last, slope])) = (which, before)
+                    && M::DESCRIPTION.outputs[index].dimension == Dimension::Angle
+                {
+                    let predicted = last + 0.5 * (input - place) * (slope + rate);
+                    value += TAU * Float::round((predicted - value) / TAU);
+                }
+                before = Some([input, value, rate]);
+                Ok([value, rate])
             };
             let mut extremes = extremes(&self.branches[*branch], value)?;
             if let Which::Unknown(index) = which {
@@ -283,6 +302,8 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                     self.branches[*branch]
                         .ends
                         .iter()
+                        // those of a full turn are samples
+                        .filter(|end| end.kind != EndKind::FullTurn)
                         .map(|end| (end.input, end.unknowns[index])),
                 );
             }
@@ -409,7 +430,8 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                     Ok(angles[dyad].angle.coefficients())
                 };
                 for (input, angle) in extremes(own, value)? {
-                    candidate(block, angle.min(PI - angle), input);
+                    let size = (angle - TAU * Float::round(angle / TAU)).abs();
+                    candidate(block, size.min(PI - size), input);
                 }
             }
         }

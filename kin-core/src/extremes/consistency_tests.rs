@@ -7,6 +7,7 @@ use std::vec::Vec;
 
 use super::{ExtremesError, Over};
 use crate::assembly::Assembly;
+use crate::cycle::FullCycle;
 use crate::library::WhitworthQuickReturn;
 use crate::mechanism::Mechanism;
 use crate::number::samples;
@@ -270,5 +271,33 @@ fn all_answers_about_random_linkages_agree() {
         hold_all(&[2, 3, 7, 37, 361][(sample % 5) as usize..][..1], |rows| {
             linkage.sweep(assembly).over(from..=to, rows)
         });
+    }
+}
+
+/// The stroke of a cycle is the range of a turn.
+#[test]
+fn strokes_are_those_of_a_turn() {
+    for linkage in [DOUBLE_CRANK, CRANK_ROCKER] {
+        let cycle = linkage.cycle().unwrap();
+        for (index, circuit) in cycle.circuits().iter().enumerate() {
+            let branch = &cycle.branches()[circuit.branches()[0]];
+            let [low, high] = branch.ends().each_ref().map(|end| end.input);
+            let turn = linkage.sweep(branch.assembly().unwrap()).over(low..=high, 37);
+            for quantity in Geared::<f64>::DESCRIPTION
+                .unknowns
+                .iter()
+                .chain(Geared::<f64>::DESCRIPTION.outputs)
+            {
+                let stroke = cycle.stroke(index, quantity.name).unwrap();
+                let [lowest, highest] =
+                    [turn.lowest(quantity.name), turn.highest(quantity.name)].map(|peak| peak.unwrap().value);
+                let length = highest - lowest;
+                assert!(
+                    (stroke.length() - length).abs() <= 1e-9 * length.max(1.0),
+                    "{linkage:?}, {}: {stroke:?}, {lowest} to {highest}",
+                    quantity.name
+                );
+            }
+        }
     }
 }
