@@ -491,7 +491,7 @@ impl<'a> JavaScriptModule<'a> {
         format!(
             "/** The names in the arguments. */\nconst NAMES = {{\n{}}};\n\n{}",
             members.concat(),
-            runtime::JAVA_SCRIPT_ARGUMENTS
+            signature.argument_checks(runtime::JAVA_SCRIPT_ARGUMENTS)
         )
     }
 

@@ -441,7 +441,7 @@ impl<'a> PythonModule<'a> {
         text.push_str("    with np.errstate(all=\"ignore\"):\n        return _solve(parameters, inputs, assembly)\n");
         text.push_str("\n\ndef _rate(motion: Sequence[npt.ArrayLike], order: int) -> npt.ArrayLike:\n    return motion[order] if order < len(motion) else 0.0\n");
         text.push_str("\n\n");
-        text.push_str(runtime::PYTHON_ARGUMENTS);
+        text.push_str(&self.signature.argument_checks(runtime::PYTHON_ARGUMENTS));
         text.push_str(STACKED);
         text.push_str("\n\ndef _solve(parameters: Parameters, inputs: Inputs, assembly: Assembly) -> Pose:\n");
         text.push_str(&self.body.text);

@@ -62,6 +62,16 @@ pub(super) struct Signature {
 }
 
 impl Signature {
+    /// The entries that a motion may have: those through snap, and more if the mechanism goes on to higher orders.
+    const ENTRIES: usize = 5;
+
+    /// The text that checks arguments, with the largest number of entries of a motion.
+    pub(super) fn argument_checks(&self, text: &str) -> String {
+        let entries = self.inputs.iter().map(|input| input.places.len());
+        let most = entries.max().unwrap_or(0).max(Self::ENTRIES);
+        text.replace("@ENTRIES@", &most.to_string())
+    }
+
     /// The parts of the skeleton that are there.
     pub(super) fn picture(&self) -> impl Iterator<Item = (&'static str, &Vec<Vec<usize>>)> {
         let parts = [("joints", &self.joints), ("slides", &self.slides)];

@@ -15,7 +15,7 @@ function kinCount(given) {
  * @returns {any}
  */
 function kinMotion(motion) {
-  return (Array.isArray(motion) || ArrayBuffer.isView(motion)) && motion.length <= 5 ? motion : [];
+  return (Array.isArray(motion) || ArrayBuffer.isView(motion)) && motion.length <= @ENTRIES@ ? motion : [];
 }
 
 /**

@@ -14,7 +14,7 @@ def _moving(name: str, motion: Sequence[npt.ArrayLike]) -> None:
         count = len(motion)
     except TypeError:
         count = 0
-    if isinstance(motion, str) or not 1 <= count <= 5:
+    if isinstance(motion, str) or not 1 <= count <= @ENTRIES@:
         told = f"has {count} entries" if count else f"is {motion!r}"
         raise TypeError(
             f"inputs[{name!r}] {told}: give its motion as a list, as in [position, velocity], whose entries may be arrays"
