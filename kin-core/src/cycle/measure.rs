@@ -15,6 +15,7 @@ use crate::mechanism::{Mechanism, Pose};
 use crate::number::series::Series;
 use crate::number::{Number, Row};
 use crate::quantity::{Digits, Dimension, Quantity};
+use crate::solve::nearest_turn;
 use crate::track::track;
 
 /// The number of places of a branch between which extremes are sought.
@@ -183,7 +184,12 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
         let (s, near) = *sample.ok_or_else(none)?;
         match own.assembly {
             Some(assembly) => {
-                let unknowns = nearest::<M>(self.mechanism.solve_position(inputs, assembly)?, &near);
+                let solved = self.mechanism.solve_position(inputs, assembly)?;
+                let unknowns = nearest::<M>(solved, &near);
+                let is_turned = |index: usize| (unknowns[index] - solved[index]).abs() > PI;
+                if !(0..M::DESCRIPTION.unknowns.len()).any(is_turned) {
+                    return Ok(unknowns);
+                }
                 // what depends on an angle itself, as the position of a rack does, depends on its turn
                 let turned = self.mechanism.solve_position_near(inputs, unknowns).ok();
                 let is_same = |turned: &M::Unknowns<f64>| self.mechanism.assembly_near(inputs, *turned) == assembly;
@@ -291,7 +297,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                     && M::DESCRIPTION.outputs[index].dimension == Dimension::Angle
                 {
                     let predicted = last + 0.5 * (input - place) * (slope + rate);
-                    value += TAU * Float::round((predicted - value) / TAU);
+                    value = nearest_turn(value, predicted);
                 }
                 before = Some([input, value, rate]);
                 Ok([value, rate])

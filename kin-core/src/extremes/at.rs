@@ -1,6 +1,6 @@
 //! A pose of a sweep with derivatives in the variable of the sweep.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::Deref;
 
 use crate::load::{Balance, LoadError, Loaded, LoadsOf};
@@ -9,6 +9,7 @@ use crate::motion::Motion;
 use crate::number::{Number, Row};
 use crate::picture::TransmissionAngle;
 use crate::quantity::{Dimension, RATES};
+use crate::solve::nearest_turn;
 use crate::sweep::{Instant, Local, OutputsOf, READ, by_time, composed};
 
 /// The pose at one place of a sweep, in numbers that carry their derivatives with respect to the variable of the sweep. Any expression of
@@ -118,7 +119,7 @@ impl<M: Mechanism> At<M> {
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
         let is_angle = M::DESCRIPTION.unknowns[index].dimension == Dimension::Angle;
         Some(if is_angle && order == 0 {
-            on_turn(value, self.near[index].real())
+            nearest_turn(value, self.near[index])
         } else {
             value
         })
@@ -137,7 +138,7 @@ impl<M: Mechanism> At<M> {
         let value = *motions.as_ref().get(index)?.as_ref().get(order)?;
         let is_angle = M::DESCRIPTION.outputs[index].dimension == Dimension::Angle;
         Some(if is_angle && order == 0 {
-            on_turn(value, self.outputs[index])
+            nearest_turn(value, Local::constant(self.outputs[index]))
         } else {
             value
         })
@@ -316,11 +317,6 @@ impl<M: Mechanism> At<M> {
     fn near_series(&self) -> <M::With<Local> as Mechanism>::Unknowns<Local> {
         Row::from_fn(|unknown| self.unknown(unknown, 0).unwrap_or(Local::constant(f64::NAN)))
     }
-}
-
-/// An angle on the turn closest to its unwrapped value.
-fn on_turn(angle: Local, unwrapped: f64) -> Local {
-    angle + Local::constant(TAU * num_traits::Float::round((unwrapped - angle.real()) / TAU))
 }
 
 fn half(value: Local) -> Local {

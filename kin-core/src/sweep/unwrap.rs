@@ -11,7 +11,7 @@ use num_traits::Float;
 use super::Course;
 use super::drive::Drive;
 use super::table::Table;
-use super::walk::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, Reached, WITHOUT_RATES, Walk, angles};
+use super::walk::{Footing, LONGEST, LONGEST_PREDICTION, PREDICTION, WITHOUT_RATES, Walk, angles};
 use crate::batch::{Kernel, Vectors};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -23,7 +23,8 @@ const DEPENDENCE: f64 = 1e-9;
 /// Unwraps all angles of a table, and writes again what depends on them. It returns the rows behind which an angle jumps.
 pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, table: &mut Table) -> Vec<usize> {
     let columns = AngleColumns::of::<M>(table);
-    if columns.are_continuous::<M>(table, 1.0 / course.drive.rate()) {
+    let time = 1.0 / course.drive.rate();
+    if columns.are_continuous::<M>(table, time) {
         return Vec::new();
     }
     let mut jumps = Vec::new();
@@ -35,14 +36,13 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
             open = Some(table.values(table.variable)[row]);
             continue;
         }
-        let solved = columns.footing::<M>(table, row, 1.0 / course.drive.rate());
+        let solved = columns.footing::<M>(table, row, time);
         let mut footing = solved;
         if let Some(from) = &last {
             footing.unwrap(from);
         }
         let follows = open.is_none() && last.is_none_or(|from| footing.follows(&from));
-        let needs_walk = !follows || turned.depends(&solved, &footing) != Some(false);
-        if needs_walk {
+        if !follows || turned.depends(&solved, &footing) != Some(false) {
             let mut walk = Walk { last, open, gap: None };
             let motions = course.drive.motions(solved.at);
             if let Ok(reached) = walk.step(course, solved.at, motions) {
@@ -51,7 +51,10 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
                     jumps.push(row - 1);
                 }
                 if turned.sees(&solved, &footing) {
-                    write(course, table, row, &reached);
+                    let (count, data) = (table.count, &mut table.data);
+                    course.write(solved.at, &motions, Some(reached), |column, value| {
+                        data[column * count + row] = value;
+                    });
                 }
             }
         }
@@ -59,21 +62,6 @@ pub(super) fn unwrap<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M,
         (last, open) = (Some(footing), None);
     }
     jumps
-}
-
-/// Writes a row again, for a pose whose angles are on other turns.
-fn write<M: Mechanism<Scalar = f64>, D: Drive<M>>(
-    course: &Course<M, D>,
-    table: &mut Table,
-    row: usize,
-    reached: &Reached<M>,
-) {
-    let (count, at) = (table.count, reached.footing.at);
-    let motions = course.drive.motions(at);
-    let data = &mut table.data;
-    course.write(at, &motions, Some(*reached), |column, value| {
-        data[column * count + row] = value;
-    });
 }
 
 /// The turns of the unknowns by which rows have been moved, and whether other numbers of a pose depend on them: the position of a rack

@@ -290,16 +290,29 @@ impl<M: Mechanism<Scalar = f64>> Reached<M> {
 }
 
 impl<M: Mechanism> Footing<M> {
+    fn unknown(&self, index: usize) -> MovingAngle {
+        MovingAngle {
+            value: self.unknowns[index],
+            rate: self.unknown_rates[index],
+        }
+    }
+
+    fn output(&self, index: usize) -> MovingAngle {
+        MovingAngle {
+            value: self.outputs[index],
+            rate: self.output_rates[index],
+        }
+    }
+
     /// Moves the angles of the unknowns to the turns that follow from another footing; returns whether one has moved.
     fn unwrap_unknowns(&mut self, from: &Self) -> bool {
         let step = self.at - from.at;
         let mut has_moved = false;
         for unknown in angles(M::DESCRIPTION.unknowns) {
-            let before = MovingAngle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
-            let angle = &mut self.unknowns[unknown];
-            let unwrapped = MovingAngle::new(*angle, self.unknown_rates[unknown]).unwrapped(before, step);
-            has_moved |= unwrapped != *angle;
-            *angle = unwrapped;
+            let before = from.unknown(unknown);
+            let unwrapped = self.unknown(unknown).unwrapped(before, step);
+            has_moved |= unwrapped != self.unknowns[unknown];
+            self.unknowns[unknown] = unwrapped;
         }
         has_moved
     }
@@ -310,8 +323,8 @@ impl<M: Mechanism> Footing<M> {
         let step = self.at - from.at;
         let mut near = self.unknowns;
         for unknown in angles(M::DESCRIPTION.unknowns) {
-            let before = MovingAngle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
-            let angle = MovingAngle::new(self.unknowns[unknown], self.unknown_rates[unknown]);
+            let before = from.unknown(unknown);
+            let angle = self.unknown(unknown);
             if let (Some(predicted), false) = (angle.predicted(before, step), angle.follows(before, step)) {
                 near[unknown] = predicted;
             }
@@ -329,8 +342,8 @@ impl<M: Mechanism> Footing<M> {
     fn unwrap_outputs(&mut self, from: &Self) {
         let step = self.at - from.at;
         for output in angles(M::DESCRIPTION.outputs) {
-            let before = MovingAngle::new(from.outputs[output], from.output_rates[output]);
-            let angle = MovingAngle::new(self.outputs[output], self.output_rates[output]);
+            let before = from.output(output);
+            let angle = self.output(output);
             self.outputs[output] = angle.unwrapped(before, step);
         }
     }
@@ -351,16 +364,16 @@ impl<M: Mechanism> Footing<M> {
         angles(inputs).all(|input| (self.inputs[input] - from.inputs[input]).abs() <= LONGEST)
             && self.unknowns_follow(from)
             && angles(M::DESCRIPTION.outputs).all(|output| {
-                let before = MovingAngle::new(from.outputs[output], from.output_rates[output]);
-                MovingAngle::new(self.outputs[output], self.output_rates[output]).follows(before, step)
+                let before = from.output(output);
+                self.output(output).follows(before, step)
             })
     }
 
     fn unknowns_follow(&self, from: &Self) -> bool {
         let step = self.at - from.at;
         angles(M::DESCRIPTION.unknowns).all(|unknown| {
-            let before = MovingAngle::new(from.unknowns[unknown], from.unknown_rates[unknown]);
-            MovingAngle::new(self.unknowns[unknown], self.unknown_rates[unknown]).follows(before, step)
+            let before = from.unknown(unknown);
+            self.unknown(unknown).follows(before, step)
         })
     }
 }
@@ -373,10 +386,6 @@ struct MovingAngle {
 }
 
 impl MovingAngle {
-    fn new(value: f64, rate: f64) -> Self {
-        Self { value, rate }
-    }
-
     /// The change since another angle that both rates predict, by the trapezoid rule.
     fn predicted(self, before: Self, step: f64) -> Option<f64> {
         let change = 0.5 * step * (before.rate + self.rate);
