@@ -121,6 +121,14 @@ impl<M: Mechanism> Mechanism for Counting<M> {
         self.0.places(inputs, unknowns)
     }
 
+    fn outputs_at(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> <Self::Pose as Pose>::Outputs<Self::Scalar> {
+        self.0.outputs_at(inputs, unknowns)
+    }
+
     fn block_forms(&self) -> Self::Blocks<BlockForm<Self::Scalar>> {
         self.0.block_forms()
     }

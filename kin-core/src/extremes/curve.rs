@@ -5,14 +5,12 @@ use core::cell::Cell;
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::at::{At, SweepPlace};
-use crate::failure::SolveError;
+use super::station::Station;
 use crate::law::Side;
-use crate::load::LoadError;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 use crate::quantity::Dimension;
-use crate::sweep::{Course, Instant, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, composed, limit_between};
+use crate::sweep::{Course, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, by_time, limit_between};
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
 /// the poses to be exact.
@@ -126,13 +124,11 @@ pub(super) struct CurveNode<M: Mechanism> {
 }
 
 /// A quantity of a pose.
-pub(super) type PoseQuantity<'q, M> = dyn Fn(&At<M>) -> Result<Local, LoadError> + 'q;
+pub(super) type PoseQuantity<'q, M> = dyn Fn(&Station<M>) -> Result<Local, ExtremesError> + 'q;
 
 /// A quantity over a sweep.
 pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     pub(super) course: &'c Course<M, D>,
-    pub(super) series: M::With<Local>,
-    long_series: M::With<Instant>,
     quantity: &'c PoseQuantity<'c, M>,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
@@ -148,11 +144,8 @@ pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
 
 impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     pub(super) fn new(course: &'c Course<M, D>, quantity: &'c PoseQuantity<'c, M>) -> Self {
-        let series = course.mechanism.convert(Local::constant);
         Self {
             course,
-            series,
-            long_series: course.mechanism.convert(Instant::constant),
             quantity,
             gaps: Vec::new(),
             edges: Vec::new(),
@@ -274,7 +267,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         } else {
             Side::Right
         };
-        let (value, walk) = self.value(None, variable, side, self.closest(stretch, at, near))?;
+        let (value, walk) = self.value(variable, side, self.closest(stretch, at, near))?;
         self.cursor.set(Some(walk));
         Ok(CurveNode {
             parameter,
@@ -299,57 +292,34 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         }
     }
 
-    /// The quantity for a mechanism and a variable that change together, found from a pose nearby. Without a mechanism it is that of the
-    /// sweep; with one, derivatives above its order are not known.
-    pub(super) fn value(
+    /// The quantity where the variable has a series, found from a pose nearby.
+    fn value(&self, variable: Local, side: Side, near: Walk<M>) -> Result<(Local, Walk<M>), ExtremesError> {
+        let (station, walk) = self.station(variable, side, near)?;
+        Ok((finite(&station, (self.quantity)(&station)?)?, walk))
+    }
+
+    /// The pose where the variable has a series, found from a pose nearby.
+    pub(super) fn station(
         &self,
-        mechanism: Option<&M::With<Local>>,
         variable: Local,
         side: Side,
         near: Walk<M>,
-    ) -> Result<(Local, Walk<M>), ExtremesError> {
-        let at = variable.real();
-        let drive = &self.course.drive;
-        let source = SweepPlace {
-            mechanism: self.long_series,
-            inputs: drive.derivatives(at, side),
-            unknowns: Row::splat(0.0),
-            rate: drive.rate(),
+    ) -> Result<(Station<M>, Walk<M>), ExtremesError> {
+        let (at, drive) = (variable.real(), &self.course.drive);
+        let (inputs, rate) = (drive.derivatives(at, side), drive.rate());
+        let motions = Row::from_fn(|input| Row::from_fn(|order| by_time(inputs[input].as_ref(), order, rate).real()));
+        let mut walk = near;
+        let reached = walk.step(self.course, at, motions);
+        let reached = reached.map_err(|_| ExtremesError::Gap { at })?.footing;
+        let station = Station {
+            mechanism: self.course.mechanism,
+            inputs,
+            unknowns: reached.unknowns,
+            outputs: reached.outputs,
+            rate,
             variable,
         };
-        let own = mechanism.is_none().then_some(source);
-        let mechanism = mechanism.unwrap_or(&self.series);
-        let inputs = drive.series(at, side);
-        let mut walk = near;
-        let motions = Row::from_fn(|input| Row::from_fn(|order| inputs[input][order].real()));
-        let gap = |_: SolveError| ExtremesError::Gap { at };
-        let reached = walk.step(self.course, at, motions).map_err(gap)?.footing;
-        let inputs = Row::from_fn(|input| Row::from_fn(|order| composed(inputs[input][order], variable)));
-        let pose = mechanism
-            .solve_motion_near(
-                inputs,
-                Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
-            )
-            .map_err(gap)?;
-        let value = (self.quantity)(&At {
-            mechanism: *mechanism,
-            pose,
-            inputs,
-            near: Row::from_fn(|unknown| Local::constant(reached.unknowns[unknown])),
-            outputs: reached.outputs,
-            source: own.map(|source| SweepPlace {
-                unknowns: reached.unknowns,
-                ..source
-            }),
-        });
-        let value = value.map_err(|error| ExtremesError::Load {
-            at,
-            error: alloc::boxed::Box::new(error),
-        })?;
-        if !Number::is_finite(value) {
-            return Err(ExtremesError::NotFinite { at });
-        }
-        Ok((value, walk))
+        Ok((station, walk))
     }
 
     /// Whether the sweep is one full turn of the only input that moves.
@@ -493,6 +463,17 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             scale,
             kind,
             nearest,
+        })
+    }
+}
+
+/// The value of a quantity, which must be finite.
+pub(super) fn finite<M: Mechanism>(station: &Station<M>, value: Local) -> Result<Local, ExtremesError> {
+    if Number::is_finite(value) {
+        Ok(value)
+    } else {
+        Err(ExtremesError::NotFinite {
+            at: station.variable.real(),
         })
     }
 }

@@ -22,7 +22,8 @@
 //! until the first dyad ceases to close.
 //!
 //! # Method
-//! The poses are solved in numbers that carry their Taylor series in the variable of the sweep. A piece of the curve between
+//! The positions are solved in numbers that carry their Taylor series in the variable of the sweep; rates are read from them. A closure
+//! gets a typed pose, whose rates are solved in such numbers. A piece of the curve between
 //! two poses is the Hermite polynomial of degree 9 that agrees with both series. Pieces are halved until they agree with the
 //! poses at a third, the middle and two thirds. Descartes' rule isolates the zeros of the slope of each piece, and Newton's
 //! method refines them on the poses themselves.
@@ -44,6 +45,7 @@ mod curve;
 mod edge_tests;
 mod error;
 mod guessed;
+mod margin;
 mod mean;
 mod parts;
 mod progress;
@@ -52,6 +54,7 @@ mod search;
 mod sensitivity;
 #[cfg(test)]
 mod sensitivity_tests;
+mod station;
 #[cfg(test)]
 mod tests;
 
@@ -67,6 +70,7 @@ use core::fmt;
 use curve::{Curve, PoseQuantity};
 use progress::Progress;
 use quantity::Named;
+use station::Station;
 
 use crate::mechanism::Mechanism;
 use crate::quantity::Digits;
@@ -167,7 +171,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::Unbounded`] if the quantity has none, and the errors of [`extremes_by`](Self::extremes_by).
     pub fn peak(&self, name: &str) -> Result<Peak, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.peak_by(|at| named.of(at))
+        self.best(&|station| named.at(station), f64::abs)
     }
 
     /// [`peak`](Self::peak) of an expression.
@@ -175,7 +179,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`peak`](Self::peak).
     pub fn peak_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
-        self.best(&|at| quantity(at).answer(), f64::abs)
+        self.best(&|station| station.answer(None, &quantity), f64::abs)
     }
 
     /// [`peak`](Self::peak), which tells how far it has come, as [`extremes_with_progress`](Self::extremes_with_progress) does.
@@ -185,7 +189,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     pub fn peak_with_progress(&self, name: &str, progress: impl FnMut(f64)) -> Result<Peak, ExtremesError> {
         let named = Named::find::<M>(name)?;
         let progress = Progress::new(progress);
-        let (answer, tell) = (|at: &At<M>| Ok(named.of(at)), |part: f64| progress.reach(part));
+        let (answer, tell) = (
+            |station: &Station<M>| named.at(station),
+            |part: f64| progress.reach(part),
+        );
         let curve = Curve::new(self, &answer).telling(&tell);
         let peak = curve.across_gaps(|curve| curve.best(f64::abs))?;
         progress.end();
@@ -209,7 +216,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// ```
     pub fn highest(&self, name: &str) -> Result<Peak, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.highest_by(|at| named.of(at))
+        self.best(&|station| named.at(station), |value| value)
     }
 
     /// [`highest`](Self::highest) of an expression.
@@ -217,7 +224,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`highest`](Self::highest).
     pub fn highest_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
-        self.best(&|at| quantity(at).answer(), |value| value)
+        self.best(&|station| station.answer(None, &quantity), |value| value)
     }
 
     /// The lowest value, and where.
@@ -226,7 +233,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`highest`](Self::highest).
     pub fn lowest(&self, name: &str) -> Result<Peak, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.lowest_by(|at| named.of(at))
+        self.best(&|station| named.at(station), |value| -value)
     }
 
     /// [`lowest`](Self::lowest) of an expression.
@@ -234,7 +241,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`highest`](Self::highest).
     pub fn lowest_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Peak, ExtremesError> {
-        self.best(&|at| quantity(at).answer(), |value| -value)
+        self.best(&|station| station.answer(None, &quantity), |value| -value)
     }
 
     fn best(&self, quantity: &PoseQuantity<'_, M>, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
@@ -266,7 +273,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink, and the errors of [`peak`](Self::peak).
     pub fn peak_sensitivities(&self, name: &str) -> Result<PeakSensitivities<M>, ExtremesError> {
         let named = Named::find_up_to::<M>(name, M::DESCRIPTION.order)?;
-        self.peak_sensitivities_by(|at| named.of(at))
+        Curve::new(self, &|station| named.at(station))
+            .across_gaps(|curve| curve.sensitivities(curve.best(f64::abs)?, |at| named.of(at)))
     }
 
     /// [`peak_sensitivities`](Self::peak_sensitivities) of an expression: of the effort of a drive, for example.
@@ -277,8 +285,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         &self,
         quantity: impl Fn(&At<M>) -> A,
     ) -> Result<PeakSensitivities<M>, ExtremesError> {
-        let answer = |at: &At<M>| quantity(at).answer();
-        Curve::new(self, &answer).across_gaps(|curve| curve.sensitivities(curve.best(f64::abs)?))
+        let answer = |station: &Station<M>| station.answer(None, &quantity);
+        Curve::new(self, &answer).across_gaps(|curve| curve.sensitivities(curve.best(f64::abs)?, &quantity))
     }
 
     /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
@@ -304,7 +312,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// rough to be searched.
     pub fn extremes(&self, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.extremes_by(|at| named.of(at))
+        Ok(Curve::new(self, &|station| named.at(station))
+            .across_gaps(Curve::extremes)?
+            .extremes)
     }
 
     /// [`extremes`](Self::extremes) of quantities that take long: `progress` is called with the part of the sweep that has been searched,
@@ -332,7 +342,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     pub fn extremes_with_progress(&self, name: &str, progress: impl FnMut(f64)) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
         let progress = Progress::new(progress);
-        let (answer, tell) = (|at: &At<M>| Ok(named.of(at)), |part: f64| progress.reach(part));
+        let (answer, tell) = (
+            |station: &Station<M>| named.at(station),
+            |part: f64| progress.reach(part),
+        );
         let curve = Curve::new(self, &answer).telling(&tell);
         let found = curve.across_gaps(Curve::extremes)?;
         progress.end();
@@ -344,7 +357,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`extremes`](Self::extremes).
     pub fn extremes_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Vec<Extreme>, ExtremesError> {
-        let answer = |at: &At<M>| quantity(at).answer();
+        let answer = |station: &Station<M>| station.answer(None, &quantity);
         Ok(Curve::new(self, &answer).across_gaps(Curve::extremes)?.extremes)
     }
 
@@ -355,7 +368,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::Argument`] if the level is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn crossings(&self, name: &str, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.crossings_by(|at| named.of(at), level)
+        Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.crossings(level))
     }
 
     /// [`crossings`](Self::crossings) of an expression.
@@ -367,7 +380,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         quantity: impl Fn(&At<M>) -> A,
         level: f64,
     ) -> Result<Vec<Crossing>, ExtremesError> {
-        let answer = |at: &At<M>| quantity(at).answer();
+        let answer = |station: &Station<M>| station.answer(None, &quantity);
         Curve::new(self, &answer).across_gaps(|curve| curve.crossings(level))
     }
 
@@ -377,7 +390,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::Argument`] if the level or the tolerance is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn dwells(&self, name: &str, level: f64, tolerance: f64) -> Result<Vec<DwellRange>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.dwells_by(|at| named.of(at), level, tolerance)
+        Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.dwells(level, tolerance))
     }
 
     /// [`dwells`](Self::dwells) of an expression.
@@ -390,7 +403,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         level: f64,
         tolerance: f64,
     ) -> Result<Vec<DwellRange>, ExtremesError> {
-        let answer = |at: &At<M>| quantity(at).answer();
+        let answer = |station: &Station<M>| station.answer(None, &quantity);
         Curve::new(self, &answer).across_gaps(|curve| curve.dwells(level, tolerance))
     }
 
@@ -402,7 +415,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`extremes`](Self::extremes).
     pub fn mean(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.mean_by(|at| named.of(at), over)
+        Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.mean(over, 1))
     }
 
     /// [`mean`](Self::mean) of an expression.
@@ -410,7 +423,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`mean`](Self::mean).
     pub fn mean_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
-        let answer = |at: &At<M>| quantity(at).answer();
+        let answer = |station: &Station<M>| station.answer(None, &quantity);
         Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 1))
     }
 
@@ -420,7 +433,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`mean`](Self::mean).
     pub fn rms(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        self.rms_by(|at| named.of(at), over)
+        rooted(Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.mean(over, 2)))
     }
 
     /// [`rms`](Self::rms) of an expression.
@@ -428,25 +441,30 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`mean`](Self::mean).
     pub fn rms_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
-        let answer = |at: &At<M>| quantity(at).answer();
-        let root = |value: f64, error: f64| {
-            let root = num_traits::Float::sqrt(value);
-            (root, if root > 0.0 { 0.5 * error / root } else { 0.0 })
-        };
-        match Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 2)) {
-            Ok(square) => {
-                let (value, error) = root(square.value, square.error);
-                Ok(Mean {
-                    value,
-                    error,
-                    covered: square.covered,
-                })
-            }
-            Err(ExtremesError::Imprecise { value, error }) => {
-                let (value, error) = root(value, error);
-                Err(ExtremesError::Imprecise { value, error })
-            }
-            Err(error) => Err(error),
+        let answer = |station: &Station<M>| station.answer(None, &quantity);
+        rooted(Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 2)))
+    }
+}
+
+/// The root of a mean square.
+fn rooted(square: Result<Mean, ExtremesError>) -> Result<Mean, ExtremesError> {
+    let root = |value: f64, error: f64| {
+        let root = num_traits::Float::sqrt(value);
+        (root, if root > 0.0 { 0.5 * error / root } else { 0.0 })
+    };
+    match square {
+        Ok(square) => {
+            let (value, error) = root(square.value, square.error);
+            Ok(Mean {
+                value,
+                error,
+                covered: square.covered,
+            })
         }
+        Err(ExtremesError::Imprecise { value, error }) => {
+            let (value, error) = root(value, error);
+            Err(ExtremesError::Imprecise { value, error })
+        }
+        Err(error) => Err(error),
     }
 }

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::at::{At, HIGHEST};
+use super::station::Station;
 use crate::mechanism::Mechanism;
 use crate::number::{Number, Row};
 use crate::quantity::Quantity;
@@ -75,8 +76,8 @@ impl Named {
         )))
     }
 
-    /// Its value at a place.
-    pub(super) fn of<M: Mechanism>(self, at: &At<M>) -> Local {
+    /// Its value in a typed pose, whose mechanism may change with the variable.
+    pub(super) fn of<M: Mechanism<Scalar = f64>>(self, at: &At<M>) -> Local {
         let value = match self.kind {
             Kind::Input => at.input(self.index, self.order),
             Kind::Unknown => at.unknown(self.index, self.order),
@@ -84,5 +85,19 @@ impl Named {
             Kind::Margin => at.smallest_margin(),
         };
         value.unwrap_or(Local::constant(f64::NAN))
+    }
+    /// Its value at a place of a sweep, from the position alone.
+    pub(super) fn at<M: Mechanism<Scalar = f64>>(self, station: &Station<M>) -> Result<Local, ExtremesError> {
+        let value = match self.kind {
+            Kind::Input => Ok(station.input(self.index, self.order)),
+            Kind::Unknown => station.unknown(self.index, self.order),
+            Kind::Output => station.output(self.index, self.order),
+            Kind::Margin => station
+                .smallest_margin()
+                .map(|margin| margin.unwrap_or(Local::constant(f64::NAN))),
+        };
+        value.map_err(|_| ExtremesError::Gap {
+            at: station.variable.real(),
+        })
     }
 }

@@ -8,7 +8,9 @@
 //! the directions (1, 1) and (1, -1), it is (c₊ - c₋) / 2.
 
 use super::ExtremesError;
-use super::curve::{Curve, Stretch};
+use super::answer::Answer;
+use super::at::At;
+use super::curve::{Curve, Stretch, finite};
 use super::{ExtremeKind, Peak};
 use crate::law::Side;
 use crate::mechanism::Mechanism;
@@ -35,7 +37,11 @@ pub struct PeakSensitivities<M: Mechanism> {
 
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// How a peak depends on every dimension. It has been found on this curve.
-    pub(super) fn sensitivities(&self, peak: Peak) -> Result<PeakSensitivities<M>, ExtremesError> {
+    pub(super) fn sensitivities<A: Answer>(
+        &self,
+        peak: Peak,
+        quantity: impl Fn(&At<M>) -> A,
+    ) -> Result<PeakSensitivities<M>, ExtremesError> {
         let is_inner = match peak.kind {
             ExtremeKind::Inner => true,
             ExtremeKind::End => false,
@@ -57,7 +63,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         };
         let value = |mechanism: Option<&M::With<Local>>, step: f64| {
             let variable = Local::from_coefficients([peak.at, step, 0.0, 0.0, 0.0]);
-            let (value, _) = self.value(mechanism, variable, side, stretch.walk)?;
+            let (station, _) = self.station(variable, side, stretch.walk)?;
+            let value = finite(&station, station.answer(mechanism, &quantity)?)?;
             Ok::<_, ExtremesError>(value.coefficients())
         };
         let bend = 2.0 * value(None, 1.0)?[2];

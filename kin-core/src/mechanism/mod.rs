@@ -191,6 +191,13 @@ pub trait Mechanism: Copy + Debug {
     /// The joints of the skeleton and the directions of its slides, for any values of inputs and unknowns.
     fn places(&self, inputs: Self::Inputs<Self::Scalar>, unknowns: Self::Unknowns<Self::Scalar>) -> Self::Places;
 
+    /// The scalar outputs, for any values of inputs and unknowns. An angle that an output finds itself is in -π ..= π.
+    fn outputs_at(
+        &self,
+        inputs: Self::Inputs<Self::Scalar>,
+        unknowns: Self::Unknowns<Self::Scalar>,
+    ) -> <Self::Pose as Pose>::Outputs<Self::Scalar>;
+
     /// The skeleton of a pose of any order, as the inherent `skeleton` gives it.
     fn skeleton(&self, pose: &impl PoseOf<Self>) -> Skeleton<Self::Places> {
         let (inputs, unknowns) = pose.values();

@@ -3,7 +3,7 @@
 use crate::batch::Column;
 #[cfg(feature = "alloc")]
 use crate::batch::LengthMismatch;
-use crate::hermite::TERMS;
+pub(crate) use crate::hermite::TERMS;
 use crate::law::{Law, Piecewise, Side, approached};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
@@ -86,12 +86,6 @@ pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
     /// The inputs with their derivatives with respect to the variable. Where two pieces of a law meet, `side` selects one.
     fn derivatives(&self, at: f64, side: Side) -> M::Inputs<Motion<f64, READ>>;
 
-    /// The motions of the inputs as Taylor series in the variable.
-    fn series(&self, at: f64, side: Side) -> InputMotions<M, Local> {
-        let inputs = self.derivatives(at, side);
-        Row::from_fn(|input| Row::from_fn(|order| by_time(&inputs[input], order, self.rate())))
-    }
-
     /// The first place beyond `after` where two pieces of a law meet, if there is one.
     fn next_joint(&self, after: f64) -> Option<f64> {
         let _ = after;
@@ -111,7 +105,7 @@ pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
 }
 
 /// A derivative with respect to time, as a series in the variable, from the derivatives with respect to the variable.
-pub(crate) fn by_time(derivatives: &Motion<f64, READ>, order: usize, rate: f64) -> Local {
+pub(crate) fn by_time(derivatives: &[f64], order: usize, rate: f64) -> Local {
     let factor = (0..order).fold(1.0, |factor, _| factor * rate);
     Local::from_derivatives(core::array::from_fn(|above| factor * derivatives[order + above]))
 }
@@ -437,7 +431,8 @@ mod tests {
     fn the_series_of_laws_fit_together() {
         let rise = Rise::new(Shape::Cycloidal, 0.0, 2.0, 0.5).unwrap();
         let drive = Laws::<FourBar>([&rise]);
-        let [series] = SmoothDrive::<FourBar>::series(&drive, 0.2, Side::Right);
+        let [motion] = SmoothDrive::<FourBar>::derivatives(&drive, 0.2, Side::Right);
+        let series: [Local; 5] = core::array::from_fn(|order| by_time(motion.as_ref(), order, 1.0));
         for order in 0..4 {
             let (low, high) = (series[order].derivatives(), series[order + 1].derivatives());
             assert_eq!(low[1..], high[..4]);

@@ -76,7 +76,7 @@ pub use drive::{
     Along, ByFormula, Drive, InputMotions, Instant, Laws, Local, OverTime, SmoothDrive, StraightLine, Variable,
 };
 #[cfg(feature = "alloc")]
-pub(crate) use drive::{READ, by_time};
+pub(crate) use drive::{READ, TERMS, by_time};
 #[cfg(feature = "alloc")]
 pub use error::SweepError;
 #[cfg(feature = "alloc")]

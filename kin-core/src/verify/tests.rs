@@ -184,6 +184,10 @@ impl<T: Scalar, const UNKNOWN: usize, const OUTPUT: usize> Mechanism for Hyperbo
         []
     }
 
+    fn outputs_at(&self, [x]: [T; 1], [y]: [T; 1]) -> [T; 1] {
+        [x * y]
+    }
+
     fn block_forms(&self) -> [BlockForm<T>; 1] {
         [BlockForm::Coupled]
     }

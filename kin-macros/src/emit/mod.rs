@@ -15,7 +15,7 @@ use crate::model::{Model, Request};
 use crate::program::Solvers;
 use crate::structure::Block;
 use crate::syntax::Declaration;
-use crate::translate::skeleton;
+use crate::translate::{outputs, skeleton};
 pub(crate) use compiled::pose_name;
 use compiled::{Compiled, local};
 use items::{
@@ -77,7 +77,7 @@ pub(crate) fn tokens(
     let further = [
         poses::tokens(inside),
         values::tokens(inside),
-        interface::tokens(inside, &picture.items),
+        interface::tokens(inside, &picture.items, &outputs::tokens(declaration, model, inside.runtime)),
         sensitivities::tokens(inside),
         batch::tokens(inside),
         stored::tokens(inside),

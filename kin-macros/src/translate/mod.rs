@@ -7,6 +7,7 @@
 pub(crate) mod closure;
 mod formula;
 mod names;
+pub(crate) mod outputs;
 pub(crate) mod skeleton;
 
 use proc_macro2::{Ident, Span};

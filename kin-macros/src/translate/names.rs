@@ -91,3 +91,20 @@ pub(super) fn behind_abbreviations(declaration: &Declaration, mut used: BTreeSet
     }
     used
 }
+
+/// `let` for the inputs and unknowns that are used.
+pub(super) fn rows(model: &Model, used: &BTreeSet<String>) -> TokenStream {
+    let inputs: Vec<&Ident> = model.inputs.iter().map(|input| &input.name).collect();
+    let unknowns: Vec<&Ident> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
+    let mut body = TokenStream::new();
+    for (names, row) in [(inputs, "inputs"), (unknowns, "unknowns")] {
+        let row = Ident::new(row, Span::mixed_site());
+        if names.iter().any(|name| used.contains(&name.to_string())) {
+            let pattern = pattern(names.into_iter(), used);
+            body.extend(quote!(let #pattern = #row;));
+        } else {
+            body.extend(quote!(let _ = #row;));
+        }
+    }
+    body
+}

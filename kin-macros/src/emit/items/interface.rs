@@ -9,8 +9,8 @@ use crate::emit::compiled::{Compiled, local};
 use crate::model::Dimension;
 use crate::translate::vector_type;
 
-/// `impl Mechanism` and `impl Pose`. The items of the picture are added to the former.
-pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream) -> TokenStream {
+/// `impl Mechanism` and `impl Pose`. The items of the picture and the outputs are added to the former.
+pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream, outputs: &TokenStream) -> TokenStream {
     let runtime = mechanism.runtime;
     let model = mechanism.model;
     let order = mechanism.order();
@@ -232,6 +232,8 @@ pub(in crate::emit) fn tokens(mechanism: &Compiled<'_>, picture: &TokenStream) -
             #positions
 
             #picture
+
+            #outputs
         }
 
         impl<T: #runtime::Scalar> #runtime::Pose for #pose<T> {

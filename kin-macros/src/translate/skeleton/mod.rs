@@ -16,7 +16,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
 
 use super::formula::{Translated, Translation, constant};
-use super::names::{behind_abbreviations, bindings, pattern, used_names};
+use super::names::{behind_abbreviations, bindings, rows, used_names};
 use super::vector_type;
 use crate::model::{Dimension, Model, ValueShape};
 use crate::precedence::Precedence;
@@ -153,7 +153,7 @@ fn body(declaration: &Declaration, model: &Model, outline: &Outline<'_>, runtime
     }
     let used = behind_abbreviations(declaration, used);
     let mut translated = super::names::names(model);
-    let mut body = values(model, &used);
+    let mut body = rows(model, &used);
     body.extend(bindings(declaration, runtime, &used, &mut translated));
     let translation = Translation {
         names: &translated,
@@ -198,23 +198,6 @@ fn in_picture(translation: &Translation<'_>, term: Translated, shape: ValueShape
     let plane = Ident::new("plane", Span::mixed_site());
     let lifted = quote!({ let #plane = #tokens; #runtime::Space::new(#plane.x, #plane.y, #zero) });
     Translated::new(shape, lifted)
-}
-
-/// `let` for the inputs and unknowns that are used.
-fn values(model: &Model, used: &BTreeSet<String>) -> TokenStream {
-    let inputs: Vec<&Ident> = model.inputs.iter().map(|input| &input.name).collect();
-    let unknowns: Vec<&Ident> = model.unknowns.iter().map(|unknown| &unknown.name).collect();
-    let mut body = TokenStream::new();
-    for (names, row) in [(inputs, "inputs"), (unknowns, "unknowns")] {
-        let row = Ident::new(row, Span::mixed_site());
-        if names.iter().any(|name| used.contains(&name.to_string())) {
-            let pattern = pattern(names.into_iter(), used);
-            body.extend(quote!(let #pattern = #row;));
-        } else {
-            body.extend(quote!(let _ = #row;));
-        }
-    }
-    body
 }
 
 /// The identifiers in tokens.

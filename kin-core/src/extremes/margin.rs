@@ -1,0 +1,139 @@
+//! The length that is left until a dyad ceases to close.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use crate::mechanism::{Block, BlockForm, Mechanism};
+use crate::number::{Number, Row};
+use crate::picture::TransmissionAngle;
+use crate::quantity::Dimension;
+use crate::sweep::Local;
+
+/// A position in series, from which margins and transmission angles are found.
+pub(super) struct Margins<M: Mechanism<Scalar = Local>> {
+    pub(super) mechanism: M,
+    pub(super) inputs: M::Inputs<Local>,
+    pub(super) unknowns: M::Unknowns<Local>,
+}
+
+impl<M: Mechanism<Scalar = Local>> Margins<M> {
+    /// The transmission angle of a dyad.
+    pub(super) fn transmission_angle(&self, dyad: usize) -> Option<TransmissionAngle<Local>> {
+        let angles = self.mechanism.transmission_angles_at(self.inputs, self.unknowns);
+        angles.as_ref().get(dyad).copied()
+    }
+
+    /// The margin of a dyad.
+    pub(super) fn of(&self, dyad: usize) -> Option<Local> {
+        let transmission = self.transmission_angle(dyad)?;
+        let (_, cosine) = transmission.angle.sin_cos();
+        let forms = self.mechanism.block_forms();
+        // a slider along an axis is a block of its own behind that of its link
+        let mut own = M::DESCRIPTION.blocks.iter().zip(forms.as_ref()).filter(|(block, _)| {
+            let mut unknowns = transmission.block.split(", ");
+            transmission.block == block.unknowns || unknowns.any(|unknown| unknown == block.unknowns)
+        });
+        own.find_map(|(block, form)| match form {
+            BlockForm::TwoLinks { lengths } if lengths.iter().any(Option::is_none) => self.slack(block),
+            BlockForm::LinkAndSlider { length: None } => margin_of(
+                &BlockForm::LinkAndSlider {
+                    length: self.link(block),
+                },
+                cosine,
+            ),
+            _ => margin_of(form, cosine),
+        })
+    }
+
+    /// What the equations of a block have left if some of its angles are turned.
+    fn turned(&self, block: &Block, angles: &[(usize, f64)]) -> [Local; 2] {
+        let mut unknowns = self.unknowns;
+        for (unknown, angle) in angles {
+            unknowns[*unknown] = unknowns[*unknown] + Local::constant(*angle);
+        }
+        let residuals = self.mechanism.residuals(self.inputs, unknowns);
+        let mut equations = block.equations.iter();
+        [(); 2].map(|()| {
+            equations
+                .next()
+                .map_or(Local::constant(0.0), |equation| residuals[*equation])
+        })
+    }
+
+    /// The margin of two links by the sides of their triangle: what two sides are longer than the third one, at least.
+    ///
+    /// A link that is turned by half a turn changes the closure by twice its vector. One angle, the other one and both turn the links one by one
+    /// or together, which side ever belongs to which: an angle may be that of a link against the other link.
+    fn slack(&self, block: &Block) -> Option<Local> {
+        let &[one, other] = block.members else { return None };
+        let [one, other] = [one, other].map(|unknown| (unknown, PI));
+        let here = self.turned(block, &[]);
+        let side = |angles: &[(usize, f64)]| {
+            let [x, y] = self.turned(block, angles);
+            length(half(x - here[0]), half(y - here[1]))
+        };
+        let [a, b, c] = [side(&[one])?, side(&[other])?, side(&[one, other])?];
+        let slacks = [a + b - c, b + c - a, c + a - b];
+        slacks
+            .into_iter()
+            .min_by(|one, other| one.real().total_cmp(&other.real()))
+    }
+
+    /// The length of the link of a slider.
+    ///
+    /// One equation of the slider on an axis tells the component of the link along the other axis. The other component is that of the link
+    /// turned by a right angle.
+    fn link(&self, block: &Block) -> Option<Local> {
+        let is_angle = |unknown: &usize| M::DESCRIPTION.unknowns[*unknown].dimension == Dimension::Angle;
+        let angle = block.members.iter().copied().find(is_angle)?;
+        let [here, opposite, left, right] =
+            [0.0, PI, FRAC_PI_2, -FRAC_PI_2].map(|turn| self.turned(block, &[(angle, turn)]));
+        if let [_] = block.equations {
+            return length(half(here[0] - opposite[0]), half(left[0] - right[0]));
+        }
+        length(half(here[0] - opposite[0]), half(here[1] - opposite[1]))
+    }
+    /// The smallest margin of all dyads.
+    pub(super) fn smallest(&self) -> Option<Local> {
+        let count = <M::Dyads<Local> as Row<Local>>::LENGTH;
+        let mut least = self.of(0)?;
+        for dyad in 1..count {
+            let margin = self.of(dyad)?;
+            if margin.real() < least.real() {
+                least = margin;
+            }
+        }
+        Some(least)
+    }
+}
+
+fn half(value: Local) -> Local {
+    Local::constant(0.5) * value
+}
+
+/// The length of a vector, if it has a direction.
+fn length(x: Local, y: Local) -> Option<Local> {
+    let square = x * x + y * y;
+    (square.real() > 0.0).then(|| square.sqrt())
+}
+
+/// The margin of a dyad with the cosine of its transmission angle.
+fn margin_of(form: &BlockForm<Local>, cosine: Local) -> Option<Local> {
+    let size = |value: Local| if value.real() < 0.0 { -value } else { value };
+    match *form {
+        BlockForm::FourBar {
+            coupler: a, rocker: b, ..
+        }
+        | BlockForm::TwoLinks {
+            lengths: [Some(a), Some(b)],
+        } => {
+            // the law of cosines
+            let distance = (a * a + b * b - Local::constant(2.0) * a * b * cosine).sqrt();
+            let [far, near] = [a + b - distance, distance - size(a - b)];
+            Some(if near.real() < far.real() { near } else { far })
+        }
+        BlockForm::SliderCrank { coupler: link, .. } | BlockForm::LinkAndSlider { length: Some(link) } => {
+            Some(link - size(link * cosine))
+        }
+        _ => None,
+    }
+}
