@@ -1,16 +1,14 @@
 //! A quantity as a curve over the variable of a sweep, in stretches without an edge.
 
 use alloc::vec::Vec;
-use core::cell::Cell;
+use core::cell::{Cell, RefCell};
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::station::Station;
+use super::line::{Extent, Line, Mark};
 use crate::law::Side;
-use crate::mechanism::Mechanism;
-use crate::number::{Number, Row};
-use crate::quantity::Dimension;
-use crate::sweep::{Course, Limit, LimitKind, Local, SmoothDrive, Variable, Walk, by_time, limit_between};
+use crate::number::Number;
+use crate::sweep::{Limit, LimitKind, Local};
 
 /// The smallest parameter next to a turning point. Closer to it, a Taylor series goes on: the places of the variable there are too few for
 /// the poses to be exact.
@@ -52,15 +50,15 @@ impl StretchEnd {
 /// Towards a turning point the curve is a root of the variable. The parameter s makes it smooth again: the variable is the limit plus
 /// `scale` s². At a change point, where branches cross, it is smooth in the variable itself, and its rates jump. The closer to either of
 /// them, the more rounding errors of a pose are magnified, so a stretch ends short of it, and its series goes on.
-#[derive(Clone, Copy)]
-pub(super) struct Stretch<M: Mechanism> {
+#[derive(Clone)]
+pub(super) struct Stretch {
     /// The parameters at both ends, in the order of the sweep.
     pub(super) parameters: [f64; 2],
     pub(super) ends: [StretchEnd; 2],
     /// The limit at which the stretch begins or ends.
     pub(super) edge: Option<Edge>,
     /// A pose close to its start.
-    pub(super) walk: Walk<M>,
+    pub(super) mark: Mark,
     /// Whether the sweep runs upwards.
     pub(super) runs_up: bool,
 }
@@ -76,7 +74,7 @@ pub(super) struct Edge {
     pub(super) nearest: f64,
 }
 
-impl<M: Mechanism> Stretch<M> {
+impl Stretch {
     /// The variable as a series in the parameter.
     pub(super) fn variable(&self, parameter: f64) -> Local {
         let coefficients = match self.edge {
@@ -113,23 +111,20 @@ impl<M: Mechanism> Stretch<M> {
 }
 
 /// A place on the curve.
-#[derive(Clone, Copy)]
-pub(super) struct CurveNode<M: Mechanism> {
+#[derive(Clone)]
+pub(super) struct CurveNode {
     pub(super) parameter: f64,
     /// The variable of the sweep.
     pub(super) at: f64,
     /// The quantity as a series in the parameter.
     pub(super) value: Local,
-    pub(super) walk: Walk<M>,
+    pub(super) mark: Mark,
 }
 
-/// A quantity of a pose.
-pub(super) type PoseQuantity<'q, M> = dyn Fn(&Station<M>) -> Result<Local, ExtremesError> + 'q;
-
 /// A quantity over a sweep.
-pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
-    pub(super) course: &'c Course<M, D>,
-    quantity: &'c PoseQuantity<'c, M>,
+pub(super) struct Curve<'c> {
+    line: &'c dyn Line,
+    pub(super) extent: Extent,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
     /// Change points and poles between rows that close.
@@ -137,20 +132,20 @@ pub(super) struct Curve<'c, M: Mechanism<Scalar = f64>, D> {
     /// The edge that a question has met.
     met: Cell<Option<(f64, LimitKind)>>,
     /// The walk to the node before, from which the next one is often closest.
-    cursor: Cell<Option<Walk<M>>>,
+    cursor: RefCell<Option<Mark>>,
     /// Told the part of the sweep that has been searched.
     progress: Option<&'c dyn Fn(f64)>,
 }
 
-impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
-    pub(super) fn new(course: &'c Course<M, D>, quantity: &'c PoseQuantity<'c, M>) -> Self {
+impl<'c> Curve<'c> {
+    pub(super) fn new(line: &'c dyn Line) -> Self {
         Self {
-            course,
-            quantity,
+            line,
+            extent: line.extent(),
             gaps: Vec::new(),
             edges: Vec::new(),
             met: Cell::new(None),
-            cursor: Cell::new(None),
+            cursor: RefCell::new(None),
             progress: None,
         }
     }
@@ -166,8 +161,13 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     /// Tells that the sweep has been searched up to a place.
     pub(super) fn tell(&self, at: f64) {
         if let Some(progress) = self.progress {
-            progress((at - self.course.from) / (self.course.to - self.course.from));
+            progress((at - self.extent.from) / (self.extent.to - self.extent.from));
         }
+    }
+
+    /// The way of the first input for each unit of the variable.
+    pub(super) fn way(&self, at: f64) -> f64 {
+        self.line.way(at)
     }
 
     /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is asked again.
@@ -186,13 +186,13 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
                     self.edges.push(edge);
                 }
                 (Err(ExtremesError::Gap { at }), None)
-                    if M::ASSEMBLY_COUNT > 0 && !is_full && !self.gaps.contains(at) =>
+                    if self.extent.has_assemblies && !is_full && !self.gaps.contains(at) =>
                 {
                     self.gaps.push(*at);
                 }
                 _ => return answer,
             }
-            self.cursor.set(None);
+            self.cursor.replace(None);
         }
     }
 
@@ -203,12 +203,12 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     }
 
     /// The change point or the pole between two nodes, if there is one.
-    pub(super) fn edge_between(&self, left: &CurveNode<M>, right: &CurveNode<M>) -> Option<(f64, LimitKind)> {
-        if M::ASSEMBLY_COUNT == 0 {
+    pub(super) fn edge_between(&self, left: &CurveNode, right: &CurveNode) -> Option<(f64, LimitKind)> {
+        if !self.extent.has_assemblies {
             // a track from row to row has ended there
             return None;
         }
-        let limit = limit_between(self.course, left.at, left.walk.last?.unknowns, right.at)?;
+        let limit = self.line.limit(left.at, &left.mark, right.at)?;
         let is_between = (left.at.min(right.at) < limit.at) && (limit.at < left.at.max(right.at));
         let is_edge = matches!(limit.kind, LimitKind::ChangePoint | LimitKind::Pole);
         (is_edge && is_between).then_some((limit.at, limit.kind))
@@ -217,10 +217,9 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     /// The rows, places between rows that are far apart, the end of the sweep if there is only one row, and the gaps, in the order of the
     /// sweep.
     fn places(&self) -> Vec<f64> {
-        let course = self.course;
-        let rows = (0..course.count).map(|row| course.at(row));
-        let end = (course.count == 1).then_some(course.to);
-        let given: Vec<f64> = rows.chain(end).collect();
+        let Extent { from, to, rows, .. } = self.extent;
+        let end = (rows == 1).then_some(to);
+        let given: Vec<f64> = (0..rows).map(|row| self.line.row(row)).chain(end).collect();
         let mut places = given.clone();
         for pair in given.windows(2) {
             let count = self.probes([pair[0], pair[1]]);
@@ -230,7 +229,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         places.extend(&self.gaps);
         places.sort_by(f64::total_cmp);
         places.dedup();
-        if course.to < course.from {
+        if to < from {
             places.reverse();
         }
         places
@@ -243,21 +242,12 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         reason = "a ratio from zero to the limit"
     )]
     fn probes(&self, [from, to]: [f64; 2]) -> u32 {
-        let [start, end] = [from, to].map(|at| self.course.drive.motions(at));
-        let ways = (0..M::DESCRIPTION.inputs.len())
-            .filter(|input| M::DESCRIPTION.inputs[*input].dimension == Dimension::Angle)
-            .map(|input| (end[input][0] - start[input][0]).abs() / PROBE);
-        let part = (to - from) / (self.course.to - self.course.from) * (TAU / PROBE);
-        num_traits::Float::ceil(ways.fold(part, f64::max)).clamp(1.0, MOST_PROBES) as u32
+        let part = (to - from) / (self.extent.to - self.extent.from) * (TAU / PROBE);
+        num_traits::Float::ceil(part.max(self.line.turn([from, to]) / PROBE)).clamp(1.0, MOST_PROBES) as u32
     }
 
     /// The place with a parameter, found from a pose nearby.
-    pub(super) fn node(
-        &self,
-        stretch: &Stretch<M>,
-        parameter: f64,
-        near: Walk<M>,
-    ) -> Result<CurveNode<M>, ExtremesError> {
+    pub(super) fn node(&self, stretch: &Stretch, parameter: f64, near: &Mark) -> Result<CurveNode, ExtremesError> {
         let variable = stretch.variable(parameter);
         let at = variable.real();
         // At the end of a stretch its own piece of the law counts.
@@ -267,96 +257,54 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         } else {
             Side::Right
         };
-        let (value, walk) = self.value(variable, side, self.closest(stretch, at, near))?;
-        self.cursor.set(Some(walk));
+        let (value, mark) = self.line.value(&self.closest(stretch, at, near), variable, side)?;
+        self.cursor.replace(Some(mark.clone()));
         Ok(CurveNode {
             parameter,
             at,
             value,
-            walk,
+            mark,
         })
     }
 
     /// The closer of two walks to a place of a stretch: the given one, or that to the node before if it is in the same stretch.
-    fn closest(&self, stretch: &Stretch<M>, at: f64, given: Walk<M>) -> Walk<M> {
+    fn closest(&self, stretch: &Stretch, at: f64, given: &Mark) -> Mark {
         let [one, other] = stretch.parameters.map(|parameter| stretch.variable(parameter).real());
         let is_inside = |place: f64| one.min(other) <= place && place <= one.max(other);
-        let distance = |walk: &Walk<M>| walk.last.map_or(f64::INFINITY, |last| (last.at - at).abs());
-        let cursor = self
-            .cursor
-            .get()
-            .filter(|cursor| cursor.last.is_some_and(|last| is_inside(last.at)));
-        match cursor {
-            Some(cursor) if distance(&cursor) < distance(&given) => cursor,
-            _ => given,
+        let distance = |mark: &Mark| mark.at.map_or(f64::INFINITY, |last| (last - at).abs());
+        match &*self.cursor.borrow() {
+            Some(cursor) if cursor.at.is_some_and(is_inside) && distance(cursor) < distance(given) => cursor.clone(),
+            _ => given.clone(),
         }
     }
 
-    /// The quantity where the variable has a series, found from a pose nearby.
-    fn value(&self, variable: Local, side: Side, near: Walk<M>) -> Result<(Local, Walk<M>), ExtremesError> {
-        let (station, walk) = self.station(variable, side, near)?;
-        Ok((finite(&station, (self.quantity)(&station)?)?, walk))
-    }
-
-    /// The pose where the variable has a series, found from a pose nearby.
-    pub(super) fn station(
-        &self,
-        variable: Local,
-        side: Side,
-        near: Walk<M>,
-    ) -> Result<(Station<M>, Walk<M>), ExtremesError> {
-        let (at, drive) = (variable.real(), &self.course.drive);
-        let (inputs, rate) = (drive.derivatives(at, side), drive.rate());
-        let motions = Row::from_fn(|input| Row::from_fn(|order| by_time(inputs[input].as_ref(), order, rate).real()));
-        let mut walk = near;
-        let reached = walk.step(self.course, at, motions);
-        let reached = reached.map_err(|_| ExtremesError::Gap { at })?.footing;
-        let station = Station {
-            mechanism: self.course.mechanism,
-            inputs,
-            unknowns: reached.unknowns,
-            outputs: reached.outputs,
-            rate,
-            variable,
-        };
-        Ok((station, walk))
-    }
-
-    /// Whether the sweep is one full turn of the only input that moves.
-    pub(super) fn is_full_turn(&self) -> bool {
-        let way = (self.course.to - self.course.from).abs();
-        let is_turn = (way - TAU).abs() <= 8.0 * f64::EPSILON * self.course.to.abs().max(self.course.from.abs());
-        let Variable::Input(lead) = self.course.drive.variable() else {
-            return false;
-        };
-        let is_alone =
-            (0..M::DESCRIPTION.inputs.len()).all(|input| input == lead || self.course.drive.same(input, 0).is_some());
-        is_turn && is_alone && M::DESCRIPTION.inputs[lead].dimension == Dimension::Angle
-    }
-
     /// The stretches, in the order of the sweep.
-    pub(super) fn stretches(&self) -> Result<Vec<Stretch<M>>, ExtremesError> {
-        self.course.check()?;
-        let course = self.course;
-        let mut circuits: Vec<([f64; 2], [StretchEnd; 2], Walk<M>)> = Vec::new();
-        let mut walk = Walk::BEGINNING;
+    pub(super) fn stretches(&self) -> Result<Vec<Stretch>, ExtremesError> {
+        self.line.check()?;
+        let mut circuits: Vec<([f64; 2], [StretchEnd; 2], Mark)> = Vec::new();
+        let mut mark = self.line.beginning();
         let mut first_error = None;
-        // the row before: its place, its walk, and whether it closed
-        let mut before: Option<(f64, Walk<M>, bool)> = None;
+        // the row before: its place, its mark, and whether it closed
+        let mut before: Option<(f64, Mark, bool)> = None;
         for at in self.places() {
-            let result = walk.step(course, at, course.drive.motions(at));
+            let result;
+            (mark, result) = self.line.step(&mark, at);
             let is_closed = result.is_ok();
             if let Err(error) = result {
                 first_error.get_or_insert(error);
             }
-            match (before, is_closed) {
-                (None, true) => circuits.push(([at, at], [StretchEnd::Sweep, StretchEnd::Sweep], walk)),
+            match (&before, is_closed) {
+                (None, true) => circuits.push(([at, at], [StretchEnd::Sweep, StretchEnd::Sweep], mark.clone())),
                 (Some((place, _, false)), true) => {
-                    let limit = self.limit(at, &walk, place)?;
-                    circuits.push(([limit.at, at], [StretchEnd::Limit(limit.kind), StretchEnd::Sweep], walk));
+                    let limit = self.limit(at, &mark, *place)?;
+                    circuits.push((
+                        [limit.at, at],
+                        [StretchEnd::Limit(limit.kind), StretchEnd::Sweep],
+                        mark.clone(),
+                    ));
                 }
                 (Some((place, there, true)), false) => {
-                    let limit = self.limit(place, &there, at)?;
+                    let limit = self.limit(*place, there, at)?;
                     if let Some((ends, kinds, _)) = circuits.last_mut() {
                         (ends[1], kinds[1]) = (limit.at, StretchEnd::Limit(limit.kind));
                     }
@@ -368,19 +316,22 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
                 }
                 _ => {}
             }
-            before = Some((at, walk, is_closed));
+            before = Some((at, mark.clone(), is_closed));
         }
         let Some(&([first, _], ..)) = circuits.first() else {
-            return Err(first_error.map_or(ExtremesError::Gap { at: course.from }, ExtremesError::NothingCloses));
+            return Err(first_error.map_or(
+                ExtremesError::Gap { at: self.extent.from },
+                ExtremesError::NothingCloses,
+            ));
         };
         let mut stretches = Vec::new();
-        for (ends, kinds, walk) in circuits {
+        for (ends, kinds, mark) in circuits {
             let mut start = (ends[0], kinds[0]);
             for cut in self.cuts(ends) {
-                self.add(&mut stretches, [start, cut], walk);
+                self.add(&mut stretches, [start, cut], &mark);
                 start = cut;
             }
-            self.add(&mut stretches, [start, (ends[1], kinds[1])], walk);
+            self.add(&mut stretches, [start, (ends[1], kinds[1])], &mark);
         }
         if stretches.is_empty() {
             return Err(ExtremesError::NoLength { at: first });
@@ -394,7 +345,7 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         let inside = |(at, _): &&(f64, LimitKind)| low < *at && *at < high;
         let edges = self.edges.iter().filter(inside);
         let mut cuts: Vec<(f64, StretchEnd)> = edges.map(|(at, kind)| (*at, StretchEnd::Limit(*kind))).collect();
-        let joints = self.course.joints(ends).into_iter();
+        let joints = self.line.joints(ends).into_iter();
         cuts.extend(joints.map(|joint| (joint, StretchEnd::Joint)));
         cuts.sort_by(|one, other| one.0.total_cmp(&other.0));
         cuts.dedup_by(|one, other| one.0 == other.0);
@@ -404,32 +355,29 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
         cuts
     }
 
-    fn limit(&self, closed: f64, walk: &Walk<M>, open: f64) -> Result<Limit, ExtremesError> {
-        let gap = || ExtremesError::Gap { at: open };
-        let last = walk.last.ok_or_else(gap)?;
-        if let Some(limit) = limit_between(self.course, closed, last.unknowns, open) {
+    fn limit(&self, closed: f64, mark: &Mark, open: f64) -> Result<Limit, ExtremesError> {
+        if let Some(limit) = self.line.limit(closed, mark, open) {
             return Ok(limit);
         }
         // an angle that an equation gives in -π ..= π may have jumped on the way, which stops a track
-        let near = self.course.edge(closed, open);
-        let reached = walk
-            .clone()
-            .step(self.course, near, self.course.drive.motions(near))
-            .map_err(|_| gap())?;
-        limit_between(self.course, near, reached.footing.unknowns, open).ok_or_else(gap)
+        let gap = || ExtremesError::Gap { at: open };
+        let near = self.line.edge(closed, open);
+        let (mark, result) = self.line.step(mark, near);
+        result.map_err(|_| gap())?;
+        self.line.limit(near, &mark, open).ok_or_else(gap)
     }
 
     /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning
     /// point, as the mechanism may be one there, and a curve that is none is smooth in the root of the distance as well.
-    fn add(&self, stretches: &mut Vec<Stretch<M>>, [start, end]: [(f64, StretchEnd); 2], walk: Walk<M>) {
+    fn add(&self, stretches: &mut Vec<Stretch>, [start, end]: [(f64, StretchEnd); 2], mark: &Mark) {
         if start.0 == end.0 {
             return;
         }
         let edges = [self.edge(start, end.0), self.edge(end, start.0)];
         if let [Some(_), Some(_)] = edges {
             let middle = (f64::midpoint(start.0, end.0), StretchEnd::Inside);
-            self.add(stretches, [start, middle], walk);
-            self.add(stretches, [middle, end], walk);
+            self.add(stretches, [start, middle], mark);
+            self.add(stretches, [middle, end], mark);
             return;
         }
         let parameters = match edges {
@@ -441,8 +389,8 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             parameters,
             ends: [start.1, end.1],
             edge: edges[0].or(edges[1]),
-            walk,
-            runs_up: self.course.to >= self.course.from,
+            mark: mark.clone(),
+            runs_up: self.extent.to >= self.extent.from,
         });
     }
 
@@ -450,12 +398,8 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
     fn edge(&self, (at, end): (f64, StretchEnd), other: f64) -> Option<Edge> {
         let StretchEnd::Limit(kind) = end else { return None };
         let scale = other - at;
-        let is_angle = match self.course.drive.variable() {
-            Variable::Input(input) => M::DESCRIPTION.inputs[input].dimension == Dimension::Angle,
-            _ => false,
-        };
         let nearest = match kind {
-            LimitKind::ChangePoint if is_angle => NEAREST.min(NEAREST_ANGLE / scale.abs()),
+            LimitKind::ChangePoint if self.extent.is_angle => NEAREST.min(NEAREST_ANGLE / scale.abs()),
             _ => NEAREST,
         };
         Some(Edge {
@@ -463,17 +407,6 @@ impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'c, M, D> {
             scale,
             kind,
             nearest,
-        })
-    }
-}
-
-/// The value of a quantity, which must be finite.
-pub(super) fn finite<M: Mechanism>(station: &Station<M>, value: Local) -> Result<Local, ExtremesError> {
-    if Number::is_finite(value) {
-        Ok(value)
-    } else {
-        Err(ExtremesError::NotFinite {
-            at: station.variable.real(),
         })
     }
 }

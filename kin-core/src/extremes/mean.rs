@@ -2,9 +2,8 @@
 
 use super::ExtremesError;
 use super::curve::{Curve, Edge, Stretch};
-use crate::mechanism::Mechanism;
 use crate::number::{GAUSS, Number};
-use crate::sweep::{Local, SmoothDrive};
+use crate::sweep::Local;
 
 /// The precision of a mean, relative to the mean size of the quantity.
 const PRECISION: f64 = 1e-12;
@@ -51,7 +50,7 @@ impl Integral {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
+impl Curve<'_> {
     /// The mean of a power of the quantity: 1, or 2 for the mean square.
     pub(super) fn mean(&self, over: Over, power: i32) -> Result<Mean, ExtremesError> {
         let stretches = self.stretches()?;
@@ -59,7 +58,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         for stretch in &stretches {
             self.parts(stretch, false, &mut |_, _| Ok(()))?;
         }
-        let is_smooth_turn = self.is_full_turn() && stretches.len() == 1 && self.is_periodic(&stretches)?;
+        let is_smooth_turn = self.extent.is_full_turn && stretches.len() == 1 && self.is_periodic(&stretches)?;
         if is_smooth_turn && let Some(mean) = self.over_turn(&stretches[0], power)? {
             return Ok(mean);
         }
@@ -91,26 +90,20 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// The part of the sweep that stretches cover.
-    fn covered(&self, stretches: &[Stretch<M>]) -> f64 {
-        let length = |stretch: &Stretch<M>| {
+    fn covered(&self, stretches: &[Stretch]) -> f64 {
+        let length = |stretch: &Stretch| {
             let [start, end] = stretch.parameters.map(|parameter| stretch.place(parameter));
             (end - start).abs()
         };
         let covered: f64 = stretches.iter().map(length).sum();
-        let whole = (self.course.to - self.course.from).abs();
+        let whole = (self.extent.to - self.extent.from).abs();
         // the sum of several lengths may round to more than the whole
         (covered / whole).min(1.0)
     }
 
     /// The quantity with its weight, for the rate of the variable with respect to the parameter.
-    fn integrand(
-        &self,
-        stretch: &Stretch<M>,
-        parameter: f64,
-        over: Over,
-        power: i32,
-    ) -> Result<Integral, ExtremesError> {
-        let node = self.node(stretch, parameter, stretch.walk)?;
+    fn integrand(&self, stretch: &Stretch, parameter: f64, over: Over, power: i32) -> Result<Integral, ExtremesError> {
+        let node = self.node(stretch, parameter, &stretch.mark)?;
         let value = Number::powi(node.value.real(), power);
         let rate = stretch.variable(parameter).coefficients()[1].abs();
         let weight = rate * self.weight(node.at, over);
@@ -125,13 +118,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     fn weight(&self, at: f64, over: Over) -> f64 {
         match over {
             Over::Time => 1.0,
-            Over::Input => self.course.drive.way_per_variable(at),
+            Over::Input => self.way(at),
         }
     }
 
     fn gauss(
         &self,
-        stretch: &Stretch<M>,
+        stretch: &Stretch,
         [from, to]: [f64; 2],
         over: Over,
         power: i32,
@@ -150,7 +143,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     #[expect(clippy::too_many_arguments, reason = "a recursion hands everything down")]
     fn halved(
         &self,
-        stretch: &Stretch<M>,
+        stretch: &Stretch,
         [from, to]: [f64; 2],
         whole: Integral,
         scale: f64,
@@ -174,14 +167,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// The part next to a turning point, from the Taylor series at the nearest place.
-    fn beside_limit(
-        &self,
-        stretch: &Stretch<M>,
-        edge: Edge,
-        over: Over,
-        power: i32,
-    ) -> Result<Integral, ExtremesError> {
-        let nearest = self.node(stretch, edge.nearest, stretch.walk)?;
+    fn beside_limit(&self, stretch: &Stretch, edge: Edge, over: Over, power: i32) -> Result<Integral, ExtremesError> {
+        let nearest = self.node(stretch, edge.nearest, &stretch.mark)?;
         // the power of one over the parameter with which the quantity grows
         let growth = if stretch.may_grow() {
             f64::from(power) * num_traits::Float::log2(self.growth(stretch, &nearest)?.max(f64::MIN_POSITIVE))
@@ -221,13 +208,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
 
     /// The mean over a full turn by the trapezoid rule, whose error falls faster than any power of the number of points.
     /// (L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56, 2014, 385-458.)
-    fn over_turn(&self, stretch: &Stretch<M>, power: i32) -> Result<Option<Mean>, ExtremesError> {
+    fn over_turn(&self, stretch: &Stretch, power: i32) -> Result<Option<Mean>, ExtremesError> {
         let [from, to] = stretch.parameters;
         let (mut points, mut sum, mut size) = (16_u32, 0.0, 0.0);
         let mut last = f64::NAN;
         let mut add = |index: u32, points: u32| -> Result<(f64, f64), ExtremesError> {
             let place = from + (to - from) * (f64::from(index) / f64::from(points));
-            let value = Number::powi(self.node(stretch, place, stretch.walk)?.value.real(), power);
+            let value = Number::powi(self.node(stretch, place, &stretch.mark)?.value.real(), power);
             sum += value;
             size += value.abs();
             Ok((sum, size))

@@ -45,6 +45,7 @@ mod curve;
 mod edge_tests;
 mod error;
 mod guessed;
+mod line;
 mod margin;
 mod mean;
 mod parts;
@@ -67,7 +68,8 @@ pub use sensitivity::{PeakSensitivities, PeakSensitivity};
 use alloc::vec::Vec;
 use core::fmt;
 
-use curve::{Curve, PoseQuantity};
+use curve::Curve;
+use line::{PoseQuantity, TypedLine};
 use progress::Progress;
 use quantity::Named;
 use station::Station;
@@ -193,7 +195,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
             |station: &Station<M>| named.at(station),
             |part: f64| progress.reach(part),
         );
-        let curve = Curve::new(self, &answer).telling(&tell);
+        let line = self.line(&answer);
+        let curve = Curve::new(&line).telling(&tell);
         let peak = curve.across_gaps(|curve| curve.best(f64::abs))?;
         progress.end();
         Ok(peak)
@@ -244,8 +247,12 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         self.best(&|station| station.answer(None, &quantity), |value| -value)
     }
 
+    fn line<'q>(&'q self, quantity: &'q PoseQuantity<'q, M>) -> TypedLine<'q, M, D> {
+        TypedLine { course: self, quantity }
+    }
+
     fn best(&self, quantity: &PoseQuantity<'_, M>, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
-        Curve::new(self, quantity).across_gaps(|curve| curve.best(rank))
+        Curve::new(&self.line(quantity)).across_gaps(|curve| curve.best(rank))
     }
 
     /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
@@ -273,8 +280,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink, and the errors of [`peak`](Self::peak).
     pub fn peak_sensitivities(&self, name: &str) -> Result<PeakSensitivities<M>, ExtremesError> {
         let named = Named::find_up_to::<M>(name, M::DESCRIPTION.order)?;
-        Curve::new(self, &|station| named.at(station))
-            .across_gaps(|curve| curve.sensitivities(curve.best(f64::abs)?, |at| named.of(at)))
+        let quantity = |station: &Station<M>| named.at(station);
+        let line = self.line(&quantity);
+        Curve::new(&line).across_gaps(|curve| line.sensitivities(curve, curve.best(f64::abs)?, |at| named.of(at)))
     }
 
     /// [`peak_sensitivities`](Self::peak_sensitivities) of an expression: of the effort of a drive, for example.
@@ -286,7 +294,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         quantity: impl Fn(&At<M>) -> A,
     ) -> Result<PeakSensitivities<M>, ExtremesError> {
         let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Curve::new(self, &answer).across_gaps(|curve| curve.sensitivities(curve.best(f64::abs)?, &quantity))
+        let line = self.line(&answer);
+        Curve::new(&line).across_gaps(|curve| line.sensitivities(curve, curve.best(f64::abs)?, &quantity))
     }
 
     /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
@@ -312,7 +321,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// rough to be searched.
     pub fn extremes(&self, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Ok(Curve::new(self, &|station| named.at(station))
+        Ok(Curve::new(&self.line(&|station| named.at(station)))
             .across_gaps(Curve::extremes)?
             .extremes)
     }
@@ -346,7 +355,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
             |station: &Station<M>| named.at(station),
             |part: f64| progress.reach(part),
         );
-        let curve = Curve::new(self, &answer).telling(&tell);
+        let line = self.line(&answer);
+        let curve = Curve::new(&line).telling(&tell);
         let found = curve.across_gaps(Curve::extremes)?;
         progress.end();
         Ok(found.extremes)
@@ -358,7 +368,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`extremes`](Self::extremes).
     pub fn extremes_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Vec<Extreme>, ExtremesError> {
         let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Ok(Curve::new(self, &answer).across_gaps(Curve::extremes)?.extremes)
+        Ok(Curve::new(&self.line(&answer)).across_gaps(Curve::extremes)?.extremes)
     }
 
     /// The places where a quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level, where
@@ -368,7 +378,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::Argument`] if the level is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn crossings(&self, name: &str, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.crossings(level))
+        Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.crossings(level))
     }
 
     /// [`crossings`](Self::crossings) of an expression.
@@ -381,7 +391,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         level: f64,
     ) -> Result<Vec<Crossing>, ExtremesError> {
         let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Curve::new(self, &answer).across_gaps(|curve| curve.crossings(level))
+        Curve::new(&self.line(&answer)).across_gaps(|curve| curve.crossings(level))
     }
 
     /// The parts of the sweep on which a quantity stays within a tolerance of a level.
@@ -390,7 +400,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::Argument`] if the level or the tolerance is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn dwells(&self, name: &str, level: f64, tolerance: f64) -> Result<Vec<DwellRange>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.dwells(level, tolerance))
+        Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.dwells(level, tolerance))
     }
 
     /// [`dwells`](Self::dwells) of an expression.
@@ -404,7 +414,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         tolerance: f64,
     ) -> Result<Vec<DwellRange>, ExtremesError> {
         let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Curve::new(self, &answer).across_gaps(|curve| curve.dwells(level, tolerance))
+        Curve::new(&self.line(&answer)).across_gaps(|curve| curve.dwells(level, tolerance))
     }
 
     /// The mean, over the time or over the way of the input. Both are the same at constant speed.
@@ -415,7 +425,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`extremes`](Self::extremes).
     pub fn mean(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.mean(over, 1))
+        Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.mean(over, 1))
     }
 
     /// [`mean`](Self::mean) of an expression.
@@ -424,7 +434,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`mean`](Self::mean).
     pub fn mean_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
         let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 1))
+        Curve::new(&self.line(&answer)).across_gaps(|curve| curve.mean(over, 1))
     }
 
     /// The root of the mean square.
@@ -433,7 +443,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`mean`](Self::mean).
     pub fn rms(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        rooted(Curve::new(self, &|station| named.at(station)).across_gaps(|curve| curve.mean(over, 2)))
+        rooted(Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.mean(over, 2)))
     }
 
     /// [`rms`](Self::rms) of an expression.
@@ -442,7 +452,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`mean`](Self::mean).
     pub fn rms_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
         let answer = |station: &Station<M>| station.answer(None, &quantity);
-        rooted(Curve::new(self, &answer).across_gaps(|curve| curve.mean(over, 2)))
+        rooted(Curve::new(&self.line(&answer)).across_gaps(|curve| curve.mean(over, 2)))
     }
 }
 

@@ -3,10 +3,8 @@
 use super::ExtremesError;
 use super::curve::{Curve, CurveNode, Stretch};
 use crate::hermite::Piece;
-use crate::mechanism::Mechanism;
 use crate::number::Number;
-use crate::quantity::Dimension;
-use crate::sweep::{LimitKind, Local, SmoothDrive, Variable};
+use crate::sweep::{LimitKind, Local};
 
 /// The first pieces of a turn of an angle, or of the whole sweep.
 const FIRST: f64 = 24.0;
@@ -39,27 +37,26 @@ pub(super) enum CurvePart {
     Kink,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
+impl Curve<'_> {
     /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
     ///
     /// If the stretch is a full turn, its end is its beginning, so that an extreme on the seam is found once.
     pub(super) fn parts(
         &self,
-        stretch: &Stretch<M>,
+        stretch: &Stretch,
         is_turn: bool,
-        visit: &mut impl FnMut(&CurvePart, [&CurveNode<M>; 2]) -> Result<(), ExtremesError>,
-    ) -> Result<[CurveNode<M>; 2], ExtremesError> {
+        visit: &mut dyn FnMut(&CurvePart, [&CurveNode; 2]) -> Result<(), ExtremesError>,
+    ) -> Result<[CurveNode; 2], ExtremesError> {
         let [from, to] = stretch.parameters;
         let way = (stretch.variable(to).real() - stretch.variable(from).real()).abs();
-        let unit = match self.course.drive.variable() {
-            Variable::Input(input) if M::DESCRIPTION.inputs[input].dimension == Dimension::Angle => {
-                core::f64::consts::TAU
-            }
-            _ => (self.course.to - self.course.from).abs(),
+        let unit = if self.extent.is_angle {
+            core::f64::consts::TAU
+        } else {
+            (self.extent.to - self.extent.from).abs()
         };
         let count = num_traits::Float::ceil(FIRST * way / unit).max(4.0);
-        let first = self.node(stretch, from, stretch.walk)?;
-        let mut left = first;
+        let first = self.node(stretch, from, &stretch.mark)?;
+        let mut left = first.clone();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -75,7 +72,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             } else {
                 from + (to - from) * (index / count)
             };
-            let mut right = self.node(stretch, parameter, left.walk)?;
+            let mut right = self.node(stretch, parameter, &left.mark)?;
             if is_turn && index == count {
                 right.value = first.value;
             }
@@ -92,17 +89,17 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
 
     fn divide(
         &self,
-        stretch: &Stretch<M>,
-        [left, right]: [&CurveNode<M>; 2],
+        stretch: &Stretch,
+        [left, right]: [&CurveNode; 2],
         depth: usize,
         size: f64,
         budget: &mut usize,
-        visit: &mut impl FnMut(&CurvePart, [&CurveNode<M>; 2]) -> Result<(), ExtremesError>,
+        visit: &mut dyn FnMut(&CurvePart, [&CurveNode; 2]) -> Result<(), ExtremesError>,
     ) -> Result<(), ExtremesError> {
         let ends = [left.parameter, right.parameter];
         let piece = Piece::new(ends, [left.value, right.value]);
         let at = |part: f64| ends[0] + part * (ends[1] - ends[0]);
-        let middle = self.node(stretch, f64::midpoint(ends[0], ends[1]), left.walk)?;
+        let middle = self.node(stretch, f64::midpoint(ends[0], ends[1]), &left.mark)?;
         let longest = ends[0].abs().max(ends[1].abs());
         if depth == SUSPECT
             && let Some((at, kind)) = self.edge_between(left, right)
@@ -129,11 +126,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             None => 1.0,
         };
         let tolerance = AGREEMENT * (high - low) + ROUNDING * (own * growth).max(size);
-        let apart = |node: &CurveNode<M>| (piece.at(node.parameter).real() - node.value.real()).abs();
+        let apart = |node: &CurveNode| (piece.at(node.parameter).real() - node.value.real()).abs();
         let mut apart_most = apart(&middle);
         if apart_most <= tolerance || depth >= DEEP {
             for part in [1.0 / 3.0, 2.0 / 3.0] {
-                apart_most = apart_most.max(apart(&self.node(stretch, at(part), left.walk)?));
+                apart_most = apart_most.max(apart(&self.node(stretch, at(part), &left.mark)?));
             }
         }
         if apart_most <= tolerance {
@@ -164,7 +161,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// Whether the quantity grows beyond all bounds between two neighbouring places: on one side it grows from distance to distance.
-    fn is_pole(&self, stretch: &Stretch<M>, [left, right]: [&CurveNode<M>; 2]) -> Result<bool, ExtremesError> {
+    fn is_pole(&self, stretch: &Stretch, [left, right]: [&CurveNode; 2]) -> Result<bool, ExtremesError> {
         let [low, high] = [
             stretch.parameters[0].min(stretch.parameters[1]),
             stretch.parameters[0].max(stretch.parameters[1]),
@@ -177,7 +174,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 let parameter = node.parameter + distance * away;
                 is_inside &= low <= parameter && parameter <= high;
                 if is_inside {
-                    *size = self.node(stretch, parameter, node.walk)?.value.real().abs();
+                    *size = self.node(stretch, parameter, &node.mark)?.value.real().abs();
                 }
             }
             if is_inside && sizes.windows(2).all(|pair| pair[0] >= POLE_GROWTH * pair[1]) && sizes[0] > 0.0 {
@@ -189,11 +186,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
 
     /// The rounding error of the quantity, as places that are close together show it: the difference between poses and the Taylor series
     /// of a pose beside them. On one side of a jump the series holds, so the smaller difference of both sides counts.
-    fn rounding(&self, stretch: &Stretch<M>, node: &CurveNode<M>, step: f64) -> Result<f64, ExtremesError> {
+    fn rounding(&self, stretch: &Stretch, node: &CurveNode, step: f64) -> Result<f64, ExtremesError> {
         let mut sides = [0.0_f64; 2];
         for (side, sign) in sides.iter_mut().zip([-1.0, 1.0]) {
             for times in [1.0, 2.0] {
-                let beside = self.node(stretch, node.parameter + sign * times * step, node.walk)?;
+                let beside = self.node(stretch, node.parameter + sign * times * step, &node.mark)?;
                 let way = beside.parameter - node.parameter;
                 let coefficients = node.value.coefficients();
                 let expected = coefficients
@@ -209,13 +206,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// slope.
     pub(super) fn refined(
         &self,
-        stretch: &Stretch<M>,
-        [left, right]: [&CurveNode<M>; 2],
+        stretch: &Stretch,
+        [left, right]: [&CurveNode; 2],
         start: f64,
         function: impl Fn(Local) -> (f64, f64),
-    ) -> Result<CurveNode<M>, ExtremesError> {
+    ) -> Result<CurveNode, ExtremesError> {
         let (low, high) = (left.parameter.min(right.parameter), left.parameter.max(right.parameter));
-        let mut node = self.node(stretch, start, left.walk)?;
+        let mut node = self.node(stretch, start, &left.mark)?;
         let mut last = f64::INFINITY;
         for _ in 0..ITERATIONS {
             let (value, slope) = function(node.value);
@@ -226,7 +223,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 break;
             }
             last = step.abs();
-            node = self.node(stretch, next, node.walk)?;
+            node = self.node(stretch, next, &node.mark)?;
         }
         Ok(node)
     }

@@ -6,9 +6,8 @@ use super::ExtremesError;
 use super::curve::{Curve, CurveNode, Edge, Stretch, StretchEnd};
 use super::parts::{CurvePart, ROUNDING};
 use super::{Crossing, DwellRange, Extreme, ExtremeKind, Peak};
-use crate::mechanism::Mechanism;
 use crate::number::Number;
-use crate::sweep::{Local, SmoothDrive};
+use crate::sweep::Local;
 
 /// The parameters next to a turning point at which a quantity is compared with itself.
 const NEAR: [f64; 2] = [1.0 / 4096.0, 1.0 / 2048.0];
@@ -24,13 +23,13 @@ pub(super) struct FoundExtremes {
     first: Option<Extreme>,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
+impl Curve<'_> {
     pub(super) fn extremes(&self) -> Result<FoundExtremes, ExtremesError> {
         let stretches = self.stretches()?;
         let mut extremes: Vec<Extreme> = Vec::new();
         // the end of the stretch before, with its kind
-        let mut before: Option<(CurveNode<M>, bool, StretchEnd)> = None;
-        let is_turn = self.is_full_turn() && self.is_periodic(&stretches)?;
+        let mut before: Option<(CurveNode, bool, StretchEnd)> = None;
+        let is_turn = self.extent.is_full_turn && self.is_periodic(&stretches)?;
         let mut first = None;
         for stretch in &stretches {
             let mut inner = Vec::new();
@@ -109,12 +108,12 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 });
             }
         }
-        best.ok_or(ExtremesError::NoLength { at: self.course.from })
+        best.ok_or(ExtremesError::NoLength { at: self.extent.from })
     }
 
     /// The extreme near a turn of a piece. If the slope does not vanish there, the quantity has a kink.
-    fn turn(&self, stretch: &Stretch<M>, nodes: [&CurveNode<M>; 2], place: f64) -> Result<Extreme, ExtremesError> {
-        let slope = |node: &CurveNode<M>| node.value.coefficients()[1];
+    fn turn(&self, stretch: &Stretch, nodes: [&CurveNode; 2], place: f64) -> Result<Extreme, ExtremesError> {
+        let slope = |node: &CurveNode| node.value.coefficients()[1];
         let node = self.refined(stretch, nodes, place, |value| {
             let [_, slope, bend, ..] = value.coefficients();
             (slope, 2.0 * bend)
@@ -123,14 +122,14 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         if slope(&node).abs() <= KINK * largest {
             return Ok(edge(&node, ExtremeKind::Inner, node.value.coefficients()[2] < 0.0));
         }
-        let [mut left, mut right] = nodes.map(|node| *node);
+        let [mut left, mut right] = nodes.map(Clone::clone);
         let is_maximum = rises(stretch, &left);
         loop {
             let middle = f64::midpoint(left.parameter, right.parameter);
             if middle == left.parameter || middle == right.parameter {
                 return Ok(edge(&left, ExtremeKind::Kink, is_maximum));
             }
-            let node = self.node(stretch, middle, left.walk)?;
+            let node = self.node(stretch, middle, &left.mark)?;
             if rises(stretch, &node) == is_maximum {
                 left = node;
             } else {
@@ -140,15 +139,15 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// Whether the quantity is the same at both ends of a full turn.
-    pub(super) fn is_periodic(&self, stretches: &[Stretch<M>]) -> Result<bool, ExtremesError> {
+    pub(super) fn is_periodic(&self, stretches: &[Stretch]) -> Result<bool, ExtremesError> {
         let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
             return Ok(false);
         };
         if stretches.iter().any(|stretch| stretch.edge.is_some()) {
             return Ok(false);
         }
-        let begin = self.node(first, first.parameters[0], first.walk)?.value.coefficients();
-        let end = self.node(last, last.parameters[1], last.walk)?.value.coefficients();
+        let begin = self.node(first, first.parameters[0], &first.mark)?.value.coefficients();
+        let end = self.node(last, last.parameters[1], &last.mark)?.value.coefficients();
         let sizes = begin.iter().map(|coefficient| coefficient.abs());
         let size = sizes.fold(0.0, f64::max);
         let pairs = begin.iter().zip(end);
@@ -156,7 +155,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     }
 
     /// The extreme at a turning point: the curve ends there.
-    fn at_limit(&self, stretch: &Stretch<M>, nearest: &CurveNode<M>) -> Result<Extreme, ExtremesError> {
+    fn at_limit(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<Extreme, ExtremesError> {
         let Some(limit) = stretch.edge else {
             return Ok(edge(nearest, ExtremeKind::End, true));
         };
@@ -178,13 +177,13 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         })
     }
 
-    fn is_unbounded(&self, stretch: &Stretch<M>, nearest: &CurveNode<M>) -> Result<bool, ExtremesError> {
+    fn is_unbounded(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<bool, ExtremesError> {
         Ok(self.growth(stretch, nearest)? > GROWTH)
     }
 
     /// The growth of a quantity from a place near a turning point to another one twice as near, in the parameter.
-    pub(super) fn growth(&self, stretch: &Stretch<M>, nearest: &CurveNode<M>) -> Result<f64, ExtremesError> {
-        let [near, far] = NEAR.map(|parameter| self.node(stretch, parameter, nearest.walk));
+    pub(super) fn growth(&self, stretch: &Stretch, nearest: &CurveNode) -> Result<f64, ExtremesError> {
+        let [near, far] = NEAR.map(|parameter| self.node(stretch, parameter, &nearest.mark));
         let (near, far) = (near?.value.real(), far?.value.real());
         Ok(if near == 0.0 { 0.0 } else { near.abs() / far.abs() })
     }
@@ -194,7 +193,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         finite("level", level)?;
         let mut crossings = Vec::new();
         // the end of the stretch before
-        let mut before: Option<CurveNode<M>> = None;
+        let mut before: Option<CurveNode> = None;
         for stretch in &self.stretches()? {
             let mut inner = Vec::new();
             let [begin, end] = self.crossings_of(stretch, level, &mut |node| {
@@ -206,7 +205,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
             // a quantity that jumps where two stretches meet is on the level in neither
             let begin = reached(stretch, stretch.ends[0], &begin);
             if let Some(left) = before.filter(|_| stretch.ends[0].goes_on()) {
-                let [left, right] = [left, begin].map(|node| node.value.real() < level);
+                let [left, right] = [&left, &begin].map(|node| node.value.real() < level);
                 if left != right {
                     crossings.push(Crossing {
                         at: begin.at,
@@ -223,10 +222,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
     /// Passes on the places inside of a stretch where the quantity crosses a level, and returns the nodes at both ends of the stretch.
     fn crossings_of(
         &self,
-        stretch: &Stretch<M>,
+        stretch: &Stretch,
         level: f64,
-        found: &mut impl FnMut(&CurveNode<M>),
-    ) -> Result<[CurveNode<M>; 2], ExtremesError> {
+        found: &mut dyn FnMut(&CurveNode),
+    ) -> Result<[CurveNode; 2], ExtremesError> {
         self.parts(stretch, false, &mut |part, nodes| {
             match part {
                 CurvePart::Piece(piece) => {
@@ -269,7 +268,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 if pair[0] == pair[1] {
                     continue;
                 }
-                let middle = self.node(stretch, f64::midpoint(pair[0], pair[1]), stretch.walk)?;
+                let middle = self.node(stretch, f64::midpoint(pair[0], pair[1]), &stretch.mark)?;
                 // where the quantity only touches a border, rounding errors cross it
                 let rounding = ROUNDING * (level.abs() + tolerance);
                 let is_near = (middle.value.real() - level).abs() <= tolerance + rounding;
@@ -284,8 +283,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 }
             }
         }
-        let (begin, end) = (self.course.from, self.course.to);
-        if dwells.len() > 1 && self.is_full_turn() && self.is_periodic(&stretches)? {
+        let (begin, end) = (self.extent.from, self.extent.to);
+        if dwells.len() > 1 && self.extent.is_full_turn && self.is_periodic(&stretches)? {
             let (first, last) = (dwells[0], dwells[dwells.len() - 1]);
             if first[0] == begin && last[1] == end {
                 dwells.remove(0);
@@ -294,7 +293,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 }
             }
         }
-        let time = self.course.drive.time_per_variable();
+        let time = self.extent.time;
         Ok(dwells
             .into_iter()
             .map(|[from, to]| DwellRange {
@@ -317,25 +316,25 @@ fn finite(argument: &'static str, value: f64) -> Result<(), ExtremesError> {
 
 /// Whether the quantity rises in the direction of the sweep. A slope of zero counts as one that rises with the parameter, as
 /// [`Piece::turns`](crate::hermite::Piece::turns) counts it.
-fn rises<M: Mechanism>(stretch: &Stretch<M>, node: &CurveNode<M>) -> bool {
+fn rises(stretch: &Stretch, node: &CurveNode) -> bool {
     let [from, to] = stretch.parameters;
     (node.value.coefficients()[1] >= 0.0) == (to >= from)
 }
 
 /// The node at the end of a stretch. Next to a limit the series goes on to the limit itself.
-fn reached<M: Mechanism>(stretch: &Stretch<M>, end: StretchEnd, nearest: &CurveNode<M>) -> CurveNode<M> {
+fn reached(stretch: &Stretch, end: StretchEnd, nearest: &CurveNode) -> CurveNode {
     match (end, stretch.edge) {
         (StretchEnd::Limit(_), Some(edge)) => CurveNode {
             at: edge.at,
             value: Local::constant(extrapolated(nearest.value, edge)),
-            ..*nearest
+            ..nearest.clone()
         },
-        _ => *nearest,
+        _ => nearest.clone(),
     }
 }
 
 /// The extreme at a place that has only one side, or only one value.
-fn edge<M: Mechanism>(node: &CurveNode<M>, kind: ExtremeKind, is_maximum: bool) -> Extreme {
+fn edge(node: &CurveNode, kind: ExtremeKind, is_maximum: bool) -> Extreme {
     Extreme {
         at: node.at,
         value: Some(node.value.real()),
@@ -349,7 +348,7 @@ const JUMP: f64 = 1e-9;
 
 /// The extremes at an edge with two sides, where the quantity rises or falls on each. A jump between them has an extreme on each side
 /// from which the quantity does not go on in the same direction.
-fn joint<M: Mechanism>(nodes: [&CurveNode<M>; 2], rises: [bool; 2], kind: ExtremeKind) -> [Option<Extreme>; 2] {
+fn joint(nodes: [&CurveNode; 2], rises: [bool; 2], kind: ExtremeKind) -> [Option<Extreme>; 2] {
     let [left, right] = nodes.map(|node| node.value.real());
     let jump = right - left;
     if jump.abs() <= JUMP * left.abs().max(right.abs()) {

@@ -10,7 +10,8 @@
 use super::ExtremesError;
 use super::answer::Answer;
 use super::at::At;
-use super::curve::{Curve, Stretch, finite};
+use super::curve::{Curve, Stretch};
+use super::line::TypedLine;
 use super::{ExtremeKind, Peak};
 use crate::law::Side;
 use crate::mechanism::Mechanism;
@@ -35,10 +36,11 @@ pub struct PeakSensitivities<M: Mechanism> {
     pub by: M::Parameters<PeakSensitivity>,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> TypedLine<'_, M, D> {
     /// How a peak depends on every dimension. It has been found on this curve.
     pub(super) fn sensitivities<A: Answer>(
         &self,
+        curve: &Curve<'_>,
         peak: Peak,
         quantity: impl Fn(&At<M>) -> A,
     ) -> Result<PeakSensitivities<M>, ExtremesError> {
@@ -49,8 +51,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
                 return Err(ExtremesError::NoSensitivity { at: peak.at, kind });
             }
         };
-        let stretches = self.stretches()?;
-        let contains = |stretch: &&Stretch<M>| {
+        let stretches = curve.stretches()?;
+        let contains = |stretch: &&Stretch| {
             let [one, other] = stretch.parameters.map(|parameter| stretch.variable(parameter).real());
             one.min(other) <= peak.at && peak.at <= one.max(other)
         };
@@ -63,8 +65,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Curve<'_, M, D> {
         };
         let value = |mechanism: Option<&M::With<Local>>, step: f64| {
             let variable = Local::from_coefficients([peak.at, step, 0.0, 0.0, 0.0]);
-            let (station, _) = self.station(variable, side, stretch.walk)?;
-            let value = finite(&station, station.answer(mechanism, &quantity)?)?;
+            let (station, _) = self.station(stretch.mark.walk(), variable, side)?;
+            let value = station.finite(station.answer(mechanism, &quantity)?)?;
             Ok::<_, ExtremesError>(value.coefficients())
         };
         let bend = 2.0 * value(None, 1.0)?[2];

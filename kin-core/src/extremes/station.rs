@@ -73,6 +73,17 @@ impl<M: Mechanism<Scalar = f64>> Station<M> {
         })
     }
 
+    /// The value of a quantity, which must be finite.
+    pub(super) fn finite(&self, value: Local) -> Result<Local, ExtremesError> {
+        if Number::is_finite(value) {
+            Ok(value)
+        } else {
+            Err(ExtremesError::NotFinite {
+                at: self.variable.real(),
+            })
+        }
+    }
+
     /// A derivative of an input.
     pub(super) fn input(&self, index: usize, order: usize) -> Local {
         self.by_time(self.inputs[index].as_ref(), order)

@@ -72,7 +72,7 @@ use crate::solve::Scalar;
 /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
 /// assert!(peak(&linkage, Assembly::Open, 10.0) > 50.0);
 /// ```
-pub trait Mechanism: Copy + Debug {
+pub trait Mechanism: Copy + Debug + 'static {
     /// The number type.
     type Scalar: Scalar;
     /// The same mechanism with another number type.
