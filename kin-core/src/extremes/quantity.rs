@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::ExtremesError;
 use super::at::{At, HIGHEST};
 use super::station::Station;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Description, Mechanism};
 use crate::number::{Number, Row};
 use crate::quantity::Quantity;
 use crate::sweep::{Label, Local, NoSuchColumn};
@@ -37,7 +37,11 @@ impl Named {
 
     /// The derivative of this name, up to an order.
     pub(super) fn find_up_to<M: Mechanism>(name: &str, highest: usize) -> Result<Self, ExtremesError> {
-        let description = M::DESCRIPTION;
+        let has_dyads = <M::Dyads<f64> as Row<f64>>::LENGTH > 0;
+        Self::among(&M::DESCRIPTION, has_dyads, name, highest)
+    }
+
+    fn among(description: &Description, has_dyads: bool, name: &str, highest: usize) -> Result<Self, ExtremesError> {
         let all = [
             (Kind::Input, description.inputs),
             (Kind::Unknown, description.unknowns),
@@ -60,7 +64,6 @@ impl Named {
         if let Some((named, _)) = found {
             return Ok(*named);
         }
-        let has_dyads = <M::Dyads<f64> as Row<f64>>::LENGTH > 0;
         if has_dyads && name == MARGIN {
             return Ok(Self {
                 kind: Kind::Margin,

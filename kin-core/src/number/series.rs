@@ -157,19 +157,50 @@ impl<const N: usize> Neg for Series<N> {
     }
 }
 
+/// The largest number of terms whose products stand where they are used. Longer series share one product, compiled in this crate.
+const SHORT: usize = 9;
+
 /// Cauchy's product.
+#[inline(always)]
+fn product(a: &[f64], b: &[f64], product: &mut [f64]) {
+    for (k, term) in product.iter_mut().enumerate() {
+        *term = a[..=k]
+            .iter()
+            .zip(b[..=k].iter().rev())
+            .fold(0.0, |sum, (a, b)| sum + a * b);
+    }
+}
+
+#[inline(never)]
+fn long_product(a: &[f64], b: &[f64], result: &mut [f64]) {
+    product(a, b, result);
+}
+
+#[inline(always)]
+fn quotient(a: &[f64], b: &[f64], quotient: &mut [f64]) {
+    for k in 0..quotient.len() {
+        let (before, rest) = quotient.split_at_mut(k);
+        let sum = before
+            .iter()
+            .zip(b[1..=k].iter().rev())
+            .fold(a[k], |sum, (q, b)| sum - q * b);
+        rest[0] = sum / b[0];
+    }
+}
+
+#[inline(never)]
+fn long_quotient(a: &[f64], b: &[f64], result: &mut [f64]) {
+    quotient(a, b, result);
+}
+
 impl<const N: usize> Mul for Series<N> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let (a, b) = (self.coefficients, other.coefficients);
-        let mut product = [0.0; N];
-        for (k, term) in product.iter_mut().enumerate() {
-            for j in 0..=k {
-                *term += a[j] * b[k - j];
-            }
-        }
-        Self::from_coefficients(product)
+        let mut result = [0.0; N];
+        let product = if N > SHORT { long_product } else { product };
+        product(&self.coefficients, &other.coefficients, &mut result);
+        Self::from_coefficients(result)
     }
 }
 
@@ -177,16 +208,10 @@ impl<const N: usize> Div for Series<N> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let (a, b) = (self.coefficients, other.coefficients);
-        let mut quotient = [0.0; N];
-        for k in 0..N {
-            let mut sum = a[k];
-            for j in 0..k {
-                sum -= quotient[j] * b[k - j];
-            }
-            quotient[k] = sum / b[0];
-        }
-        Self::from_coefficients(quotient)
+        let mut result = [0.0; N];
+        let quotient = if N > SHORT { long_quotient } else { quotient };
+        quotient(&self.coefficients, &other.coefficients, &mut result);
+        Self::from_coefficients(result)
     }
 }
 

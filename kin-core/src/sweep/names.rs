@@ -19,12 +19,14 @@ pub struct NoSuchColumn {
 
 impl NoSuchColumn {
     pub(crate) fn new(name: &str, columns: impl Iterator<Item = impl ToString>) -> Self {
+        Self::among(name, columns.map(|column| column.to_string()).collect())
+    }
+
+    fn among(name: &str, columns: Vec<String>) -> Self {
         // without a unit that no column has
         let bare = name.split_once(" [").map_or(name, |(bare, _)| bare);
-        let mut all: Vec<(usize, String)> = columns
-            .map(|column| column.to_string())
-            .map(|column| (distance(bare, &column), column))
-            .collect();
+        let columns = columns.into_iter();
+        let mut all: Vec<(usize, String)> = columns.map(|column| (distance(bare, &column), column)).collect();
         let count = all.len();
         // as many changes as a third of the name, or a name that the other begins with
         let is_near = |entry: &(usize, String)| 3 * entry.0 <= bare.len() + 2 || entry.1.starts_with(bare);

@@ -133,14 +133,14 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
         at: f64,
         motions: InputMotions<M, f64>,
     ) -> Result<Reached<M>, SolveError> {
-        let pose = course.mechanism.solve_motion(motions, course.assembly)?;
+        let pose = solved(course, motions)?;
         let reached = Reached::of(course, at, motions, pose);
         let Some(open) = self.open.filter(|_| M::ASSEMBLY_COUNT > 0) else {
             return Ok(reached);
         };
         let first = course.edge(at, open);
         let beginning = course.drive.motions(first);
-        let pose = course.mechanism.solve_motion(beginning, course.assembly)?;
+        let pose = solved(course, beginning)?;
         let beginning = Reached::of(course, first, beginning, pose);
         let mut budget = MOST;
         self.advance(course, &beginning.footing, at, motions, &mut budget)
@@ -157,7 +157,7 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
         budget: &mut usize,
     ) -> Result<Reached<M>, SolveError> {
         // the most likely failure first
-        course.mechanism.solve_motion(motions, course.assembly)?;
+        solved(course, motions)?;
         let near = course.edge(from.at, open);
         let near = match self.advance(course, from, near, course.drive.motions(near), budget) {
             Ok(near) => near.footing,
@@ -165,7 +165,7 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
         };
         let far = course.edge(at, open);
         let beyond = course.drive.motions(far);
-        let pose = course.mechanism.solve_motion(beyond, course.assembly)?;
+        let pose = solved(course, beyond)?;
         let far = Reached::of(course, far, beyond, pose).unwrapped(course, beyond, &near.without_rates());
         self.advance(course, &far.footing, at, motions, budget)
     }
@@ -211,7 +211,7 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
     ) -> Result<Reached<M>, SolveError> {
         let mechanism = &course.mechanism;
         if M::ASSEMBLY_COUNT > 0 {
-            let pose = mechanism.solve_motion(motions, course.assembly)?;
+            let pose = solved(course, motions)?;
             return Ok(Reached::of(course, at, motions, pose).unwrapped(course, motions, from));
         }
         let inputs = values::<M>(motions);
@@ -229,6 +229,15 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
         reached.footing.unwrap_outputs(from);
         Ok(reached)
     }
+}
+
+/// The pose of the sweep for some inputs. It stands in one place, as each copy of the solver is compiled anew.
+#[inline(never)]
+fn solved<M: Mechanism<Scalar = f64>, D>(
+    course: &Course<M, D>,
+    motions: InputMotions<M, f64>,
+) -> Result<M::Pose, SolveError> {
+    course.mechanism.solve_motion(motions, course.assembly)
 }
 
 impl<M: Mechanism<Scalar = f64>> Reached<M> {
