@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use kin_core::{BlockForm, Description, Formulas, Mechanism, Outline, Scalar, SolveError, TransmissionAngle};
+use kin_core::{BlockForm, Description, Formulas, Mechanism, Outline, Pose, Scalar, SolveError, TransmissionAngle};
 
 thread_local! {
     static CALLS: Cell<Calls> = const { Cell::new(Calls { solutions: 0, closures: 0 }) };

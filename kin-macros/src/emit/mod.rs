@@ -77,7 +77,11 @@ pub(crate) fn tokens(
     let further = [
         poses::tokens(inside),
         values::tokens(inside),
-        interface::tokens(inside, &picture.items, &outputs::tokens(declaration, model, inside.runtime)),
+        interface::tokens(
+            inside,
+            &picture.items,
+            &outputs::tokens(declaration, model, inside.runtime),
+        ),
         sensitivities::tokens(inside),
         batch::tokens(inside),
         stored::tokens(inside),
