@@ -127,7 +127,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Add for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
-        self.with(other, |a, b| a + b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] + other.0[lane];
+        }
+        result
     }
 }
 
@@ -136,7 +140,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Sub for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
-        self.with(other, |a, b| a - b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] - other.0[lane];
+        }
+        result
     }
 }
 
@@ -145,7 +153,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Mul for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
-        self.with(other, |a, b| a * b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] * other.0[lane];
+        }
+        result
     }
 }
 
@@ -154,7 +166,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Div for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
-        self.with(other, |a, b| a / b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] / other.0[lane];
+        }
+        result
     }
 }
 
@@ -163,7 +179,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Neg for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
-        self.map(|a| -a)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = -self.0[lane];
+        }
+        result
     }
 }
 
@@ -271,7 +291,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
-            Self::from_fn(|lane| Float::mul_add(a.0[lane], b.0[lane], self.0[lane]))
+            let mut result = self;
+            for lane in 0..W {
+                result.0[lane] = Float::mul_add(a.0[lane], b.0[lane], self.0[lane]);
+            }
+            result
         } else {
             self + a * b
         }
@@ -280,7 +304,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn minus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
-            Self::from_fn(|lane| Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]))
+            let mut result = self;
+            for lane in 0..W {
+                result.0[lane] = Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]);
+            }
+            result
         } else {
             self - a * b
         }
