@@ -138,8 +138,8 @@ fn store_all<'t, V: Stored, R: Row<V>>(
     gone: Option<V>,
 ) {
     for (motion, places) in motions.iter().zip(places) {
-        for (number, entries) in motion.as_ref().iter().zip(places.as_ref()) {
-            less(*number, gone).store(entries, start);
+        for order in 0..R::LENGTH {
+            less(motion[order], gone).store(places[order], start);
         }
     }
 }
@@ -186,8 +186,12 @@ impl<const W: usize, const FUSED: bool, E: Element> Stored for Lanes<W, FUSED, E
     fn store(self, entries: Entries<'_, E>, start: usize) {
         // A wanted place is always long enough, but the compiler does not know it.
         if let Some(entries) = entries.get(start..start + W) {
-            for (entry, number) in entries.iter().zip(self.0) {
-                entry.set(number);
+            #[expect(
+                clippy::needless_range_loop,
+                reason = "it stands in thousands of places, and iterators take a compiler longer"
+            )]
+            for lane in 0..W {
+                entries[lane].set(self.0[lane]);
             }
         }
     }

@@ -6,7 +6,7 @@ use num_traits::Float;
 
 use crate::assembly::Assembly;
 use crate::failure::Failure;
-use crate::number::Number;
+use crate::number::{Number, real_parts};
 use crate::solve::{Check, Choose, Scalar};
 
 /// The bound of a number of which nothing is known.
@@ -696,7 +696,7 @@ impl Scalar for Bounds {
             Verdict::Holds => one(),
             Verdict::Fails => other(),
             Verdict::Doubtful(_) => {
-                let [holds] = check.holds(check.operands().map(Self::real));
+                let [holds] = check.holds(real_parts(check.operands()));
                 let (one, other) = (one(), other());
                 one.hull(other, if holds { one.middle } else { other.middle })
             }
@@ -716,7 +716,7 @@ impl Scalar for Bounds {
             };
             choices = Some(own);
         };
-        ask(choice.operands().map(Self::real));
+        ask(real_parts(choice.operands()));
         at_corners(choice.operands(), ask);
         match choices {
             Some(choice) if is_told => choice,

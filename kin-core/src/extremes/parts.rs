@@ -37,6 +37,9 @@ pub(super) enum CurvePart {
     Kink,
 }
 
+/// Called with every part and the nodes at its ends.
+type VisitPart<'v> = dyn FnMut(&CurvePart, [&CurveNode; 2]) -> Result<(), ExtremesError> + 'v;
+
 impl Curve<'_> {
     /// Divides a stretch into parts, and passes on each with its ends. It returns the nodes at both ends of the stretch.
     ///
@@ -45,7 +48,7 @@ impl Curve<'_> {
         &self,
         stretch: &Stretch,
         is_turn: bool,
-        visit: &mut dyn FnMut(&CurvePart, [&CurveNode; 2]) -> Result<(), ExtremesError>,
+        visit: &mut VisitPart<'_>,
     ) -> Result<[CurveNode; 2], ExtremesError> {
         let [from, to] = stretch.parameters;
         let way = (stretch.variable(to).real() - stretch.variable(from).real()).abs();
@@ -94,7 +97,7 @@ impl Curve<'_> {
         depth: usize,
         size: f64,
         budget: &mut usize,
-        visit: &mut dyn FnMut(&CurvePart, [&CurveNode; 2]) -> Result<(), ExtremesError>,
+        visit: &mut VisitPart<'_>,
     ) -> Result<(), ExtremesError> {
         let ends = [left.parameter, right.parameter];
         let piece = Piece::new(ends, [left.value, right.value]);

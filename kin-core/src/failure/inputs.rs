@@ -26,6 +26,12 @@ impl InputValues {
     /// result of a solver.
     pub const CAPACITY: usize = 5;
 
+    /// No inputs.
+    pub const NONE: Self = Self {
+        quantities: &[],
+        values: [0.0; Self::CAPACITY],
+    };
+
     /// The inputs and their values, in the same order. Inputs without a value, values without an input, and inputs
     /// beyond the [capacity](Self::CAPACITY) are left out.
     #[inline]

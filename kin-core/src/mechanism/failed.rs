@@ -16,7 +16,7 @@ pub fn failed<M: Mechanism>(
     inputs: M::Inputs<M::Scalar>,
 ) -> SolveError {
     if M::Scalar::DOUBT > 0.0 {
-        return failure.at(block, InputValues::new(&[], &[]));
+        return failure.at(block, InputValues::NONE);
     }
     failed_alone(mechanism, failure, block, inputs)
 }

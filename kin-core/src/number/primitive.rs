@@ -36,8 +36,11 @@ macro_rules! primitive {
             /// if the sum is not finite, because the sum alone may overflow.
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn are_finite<const N: usize>(numbers: [Self; N]) -> bool {
-                let sum = numbers.into_iter().reduce(|sum, number| sum + number);
-                sum.is_none_or(<$float>::is_finite) || numbers.into_iter().all(<$float>::is_finite)
+                let mut sum = -0.0;
+                for index in 0..N {
+                    sum += numbers[index];
+                }
+                <$float>::is_finite(sum) || numbers.iter().all(|number| number.is_finite())
             }
 
             #[inline]

@@ -3,7 +3,7 @@
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::series::Series;
-use crate::number::{Changing, Number, Row};
+use crate::number::{Changing, Number, Row, real_parts};
 use crate::solve::check::{Check, Choose, Measure, Negative, SameSides};
 use crate::solve::factor::{Factors, factor_here};
 use crate::solve::newton::damped_root;
@@ -45,8 +45,16 @@ pub trait Scalar: Number {
     /// [batch](crate::batch), decides for each of them: it keeps the poses that pass, and makes the others NaN.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn provided<const N: usize, const K: usize>(self, check: impl Check<Self, N, K>) -> Option<Self> {
-        let conditions = check.holds(check.operands().map(Self::real));
-        conditions.iter().all(|holds| *holds).then_some(self)
+        let conditions = check.holds(real_parts(check.operands()));
+        let mut hold = true;
+        #[expect(
+            clippy::needless_range_loop,
+            reason = "it stands in thousands of places, and iterators take a compiler longer"
+        )]
+        for index in 0..K {
+            hold &= conditions[index];
+        }
+        hold.then_some(self)
     }
 
     /// The number and its square root if a check holds, otherwise `None`.
@@ -71,7 +79,7 @@ pub trait Scalar: Number {
         one: impl FnOnce() -> Self,
         other: impl FnOnce() -> Self,
     ) -> Self {
-        let [holds] = check.holds(check.operands().map(Self::real));
+        let [holds] = check.holds(real_parts(check.operands()));
         if holds { one() } else { other() }
     }
 
@@ -121,7 +129,7 @@ pub trait Scalar: Number {
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measured<const N: usize>(measure: impl Measure<Self, N>) -> Self {
-        Self::constant(measure.measure(measure.operands().map(Self::real)))
+        Self::constant(measure.measure(real_parts(measure.operands())))
     }
 
     /// A choice for the whole number. A number that holds several poses fails if they do not agree.
@@ -130,7 +138,7 @@ pub trait Scalar: Number {
     /// Returns the error of the choice.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
-        choice.choose(choice.operands().map(Self::real))
+        choice.choose(real_parts(choice.operands()))
     }
 
     /// The [choice](Self::chosen) by the first criterion to which not both solutions are valid.

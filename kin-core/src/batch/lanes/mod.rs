@@ -9,6 +9,11 @@
 //! would decide. The caller must then ask the ordinary solver about these poses, except those for which the check that
 //! failed has left a [verdict](verdicts).
 
+#![expect(
+    clippy::needless_range_loop,
+    reason = "a kernel has thousands of these loops; iterators and closures take a compiler several times as long"
+)]
+
 mod element;
 mod newton;
 pub(in crate::batch) mod verdicts;
@@ -22,7 +27,7 @@ use num_traits::Float;
 use crate::assembly::Assembly;
 use crate::failure::Failure;
 use crate::number::elementary::{is_near, near_sine_cosine, ordinary_arc_tangent, turned_round};
-use crate::number::{Number, Row};
+use crate::number::{Number, Row, real_parts};
 use crate::solve::{Check, Choose, Measure, Scalar};
 
 /// `W` numbers. If they are `FUSED`, multiply-add is one step where functions ask for it.
@@ -34,8 +39,6 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn from_fn(mut function: impl FnMut(usize) -> E) -> Self {
         let mut lanes = [E::zero(); W];
-        // A kernel has thousands of these loops. Over the entries themselves they take LLVM more than twice as long.
-        #[expect(clippy::needless_range_loop, reason = "the compiler is faster")]
         for lane in 0..W {
             lanes[lane] = function(lane);
         }
@@ -56,8 +59,8 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn is_finite_throughout(self) -> bool {
         let mut is_finite = true;
-        for entry in self.0 {
-            is_finite &= Float::is_finite(entry);
+        for lane in 0..W {
+            is_finite &= Float::is_finite(self.0[lane]);
         }
         is_finite
     }
@@ -115,8 +118,8 @@ impl<const W: usize, const FUSED: bool, E: Element> Lanes<W, FUSED, E> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn at<const N: usize>(numbers: &[Self; N], lane: usize) -> [E; N] {
         let mut values = [E::zero(); N];
-        for (value, number) in values.iter_mut().zip(numbers) {
-            *value = number.0[lane];
+        for index in 0..N {
+            values[index] = numbers[index].0[lane];
         }
         values
     }
@@ -127,7 +130,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Add for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
-        self.with(other, |a, b| a + b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] + other.0[lane];
+        }
+        result
     }
 }
 
@@ -136,7 +143,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Sub for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
-        self.with(other, |a, b| a - b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] - other.0[lane];
+        }
+        result
     }
 }
 
@@ -145,7 +156,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Mul for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
-        self.with(other, |a, b| a * b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] * other.0[lane];
+        }
+        result
     }
 }
 
@@ -154,7 +169,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Div for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
-        self.with(other, |a, b| a / b)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = self.0[lane] / other.0[lane];
+        }
+        result
     }
 }
 
@@ -163,7 +182,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Neg for Lanes<W, FUSED, E> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
-        self.map(|a| -a)
+        let mut result = self;
+        for lane in 0..W {
+            result.0[lane] = -self.0[lane];
+        }
+        result
     }
 }
 
@@ -271,7 +294,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
-            Self::from_fn(|lane| Float::mul_add(a.0[lane], b.0[lane], self.0[lane]))
+            let mut result = self;
+            for lane in 0..W {
+                result.0[lane] = Float::mul_add(a.0[lane], b.0[lane], self.0[lane]);
+            }
+            result
         } else {
             self + a * b
         }
@@ -280,7 +307,11 @@ impl<const W: usize, const FUSED: bool, E: Element> Number for Lanes<W, FUSED, E
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn minus_product(self, a: Self, b: Self) -> Self {
         if FUSED {
-            Self::from_fn(|lane| Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]))
+            let mut result = self;
+            for lane in 0..W {
+                result.0[lane] = Float::mul_add(-a.0[lane], b.0[lane], self.0[lane]);
+            }
+            result
         } else {
             self - a * b
         }
@@ -353,9 +384,9 @@ impl<const W: usize, const FUSED: bool, E: Element> Scalar for Lanes<W, FUSED, E
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn chosen<const N: usize>(choice: impl Choose<Self, N>) -> Result<Assembly, Failure> {
         let operands = choice.operands();
-        let first = choice.choose(Self::at(&operands, 0).map(Number::real))?;
+        let first = choice.choose(real_parts(Self::at(&operands, 0)))?;
         for lane in 1..W {
-            if choice.choose(Self::at(&operands, lane).map(Number::real))? != first {
+            if choice.choose(real_parts(Self::at(&operands, lane)))? != first {
                 return Err(Failure::NotFinite { quantity: "lanes" });
             }
         }
