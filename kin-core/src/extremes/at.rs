@@ -3,7 +3,7 @@
 use core::ops::Deref;
 
 use super::margin::Margins;
-use super::station::Station;
+use super::station::SweepStation;
 use crate::load::{Balance, LoadError, Loaded, LoadsOf};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::{Number, Row};
@@ -39,7 +39,7 @@ pub struct At<M: Mechanism> {
     /// The outputs, with unwrapped angles.
     pub(super) outputs: OutputsOf<M, f64>,
     /// What derivatives above the order of the mechanism are found from.
-    pub(super) source: Option<Station<M>>,
+    pub(super) source: Option<SweepStation<M>>,
 }
 
 /// The highest order of a derivative.

@@ -5,7 +5,7 @@ use core::cell::{Cell, RefCell};
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::line::{Extent, Line, Mark};
+use super::swept::{Mark, SweepExtent, SweptQuantity};
 use crate::law::Side;
 use crate::number::Number;
 use crate::sweep::{Limit, LimitKind, Local};
@@ -123,8 +123,8 @@ pub(super) struct CurveNode {
 
 /// A quantity over a sweep.
 pub(super) struct Curve<'c> {
-    line: &'c dyn Line,
-    pub(super) extent: Extent,
+    quantity: &'c dyn SweptQuantity,
+    pub(super) extent: SweepExtent,
     /// Places where the mechanism does not close, although it does in the rows on both sides.
     gaps: Vec<f64>,
     /// Change points and poles between rows that close.
@@ -138,10 +138,10 @@ pub(super) struct Curve<'c> {
 }
 
 impl<'c> Curve<'c> {
-    pub(super) fn new(line: &'c dyn Line) -> Self {
+    pub(super) fn new(quantity: &'c dyn SweptQuantity) -> Self {
         Self {
-            line,
-            extent: line.extent(),
+            quantity,
+            extent: quantity.extent(),
             gaps: Vec::new(),
             edges: Vec::new(),
             met: Cell::new(None),
@@ -167,7 +167,7 @@ impl<'c> Curve<'c> {
 
     /// The way of the first input for each unit of the variable.
     pub(super) fn way(&self, at: f64) -> f64 {
-        self.line.way(at)
+        self.quantity.way(at)
     }
 
     /// The answer to a question. A gap or an edge that it meets between two rows divides the sweep, and the question is asked again.
@@ -208,7 +208,7 @@ impl<'c> Curve<'c> {
             // a track from row to row has ended there
             return None;
         }
-        let limit = self.line.limit(left.at, &left.mark, right.at)?;
+        let limit = self.quantity.limit(left.at, &left.mark, right.at)?;
         let is_between = (left.at.min(right.at) < limit.at) && (limit.at < left.at.max(right.at));
         let is_edge = matches!(limit.kind, LimitKind::ChangePoint | LimitKind::Pole);
         (is_edge && is_between).then_some((limit.at, limit.kind))
@@ -217,9 +217,9 @@ impl<'c> Curve<'c> {
     /// The rows, places between rows that are far apart, the end of the sweep if there is only one row, and the gaps, in the order of the
     /// sweep.
     fn places(&self) -> Vec<f64> {
-        let Extent { from, to, rows, .. } = self.extent;
+        let SweepExtent { from, to, rows, .. } = self.extent;
         let end = (rows == 1).then_some(to);
-        let given: Vec<f64> = (0..rows).map(|row| self.line.row(row)).chain(end).collect();
+        let given: Vec<f64> = (0..rows).map(|row| self.quantity.row(row)).chain(end).collect();
         let mut places = given.clone();
         for pair in given.windows(2) {
             let count = self.probes([pair[0], pair[1]]);
@@ -243,7 +243,7 @@ impl<'c> Curve<'c> {
     )]
     fn probes(&self, [from, to]: [f64; 2]) -> u32 {
         let part = (to - from) / (self.extent.to - self.extent.from) * (TAU / PROBE);
-        num_traits::Float::ceil(part.max(self.line.turn([from, to]) / PROBE)).clamp(1.0, MOST_PROBES) as u32
+        num_traits::Float::ceil(part.max(self.quantity.turn([from, to]) / PROBE)).clamp(1.0, MOST_PROBES) as u32
     }
 
     /// The place with a parameter, found from a pose nearby.
@@ -257,7 +257,7 @@ impl<'c> Curve<'c> {
         } else {
             Side::Right
         };
-        let (value, mark) = self.line.value(&self.closest(stretch, at, near), variable, side)?;
+        let (value, mark) = self.quantity.value(&self.closest(stretch, at, near), variable, side)?;
         self.cursor.replace(Some(mark.clone()));
         Ok(CurveNode {
             parameter,
@@ -280,15 +280,15 @@ impl<'c> Curve<'c> {
 
     /// The stretches, in the order of the sweep.
     pub(super) fn stretches(&self) -> Result<Vec<Stretch>, ExtremesError> {
-        self.line.check()?;
+        self.quantity.check()?;
         let mut circuits: Vec<([f64; 2], [StretchEnd; 2], Mark)> = Vec::new();
-        let mut mark = self.line.beginning();
+        let mut mark = self.quantity.beginning();
         let mut first_error = None;
         // the row before: its place, its mark, and whether it closed
         let mut before: Option<(f64, Mark, bool)> = None;
         for at in self.places() {
             let result;
-            (mark, result) = self.line.step(&mark, at);
+            (mark, result) = self.quantity.step(&mark, at);
             let is_closed = result.is_ok();
             if let Err(error) = result {
                 first_error.get_or_insert(error);
@@ -345,7 +345,7 @@ impl<'c> Curve<'c> {
         let inside = |(at, _): &&(f64, LimitKind)| low < *at && *at < high;
         let edges = self.edges.iter().filter(inside);
         let mut cuts: Vec<(f64, StretchEnd)> = edges.map(|(at, kind)| (*at, StretchEnd::Limit(*kind))).collect();
-        let joints = self.line.joints(ends).into_iter();
+        let joints = self.quantity.joints(ends).into_iter();
         cuts.extend(joints.map(|joint| (joint, StretchEnd::Joint)));
         cuts.sort_by(|one, other| one.0.total_cmp(&other.0));
         cuts.dedup_by(|one, other| one.0 == other.0);
@@ -356,15 +356,15 @@ impl<'c> Curve<'c> {
     }
 
     fn limit(&self, closed: f64, mark: &Mark, open: f64) -> Result<Limit, ExtremesError> {
-        if let Some(limit) = self.line.limit(closed, mark, open) {
+        if let Some(limit) = self.quantity.limit(closed, mark, open) {
             return Ok(limit);
         }
         // an angle that an equation gives in -π ..= π may have jumped on the way, which stops a track
         let gap = || ExtremesError::Gap { at: open };
-        let near = self.line.edge(closed, open);
-        let (mark, result) = self.line.step(mark, near);
+        let near = self.quantity.edge(closed, open);
+        let (mark, result) = self.quantity.step(mark, near);
         result.map_err(|_| gap())?;
-        self.line.limit(near, &mark, open).ok_or_else(gap)
+        self.quantity.limit(near, &mark, open).ok_or_else(gap)
     }
 
     /// Adds the stretches between two ends: two if it is bounded by limits on both sides. The end of a range or domain is taken for a turning

@@ -45,7 +45,6 @@ mod curve;
 mod edge_tests;
 mod error;
 mod guessed;
-mod line;
 mod margin;
 mod mean;
 mod parts;
@@ -56,6 +55,7 @@ mod sensitivity;
 #[cfg(test)]
 mod sensitivity_tests;
 mod station;
+mod swept;
 #[cfg(test)]
 mod tests;
 
@@ -69,10 +69,10 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use curve::Curve;
-use line::{PoseQuantity, TypedLine};
 use progress::Progress;
 use quantity::Named;
-use station::Station;
+use station::SweepStation;
+use swept::{PoseQuantity, QuantityOfSweep};
 
 use crate::mechanism::Mechanism;
 use crate::quantity::Digits;
@@ -192,11 +192,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         let named = Named::find::<M>(name)?;
         let progress = Progress::new(progress);
         let (answer, tell) = (
-            |station: &Station<M>| named.at(station),
+            |station: &SweepStation<M>| named.at(station),
             |part: f64| progress.reach(part),
         );
-        let line = self.line(&answer);
-        let curve = Curve::new(&line).telling(&tell);
+        let asked = self.asked(&answer);
+        let curve = Curve::new(&asked).telling(&tell);
         let peak = curve.across_gaps(|curve| curve.best(f64::abs))?;
         progress.end();
         Ok(peak)
@@ -247,12 +247,12 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         self.best(&|station| station.answer(None, &quantity), |value| -value)
     }
 
-    fn line<'q>(&'q self, quantity: &'q PoseQuantity<'q, M>) -> TypedLine<'q, M, D> {
-        TypedLine { course: self, quantity }
+    fn asked<'q>(&'q self, quantity: &'q PoseQuantity<'q, M>) -> QuantityOfSweep<'q, M, D> {
+        QuantityOfSweep { course: self, quantity }
     }
 
     fn best(&self, quantity: &PoseQuantity<'_, M>, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {
-        Curve::new(&self.line(quantity)).across_gaps(|curve| curve.best(rank))
+        Curve::new(&self.asked(quantity)).across_gaps(|curve| curve.best(rank))
     }
 
     /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
@@ -280,9 +280,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink, and the errors of [`peak`](Self::peak).
     pub fn peak_sensitivities(&self, name: &str) -> Result<PeakSensitivities<M>, ExtremesError> {
         let named = Named::find_up_to::<M>(name, M::DESCRIPTION.order)?;
-        let quantity = |station: &Station<M>| named.at(station);
-        let line = self.line(&quantity);
-        Curve::new(&line).across_gaps(|curve| line.sensitivities(curve, curve.best(f64::abs)?, |at| named.of(at)))
+        let quantity = |station: &SweepStation<M>| named.at(station);
+        let asked = self.asked(&quantity);
+        Curve::new(&asked).across_gaps(|curve| asked.sensitivities(curve, curve.best(f64::abs)?, |at| named.of(at)))
     }
 
     /// [`peak_sensitivities`](Self::peak_sensitivities) of an expression: of the effort of a drive, for example.
@@ -293,9 +293,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         &self,
         quantity: impl Fn(&At<M>) -> A,
     ) -> Result<PeakSensitivities<M>, ExtremesError> {
-        let answer = |station: &Station<M>| station.answer(None, &quantity);
-        let line = self.line(&answer);
-        Curve::new(&line).across_gaps(|curve| line.sensitivities(curve, curve.best(f64::abs)?, &quantity))
+        let answer = |station: &SweepStation<M>| station.answer(None, &quantity);
+        let asked = self.asked(&answer);
+        Curve::new(&asked).across_gaps(|curve| asked.sensitivities(curve, curve.best(f64::abs)?, &quantity))
     }
 
     /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
@@ -321,7 +321,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// rough to be searched.
     pub fn extremes(&self, name: &str) -> Result<Vec<Extreme>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Ok(Curve::new(&self.line(&|station| named.at(station)))
+        Ok(Curve::new(&self.asked(&|station| named.at(station)))
             .across_gaps(Curve::extremes)?
             .extremes)
     }
@@ -352,11 +352,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         let named = Named::find::<M>(name)?;
         let progress = Progress::new(progress);
         let (answer, tell) = (
-            |station: &Station<M>| named.at(station),
+            |station: &SweepStation<M>| named.at(station),
             |part: f64| progress.reach(part),
         );
-        let line = self.line(&answer);
-        let curve = Curve::new(&line).telling(&tell);
+        let asked = self.asked(&answer);
+        let curve = Curve::new(&asked).telling(&tell);
         let found = curve.across_gaps(Curve::extremes)?;
         progress.end();
         Ok(found.extremes)
@@ -367,8 +367,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`extremes`](Self::extremes).
     pub fn extremes_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A) -> Result<Vec<Extreme>, ExtremesError> {
-        let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Ok(Curve::new(&self.line(&answer)).across_gaps(Curve::extremes)?.extremes)
+        let answer = |station: &SweepStation<M>| station.answer(None, &quantity);
+        Ok(Curve::new(&self.asked(&answer)).across_gaps(Curve::extremes)?.extremes)
     }
 
     /// The places where a quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level, where
@@ -378,7 +378,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::Argument`] if the level is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn crossings(&self, name: &str, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.crossings(level))
+        Curve::new(&self.asked(&|station| named.at(station))).across_gaps(|curve| curve.crossings(level))
     }
 
     /// [`crossings`](Self::crossings) of an expression.
@@ -390,8 +390,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         quantity: impl Fn(&At<M>) -> A,
         level: f64,
     ) -> Result<Vec<Crossing>, ExtremesError> {
-        let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Curve::new(&self.line(&answer)).across_gaps(|curve| curve.crossings(level))
+        let answer = |station: &SweepStation<M>| station.answer(None, &quantity);
+        Curve::new(&self.asked(&answer)).across_gaps(|curve| curve.crossings(level))
     }
 
     /// The parts of the sweep on which a quantity stays within a tolerance of a level.
@@ -400,7 +400,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`ExtremesError::Argument`] if the level or the tolerance is not finite, and the errors of [`extremes`](Self::extremes).
     pub fn dwells(&self, name: &str, level: f64, tolerance: f64) -> Result<Vec<DwellRange>, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.dwells(level, tolerance))
+        Curve::new(&self.asked(&|station| named.at(station))).across_gaps(|curve| curve.dwells(level, tolerance))
     }
 
     /// [`dwells`](Self::dwells) of an expression.
@@ -413,8 +413,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
         level: f64,
         tolerance: f64,
     ) -> Result<Vec<DwellRange>, ExtremesError> {
-        let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Curve::new(&self.line(&answer)).across_gaps(|curve| curve.dwells(level, tolerance))
+        let answer = |station: &SweepStation<M>| station.answer(None, &quantity);
+        Curve::new(&self.asked(&answer)).across_gaps(|curve| curve.dwells(level, tolerance))
     }
 
     /// The mean, over the time or over the way of the input. Both are the same at constant speed.
@@ -425,7 +425,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// [`extremes`](Self::extremes).
     pub fn mean(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.mean(over, 1))
+        Curve::new(&self.asked(&|station| named.at(station))).across_gaps(|curve| curve.mean(over, 1))
     }
 
     /// [`mean`](Self::mean) of an expression.
@@ -433,8 +433,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`mean`](Self::mean).
     pub fn mean_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
-        let answer = |station: &Station<M>| station.answer(None, &quantity);
-        Curve::new(&self.line(&answer)).across_gaps(|curve| curve.mean(over, 1))
+        let answer = |station: &SweepStation<M>| station.answer(None, &quantity);
+        Curve::new(&self.asked(&answer)).across_gaps(|curve| curve.mean(over, 1))
     }
 
     /// The root of the mean square.
@@ -443,7 +443,7 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// As for [`mean`](Self::mean).
     pub fn rms(&self, name: &str, over: Over) -> Result<Mean, ExtremesError> {
         let named = Named::find::<M>(name)?;
-        rooted(Curve::new(&self.line(&|station| named.at(station))).across_gaps(|curve| curve.mean(over, 2)))
+        rooted(Curve::new(&self.asked(&|station| named.at(station))).across_gaps(|curve| curve.mean(over, 2)))
     }
 
     /// [`rms`](Self::rms) of an expression.
@@ -451,8 +451,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// # Errors
     /// As for [`mean`](Self::mean).
     pub fn rms_by<A: Answer>(&self, quantity: impl Fn(&At<M>) -> A, over: Over) -> Result<Mean, ExtremesError> {
-        let answer = |station: &Station<M>| station.answer(None, &quantity);
-        rooted(Curve::new(&self.line(&answer)).across_gaps(|curve| curve.mean(over, 2)))
+        let answer = |station: &SweepStation<M>| station.answer(None, &quantity);
+        rooted(Curve::new(&self.asked(&answer)).across_gaps(|curve| curve.mean(over, 2)))
     }
 }
 

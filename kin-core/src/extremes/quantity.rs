@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::ExtremesError;
 use super::at::{At, HIGHEST};
-use super::station::Station;
+use super::station::SweepStation;
 use crate::mechanism::{Description, Mechanism};
 use crate::number::{Number, Row};
 use crate::quantity::Quantity;
@@ -90,7 +90,7 @@ impl Named {
         value.unwrap_or(Local::constant(f64::NAN))
     }
     /// Its value at a place of a sweep, from the position alone.
-    pub(super) fn at<M: Mechanism<Scalar = f64>>(self, station: &Station<M>) -> Result<Local, ExtremesError> {
+    pub(super) fn at<M: Mechanism<Scalar = f64>>(self, station: &SweepStation<M>) -> Result<Local, ExtremesError> {
         let value = match self.kind {
             Kind::Input => Ok(station.input(self.index, self.order)),
             Kind::Unknown => station.unknown(self.index, self.order),

@@ -11,7 +11,7 @@ use super::ExtremesError;
 use super::answer::Answer;
 use super::at::At;
 use super::curve::{Curve, Stretch};
-use super::line::TypedLine;
+use super::swept::QuantityOfSweep;
 use super::{ExtremeKind, Peak};
 use crate::law::Side;
 use crate::mechanism::Mechanism;
@@ -36,7 +36,7 @@ pub struct PeakSensitivities<M: Mechanism> {
     pub by: M::Parameters<PeakSensitivity>,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> TypedLine<'_, M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> QuantityOfSweep<'_, M, D> {
     /// How a peak depends on every dimension. It has been found on this curve.
     pub(super) fn sensitivities<A: Answer>(
         &self,

@@ -22,7 +22,7 @@ const SNAP: usize = 4;
 /// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its derivatives. So the
 /// solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
 #[derive(Clone, Copy)]
-pub(super) struct Station<M: Mechanism> {
+pub(super) struct SweepStation<M: Mechanism> {
     pub(super) mechanism: M,
     /// The inputs, with their derivatives with respect to the variable.
     pub(super) inputs: M::Inputs<Motion<f64, READ>>,
@@ -43,7 +43,7 @@ struct SeriesPosition<M: Mechanism, const N: usize> {
     unknowns: <M::With<Series<N>> as Mechanism>::Unknowns<Series<N>>,
 }
 
-impl<M: Mechanism<Scalar = f64>> Station<M> {
+impl<M: Mechanism<Scalar = f64>> SweepStation<M> {
     /// The typed pose, as the solvers of a mechanism find it: of the same dimensions, or of others that change with the variable.
     pub(super) fn pose(&self, changed: Option<&M::With<Local>>) -> Result<At<M>, SolveError> {
         let mechanism = changed.map_or_else(|| self.mechanism.convert(Local::constant), |changed| *changed);

@@ -1,5 +1,7 @@
 //! Results do not depend on the units: another unit of length or of time scales them, and nothing else.
 
+use std::f64::consts::TAU;
+
 use kin_core::prelude::*;
 use kin_core::{Dimension, Quantity};
 use kin_tests::mechanisms::cases::ThroughSnap;
@@ -73,6 +75,7 @@ impl Visitor for Compare {
                 self.poses += 1;
                 let unknowns = other.unknown_motions();
                 let gauge = Gauge::new(&mechanism, &inputs, &unknowns);
+                assert_outputs_agree(&mechanism, &inputs, &other, &gauge);
                 let pairs = own.unknown_motions();
                 for (index, (own, other)) in pairs.as_ref().iter().zip(unknowns.as_ref()).enumerate() {
                     let quantity = M::DESCRIPTION.unknowns[index];
@@ -91,6 +94,31 @@ impl Visitor for Compare {
                 }
             }
         }
+    }
+}
+
+/// The outputs of a pose are those for its inputs and unknowns, which are evaluated as they were typed. Angles may differ by turns.
+fn assert_outputs_agree<M: ThroughSnap>(mechanism: &M, inputs: &cases::Inputs<M>, pose: &M::Pose, gauge: &Gauge) {
+    let unknowns = pose.unknown_motions();
+    let at = mechanism.outputs_at(
+        M::Inputs::from_fn(|input| inputs[input][0]),
+        M::Unknowns::from_fn(|unknown| unknowns[unknown][0]),
+    );
+    let allowed = ALLOWED[0] * f64::EPSILON * gauge.condition.max(1.0);
+    for (index, (value, output)) in at.as_ref().iter().zip(pose.output_motions().as_ref()).enumerate() {
+        let quantity = M::DESCRIPTION.outputs[index];
+        let difference = value - output[0];
+        let turns = match quantity.dimension {
+            Dimension::Angle => TAU * (difference / TAU).round(),
+            _ => 0.0,
+        };
+        assert!(
+            (difference - turns).abs() <= allowed * output[0].abs().max(gauge.length).max(1.0),
+            "{} of {}: {value} instead of {}",
+            quantity.name,
+            M::DESCRIPTION.name,
+            output[0]
+        );
     }
 }
 

@@ -9,7 +9,7 @@ use core::any::Any;
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
-use super::station::Station;
+use super::station::SweepStation;
 use crate::failure::SolveError;
 use crate::law::Side;
 use crate::mechanism::Mechanism;
@@ -18,11 +18,11 @@ use crate::quantity::Dimension;
 use crate::sweep::{Course, Limit, Local, SmoothDrive, SweepError, Variable, Walk, by_time, limit_between};
 
 /// A quantity of a pose.
-pub(super) type PoseQuantity<'q, M> = dyn Fn(&Station<M>) -> Result<Local, ExtremesError> + 'q;
+pub(super) type PoseQuantity<'q, M> = dyn Fn(&SweepStation<M>) -> Result<Local, ExtremesError> + 'q;
 
 /// What a search knows of a sweep.
 #[derive(Clone, Copy)]
-pub(super) struct Extent {
+pub(super) struct SweepExtent {
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) rows: usize,
@@ -59,8 +59,8 @@ impl Mark {
 }
 
 /// A quantity along a sweep.
-pub(super) trait Line {
-    fn extent(&self) -> Extent;
+pub(super) trait SweptQuantity {
+    fn extent(&self) -> SweepExtent;
 
     /// Whether the inputs can move so.
     fn check(&self) -> Result<(), SweepError>;
@@ -94,25 +94,25 @@ pub(super) trait Line {
 }
 
 /// A sweep of a mechanism, with a quantity.
-pub(super) struct TypedLine<'c, M: Mechanism<Scalar = f64>, D> {
+pub(super) struct QuantityOfSweep<'c, M: Mechanism<Scalar = f64>, D> {
     pub(super) course: &'c Course<M, D>,
     pub(super) quantity: &'c PoseQuantity<'c, M>,
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> TypedLine<'_, M, D> {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> QuantityOfSweep<'_, M, D> {
     /// The pose where the variable has a series, found from a pose nearby.
     pub(super) fn station(
         &self,
         mut near: Walk<M>,
         variable: Local,
         side: Side,
-    ) -> Result<(Station<M>, Walk<M>), ExtremesError> {
+    ) -> Result<(SweepStation<M>, Walk<M>), ExtremesError> {
         let (at, drive) = (variable.real(), &self.course.drive);
         let (inputs, rate) = (drive.derivatives(at, side), drive.rate());
         let motions = Row::from_fn(|input| Row::from_fn(|order| by_time(inputs[input].as_ref(), order, rate).real()));
         let reached = near.step(self.course, at, motions);
         let reached = reached.map_err(|_| ExtremesError::Gap { at })?.footing;
-        let station = Station {
+        let station = SweepStation {
             mechanism: self.course.mechanism,
             inputs,
             unknowns: reached.unknowns,
@@ -136,10 +136,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> TypedLine<'_, M, D> {
     }
 }
 
-impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Line for TypedLine<'_, M, D> {
-    fn extent(&self) -> Extent {
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> SweptQuantity for QuantityOfSweep<'_, M, D> {
+    fn extent(&self) -> SweepExtent {
         let course = self.course;
-        Extent {
+        SweepExtent {
             from: course.from,
             to: course.to,
             rows: course.count,
