@@ -1,5 +1,6 @@
 //! The compile time that the macro costs its user: crates with 0, 1, 10 and 50 four-bar linkages, with chains of 1 to 16 loops, and
-//! with serial arms of 7 to 30 joints, are built as a user would build them.
+//! with serial arms of 7 to 30 joints, are built as a user would build them. What each question to a six-bar linkage adds to a release
+//! build comes first.
 //!
 //! `cargo bench -p kin-tests --bench compile_time` prints the time of a cold build, of each crate's own build, and of the expansion
 //! of its macros within it, as the compiler reports them; and lines `ratio NAME VALUE`. Nothing is asserted.
@@ -245,7 +246,57 @@ fn measure(kind: &str, user: &User) {
     }
 }
 
+/// A six-bar linkage of two dyads, with a function that asks it something.
+fn six_bar(question: &str) -> String {
+    format!(
+        "use kin_core::prelude::*;
+        use kin_core::cycle::FullCycle;
+        mechanism! {{
+            pub struct SixBar {{ r1: Length, r2: Length, r3: Length, r4: Length, arm: Length, r5: Length, r6: Length, pivot: Point }}
+            input theta2: Angle;
+            unknown theta3: Angle, theta4: Angle, theta5: Angle, theta6: Angle;
+            r2 * cis(theta2) + r3 * cis(theta3) == r1 + r4 * cis(theta4);
+            r1 + arm * cis(theta4) + r5 * cis(theta5) == pivot + r6 * cis(theta6);
+        }}
+        pub fn ask(linkage: &SixBar) -> Option<f64> {{
+            let assembly = <SixBar as Mechanism>::assembly(0)?;
+            let turn = linkage.sweep(assembly).over(0.0..=6.28, 361);
+            {question}
+        }}\n"
+    )
+}
+
+/// What each question to a mechanism costs a release build, whose dependencies are built: in one codegen unit, so that the time is that of
+/// one processor.
+fn questions() {
+    let user = User::new(
+        "user-questions",
+        &[],
+        "[profile.dev]\nopt-level = 3\ndebug = false\ncodegen-units = 1\n",
+    );
+    user.build("");
+    let asked = [
+        ("none", "let _ = turn; None"),
+        (
+            "solve",
+            "let _ = turn; Some(linkage.solve(Motion::at_constant_speed(1.0, 1.0), assembly).ok()?.theta6.snap())",
+        ),
+        ("peak", "Some(turn.peak(\"theta6_jerk\").ok()?.value)"),
+        ("table", "Some(turn.table().ok()?.column(\"theta6_jerk\").ok()?[7])"),
+        (
+            "cycle",
+            "let _ = turn; Some(linkage.cycle().ok()?.branches().len() as f64)",
+        ),
+    ];
+    let sources: Vec<String> = asked.iter().map(|(_, question)| six_bar(question)).collect();
+    let times = user.times(&sources);
+    for ((name, _), times) in asked.iter().zip(times) {
+        println!("time questions.{name} {:.2} s", times.total / 1e3);
+    }
+}
+
 fn main() {
+    questions();
     measure("compile_time", &User::new("user-default", &[], ""));
     let with_library = User::new("user-with-library", &["library"], "").cold();
     println!("time compile_time_with_library.cold_build {with_library:.1} s");
