@@ -284,6 +284,17 @@ fn what_closes_nowhere_has_no_report() {
     };
     let error = kin_studio::report(&apart).report().expect_err("the links do not reach");
     assert!(matches!(error, ReportError::ClosesNowhere { .. }), "{error}");
+    assert!(error.to_string().contains("out of reach by 740"), "{error}");
+    // coupled equations have no margin; the rods are too short, wherever the first one ends
+    let triad = ClassThreeTriad {
+        base_b: Plane::new(400.0, 0.0),
+        base_c: Plane::new(200.0, 600.0),
+        platform_b: Plane::new(1.0, 0.0),
+        platform_c: Plane::new(0.5, 1.5),
+    };
+    let draft = kin_studio::report(&triad).at([3.4, 3.4, 3.6]).moving("a");
+    let error = draft.report().expect_err("the rods do not reach");
+    assert!(matches!(error, ReportError::NoPosition { .. }), "{error}");
     let endless = FourBar {
         r2: f64::NAN,
         ..CRANK_ROCKER

@@ -513,7 +513,7 @@ impl<M: Mechanism<Scalar = f64>> Subject for Sample<M> {
             draft = draft.declaration(declaration.clone());
         }
         draft.html().map_err(|error| match error {
-            ReportError::ClosesNowhere { .. } => Fault::open(error),
+            ReportError::ClosesNowhere { .. } | ReportError::NoPosition { .. } => Fault::open(error),
             error => Fault::wrong(error),
         })
     }

@@ -5,7 +5,7 @@ use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
-use kin_core::SolveError;
+use kin_core::{InputValues, SolveError};
 
 /// The reason why there is no report, or why it cannot be read or written.
 #[non_exhaustive]
@@ -14,6 +14,11 @@ pub enum ReportError {
     ClosesNowhere {
         /// The error at the place that was tried last.
         error: SolveError,
+    },
+    /// No position of coupled equations was found, anywhere along the moving input.
+    NoPosition {
+        /// The inputs that were asked for.
+        inputs: InputValues,
     },
     /// A parameter or an input is not finite.
     NotFinite {
@@ -65,6 +70,10 @@ impl fmt::Display for ReportError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::ClosesNowhere { error } => write!(formatter, "the mechanism does not close: {error}"),
+            Self::NoPosition { inputs } => write!(
+                formatter,
+                "the mechanism does not close at {inputs}: no position was found; change dimensions or inputs"
+            ),
             Self::NotFinite { quantity } => write!(formatter, "{quantity} is not finite: give a number"),
             Self::NoSpeed => formatter.write_str(
                 "the speed of the moving input is zero, with which nothing moves: give a positive or negative one, or none for 1",

@@ -1,7 +1,7 @@
 //! The assembly of a report, and the branches on which it lies.
 
 use kin_core::cycle::{Branch, Cycle, EndKind};
-use kin_core::{Dimension, Mechanism, Row as _};
+use kin_core::{Dimension, InputValues, Mechanism, Row as _};
 
 use crate::report::{Draft, ReportError};
 
@@ -58,14 +58,16 @@ impl<M: Mechanism<Scalar = f64>> Own<M> {
             Some((place, cycle.position_on(index, place).ok()?))
         });
         let Some((place, unknowns)) = elsewhere else {
-            let error = match wanted {
-                Some(Err(error)) => error,
-                _ => kin_core::Failure::OutOfReach { margin: f64::NAN }.at(
-                    M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns),
-                    kin_core::InputValues::new(M::DESCRIPTION.inputs, draft.inputs.as_ref()),
-                ),
-            };
-            return Err(ReportError::ClosesNowhere { error });
+            let refused = |assembly| mechanism.solve_position(draft.inputs, assembly).err();
+            let error = wanted
+                .and_then(Result::err)
+                .or_else(|| M::assemblies().find_map(refused));
+            return Err(match error {
+                Some(error) => ReportError::ClosesNowhere { error },
+                None => ReportError::NoPosition {
+                    inputs: InputValues::new(M::DESCRIPTION.inputs, draft.inputs.as_ref()),
+                },
+            });
         };
         let inputs = M::Inputs::from_fn(|input| if input == moving { place } else { draft.inputs[input] });
         let assembly = mechanism.assembly_near(inputs, unknowns);
