@@ -105,6 +105,7 @@ pub trait SmoothDrive<M: Mechanism<Scalar = f64>>: Drive<M> {
 }
 
 /// A derivative with respect to time, as a series in the variable, from the derivatives with respect to the variable.
+#[cfg(feature = "alloc")]
 pub(crate) fn by_time(derivatives: &[f64], order: usize, rate: f64) -> Local {
     let factor = (0..order).fold(1.0, |factor, _| factor * rate);
     Local::from_derivatives(core::array::from_fn(|above| factor * derivatives[order + above]))
