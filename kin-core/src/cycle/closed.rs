@@ -45,6 +45,10 @@ const ROOTS: [f64; 2] = [1.0 / 268_435_456.0, 1.0 / 67_108_864.0];
 const TOGETHER: f64 = 1.0 / 8_796_093_022_208.0;
 /// The largest distance of two ranges in which rounding decides about one place, as a multiple of their widths.
 const BRIDGE: f64 = 8.0;
+/// The width of bounds of a length, in the unit of the search, beyond which there may be a pole.
+const UNBOUNDED: f64 = 1e75;
+/// The growth of a length from the distance [`RESOLUTION`] to the neighbourhood of a pole.
+const POLE: f64 = 1e3;
 /// The largest distance by which an angle may move from the middle of an interval.
 const SWING: f64 = 1.5;
 
@@ -171,6 +175,14 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
         let doubt = doubts.fold(Doubt::NONE, Doubt::and);
         if doubt.is_rounding() {
             return (Some(Known::Rounding), None);
+        }
+        // towards a pole
+        if unknowns
+            .as_ref()
+            .iter()
+            .any(|unknown| unknown.high - unknown.low > UNBOUNDED)
+        {
+            return (None, None);
         }
         let swings = |(quantity, unknown): (&Quantity, &Bounds)| {
             let swing = (unknown.high - unknown.middle()).max(unknown.middle() - unknown.low);
@@ -350,7 +362,9 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                     open = Some(self.begun(assembly, end));
                 }
             } else if closes
-                && let Some([before, behind]) = self.change_point(index, assembly, &intervals, first..place)
+                && let Some([before, behind]) = self
+                    .pole(index, assembly, [low, high])
+                    .or_else(|| self.change_point(index, assembly, &intervals, first..place))
             {
                 self.finish(open.take(), before);
                 open = Some(self.begun(assembly, behind));
@@ -541,6 +555,39 @@ impl<M: Mechanism<Scalar = f64>> Search<'_, M> {
                 *bad = next;
             }
         }
+    }
+
+    /// The pole between two places at which an assembly closes, if there is one: a length grows towards both of them.
+    fn pole(&mut self, index: usize, assembly: M::Assembly, [low, high]: [f64; 2]) -> Option<[PieceEnd<M>; 2]> {
+        let away = RESOLUTION * (self.line.high - self.line.low);
+        let solved = |s: f64| self.solved(s, assembly);
+        let [before, behind] = [(low, -away), (high, away)].map(|(s, away)| Some([solved(s)?, solved(s + away)?]));
+        let (before, behind) = (before?, behind?);
+        let grows =
+            |[near, far]: &[M::Unknowns<f64>; 2], unknown: usize| near[unknown].abs() > POLE * far[unknown].abs();
+        let is_pole = |unknown: &usize| {
+            let is_angle = M::DESCRIPTION.unknowns[*unknown].dimension == Dimension::Angle;
+            !is_angle && grows(&before, *unknown) && grows(&behind, *unknown)
+        };
+        let unknown = (0..M::DESCRIPTION.unknowns.len()).find(is_pole)?;
+        let mut blocks = M::DESCRIPTION.blocks.iter();
+        let block = blocks.find(|block| block.members.contains(&unknown));
+        // the zero of the reciprocal
+        let [left, right] = [before[0][unknown], behind[0][unknown]].map(f64::abs);
+        let s = low + (high - low) * (right / (left + right));
+        Some([before[0], behind[0]].map(|unknowns| {
+            self.found.nodes.push(BranchNode {
+                kind: EndKind::Pole,
+                s,
+                unknowns,
+                block: block.map_or("", |block| block.unknowns),
+                assemblies: [index, index],
+            });
+            PieceEnd {
+                node: self.found.nodes.len() - 1,
+                unknowns,
+            }
+        }))
     }
 
     /// The change point in some intervals at both ends of which an assembly closes, if there is one: where the assembly

@@ -505,7 +505,7 @@ impl<'a, M: Mechanism<Scalar = f64>> Search<'a, M> {
                 self.node(EndKind::ChangePoint, obstacle.inputs, obstacle.unknowns, obstacle.block)
             }
             TrackError::Unbounded(obstacle) => {
-                self.node(EndKind::Domain, obstacle.inputs, obstacle.unknowns, obstacle.block)
+                self.node(EndKind::Pole, obstacle.inputs, obstacle.unknowns, obstacle.block)
             }
             TrackError::TooManySteps(halt) | TrackError::Lost(halt) => {
                 self.node(EndKind::Lost, halt.inputs, halt.unknowns, "")

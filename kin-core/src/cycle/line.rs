@@ -4,10 +4,13 @@ use core::f64::consts::{PI, TAU};
 use num_traits::Float;
 
 use super::bounds::Bounds;
+use crate::law::Side;
 use crate::mechanism::Mechanism;
+use crate::motion::Motion;
 use crate::number::Row;
 use crate::quantity::Dimension;
 use crate::solve::Scalar;
+use crate::sweep::{Drive, InputMotions, READ, SmoothDrive, Variable};
 
 /// The largest number of turns of the inputs after which the closure may repeat itself.
 const MOST_TURNS: u32 = 12;
@@ -161,6 +164,35 @@ impl<M: Mechanism<Scalar = f64>> InputLine<M> {
             })
         };
         agrees(None) || angles().any(|turned| agrees(Some(turned)))
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Drive<M> for InputLine<M> {
+    /// The only input that moves, if it is the place of the line itself.
+    fn variable(&self) -> Variable {
+        let mut moving = (0..M::DESCRIPTION.inputs.len()).filter(|input| self.direction[*input] != 0.0);
+        match (moving.next(), moving.next()) {
+            (Some(input), None) if self.direction[input] == 1.0 && self.from[input] == 0.0 => Variable::Input(input),
+            _ => Variable::Time,
+        }
+    }
+
+    fn motions(&self, at: f64) -> InputMotions<M, f64> {
+        let values = self.inputs(at);
+        Row::from_fn(|input| {
+            Row::from_fn(|order| match order {
+                0 => values[input],
+                1 => self.direction[input],
+                _ => 0.0,
+            })
+        })
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> SmoothDrive<M> for InputLine<M> {
+    fn derivatives(&self, at: f64, _: Side) -> M::Inputs<Motion<f64, READ>> {
+        let values = self.inputs(at);
+        Row::from_fn(|input| Motion::at_constant_speed(values[input], self.direction[input]))
     }
 }
 

@@ -55,10 +55,12 @@ mod line;
 mod measure;
 mod pieces;
 mod polynomial;
+mod position;
 #[cfg(test)]
 mod scale_tests;
 mod shown;
 mod singular;
+mod station;
 #[cfg(test)]
 mod tests;
 mod unit;
@@ -159,8 +161,10 @@ pub enum EndKind {
     /// A change point: branches cross, or meet where a part turns freely or where several blocks have their limits, and
     /// geometry does not determine which one the mechanism follows.
     ChangePoint,
-    /// The end of the domain of a function, of the declared range of an unknown, or a pole.
+    /// The end of the domain of a function, or of the declared range of an unknown.
     Domain,
+    /// A length goes to infinity. The unknowns are those next to the pole.
+    Pole,
     /// The end of the range of the input that was looked at.
     Range,
     /// The search could not go on, for a reason that it does not know.

@@ -450,7 +450,7 @@ fn a_time_ratio_needs_a_return() {
 #[test]
 fn a_name_that_nothing_has_is_told_with_those_that_exist() {
     let error = four_bar(90.0, 30.0, 70.0, 60.0).stroke(0, "theta5").unwrap_err();
-    let sentence = "no unknown or scalar output is called `theta5`: there is `theta3` and `theta4`";
+    let sentence = "none of the 40 columns is called `theta5`: did you mean `theta2`, `theta3` or `theta4`";
     assert_eq!(format!("{error:?}"), sentence);
 }
 

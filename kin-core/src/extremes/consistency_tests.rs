@@ -274,30 +274,81 @@ fn all_answers_about_random_linkages_agree() {
     }
 }
 
-/// The stroke of a cycle is the range of a turn.
+fn quantities() -> impl Iterator<Item = &'static str> {
+    let unknowns = Geared::<f64>::DESCRIPTION.unknowns.iter();
+    unknowns
+        .chain(Geared::<f64>::DESCRIPTION.outputs)
+        .map(|quantity| quantity.name)
+}
+
+/// The stroke of a cycle is the range of a turn, or of both branches between two limits. Turned by half a turn, a linkage has the same
+/// strokes, although the angles jump elsewhere.
 #[test]
-fn strokes_are_those_of_a_turn() {
-    for linkage in [DOUBLE_CRANK, CRANK_ROCKER] {
-        let cycle = linkage.cycle().unwrap();
-        for (index, circuit) in cycle.circuits().iter().enumerate() {
-            let branch = &cycle.branches()[circuit.branches()[0]];
-            let [low, high] = branch.ends().each_ref().map(|end| end.input);
-            let turn = linkage.sweep(branch.assembly().unwrap()).over(low..=high, 37);
-            for quantity in Geared::<f64>::DESCRIPTION
-                .unknowns
-                .iter()
-                .chain(Geared::<f64>::DESCRIPTION.outputs)
-            {
-                let stroke = cycle.stroke(index, quantity.name).unwrap();
-                let [lowest, highest] =
-                    [turn.lowest(quantity.name), turn.highest(quantity.name)].map(|peak| peak.unwrap().value);
-                let length = highest - lowest;
+fn strokes_are_those_of_sweeps() {
+    let mut random = crate::verify::Random::new(8);
+    let mut seen = [0; 2];
+    for sample in 0..samples::of(30) {
+        let mut length = || random.between(1.0, 10.0);
+        let linkage = match sample {
+            0 => DOUBLE_CRANK,
+            1 => CRANK_ROCKER,
+            _ => Geared {
+                r1: length(),
+                r2: length(),
+                r3: length(),
+                r4: length(),
+                pinion: length(),
+            },
+        };
+        let turned = Geared::from_parameters([-linkage.r1, -linkage.r2, -linkage.r3, -linkage.r4, linkage.pinion]);
+        let [cycle, turned] = [linkage, turned].map(|linkage| linkage.cycle().unwrap());
+        assert_eq!(cycle.circuits().len(), turned.circuits().len(), "{linkage:?}");
+        // each quantity in every third linkage
+        for (_, name) in (sample..).zip(quantities()).filter(|(place, _)| place % 3 == 0) {
+            let mut lengths = [std::vec![], std::vec![]];
+            for (index, circuit) in cycle.circuits().iter().enumerate() {
+                let stroke = cycle.stroke(index, name).unwrap();
+                let ranges = circuit.branches().iter().map(|branch| {
+                    let branch = &cycle.branches()[*branch];
+                    let [low, high] = branch.ends().each_ref().map(|end| end.input);
+                    let sweep = linkage.sweep(branch.assembly().unwrap()).over(low..=high, 37);
+                    let values = sweep
+                        .extremes(name)
+                        .unwrap()
+                        .into_iter()
+                        .filter_map(|extreme| extreme.value);
+                    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                        [low.min(value), high.max(value)]
+                    })
+                });
+                let ranges: Vec<[f64; 2]> = ranges.collect();
+                seen[ranges.len() - 1] += 1;
+                let tolerance = 1e-6 * stroke.length().max(1.0);
+                let longest = ranges
+                    .iter()
+                    .fold(0.0, |longest: f64, [low, high]| longest.max(high - low));
+                let whole: f64 = ranges.iter().map(|[low, high]| high - low).sum();
                 assert!(
-                    (stroke.length() - length).abs() <= 1e-9 * length.max(1.0),
-                    "{linkage:?}, {}: {stroke:?}, {lowest} to {highest}",
-                    quantity.name
+                    longest - tolerance <= stroke.length() && stroke.length() <= whole + tolerance,
+                    "{linkage:?}, {name}: {stroke:?}, {ranges:?}"
+                );
+                lengths[0].push(stroke.length());
+                lengths[1].push(turned.stroke(index, name).unwrap().length());
+            }
+            // half an angle, turned by half a turn, has another sine
+            if name == "tooth" {
+                continue;
+            }
+            for lengths in &mut lengths {
+                lengths.sort_by(f64::total_cmp);
+            }
+            for (one, other) in lengths[0].iter().zip(&lengths[1]) {
+                assert!(
+                    (one - other).abs() <= 1e-6 * one.max(1.0),
+                    "{linkage:?}, {name}: {lengths:?}"
                 );
             }
         }
     }
+    assert!(seen.iter().all(|count| *count > 2), "{seen:?}");
 }

@@ -121,6 +121,9 @@ pub(super) struct CurveNode {
     pub(super) mark: Mark,
 }
 
+/// A part of the sweep on which the mechanism closes: its ends with their kinds, and a pose.
+type ClosedPart = ([f64; 2], [StretchEnd; 2], Mark);
+
 /// A quantity over a sweep.
 pub(super) struct Curve<'c> {
     quantity: &'c dyn SweptQuantity,
@@ -281,7 +284,29 @@ impl<'c> Curve<'c> {
     /// The stretches, in the order of the sweep.
     pub(super) fn stretches(&self) -> Result<Vec<Stretch>, ExtremesError> {
         self.quantity.check()?;
-        let mut circuits: Vec<([f64; 2], [StretchEnd; 2], Mark)> = Vec::new();
+        let circuits = match self.quantity.known() {
+            Some((ends, mark)) => alloc::vec![([self.extent.from, self.extent.to], ends, mark)],
+            None => self.circuits()?,
+        };
+        let first = circuits.first().map_or(self.extent.from, |([from, _], ..)| *from);
+        let mut stretches = Vec::new();
+        for (ends, kinds, mark) in circuits {
+            let mut start = (ends[0], kinds[0]);
+            for cut in self.cuts(ends) {
+                self.add(&mut stretches, [start, cut], &mark);
+                start = cut;
+            }
+            self.add(&mut stretches, [start, (ends[1], kinds[1])], &mark);
+        }
+        if stretches.is_empty() {
+            return Err(ExtremesError::NoLength { at: first });
+        }
+        Ok(stretches)
+    }
+
+    /// The parts of the sweep on which the mechanism closes, each with a pose.
+    fn circuits(&self) -> Result<Vec<ClosedPart>, ExtremesError> {
+        let mut circuits: Vec<ClosedPart> = Vec::new();
         let mut mark = self.quantity.beginning();
         let mut first_error = None;
         // the row before: its place, its mark, and whether it closed
@@ -318,25 +343,13 @@ impl<'c> Curve<'c> {
             }
             before = Some((at, mark.clone(), is_closed));
         }
-        let Some(&([first, _], ..)) = circuits.first() else {
+        if circuits.is_empty() {
             return Err(first_error.map_or(
                 ExtremesError::Gap { at: self.extent.from },
                 ExtremesError::NothingCloses,
             ));
-        };
-        let mut stretches = Vec::new();
-        for (ends, kinds, mark) in circuits {
-            let mut start = (ends[0], kinds[0]);
-            for cut in self.cuts(ends) {
-                self.add(&mut stretches, [start, cut], &mark);
-                start = cut;
-            }
-            self.add(&mut stretches, [start, (ends[1], kinds[1])], &mark);
         }
-        if stretches.is_empty() {
-            return Err(ExtremesError::NoLength { at: first });
-        }
-        Ok(stretches)
+        Ok(circuits)
     }
 
     /// The joints of laws and the edges between two places, in the order from the first to the second.

@@ -5,7 +5,9 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::{ExtremeKind, ExtremesError, Over};
 use crate::assembly::Assembly;
+use crate::cycle::{Cycle, EndKind, FullCycle, MeasureError};
 use crate::library::{FourBar, InvertedSliderCrank, SliderCrank};
+use crate::mechanism::Mechanism;
 use crate::sweep::Sweep;
 
 /// 3 + 7 = 4 + 6: all links lie on a line at 0 degrees.
@@ -115,6 +117,22 @@ crate::mechanism! {
     output ratio: Length = h * sin(t) / cos(t);
 }
 
+crate::mechanism! {
+    /// The same as a linear equation.
+    struct LinearLever { h: Length }
+    input t: Angle;
+    unknown y: Length;
+    y * cos(t) == h * sin(t);
+}
+
+crate::mechanism! {
+    /// The distance of the wall along the lever.
+    struct Ray { h: Length }
+    input t: Angle;
+    unknown y: Length;
+    y == h / cos(t);
+}
+
 #[test]
 fn a_pole_is_unbounded() {
     for rows in [2, 5, 37, 100] {
@@ -134,6 +152,37 @@ fn a_pole_is_unbounded() {
             assert_eq!(crossings.len(), 1, "{name}, {rows} rows: {crossings:?}");
             assert!((crossings[0].at - 0.5_f64.atan()).abs() < 1e-12);
         }
+    }
+    for name in ["y", "travel", "ratio", "y_velocity"] {
+        let stroke = Lever { h: 1.0 }.cycle().unwrap().stroke(0, name);
+        assert!(
+            matches!(stroke, Err(MeasureError::Extremes(ExtremesError::Unbounded { at })) if (at.abs() - FRAC_PI_2).abs() < 1e-9),
+            "{name}: {stroke:?}"
+        );
+    }
+}
+
+#[test]
+fn a_branch_ends_at_a_pole() {
+    fn hold<M: Mechanism<Scalar = f64>>(cycle: &Cycle<M>) {
+        assert!(cycle.is_complete());
+        let [one, other] = cycle.branches() else {
+            panic!("{:?}", cycle.branches())
+        };
+        for (branch, range) in [(one, [-1.0, 1.0]), (other, [1.0, 3.0])] {
+            for (end, place) in branch.ends().iter().zip(range) {
+                assert_eq!((end.kind, end.block), (EndKind::Pole, "y"));
+                assert!(
+                    (end.input - place * FRAC_PI_2).abs() <= 4.0 * f64::EPSILON,
+                    "{branch:?}"
+                );
+            }
+        }
+    }
+    for h in [1.0, -3e9, 1e-40] {
+        hold(&Lever { h }.cycle().unwrap());
+        hold(&LinearLever { h }.cycle().unwrap());
+        hold(&Ray { h }.cycle().unwrap());
     }
 }
 

@@ -38,6 +38,7 @@
 
 mod answer;
 mod at;
+mod branch;
 #[cfg(test)]
 mod consistency_tests;
 mod curve;
@@ -61,6 +62,7 @@ mod tests;
 
 pub use answer::Answer;
 pub use at::At;
+pub(crate) use branch::KnownStretch;
 pub use error::ExtremesError;
 pub use mean::{Mean, Over};
 pub use sensitivity::{PeakSensitivities, PeakSensitivity};
@@ -248,7 +250,11 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     }
 
     fn asked<'q>(&'q self, quantity: &'q PoseQuantity<'q, M>) -> QuantityOfSweep<'q, M, D> {
-        QuantityOfSweep { course: self, quantity }
+        QuantityOfSweep {
+            course: self,
+            quantity,
+            known: None,
+        }
     }
 
     fn best(&self, quantity: &PoseQuantity<'_, M>, rank: fn(f64) -> f64) -> Result<Peak, ExtremesError> {

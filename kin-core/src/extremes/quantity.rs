@@ -96,8 +96,8 @@ impl Named {
             Kind::Unknown => station.unknown(self.index, self.order),
             Kind::Output => station.output(self.index, self.order),
             Kind::Margin => station
-                .smallest_margin()
-                .map(|margin| margin.unwrap_or(Local::constant(f64::NAN))),
+                .margins()
+                .map(|margins| margins.smallest().unwrap_or(Local::constant(f64::NAN))),
         };
         value.map_err(|_| ExtremesError::Gap {
             at: station.variable.real(),

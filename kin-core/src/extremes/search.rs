@@ -20,7 +20,7 @@ const KINK: f64 = 1e-3;
 /// All extremes, and the place where the sweep begins to close: a quantity that is constant over a full turn has no other.
 pub(super) struct FoundExtremes {
     pub(super) extremes: Vec<Extreme>,
-    first: Option<Extreme>,
+    pub(super) first: Option<Extreme>,
 }
 
 impl Curve<'_> {

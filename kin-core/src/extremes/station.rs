@@ -111,15 +111,14 @@ impl<M: Mechanism<Scalar = f64>> SweepStation<M> {
         }
     }
 
-    /// The smallest margin of all dyads.
-    pub(super) fn smallest_margin(&self) -> Result<Option<Local>, SolveError> {
+    /// The margins and the transmission angles of all dyads.
+    pub(super) fn margins(&self) -> Result<Margins<M::With<Local>>, SolveError> {
         let position = self.position::<UP_TO_SNAP>()?;
-        let margins = Margins::<M::With<Local>> {
+        Ok(Margins {
             mechanism: self.mechanism.convert(Local::constant),
             inputs: Row::from_fn(|input| self.input(input, 0)),
             unknowns: Row::from_fn(|unknown| self.by_time(&position.unknowns[unknown].derivatives(), 0)),
-        };
-        Ok(margins.smallest())
+        })
     }
 
     fn position<const N: usize>(&self) -> Result<SeriesPosition<M, N>, SolveError> {

@@ -9,6 +9,8 @@ use core::any::Any;
 use core::f64::consts::TAU;
 
 use super::ExtremesError;
+use super::branch::KnownStretch;
+use super::curve::StretchEnd;
 use super::station::SweepStation;
 use crate::failure::SolveError;
 use crate::law::Side;
@@ -77,6 +79,9 @@ pub(super) trait SweptQuantity {
     /// The joints of laws between two places, in the order from the first to the second.
     fn joints(&self, ends: [f64; 2]) -> Vec<f64>;
 
+    /// The ends of the sweep and a pose inside of it, if it is known that the mechanism closes throughout.
+    fn known(&self) -> Option<([StretchEnd; 2], Mark)>;
+
     /// Where a walk begins.
     fn beginning(&self) -> Mark;
 
@@ -97,6 +102,7 @@ pub(super) trait SweptQuantity {
 pub(super) struct QuantityOfSweep<'c, M: Mechanism<Scalar = f64>, D> {
     pub(super) course: &'c Course<M, D>,
     pub(super) quantity: &'c PoseQuantity<'c, M>,
+    pub(super) known: Option<KnownStretch<M>>,
 }
 
 impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> QuantityOfSweep<'_, M, D> {
@@ -124,6 +130,9 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> QuantityOfSweep<'_, M, D> {
     }
 
     fn is_full_turn(&self) -> bool {
+        if let Some(known) = &self.known {
+            return known.is_full_turn;
+        }
         let course = self.course;
         let way = (course.to - course.from).abs();
         let is_turn = (way - TAU).abs() <= 8.0 * f64::EPSILON * course.to.abs().max(course.from.abs());
@@ -177,6 +186,10 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> SweptQuantity for QuantityOf
 
     fn joints(&self, ends: [f64; 2]) -> Vec<f64> {
         self.course.joints(ends)
+    }
+
+    fn known(&self) -> Option<([StretchEnd; 2], Mark)> {
+        self.known.as_ref().map(KnownStretch::ends)
     }
 
     fn beginning(&self) -> Mark {

@@ -91,7 +91,7 @@ pub(crate) use smooth::composed;
 #[cfg(feature = "alloc")]
 pub use table::{RowOf, Table};
 #[cfg(feature = "alloc")]
-pub(crate) use walk::{OutputsOf, Reached, Walk};
+pub(crate) use walk::{Footing, OutputsOf, Reached, Walk};
 
 use crate::batch::Column;
 use crate::law::Piecewise;

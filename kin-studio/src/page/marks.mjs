@@ -7,6 +7,7 @@ const KINDS = {
   Limit: "Limit",
   ChangePoint: "Change point",
   Domain: "End of the domain",
+  Pole: "Pole",
   Range: "End of the range",
   Lost: "Lost",
 };

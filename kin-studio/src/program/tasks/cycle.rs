@@ -139,6 +139,7 @@ fn end(kind: EndKind) -> &'static str {
         EndKind::Limit => "limit",
         EndKind::ChangePoint => "change point",
         EndKind::Domain => "end of a domain",
+        EndKind::Pole => "pole",
         EndKind::Range => "end of the range",
         EndKind::FullTurn => "full turn",
         _ => "lost",

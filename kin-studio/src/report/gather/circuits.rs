@@ -77,6 +77,7 @@ fn text<M: Mechanism<Scalar = f64>>(end: &End<M>, moving: usize) -> String {
         EndKind::Limit => format!("limit position{of} at {place}"),
         EndKind::ChangePoint => format!("change point{of} at {place}"),
         EndKind::Domain => format!("end of a domain or of a declared range{of} at {place}"),
+        EndKind::Pole => format!("a length{of} goes to infinity at {place}"),
         EndKind::Range => format!("end of the range that was looked at, {place}"),
         EndKind::FullTurn => "goes on for a full turn".to_owned(),
         _ => format!("the search could not go on at {place}"),

@@ -1,0 +1,100 @@
+//! Positions and poses on the branches of a cycle.
+
+use core::f64::consts::PI;
+
+use num_traits::Float;
+
+use super::line::nearest;
+use super::{Branch, Cycle, EndKind};
+use crate::failure::{Failure, InputValues, SolveError};
+use crate::mechanism::Mechanism;
+use crate::sweep::Drive;
+use crate::track::track;
+
+/// The distance by which an input may lie outside of its branch because of rounding, as a part of the largest input.
+const BESIDE: f64 = 64.0 * f64::EPSILON;
+
+impl<M: Mechanism<Scalar = f64>> Cycle<M> {
+    /// The unknowns of a branch at an input of its range, with angles on the turns they have along the branch. An input may be whole
+    /// [periods](Self::period) beside the range.
+    ///
+    /// # Errors
+    /// [`Failure::OutOfRange`] if the input lies outside the branch, with the range of the branch, and the errors of the solver: the input
+    /// lies at an end of the branch.
+    pub fn position_on(&self, branch: usize, input: f64) -> Result<M::Unknowns<f64>, SolveError> {
+        let failed = |failure: Failure| {
+            let names = InputValues::new(M::DESCRIPTION.inputs, self.line.inputs(input).as_ref());
+            let block = M::DESCRIPTION.blocks.first().map_or("", |block| block.unknowns);
+            failure.at(block, names)
+        };
+        let none = || failed(Failure::NotFinite { quantity: "branch" });
+        let own = self.branches.get(branch).ok_or_else(none)?;
+        let input = self.place_on(own, input).map_err(failed)?;
+        let inputs = self.line.inputs(input);
+        let inner = own.samples.iter().filter(|(s, _)| {
+            let is_end = [0, 1].map(|end| own.ends[end].kind != EndKind::FullTurn && own.ends[end].input == *s);
+            is_end == [false, false]
+        });
+        let closest = |one: &&(f64, M::Unknowns<f64>), other: &&(f64, M::Unknowns<f64>)| {
+            (one.0 - input).abs().total_cmp(&(other.0 - input).abs())
+        };
+        let sample = inner.min_by(closest).or(own.samples.iter().min_by(closest));
+        let (s, near) = *sample.ok_or_else(none)?;
+        match own.assembly {
+            Some(assembly) => {
+                let solved = self.mechanism.solve_position(inputs, assembly)?;
+                let unknowns = nearest::<M>(solved, &near);
+                let is_turned = |index: usize| (unknowns[index] - solved[index]).abs() > PI;
+                if !(0..M::DESCRIPTION.unknowns.len()).any(is_turned) {
+                    return Ok(unknowns);
+                }
+                // what depends on an angle itself, as the position of a rack does, depends on its turn
+                let turned = self.mechanism.solve_position_near(inputs, unknowns).ok();
+                let is_same = |turned: &M::Unknowns<f64>| self.mechanism.assembly_near(inputs, *turned) == assembly;
+                let turned = turned.filter(is_same);
+                Ok(turned.map_or(unknowns, |turned| nearest::<M>(turned, &unknowns)))
+            }
+            None => track(&self.mechanism, self.line.inputs(s), near, inputs).map_err(|error| match error {
+                crate::track::TrackError::Failed(error) => error,
+                _ => none(),
+            }),
+        }
+    }
+
+    /// The place of an input in the range of a branch, which may be whole periods away from it.
+    fn place_on(&self, branch: &Branch<M>, input: f64) -> Result<f64, Failure> {
+        let [low, high] = branch.ends.each_ref().map(|end| end.input);
+        let slack = BESIDE * low.abs().max(high.abs());
+        let contains = |place: &f64| *place >= low - slack && *place <= high + slack;
+        if branch.is_full_turn() || contains(&input) {
+            return Ok(input);
+        }
+        let turned = self.line.period().map(|period| {
+            let periods = Float::ceil((low - slack - input) / period);
+            input + periods * period
+        });
+        turned.filter(contains).ok_or(Failure::OutOfRange {
+            unknown: "the input of the branch",
+            value: input,
+            low,
+            high,
+            is_angle: self.line.is_angle(),
+        })
+    }
+
+    /// The pose of a branch at an input, with all derivatives with respect to the input.
+    ///
+    /// # Errors
+    /// The errors of [`position_on`](Self::position_on).
+    pub fn pose_on(&self, branch: usize, input: f64) -> Result<M::Pose, SolveError> {
+        let near = self.position_on(branch, input)?;
+        let values = self.line.inputs(input);
+        let motions = self.line.motions(input);
+        match self.branches[branch].assembly {
+            Some(assembly) if self.mechanism.assembly_near(values, near) != assembly => {
+                self.mechanism.solve_motion(motions, assembly)
+            }
+            _ => self.mechanism.solve_motion_near(motions, near),
+        }
+    }
+}

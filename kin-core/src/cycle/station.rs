@@ -1,0 +1,151 @@
+//! The branches of a circuit as sweeps, on which angles go on from branch to branch.
+
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+use num_traits::Float;
+
+use super::line::InputLine;
+use super::measure::MeasureError;
+use super::{Cycle, EndKind};
+use crate::extremes::KnownStretch;
+use crate::mechanism::Mechanism;
+use crate::number::Row;
+use crate::quantity::{Dimension, Quantity};
+use crate::sweep::{Course, Drive, Footing, LimitKind, Walk};
+
+/// The distance from the end of a branch at which the turns of angles are compared, as a part of the branch.
+const NEAR_END: f64 = 1e-6;
+
+/// A pose inside of a branch, with angles that have come from the branches before it.
+pub(super) struct BranchStation<M: Mechanism> {
+    pub(super) branch: usize,
+    footing: Footing<M>,
+}
+
+impl<M: Mechanism<Scalar = f64>> Cycle<M> {
+    pub(super) fn circuit(&self, circuit: usize) -> Result<&[usize], MeasureError> {
+        let circuit = self.circuits.get(circuit).ok_or(MeasureError::NoSuchCircuit)?;
+        Ok(circuit.branches())
+    }
+
+    /// A pose inside of each branch of a circuit.
+    pub(super) fn branch_stations(&self, circuit: usize) -> Result<Vec<BranchStation<M>>, MeasureError> {
+        let mut stations: Vec<BranchStation<M>> = Vec::new();
+        for branch in self.circuit(circuit)? {
+            let Some((at, unknowns)) = self.inside(*branch) else {
+                continue;
+            };
+            let mut station = self.station(*branch, at, unknowns);
+            let joined = stations
+                .iter()
+                .find_map(|before| Some((before, self.common_end(before.branch, *branch)?)));
+            if let Some((before, [there, here])) = joined
+                && let Some(there) = self.near_end(before, there)
+            {
+                if let Some(here) = self.near_end(&station, here) {
+                    let unknowns = turned(M::DESCRIPTION.unknowns, &there.unknowns, &here.unknowns, unknowns);
+                    station = self.station(*branch, at, unknowns);
+                }
+                if let Some(here) = self.near_end(&station, here) {
+                    let outputs = &mut station.footing.outputs;
+                    *outputs = turned(M::DESCRIPTION.outputs, &there.outputs, &here.outputs, *outputs);
+                }
+            }
+            stations.push(station);
+        }
+        Ok(stations)
+    }
+
+    /// The sweep over a branch.
+    pub(super) fn course(&self, station: &BranchStation<M>) -> Course<M, InputLine<M>> {
+        let [low, high] = self.branches[station.branch].ends.each_ref().map(|end| end.input);
+        let (inputs, near) = (station.footing.inputs, station.footing.unknowns);
+        let assembly = self.branches[station.branch].assembly;
+        Course {
+            mechanism: self.mechanism,
+            assembly: assembly.unwrap_or_else(|| self.mechanism.assembly_near(inputs, near)),
+            drive: self.line,
+            from: low,
+            to: high,
+            count: 2,
+        }
+    }
+
+    /// What is known of the sweep over a branch.
+    pub(super) fn known(&self, station: &BranchStation<M>) -> KnownStretch<M> {
+        let branch = &self.branches[station.branch];
+        KnownStretch {
+            limits: branch.ends.each_ref().map(|end| match end.kind {
+                EndKind::Limit => Some(LimitKind::TurningPoint),
+                EndKind::ChangePoint => Some(LimitKind::ChangePoint),
+                EndKind::Domain => Some(LimitKind::End),
+                EndKind::Pole => Some(LimitKind::Pole),
+                EndKind::Range | EndKind::Lost | EndKind::FullTurn => None,
+            }),
+            is_full_turn: branch.is_full_turn(),
+            inside: Walk {
+                last: Some(station.footing),
+                ..Walk::BEGINNING
+            },
+        }
+    }
+
+    /// A sample of a branch that lies far from its ends.
+    fn inside(&self, branch: usize) -> Option<(f64, M::Unknowns<f64>)> {
+        let branch = &self.branches[branch];
+        let middle = 0.5 * (branch.ends[0].input + branch.ends[1].input);
+        let distance = |sample: &&(f64, M::Unknowns<f64>)| (sample.0 - middle).abs();
+        let samples = branch.samples.iter();
+        samples
+            .min_by(|one, other| distance(one).total_cmp(&distance(other)))
+            .copied()
+    }
+
+    /// A pose of a branch. A quantity that depends on the turn of an angle follows it.
+    fn station(&self, branch: usize, at: f64, unknowns: M::Unknowns<f64>) -> BranchStation<M> {
+        let inputs = self.line.inputs(at);
+        let footing = Footing {
+            at,
+            inputs,
+            unknowns,
+            unknown_rates: Row::splat(f64::NAN),
+            outputs: self.mechanism.outputs_at(inputs, unknowns),
+            output_rates: Row::splat(f64::NAN),
+        };
+        let station = BranchStation { branch, footing };
+        match self.walked(&station, at) {
+            Some(footing) => BranchStation { branch, footing },
+            None => station,
+        }
+    }
+
+    fn walked(&self, station: &BranchStation<M>, at: f64) -> Option<Footing<M>> {
+        let mut walk = self.known(station).inside;
+        let reached = walk.step(&self.course(station), at, self.line.motions(at));
+        reached.ok().map(|reached| reached.footing)
+    }
+
+    fn near_end(&self, station: &BranchStation<M>, end: usize) -> Option<Footing<M>> {
+        let ends = self.branches[station.branch].ends.each_ref().map(|end| end.input);
+        let (end, other) = (ends[end], ends[1 - end]);
+        self.walked(station, end + NEAR_END * (other - end))
+    }
+
+    /// The ends at which two branches meet.
+    fn common_end(&self, one: usize, other: usize) -> Option<[usize; 2]> {
+        let node = |branch: usize, end: usize| self.branches[branch].ends[end].node;
+        let pairs = [[0, 0], [0, 1], [1, 0], [1, 1]];
+        pairs
+            .into_iter()
+            .find(|[there, here]| node(one, *there).is_some() && node(one, *there) == node(other, *here))
+    }
+}
+
+/// Values whose angles are moved by the whole turns between two others.
+fn turned<R: Row<f64>>(quantities: &[Quantity], to: &R, from: &R, values: R) -> R {
+    R::from_fn(|index| match quantities[index].dimension {
+        Dimension::Angle => values[index] + TAU * Float::round((to[index] - from[index]) / TAU),
+        _ => values[index],
+    })
+}
