@@ -104,6 +104,11 @@ impl Stretch {
         }
     }
 
+    /// The distance of parameters that are neighbours. Next to zero, numbers are closer than any pose can tell.
+    pub(super) fn resolution(&self) -> f64 {
+        16.0 * f64::EPSILON * self.parameters[0].abs().max(self.parameters[1].abs())
+    }
+
     /// Whether rates may grow beyond all bounds towards its limit.
     pub(super) fn may_grow(&self) -> bool {
         self.edge.is_some_and(|edge| edge.kind != LimitKind::ChangePoint)
@@ -349,7 +354,26 @@ impl<'c> Curve<'c> {
                 ExtremesError::NothingCloses,
             ));
         }
+        self.join(&mut circuits);
         Ok(circuits)
+    }
+
+    /// Where the mechanism does not close at a single place only, the curve has a kink there and goes on.
+    fn join(&self, circuits: &mut [ClosedPart]) {
+        let nearest = 16.0 * f64::EPSILON * self.extent.from.abs().max(self.extent.to.abs());
+        let end = StretchEnd::Limit(LimitKind::End);
+        for index in 1..circuits.len() {
+            let (before, behind) = circuits.split_at_mut(index);
+            let (Some((from, kinds, _)), Some((to, next_kinds, _))) = (before.last_mut(), behind.first_mut()) else {
+                continue;
+            };
+            if kinds[1] == end && next_kinds[0] == end && (to[0] - from[1]).abs() <= nearest {
+                (kinds[1], next_kinds[0]) = (
+                    StretchEnd::Limit(LimitKind::ChangePoint),
+                    StretchEnd::Limit(LimitKind::ChangePoint),
+                );
+            }
+        }
     }
 
     /// The joints of laws and the edges between two places, in the order from the first to the second.

@@ -2,6 +2,7 @@
 #![cfg(feature = "alloc")]
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::vec::Vec;
 
 use super::{ExtremeKind, ExtremesError, Over};
 use crate::assembly::Assembly;
@@ -230,5 +231,96 @@ fn a_mean_covers_what_closes() {
         assert_eq!(degrees.inputs[0], radians.inputs[0].to_degrees());
         assert_eq!(degrees.unknowns[1], radians.unknowns[1].to_degrees());
         assert_eq!(degrees.at, radians.at.to_degrees());
+    }
+}
+
+crate::mechanism! {
+    /// A plate that is turned about its middle: the nearer edge changes at zero.
+    struct Plate { h: Length }
+    input x: Length;
+    unknown y: Length;
+    y == h + x;
+    output size: Length = sqrt(x * x);
+    output bend: Length = sqrt(x * x) + x * x / h;
+}
+
+/// A kink of an output is found between rows as well as in a row.
+#[test]
+fn a_kink_between_rows_is_an_extreme() {
+    for rows in [2, 3, 4, 10, 22, 37] {
+        for range in [-1.0..=1.1, -0.3..=0.9] {
+            let sweep = Plate { h: 2.0 }.sweep().over(range, rows);
+            for name in ["size", "bend"] {
+                let extremes = sweep.extremes(name).unwrap();
+                let kinds: Vec<ExtremeKind> = extremes.iter().map(|extreme| extreme.kind).collect();
+                assert_eq!(
+                    kinds,
+                    [ExtremeKind::End, ExtremeKind::Kink, ExtremeKind::End],
+                    "{name}, {rows} rows"
+                );
+                assert!(
+                    extremes[1].at.abs() < 1e-9 && extremes[1].value.unwrap().abs() < 1e-9,
+                    "{extremes:?}"
+                );
+                assert!(sweep.lowest(name).unwrap().value.abs() < 1e-9, "{name}, {rows} rows");
+                let crossings = sweep.crossings(name, 0.1).unwrap();
+                assert_eq!(crossings.len(), 2, "{name}, {rows} rows");
+            }
+        }
+    }
+}
+
+/// A range that runs downwards runs so in time: odd derivatives change their sign, and the means stay.
+#[test]
+fn a_range_gives_the_direction() {
+    let linkage = FourBar {
+        r1: 90.0,
+        r2: 30.0,
+        r3: 70.0,
+        r4: 60.0,
+    };
+    let [up, down] = [0.3..=2.9, 2.9..=0.3].map(|range| linkage.sweep(Assembly::Open).over(range, 27).speed(3.0));
+    let against = linkage.sweep(Assembly::Open).over(0.3..=2.9, 27).speed(-3.0);
+    let tables = [up, down, against].map(|sweep| sweep.table().unwrap());
+    for (order, name) in [
+        "theta4",
+        "theta4_velocity",
+        "theta4_acceleration",
+        "theta4_jerk",
+        "theta4_snap",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let [one, two, three] = tables.each_ref().map(|table| table.column(name).unwrap());
+        let sign = if order % 2 == 0 { 1.0 } else { -1.0 };
+        for (row, value) in one.iter().enumerate() {
+            let close = |other: f64| (value - sign * other).abs() <= 1e-11 * value.abs().max(1.0);
+            assert!(close(two[26 - row]) && close(three[row]), "{name} in row {row}");
+        }
+        let [one, two] = [up, down].map(|sweep| sweep.mean(name, Over::Time).unwrap().value);
+        assert!((one - sign * two).abs() <= 1e-11 * one.abs().max(1.0), "{name}");
+        let highest = up.highest(name).unwrap().value;
+        let same = if order % 2 == 0 {
+            down.highest(name)
+        } else {
+            down.lowest(name)
+        }
+        .unwrap()
+        .value;
+        assert!(
+            (highest - sign * same).abs() <= 1e-10 * highest.abs().max(1.0),
+            "{name}"
+        );
+    }
+    // the velocity is the change of the angle from row to row
+    let (angle, velocity) = (
+        tables[1].column("theta4").unwrap(),
+        tables[1].column("theta4_velocity").unwrap(),
+    );
+    let time = (2.9 - 0.3) / 26.0 / 3.0;
+    for row in 1..26 {
+        let slope = (angle[row + 1] - angle[row - 1]) / (2.0 * time);
+        assert!((slope - velocity[row]).abs() < 0.02, "{slope}, {}", velocity[row]);
     }
 }

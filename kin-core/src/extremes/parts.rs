@@ -103,13 +103,12 @@ impl Curve<'_> {
         let piece = Piece::new(ends, [left.value, right.value]);
         let at = |part: f64| ends[0] + part * (ends[1] - ends[0]);
         let middle = self.node(stretch, f64::midpoint(ends[0], ends[1]), &left.mark)?;
-        let longest = ends[0].abs().max(ends[1].abs());
         if depth == SUSPECT
             && let Some((at, kind)) = self.edge_between(left, right)
         {
             return Err(self.meet(at, kind));
         }
-        if (ends[1] - ends[0]).abs() <= 16.0 * f64::EPSILON * longest {
+        if (ends[1] - ends[0]).abs() <= stretch.resolution() {
             if self.is_pole(stretch, [left, right])? {
                 return Err(self.meet(middle.at, LimitKind::Pole));
             }

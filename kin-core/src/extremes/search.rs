@@ -126,7 +126,7 @@ impl Curve<'_> {
         let is_maximum = rises(stretch, &left);
         loop {
             let middle = f64::midpoint(left.parameter, right.parameter);
-            if middle == left.parameter || middle == right.parameter {
+            if (right.parameter - left.parameter).abs() <= stretch.resolution() {
                 return Ok(edge(&left, ExtremeKind::Kink, is_maximum));
             }
             let node = self.node(stretch, middle, &left.mark)?;

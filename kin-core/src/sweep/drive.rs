@@ -118,7 +118,7 @@ pub struct StraightLine<M: Mechanism<Scalar = f64>> {
     pub(super) to: M::Inputs<f64>,
     /// The first input that moves.
     pub(super) lead: usize,
-    /// The velocity of that input.
+    /// The speed of that input in the direction of the line.
     pub(super) speed: f64,
 }
 
@@ -147,6 +147,15 @@ impl<M: Mechanism<Scalar = f64>> StraightLine<M> {
         }
     }
 
+    /// The velocity of the first input that moves.
+    fn velocity(&self) -> f64 {
+        if self.to[self.lead] < self.from[self.lead] {
+            -self.speed
+        } else {
+            self.speed
+        }
+    }
+
     fn value(&self, input: usize, at: f64) -> f64 {
         if input == self.lead {
             at
@@ -164,14 +173,14 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
     }
 
     fn rate(&self) -> f64 {
-        self.speed
+        self.velocity()
     }
 
     fn motions(&self, at: f64) -> InputMotions<M, f64> {
         Row::from_fn(|input| {
             Row::from_fn(|order| match order {
                 0 => self.value(input, at),
-                1 => self.slope(input) * self.speed,
+                1 => self.slope(input) * self.velocity(),
                 _ => 0.0,
             })
         })
@@ -181,7 +190,7 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
         match order {
             0 if self.from[input] == self.to[input] => Some(self.from[input]),
             0 => None,
-            1 => Some(self.slope(input) * self.speed),
+            1 => Some(self.slope(input) * self.velocity()),
             _ => Some(0.0),
         }
     }

@@ -148,9 +148,9 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     }
 
     /// Over a range of the only input, in a number of rows at equal distances; the first and the last stand at the ends of the range. The
-    /// range may run downwards.
+    /// range may run downwards, and the input then moves downwards in time.
     ///
-    /// The speed is 1 unless [`speed`](Course::speed) tells another one, so that rates are per unit of the input. A mechanism of several
+    /// The speed is 1 unless [`speed`](Course::speed) tells another one, so that rates are per unit of the way. A mechanism of several
     /// inputs takes [`between`](Self::between).
     pub fn over(self, range: impl ClosedRange, rows: usize) -> Course<M, StraightLine<M>>
     where
@@ -264,7 +264,18 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
-    /// The velocity of the input, or of the first input that moves.
+    /// The speed of the input, or of the first input that moves, in the direction of the range: over a range that runs downwards, its velocity
+    /// is negative. A negative speed moves against the range, so that the last row is the first one in time.
+    ///
+    /// ```
+    /// use kin_core::library::SliderCrank;
+    /// use kin_core::prelude::*;
+    ///
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// let back = press.sweep(Assembly::Open).over(2.0..=1.0, 11).speed(5.0);
+    /// assert_eq!(back.table()?.column("theta_velocity")?[0], -5.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn speed(mut self, speed: f64) -> Self {
         self.drive.speed = speed;
         self

@@ -232,11 +232,7 @@ impl<M: Mechanism<Scalar = f64>> Sample<M> {
         let assembly = Self::assembly(case, &mechanism)?;
         let [from, to] =
             [InputMotion::start, InputMotion::end].map(|end| Row::from_fn(|index| end(&case.motions[index])));
-        let sign = (case.motions[case.lead].end() - case.motions[case.lead].start()).signum();
-        Ok(mechanism
-            .sweep(assembly)
-            .between(from, to, rows)
-            .speed(sign * case.speed()))
+        Ok(mechanism.sweep(assembly).between(from, to, rows).speed(case.speed()))
     }
 
     /// Calls `then` with the sweep under laws.
