@@ -62,15 +62,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // exact, not read off the rows
     let ends: Vec<f64> = turn
-        .extremes("ram")?
+        .of("ram")
+        .extremes()?
         .iter()
         .filter_map(|extreme| extreme.value)
         .collect();
     println!("stroke {:.4} m", ends[1] - ends[0]);
-    let reversals = turn.crossings("ram_velocity", 0.0)?;
+    let reversals = turn.of("ram_velocity").crossings(0.0)?;
     let back = reversals[1].at - reversals[0].at;
     println!("the cut takes {:.4} times as long as the way back", (TAU - back) / back);
-    println!("largest velocity of the ram: {}", turn.peak("ram_velocity")?);
-    println!("largest jerk of the ram: {}", turn.peak("ram_jerk")?);
+    println!("largest velocity of the ram: {}", turn.of("ram_velocity").peak()?);
+    println!("largest jerk of the ram: {}", turn.of("ram_jerk").peak()?);
     Ok(())
 }

@@ -71,7 +71,10 @@ fn numbers_are_those_of_sweeps() {
             let name = format!("{quantity}{rate}");
             // the sweeps have different rows, so that their roots are refined from different places
             let agrees = |one: f64, other: f64, size: f64| (one - other).abs() <= 1e-11 * size;
-            for (kind, own) in [(Side::Highest, turn.highest(&name)), (Side::Lowest, turn.lowest(&name))] {
+            for (kind, own) in [
+                (Side::Highest, turn.of(&name).highest()),
+                (Side::Lowest, turn.of(&name).lowest()),
+            ] {
                 let own = own.expect("it is bounded");
                 let of = |extreme: &&kin_studio::report::Extreme| {
                     (extreme.quantity.as_str(), extreme.order, extreme.kind) == (quantity, order, kind)
@@ -84,14 +87,14 @@ fn numbers_are_those_of_sweeps() {
                     own.value
                 );
             }
-            let mean = turn.rms(&name, Over::Time).expect("it is bounded").value;
+            let mean = turn.of(&name).rms(Over::Time).expect("it is bounded").value;
             let told = report
                 .rms
                 .iter()
                 .find(|rms| (rms.quantity.as_str(), rms.order) == (quantity, order));
             let value = told.and_then(|told| told.value).expect("it is in the list");
             assert!(agrees(value, mean, mean), "{name}: {value} {mean}");
-            let own = turn.peak_sensitivities(&name).expect("the peak is inside");
+            let own = turn.of(&name).peak_sensitivities().expect("the peak is inside");
             let told = report
                 .sensitivities
                 .iter()

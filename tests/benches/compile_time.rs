@@ -281,7 +281,7 @@ fn questions() {
             "solve",
             "let _ = turn; Some(linkage.solve(Motion::at_constant_speed(1.0, 1.0), assembly).ok()?.theta6.snap())",
         ),
-        ("peak", "Some(turn.peak(\"theta6_jerk\").ok()?.value)"),
+        ("peak", "Some(turn.of(\"theta6_jerk\").peak().ok()?.value)"),
         ("table", "Some(turn.table().ok()?.column(\"theta6_jerk\").ok()?[7])"),
         (
             "cycle",

@@ -66,7 +66,7 @@ fn main() {
         black_box(&table);
     });
     race.enter_batch("peak_jerk", move || {
-        black_box(&turn().peak("theta4_jerk").expect("a crank-rocker closes"));
+        black_box(&turn().of("theta4_jerk").peak().expect("a crank-rocker closes"));
     });
     let times = race.run();
     times.ratio("sweep_into_table", "batch");

@@ -167,18 +167,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         (1, "its rate", "N m/s"),
         (2, "its second rate", "N m/s²"),
     ] {
-        let peak = turn.peak_by(|at| {
-            let balance = at.balance(&swept)?;
-            let [torque] = balance.efforts();
-            Ok::<_, LoadError>(torque.as_slice()[order])
-        })?;
+        let peak = turn
+            .of_expression(|at| {
+                let balance = at.balance(&swept)?;
+                let [torque] = balance.efforts();
+                Ok::<_, LoadError>(torque.as_slice()[order])
+            })
+            .peak()?;
         println!(
             "  {name}: largest {:.2} {unit}, at {:.2} degrees",
             peak.value,
             peak.at.to_degrees()
         );
     }
-    let mean = turn.rms_by(|at| at.effort(&swept, 0), Over::Time)?;
+    let mean = turn.of_expression(|at| at.effort(&swept, 0)).rms(Over::Time)?;
     println!("  torque, root mean square over a turn: {:.2} N m", mean.value);
 
     println!("the fall from {RELEASED} degrees, for {FALL} s: drift of the energy");

@@ -25,7 +25,7 @@ use crate::sweep::{Local, OutputsOf};
 /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
 /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
 /// // power per unit of inertia, whose peak is neither that of the velocity nor that of the acceleration
-/// let power = turn.peak_by(|at| at.theta4.velocity() * at.theta4.acceleration())?;
+/// let power = turn.of_expression(|at| at.theta4.velocity() * at.theta4.acceleration()).peak()?;
 /// println!("{} at {} rad", power.value, power.at);
 /// # Ok::<(), kin_core::extremes::ExtremesError>(())
 /// ```
@@ -138,8 +138,8 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     ///     .mass(1.4, |pose| pose.coupler)
     ///     .inertia(0.03, |pose| pose.theta4);
     /// let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(rpm(120.0));
-    /// let peak = turn.peak_by(|at| at.effort(&loads, 0))?;
-    /// let rms = turn.rms_by(|at| at.effort(&loads, 0), Over::Time)?;
+    /// let peak = turn.of_expression(|at| at.effort(&loads, 0)).peak()?;
+    /// let rms = turn.of_expression(|at| at.effort(&loads, 0)).rms(Over::Time)?;
     /// println!("{} N m at {}°, in the mean {} N m", peak.value, peak.at.to_degrees(), rms.value);
     /// assert!(rms.value < peak.value.abs());
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
@@ -173,7 +173,7 @@ impl<M: Mechanism<Scalar = f64>> At<M> {
     ///
     /// let lift = Boom { base: 2.0, boom: 1.5 }.sweep(Assembly::Open).over(1.0..=2.5, 21);
     /// // as the cylinder begins to move out, half a metre is left until boom and cylinder lie on the base
-    /// let begin = lift.lowest("margin")?;
+    /// let begin = lift.of("margin").lowest()?;
     /// assert_eq!(begin.at, 1.0);
     /// assert!((begin.value - 0.5).abs() < 1e-14);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())

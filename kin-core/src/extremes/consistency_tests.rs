@@ -138,7 +138,7 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
         );
     }
     assert!(compared > 0 || rows < 10, "{}", context());
-    let (lowest, highest) = match (sweep.lowest(name), sweep.highest(name)) {
+    let (lowest, highest) = match (sweep.of(name).lowest(), sweep.of(name).highest()) {
         (Ok(lowest), Ok(highest)) => (lowest.value, highest.value),
         // a rate at a limit
         (Err(ExtremesError::Unbounded { .. }), _) | (_, Err(ExtremesError::Unbounded { .. })) => return,
@@ -156,7 +156,7 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
         "{}: highest {highest}, in the table {high}",
         context()
     );
-    let extremes = sweep.extremes(name).unwrap();
+    let extremes = sweep.of(name).extremes().unwrap();
     assert!(
         extremes
             .iter()
@@ -166,7 +166,7 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
     );
     let level = low + 0.37 * (high - low);
     if high - low > 1e-6 * fine.size {
-        let mut crossings = sweep.crossings(name, level).unwrap();
+        let mut crossings = sweep.of(name).crossings(level).unwrap();
         // between a limit and the row next to it, the table does not know
         crossings.retain(|crossing| fine.around(crossing.at).is_some());
         assert_eq!(crossings.len(), fine.crossings(level), "{}: {crossings:?}", context());
@@ -179,10 +179,12 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
         }
     }
     let mean = sweep
-        .mean(name, Over::Time)
+        .of(name)
+        .mean(Over::Time)
         .unwrap_or_else(|error| panic!("{}: {error}", context()));
     let square = sweep
-        .rms(name, Over::Time)
+        .of(name)
+        .rms(Over::Time)
         .unwrap_or_else(|error| panic!("{}: {error}", context()));
     // what lies between the last rows and the limits
     let parts = u32::try_from(fine.parts.len()).unwrap();
@@ -313,7 +315,8 @@ fn strokes_are_those_of_sweeps() {
                     let [low, high] = branch.ends().each_ref().map(|end| end.input);
                     let sweep = linkage.sweep(branch.assembly().unwrap()).over(low..=high, 37);
                     let values = sweep
-                        .extremes(name)
+                        .of(name)
+                        .extremes()
                         .unwrap()
                         .into_iter()
                         .filter_map(|extreme| extreme.value);

@@ -26,13 +26,13 @@ const JUMP: [f64; 2] = [0.258_342_613_226_058_6, 7.741_657_386_773_941];
 fn a_rate_has_two_values_at_a_change_point() {
     for rows in [2, 3, 10, 41, 360] {
         let sweep = CHANGE_POINT.sweep(Assembly::Open).over(6.0..=6.5, rows).speed(1.0);
-        let highest = sweep.highest("theta4_velocity").unwrap();
+        let highest = sweep.of("theta4_velocity").highest().unwrap();
         assert!(
             (highest.value - JUMP[1]).abs() < 1e-8 && (highest.at - TAU).abs() < 1e-12,
             "{rows} rows: {highest:?}"
         );
         assert_eq!(highest.kind, ExtremeKind::Kink);
-        let crossings = sweep.crossings("theta4_velocity", 1.0).unwrap();
+        let crossings = sweep.of("theta4_velocity").crossings(1.0).unwrap();
         assert_eq!(crossings.len(), 1, "{rows} rows");
         assert!(
             (crossings[0].at - TAU).abs() < 1e-12 && crossings[0].is_rising,
@@ -43,15 +43,19 @@ fn a_rate_has_two_values_at_a_change_point() {
             .sweep(Assembly::Open)
             .over(0.1..=0.1 + TAU, rows)
             .speed(1.0);
-        let [lowest, highest] = [turn.lowest("theta4_velocity"), turn.highest("theta4_velocity")].map(Result::unwrap);
+        let [lowest, highest] = [
+            turn.of("theta4_velocity").lowest(),
+            turn.of("theta4_velocity").highest(),
+        ]
+        .map(Result::unwrap);
         assert!(
             (lowest.value - JUMP[0]).abs() < 1e-8 && (highest.value - JUMP[1]).abs() < 1e-8,
             "{rows} rows: {lowest:?} {highest:?}"
         );
-        assert!(turn.extremes("theta4_velocity").unwrap().len() >= 2);
+        assert!(turn.of("theta4_velocity").extremes().unwrap().len() >= 2);
         let sweep = CHANGE_POINT.sweep(Assembly::Open).over(6.2..=6.4, rows).speed(1.0);
         assert!(
-            (sweep.highest("theta4_velocity").unwrap().value - JUMP[1]).abs() < 1e-8,
+            (sweep.of("theta4_velocity").highest().unwrap().value - JUMP[1]).abs() < 1e-8,
             "{rows} rows"
         );
     }
@@ -66,12 +70,13 @@ fn a_rate_is_finite_on_both_sides_of_a_change_point() {
         r4: 6.0,
     };
     let turn = linkage.sweep(Assembly::Crossed).over(0.1..=0.1 + TAU, 41).speed(1.0);
-    let peak = turn.peak("theta4_velocity").unwrap();
+    let peak = turn.of("theta4_velocity").peak().unwrap();
     assert!(peak.value.abs() < 10.0, "{peak}");
     let extremes = SliderCrank { r: 1.0, l: 1.0 }
         .sweep(Assembly::Open)
         .over(1.0..=2.0, 7)
-        .extremes("s")
+        .of("s")
+        .extremes()
         .unwrap();
     assert!(extremes.iter().all(|extreme| extreme.value.is_some()), "{extremes:?}");
 }
@@ -85,14 +90,14 @@ fn an_angle_jumps_where_a_vector_vanishes() {
                 .sweep()
                 .over(2.0..=4.0, rows)
                 .speed(1.0);
-            let extremes = sweep.extremes("theta4").unwrap();
+            let extremes = sweep.of("theta4").extremes().unwrap();
             assert!(extremes.len() <= 4, "{rows} rows: {extremes:?}");
             assert!(
-                (sweep.highest("theta4").unwrap().value - FRAC_PI_2).abs() < 1e-9,
+                (sweep.of("theta4").highest().unwrap().value - FRAC_PI_2).abs() < 1e-9,
                 "{rows} rows"
             );
             assert!(
-                (sweep.lowest("theta4").unwrap().value + FRAC_PI_2).abs() < 1e-9,
+                (sweep.of("theta4").lowest().unwrap().value + FRAC_PI_2).abs() < 1e-9,
                 "{rows} rows"
             );
         }
@@ -140,16 +145,16 @@ fn a_pole_is_unbounded() {
         let sweep = Lever { h: 1.0 }.sweep().over(0.0..=PI, rows).speed(1.0);
         for name in ["y", "travel", "ratio"] {
             assert!(
-                matches!(sweep.highest(name), Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9),
+                matches!(sweep.of(name).highest(), Err(ExtremesError::Unbounded { at }) if (at - FRAC_PI_2).abs() < 1e-9),
                 "{name}, {rows} rows: {:?}",
-                sweep.highest(name)
+                sweep.of(name).highest()
             );
             assert!(
-                matches!(sweep.mean(name, Over::Time), Err(ExtremesError::Diverges { .. })),
+                matches!(sweep.of(name).mean(Over::Time), Err(ExtremesError::Diverges { .. })),
                 "{name}, {rows} rows: {:?}",
-                sweep.mean(name, Over::Time)
+                sweep.of(name).mean(Over::Time)
             );
-            let crossings = sweep.crossings(name, 0.5).unwrap();
+            let crossings = sweep.of(name).crossings(0.5).unwrap();
             assert_eq!(crossings.len(), 1, "{name}, {rows} rows: {crossings:?}");
             assert!((crossings[0].at - 0.5_f64.atan()).abs() < 1e-12);
         }
@@ -198,14 +203,14 @@ fn islands_between_rows_are_found() {
     };
     for rows in [2, 3, 4, 5, 11, 41] {
         let sweep = linkage.sweep(Assembly::Open).over(0.0..=2.0 * TAU, rows);
-        assert_eq!(sweep.crossings("theta4", 2.5).unwrap().len(), 4, "{rows} rows");
+        assert_eq!(sweep.of("theta4").crossings(2.5).unwrap().len(), 4, "{rows} rows");
         let press = SliderCrank { r: 1.0, l: 0.8 }
             .sweep(Assembly::Open)
             .over(0.0..=TAU, rows);
         assert!(
-            (press.lowest("s").unwrap().value + 0.6).abs() < 1e-9,
+            (press.of("s").lowest().unwrap().value + 0.6).abs() < 1e-9,
             "{rows} rows: {:?}",
-            press.lowest("s")
+            press.of("s").lowest()
         );
     }
 }
@@ -222,9 +227,9 @@ fn a_mean_covers_what_closes() {
     let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361);
     let table = sweep.table().unwrap();
     let [first, last] = [0, 1].map(|limit| table.limits()[limit].at);
-    let mean = sweep.mean("theta4", Over::Time).unwrap();
+    let mean = sweep.of("theta4").mean(Over::Time).unwrap();
     assert!((mean.covered - (1.0 - (last - first) / TAU)).abs() < 1e-12, "{mean:?}");
-    let whole = sweep.mean("theta2", Over::Time).unwrap();
+    let whole = sweep.of("theta2").mean(Over::Time).unwrap();
     assert_eq!(whole.covered, mean.covered);
     let degrees = table.clone().in_degrees();
     for (degrees, radians) in degrees.limits().iter().zip(table.limits()) {
@@ -251,7 +256,7 @@ fn a_kink_between_rows_is_an_extreme() {
         for range in [-1.0..=1.1, -0.3..=0.9] {
             let sweep = Plate { h: 2.0 }.sweep().over(range, rows);
             for name in ["size", "bend"] {
-                let extremes = sweep.extremes(name).unwrap();
+                let extremes = sweep.of(name).extremes().unwrap();
                 let kinds: Vec<ExtremeKind> = extremes.iter().map(|extreme| extreme.kind).collect();
                 assert_eq!(
                     kinds,
@@ -262,8 +267,11 @@ fn a_kink_between_rows_is_an_extreme() {
                     extremes[1].at.abs() < 1e-9 && extremes[1].value.unwrap().abs() < 1e-9,
                     "{extremes:?}"
                 );
-                assert!(sweep.lowest(name).unwrap().value.abs() < 1e-9, "{name}, {rows} rows");
-                let crossings = sweep.crossings(name, 0.1).unwrap();
+                assert!(
+                    sweep.of(name).lowest().unwrap().value.abs() < 1e-9,
+                    "{name}, {rows} rows"
+                );
+                let crossings = sweep.of(name).crossings(0.1).unwrap();
                 assert_eq!(crossings.len(), 2, "{name}, {rows} rows");
             }
         }
@@ -298,13 +306,13 @@ fn a_range_gives_the_direction() {
             let close = |other: f64| (value - sign * other).abs() <= 1e-11 * value.abs().max(1.0);
             assert!(close(two[26 - row]) && close(three[row]), "{name} in row {row}");
         }
-        let [one, two] = [up, down].map(|sweep| sweep.mean(name, Over::Time).unwrap().value);
+        let [one, two] = [up, down].map(|sweep| sweep.of(name).mean(Over::Time).unwrap().value);
         assert!((one - sign * two).abs() <= 1e-11 * one.abs().max(1.0), "{name}");
-        let highest = up.highest(name).unwrap().value;
+        let highest = up.of(name).highest().unwrap().value;
         let same = if order % 2 == 0 {
-            down.highest(name)
+            down.of(name).highest()
         } else {
-            down.lowest(name)
+            down.of(name).lowest()
         }
         .unwrap()
         .value;

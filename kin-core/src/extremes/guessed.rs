@@ -1,12 +1,17 @@
 //! Questions about extremes to a sweep that does not say yet how its inputs move: see [`sweep::guessed`](crate::sweep::guessed).
 
-use super::{Crossing, Extreme, ExtremesError, Peak};
-use crate::sweep::guessed::questions;
+use super::{ByName, QuantityAlong};
+use crate::mechanism::Mechanism;
+use crate::sweep::guessed::Moves;
+use crate::sweep::{Assembled, StraightLine};
 
-questions! {
-    peak(N) -> Result<Peak, ExtremesError>;
-    highest(N) -> Result<Peak, ExtremesError>;
-    lowest(N) -> Result<Peak, ExtremesError>;
-    extremes(N) -> Result<alloc::vec::Vec<Extreme>, ExtremesError>;
-    crossings(N L) -> Result<alloc::vec::Vec<Crossing>, ExtremesError>;
+/// A method that nobody can call.
+impl<M: Mechanism<Scalar = f64>> Assembled<M> {
+    #[doc(hidden)]
+    pub fn of<'q>(&self, _: &'q str) -> QuantityAlong<'_, M, StraightLine<M>, ByName<'q>>
+    where
+        Self: Moves,
+    {
+        self.answer()
+    }
 }

@@ -250,3 +250,26 @@ fn mean_size(integral: Integral) -> f64 {
         0.0
     }
 }
+
+/// The root of a mean square.
+pub(super) fn rooted(square: Result<Mean, ExtremesError>) -> Result<Mean, ExtremesError> {
+    let root = |value: f64, error: f64| {
+        let root = num_traits::Float::sqrt(value);
+        (root, if root > 0.0 { 0.5 * error / root } else { 0.0 })
+    };
+    match square {
+        Ok(square) => {
+            let (value, error) = root(square.value, square.error);
+            Ok(Mean {
+                value,
+                error,
+                covered: square.covered,
+            })
+        }
+        Err(ExtremesError::Imprecise { value, error }) => {
+            let (value, error) = root(value, error);
+            Err(ExtremesError::Imprecise { value, error })
+        }
+        Err(error) => Err(error),
+    }
+}

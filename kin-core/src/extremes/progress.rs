@@ -1,15 +1,16 @@
 //! How far a question has come.
 
+use alloc::boxed::Box;
 use core::cell::{Cell, RefCell};
 
 /// The progress of a question, which never goes back: a question that meets a gap is asked again.
-pub(super) struct Progress<F> {
-    tell: RefCell<F>,
+pub(super) struct Progress<'p> {
+    tell: RefCell<Box<dyn FnMut(f64) + 'p>>,
     told: Cell<f64>,
 }
 
-impl<F: FnMut(f64)> Progress<F> {
-    pub(super) fn new(tell: F) -> Self {
+impl<'p> Progress<'p> {
+    pub(super) fn new(tell: Box<dyn FnMut(f64) + 'p>) -> Self {
         Self {
             tell: RefCell::new(tell),
             told: Cell::new(0.0),
@@ -24,8 +25,9 @@ impl<F: FnMut(f64)> Progress<F> {
         }
     }
 
-    /// Tells that all is done.
-    pub(super) fn end(self) {
-        (self.tell.into_inner())(1.0);
+    /// Tells that all is done. The next question begins again.
+    pub(super) fn end(&self) {
+        self.told.set(0.0);
+        (self.tell.borrow_mut())(1.0);
     }
 }

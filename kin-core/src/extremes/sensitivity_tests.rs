@@ -168,10 +168,12 @@ fn peaks_of_a_turn() {
             ("theta3_acceleration", 0, 2),
             ("theta4_snap", 1, 4),
         ] {
-            let found = turn(&linkage, assembly).peak_sensitivities(name).unwrap();
-            assert_eq!(found.peak, turn(&linkage, assembly).peak(name).unwrap());
+            let found = turn(&linkage, assembly).of(name).peak_sensitivities().unwrap();
+            assert_eq!(found.peak, turn(&linkage, assembly).of(name).peak().unwrap());
             assert_eq!(found.peak.kind, ExtremeKind::Inner);
-            check_by_differences(&linkage, &found, |linkage| turn(linkage, assembly).peak(name).unwrap());
+            check_by_differences(&linkage, &found, |linkage| {
+                turn(linkage, assembly).of(name).peak().unwrap()
+            });
             let crank = Motion::at_constant_speed(found.peak.at, 10.0);
             let partials = sensitivities_of(&linkage, [crank], assembly).unwrap();
             for (sensitivity, partial) in found.by.iter().zip(partials) {
@@ -200,10 +202,10 @@ fn check_effort<M, D, L>(
     L: Load<M::With<Local>>,
 {
     let effort = |at: &At<M>| at.effort(loads, 0);
-    let found = course(mechanism).peak_sensitivities_by(effort).unwrap();
+    let found = course(mechanism).of_expression(effort).peak_sensitivities().unwrap();
     assert_eq!(found.peak.kind, ExtremeKind::Inner);
     check_by_differences(mechanism, &found, |mechanism| {
-        course(mechanism).peak_by(effort).unwrap()
+        course(mechanism).of_expression(effort).peak().unwrap()
     });
     for (place, sensitivity) in found.by.as_ref().iter().enumerate() {
         let mut next = 0;
@@ -271,7 +273,7 @@ fn peaks_of_efforts_of_two_drives() {
 fn peaks_of_efforts_in_space() {
     let loads = on_spatial();
     let turn = SPATIAL.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(6.0);
-    let whole = turn.peak_by(|at| at.effort(&loads, 0)).unwrap();
+    let whole = turn.of_expression(|at| at.effort(&loads, 0)).peak().unwrap();
     check_effort(
         &SPATIAL,
         |linkage| {
@@ -325,8 +327,8 @@ fn an_effort_on_a_sweep_is_that_of_the_pose() {
     let speed = 12.0;
     let turn = PRESS.sweep(Assembly::Crossed).over(0.0..=TAU, 100).speed(speed);
     let loads = on_press();
-    let crossings = turn.crossings_by(|at| at.effort(&loads, 0), 1.0).unwrap();
-    let rates = turn.extremes_by(|at| at.effort(&loads, 0)).unwrap();
+    let crossings = turn.of_expression(|at| at.effort(&loads, 0)).crossings(1.0).unwrap();
+    let rates = turn.of_expression(|at| at.effort(&loads, 0)).extremes().unwrap();
     assert!(!crossings.is_empty() && rates.len() >= 2);
     let single = |at: f64| {
         let crank = Motion::at_constant_speed(at, speed);
@@ -361,9 +363,11 @@ fn peaks_under_a_law_with_dwells() {
     let loads = on_press();
     let course = |press: &Press| press.sweep(Assembly::Open).under_laws([&law], 0.0..=0.5, 100);
     let effort = |at: &At<Press>| at.effort(&loads, 0);
-    let found = course(&PRESS).peak_sensitivities_by(effort).unwrap();
+    let found = course(&PRESS).of_expression(effort).peak_sensitivities().unwrap();
     assert_eq!(found.peak.kind, ExtremeKind::Inner);
-    check_by_differences(&PRESS, &found, |press| course(press).peak_by(effort).unwrap());
+    check_by_differences(&PRESS, &found, |press| {
+        course(press).of_expression(effort).peak().unwrap()
+    });
 }
 
 /// The place of a peak at the end of a sweep stays, and its value changes as the quantity there.
@@ -371,9 +375,11 @@ fn peaks_under_a_law_with_dwells() {
 fn a_peak_at_the_end_of_a_sweep_stays_there() {
     let engine = SliderCrank { r: 0.05, l: 0.15 };
     let course = |engine: &SliderCrank| engine.sweep(Assembly::Open).over(0.5..=1.0, 20).speed(10.0);
-    let found = course(&engine).peak_sensitivities("s_velocity").unwrap();
+    let found = course(&engine).of("s_velocity").peak_sensitivities().unwrap();
     assert_eq!((found.peak.kind, found.peak.at), (ExtremeKind::End, 1.0));
-    check_by_differences(&engine, &found, |engine| course(engine).peak("s_velocity").unwrap());
+    check_by_differences(&engine, &found, |engine| {
+        course(engine).of("s_velocity").peak().unwrap()
+    });
     assert!(found.by.iter().all(|by| by.at == 0.0 && by.value != 0.0));
 }
 
@@ -388,7 +394,7 @@ fn a_peak_at_a_limit_has_none() {
     let sweep = linkage.sweep(Assembly::Open).over(1.0..=PI, 100);
     // the rocker turns on to the limit
     let raised = |at: &At<FourBar>| at.theta4.value() + Local::constant(10.0);
-    let error = sweep.peak_sensitivities_by(raised).unwrap_err();
+    let error = sweep.of_expression(raised).peak_sensitivities().unwrap_err();
     let ExtremesError::NoSensitivity {
         at,
         kind: ExtremeKind::Limit,
@@ -399,7 +405,7 @@ fn a_peak_at_a_limit_has_none() {
     assert!((at.to_degrees() - 112.0243).abs() < 1e-4, "{at}");
     let expected = "stands at a limit, where it has no sensitivity: end the sweep short of it";
     assert!(error.to_string().ends_with(expected), "{error}");
-    let error = sweep.peak_sensitivities("theta4_velocity").unwrap_err();
+    let error = sweep.of("theta4_velocity").peak_sensitivities().unwrap_err();
     assert!(matches!(error, ExtremesError::Unbounded { .. }), "{error}");
 }
 
@@ -413,7 +419,7 @@ fn a_peak_at_a_kink_has_none() {
         let distance = if over.real() < 0.0 { -over } else { over };
         Local::constant(1.0) - distance
     };
-    let error = sweep.peak_sensitivities_by(distance).unwrap_err();
+    let error = sweep.of_expression(distance).peak_sensitivities().unwrap_err();
     assert!(
         matches!(
             error,
@@ -431,7 +437,7 @@ fn a_peak_at_a_kink_has_none() {
 fn loads_without_a_result() {
     let turn = PRESS.sweep(Assembly::Open).over(0.0..=TAU, 100);
     let loads = on_press();
-    let error = turn.peak_by(|at| at.effort(&loads, 1)).unwrap_err();
+    let error = turn.of_expression(|at| at.effort(&loads, 1)).peak().unwrap_err();
     assert_eq!(
         error,
         ExtremesError::Load {

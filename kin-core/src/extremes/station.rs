@@ -22,7 +22,7 @@ const SNAP: usize = 4;
 /// A quantity called by its name needs positions only: over a series in the variable of the sweep, they have all its derivatives. So the
 /// solvers of rates are compiled in long numbers only where a closure asks for a typed pose.
 #[derive(Clone, Copy)]
-pub(super) struct SweepStation<M: Mechanism> {
+pub struct SweepStation<M: Mechanism> {
     pub(super) mechanism: M,
     /// The inputs, with their derivatives with respect to the variable.
     pub(super) inputs: M::Inputs<Motion<f64, READ>>,

@@ -33,46 +33,73 @@ fn rocker(linkage: FourBar, assembly: Assembly, at: f64, order: usize) -> [f64; 
 #[test]
 fn closures_calculate_with_plain_numbers() {
     let turn = turn(CRANK_ROCKER, Assembly::Open);
-    let [high, low] = [turn.highest("theta4").unwrap(), turn.lowest("theta4").unwrap()];
+    let [high, low] = [
+        turn.of("theta4").highest().unwrap(),
+        turn.of("theta4").lowest().unwrap(),
+    ];
     let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-14 * (1.0 + other.abs()), "{one} {other}");
     // motions, which answer by their values, and the series that they give
-    let found = turn.highest_by(|at| 2.0 * at.theta4 + 1.0).unwrap();
+    let found = turn.of_expression(|at| 2.0 * at.theta4 + 1.0).highest().unwrap();
     near(found.value, 2.0 * high.value + 1.0);
     near(found.at, high.at);
-    near(turn.highest_by(|at| at.theta4 * 2.0).unwrap().value, 2.0 * high.value);
-    let found = turn.highest_by(|at| 1.0 - at.theta4.position() / 4.0).unwrap();
+    near(
+        turn.of_expression(|at| at.theta4 * 2.0).highest().unwrap().value,
+        2.0 * high.value,
+    );
+    let found = turn
+        .of_expression(|at| 1.0 - at.theta4.position() / 4.0)
+        .highest()
+        .unwrap();
     near(found.value, 1.0 - low.value / 4.0);
     near(found.at, low.at);
-    near(turn.highest_by(|at| at.theta4.sqrt()).unwrap().value, high.value.sqrt());
+    near(
+        turn.of_expression(|at| at.theta4.sqrt()).highest().unwrap().value,
+        high.value.sqrt(),
+    );
     // the rocker stays in the half-plane in which the cosine falls
     assert!(low.value > 0.0 && high.value < PI);
-    near(turn.lowest_by(|at| at.theta4.cos()).unwrap().value, high.value.cos());
     near(
-        turn.lowest_by(|at| at.theta4.position().cos()).unwrap().value,
+        turn.of_expression(|at| at.theta4.cos()).lowest().unwrap().value,
+        high.value.cos(),
+    );
+    near(
+        turn.of_expression(|at| at.theta4.position().cos())
+            .lowest()
+            .unwrap()
+            .value,
         high.value.cos(),
     );
     // as the function itself is, derivatives and all
-    let sine = turn.peak_by(|at| 90.0 * at.theta4.sin().velocity()).unwrap();
+    let sine = turn
+        .of_expression(|at| 90.0 * at.theta4.sin().velocity())
+        .peak()
+        .unwrap();
     let chain = turn
-        .peak_by(|at| 90.0 * at.theta4.velocity() * at.theta4.position().cos())
+        .of_expression(|at| 90.0 * at.theta4.velocity() * at.theta4.position().cos())
+        .peak()
         .unwrap();
     near(sine.value, chain.value);
     // comparisons: the part of the travel above a level
     let level = 0.5 * (low.value + high.value);
-    let above = turn.highest_by(|at| (at.theta4 - level).max(0.0 * at.theta4)).unwrap();
+    let above = turn
+        .of_expression(|at| (at.theta4 - level).max(0.0 * at.theta4))
+        .highest()
+        .unwrap();
     near(above.value, high.value - level);
     let above = turn
-        .lowest_by(|at| {
+        .of_expression(|at| {
             if at.theta4.position() < level {
                 Local::constant(level)
             } else {
                 at.theta4.position()
             }
         })
+        .lowest()
         .unwrap();
     near(above.value, level);
     near(
-        turn.highest_by(|at| (at.theta4.position() - level).abs())
+        turn.of_expression(|at| (at.theta4.position() - level).abs())
+            .highest()
             .unwrap()
             .value,
         high.value - level,
@@ -85,7 +112,7 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
     for assembly in Assembly::BOTH {
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = std::format!("theta4{suffix}");
-            let found = turn(CRANK_ROCKER, assembly).extremes(&name).unwrap();
+            let found = turn(CRANK_ROCKER, assembly).of(&name).extremes().unwrap();
             let count = samples::of(7200);
             let at = |index: u32| (f64::from(index) + 0.3) * TAU / f64::from(count);
             let slopes: Vec<f64> = (0..=count)
@@ -107,7 +134,7 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
                 );
                 assert!(slope.abs() < 1e-11 * size * 10.0, "{name} {extreme}: {slope}");
             }
-            let peak = turn(CRANK_ROCKER, assembly).peak(&name).unwrap();
+            let peak = turn(CRANK_ROCKER, assembly).of(&name).peak().unwrap();
             let largest = values.fold(0.0, |size: f64, value| size.max(value.abs()));
             // between two places of the scan, a peak is higher by the square of their distance
             let step = TAU / f64::from(count);
@@ -121,7 +148,7 @@ fn a_turn_has_the_extremes_of_a_dense_scan() {
 /// The dead points of a crank-rocker's rocker, by the law of cosines.
 #[test]
 fn dead_points_are_exact() {
-    let found = turn(CRANK_ROCKER, Assembly::Open).extremes("theta4").unwrap();
+    let found = turn(CRANK_ROCKER, Assembly::Open).of("theta4").extremes().unwrap();
     let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
     let mut expected = [r3 + r2, r3 - r2].map(|side| PI - ((r1 * r1 + r4 * r4 - side * side) / (2.0 * r1 * r4)).acos());
     expected.sort_by(f64::total_cmp);
@@ -145,7 +172,7 @@ fn a_yoke_is_a_cosine() {
         let name = "x";
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = std::format!("{name}{suffix}");
-            let extremes = turn.extremes(&name).unwrap();
+            let extremes = turn.of(&name).extremes().unwrap();
             assert_eq!(extremes.len(), 2, "{name} from {start}");
             let size = 2.0 * 3_f64.powi(i32::try_from(order).unwrap());
             for extreme in extremes {
@@ -157,13 +184,13 @@ fn a_yoke_is_a_cosine() {
                 };
                 assert!(quarter.sin().abs() < 1e-14);
             }
-            let mean = turn.mean(&name, Over::Time).unwrap();
+            let mean = turn.of(&name).mean(Over::Time).unwrap();
             assert!(mean.value.abs() < 1e-14 * size && mean.error < 1e-12 * size);
-            let rms = turn.rms(&name, Over::Input).unwrap();
+            let rms = turn.of(&name).rms(Over::Input).unwrap();
             assert!((rms.value - size / 2_f64.sqrt()).abs() < 1e-14 * size);
         }
-        assert_eq!(turn.crossings(name, 1.0).unwrap().len(), 2);
-        let dwells = turn.dwells(name, 2.0, 1.0).unwrap();
+        assert_eq!(turn.of(name).crossings(1.0).unwrap().len(), 2);
+        let dwells = turn.of(name).dwells(2.0, 1.0).unwrap();
         assert_eq!(dwells.len(), 1);
         assert!((dwells[0].to - dwells[0].from - TAU / 3.0).abs() < 1e-13);
         assert!((dwells[0].duration - TAU / 9.0).abs() < 1e-13);
@@ -176,7 +203,7 @@ fn a_yoke_is_a_cosine() {
 fn turning_points_bound_positions_and_not_rates() {
     let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(10.0);
     let range = LIMITED.crank_range().unwrap();
-    let positions = sweep.extremes("theta4").unwrap();
+    let positions = sweep.of("theta4").extremes().unwrap();
     let (first, last) = (positions.first().unwrap(), positions.last().unwrap());
     assert_eq!((first.kind, last.kind), (ExtremeKind::Limit, ExtremeKind::Limit));
     assert!((first.at + range.high).abs() < 1e-14 && (last.at - range.high).abs() < 1e-14);
@@ -189,26 +216,26 @@ fn turning_points_bound_positions_and_not_rates() {
         assert!((value.cos().abs() - inner.cos()).abs() < 1e-11, "{value} {inner}");
     }
     for suffix in &ORDERS[1..] {
-        let rates = sweep.extremes(&std::format!("theta4{suffix}")).unwrap();
+        let rates = sweep.of(&std::format!("theta4{suffix}")).extremes().unwrap();
         for rate in [rates.first().unwrap(), rates.last().unwrap()] {
             assert_eq!((rate.kind, rate.value), (ExtremeKind::Unbounded, None));
         }
         let name = std::format!("theta4{suffix}");
-        assert!(matches!(sweep.peak(&name), Err(ExtremesError::Unbounded { .. })));
+        assert!(matches!(sweep.of(&name).peak(), Err(ExtremesError::Unbounded { .. })));
         // without a bound on one side, there may be one on the other
         let sides = rates.iter().filter(|rate| rate.kind == ExtremeKind::Unbounded);
         let signs: Vec<bool> = sides.map(|rate| rate.is_maximum).collect();
-        assert_eq!(sweep.highest(&name).is_err(), signs.contains(&true));
-        assert_eq!(sweep.lowest(&name).is_err(), signs.contains(&false));
+        assert_eq!(sweep.of(&name).highest().is_err(), signs.contains(&true));
+        assert_eq!(sweep.of(&name).lowest().is_err(), signs.contains(&false));
     }
-    let mean = sweep.mean("theta4_velocity", Over::Time).unwrap();
+    let mean = sweep.of("theta4_velocity").mean(Over::Time).unwrap();
     let way = last.value.unwrap() - first.value.unwrap();
     let time = 2.0 * range.high / 10.0;
     assert!((mean.value - way / time).abs() < 1e-10, "{} {}", mean.value, way / time);
-    let square = sweep.rms("theta4_velocity", Over::Time).unwrap_err();
+    let square = sweep.of("theta4_velocity").rms(Over::Time).unwrap_err();
     assert!(matches!(square, ExtremesError::Diverges { power: 1.0, .. }), "{square}");
     assert!(matches!(
-        sweep.mean("theta4_acceleration", Over::Time).unwrap_err(),
+        sweep.of("theta4_acceleration").mean(Over::Time).unwrap_err(),
         ExtremesError::Diverges { power: 1.5, .. }
     ));
 }
@@ -219,12 +246,14 @@ fn a_sweep_may_run_downwards() {
     let up = CRANK_ROCKER
         .sweep(Assembly::Open)
         .over(0.3..=4.0, 40)
-        .extremes("theta3_jerk")
+        .of("theta3_jerk")
+        .extremes()
         .unwrap();
     let mut down = CRANK_ROCKER
         .sweep(Assembly::Open)
         .over(4.0..=0.3, 40)
-        .extremes("theta3_jerk")
+        .of("theta3_jerk")
+        .extremes()
         .unwrap();
     down.reverse();
     assert_eq!(up.len(), down.len());
@@ -242,7 +271,7 @@ fn laws_have_joints() {
     let rest = Dwell::new(1.0, 0.1).unwrap();
     let servo = Sequence::new([&rise, &rest]).unwrap();
     let sweep = crank.sweep(Assembly::Open).under_laws([&servo], 0.0..=0.5, 40);
-    let extremes = sweep.extremes("theta_jerk").unwrap();
+    let extremes = sweep.of("theta_jerk").extremes().unwrap();
     // the law ends with its largest jerk, and rests at once
     let joint = extremes
         .iter()
@@ -251,19 +280,20 @@ fn laws_have_joints() {
     assert_eq!((joint.at, joint.is_maximum), (0.4, true));
     let expected = 60.0 / 0.4_f64.powi(3);
     assert!((joint.value.unwrap() - expected).abs() < 1e-12 * expected, "{joint}");
-    assert!((sweep.peak("theta_jerk").unwrap().value - expected).abs() < 1e-12 * expected);
-    let dwells = sweep.dwells("theta", 1.0, 1e-9).unwrap();
+    assert!((sweep.of("theta_jerk").peak().unwrap().value - expected).abs() < 1e-12 * expected);
+    let dwells = sweep.of("theta").dwells(1.0, 1e-9).unwrap();
     assert_eq!(dwells.len(), 1);
     assert!(dwells[0].to == 0.5 && dwells[0].duration > 0.1 && dwells[0].duration < 0.102);
-    let over_time = sweep.mean("theta", Over::Time).unwrap();
-    let over_input = sweep.mean("theta", Over::Input).unwrap();
+    let over_time = sweep.of("theta").mean(Over::Time).unwrap();
+    let over_input = sweep.of("theta").mean(Over::Input).unwrap();
     assert!((over_time.value - (0.5 * 0.4 + 0.1) / 0.5).abs() < 1e-13);
     assert!((over_input.value - 0.5).abs() < 1e-12, "{over_input:?}");
     // a position in three orders at once: the mean of the jerk is the change of the acceleration
     let mean = crank
         .sweep(Assembly::Open)
         .under_laws([&rise], 0.0..=0.4, 40)
-        .mean("s_jerk", Over::Time)
+        .of("s_jerk")
+        .mean(Over::Time)
         .unwrap();
     let [start, end] = [0.0, 0.4].map(|time| crank.solve(rise.at(time), Assembly::Open).unwrap().s.acceleration());
     assert!((mean.value - (end - start) / 0.4).abs() < 1e-11);
@@ -274,7 +304,7 @@ fn laws_have_joints() {
 fn kinks_and_transmission_angles() {
     let sweep = turn(CRANK_ROCKER, Assembly::Open);
     let angle = |at: &At<FourBar>| at.transmission_angle(0).unwrap();
-    let plain = sweep.extremes_by(|at| angle(at).angle).unwrap();
+    let plain = sweep.of_expression(|at| angle(at).angle).extremes().unwrap();
     // the classic extremes, where the crank is in line with the ground
     let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
     for extreme in &plain {
@@ -284,7 +314,7 @@ fn kinks_and_transmission_angles() {
         assert!((extreme.value.unwrap() - expected).abs() < 1e-14);
     }
     assert_eq!(plain.len(), 2);
-    let folded = sweep.extremes_by(|at| angle(at).folded()).unwrap();
+    let folded = sweep.of_expression(|at| angle(at).folded()).extremes().unwrap();
     let kinks: Vec<_> = folded
         .iter()
         .filter(|extreme| extreme.kind == ExtremeKind::Kink)
@@ -304,7 +334,7 @@ fn coupled_blocks_have_extremes() {
     let guess = track_to(&triad, start, [low; 3]);
     let sweep = triad.sweep(Near(guess)).between([low; 3], [high; 3], 30).speed(0.5);
     let name = "phi_velocity";
-    let extremes = sweep.extremes(name).unwrap();
+    let extremes = sweep.of(name).extremes().unwrap();
     let velocity = |leg: f64| {
         let cosine = (5.0 - leg * leg) / 4.0;
         leg * 0.5 / (2.0 * (1.0 - cosine * cosine).sqrt())
@@ -340,7 +370,7 @@ fn derivatives_above_the_order_have_names() {
         angle.derivatives()
     };
     for (order, name) in [(5, "theta4_crackle"), (6, "theta4_pop"), (8, "theta4_derivative_8")] {
-        let found = sweep.extremes(name).unwrap();
+        let found = sweep.of(name).extremes().unwrap();
         let count = samples::of(7200);
         let at = |index: u32| (f64::from(index) + 0.3) * TAU / f64::from(count);
         let slopes: Vec<f64> = (0..=count).map(|index| derivatives(at(index))[order + 1]).collect();
@@ -349,7 +379,7 @@ fn derivatives_above_the_order_have_names() {
             .filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0))
             .count();
         assert_eq!(found.len(), seen, "{name}");
-        let size = sweep.peak(name).unwrap().value.abs();
+        let size = sweep.of(name).peak().unwrap().value.abs();
         for extreme in &found {
             let exact = derivatives(extreme.at);
             assert!(
@@ -370,9 +400,9 @@ fn derivatives_above_the_order_have_names() {
     // an output, and an input under a law
     let leg = JansenLeg::HOLY_NUMBERS;
     let walk = leg.sweep(JansenLeg::WALKING).over(0.0..=TAU, 100).speed(2.0);
-    let [snap, crackle] = ["foot.x_snap", "foot.x_crackle"].map(|name| walk.extremes(name).unwrap());
+    let [snap, crackle] = ["foot.x_snap", "foot.x_crackle"].map(|name| walk.of(name).extremes().unwrap());
     // the crackle vanishes where the snap is extreme
-    let crossings = walk.crossings("foot.x_crackle", 0.0).unwrap();
+    let crossings = walk.of("foot.x_crackle").crossings(0.0).unwrap();
     assert_eq!(snap.len(), crossings.len());
     for (extreme, crossing) in snap.iter().zip(&crossings) {
         assert!((extreme.at - crossing.at).abs() < 1e-10, "{extreme} {crossing:?}");
@@ -381,9 +411,9 @@ fn derivatives_above_the_order_have_names() {
     let rise = Rise::new(Shape::Polynomial345, 0.0, 1.0, 0.5).unwrap();
     let servo = CRANK_ROCKER.sweep(Assembly::Open).under_laws([&rise], 0.0..=0.5, 10);
     // the fifth derivative of 6 u⁵ - 15 u⁴ + 10 u³
-    let crackle = servo.peak("theta2_crackle").unwrap();
+    let crackle = servo.of("theta2_crackle").peak().unwrap();
     assert!((crackle.value - 720.0 * 32.0).abs() < 1e-9, "{crackle}");
-    let error = sweep.peak("theta4_derivative_13").unwrap_err();
+    let error = sweep.of("theta4_derivative_13").peak().unwrap_err();
     assert!(error.to_string().contains("theta4_derivative_1"), "{error}");
 }
 
@@ -391,8 +421,8 @@ fn derivatives_above_the_order_have_names() {
 #[test]
 fn margins_are_quantities() {
     let FourBar { r1, r2, r3, r4 } = CRANK_ROCKER;
-    let margins = turn(CRANK_ROCKER, Assembly::Open).extremes("margin").unwrap();
-    let smallest = turn(CRANK_ROCKER, Assembly::Open).lowest("margin").unwrap().value;
+    let margins = turn(CRANK_ROCKER, Assembly::Open).of("margin").extremes().unwrap();
+    let smallest = turn(CRANK_ROCKER, Assembly::Open).of("margin").lowest().unwrap().value;
     // stretched: crank and ground in line
     assert!((smallest - (r3 + r4 - r1 - r2)).abs() < 1e-12, "{smallest}");
     let kinks: Vec<_> = margins
@@ -411,7 +441,8 @@ fn margins_are_quantities() {
     let limited = LIMITED
         .sweep(Assembly::Open)
         .over(-3.0..=3.0, 50)
-        .extremes("margin")
+        .of("margin")
+        .extremes()
         .unwrap();
     for end in [limited.first().unwrap(), limited.last().unwrap()] {
         assert_eq!(end.kind, ExtremeKind::Limit);
@@ -419,14 +450,14 @@ fn margins_are_quantities() {
     }
     let press = SliderCrank { r: 0.1, l: 0.3 };
     let press = press.sweep(Assembly::Open).over(0.0..=TAU, 50);
-    let smallest = press.lowest("margin").unwrap().value;
-    assert!((press.highest("margin").unwrap().value - 0.3).abs() < 1e-14);
+    let smallest = press.of("margin").lowest().unwrap().value;
+    assert!((press.of("margin").highest().unwrap().value - 0.3).abs() < 1e-14);
     assert!((smallest - 0.2).abs() < 1e-14);
     let yoke = ScotchYoke {
         crank: 2.0,
         gamma: PI / 2.0,
     };
-    let error = yoke.sweep().over(0.0..=TAU, 50).extremes("margin").unwrap_err();
+    let error = yoke.sweep().over(0.0..=TAU, 50).of("margin").extremes().unwrap_err();
     assert!(matches!(error, ExtremesError::NoSuchColumn(_)));
 }
 
@@ -470,24 +501,26 @@ where
 {
     let slope = |at: f64| (expected(at + 1e-4) - expected(at - 1e-4)) / 2e-4;
     let tested = core::cell::Cell::new(0);
-    let asked = sweep.extremes_by(|at: &At<M>| {
-        let margin = at.smallest_margin().unwrap();
-        let [place, rate] = [0, 1].map(|order| at.input(0, 0).unwrap().derivatives()[order]);
-        assert!(
-            (margin.real() - expected(place)).abs() < 1e-14 * 8.0,
-            "{place}: {margin:?}"
-        );
-        // the difference has an error of its step squared times the third derivative, if there is no kink within the step
-        let predicted = slope(place) * rate;
-        if (slope(place - 2e-4) - slope(place + 2e-4)).abs() < 1e-2 {
+    let asked = sweep
+        .of_expression(|at: &At<M>| {
+            let margin = at.smallest_margin().unwrap();
+            let [place, rate] = [0, 1].map(|order| at.input(0, 0).unwrap().derivatives()[order]);
             assert!(
-                (margin.derivatives()[1] - predicted).abs() < 1e-6,
-                "{place}: {margin:?} {predicted}"
+                (margin.real() - expected(place)).abs() < 1e-14 * 8.0,
+                "{place}: {margin:?}"
             );
-            tested.set(tested.get() + 1);
-        }
-        margin
-    });
+            // the difference has an error of its step squared times the third derivative, if there is no kink within the step
+            let predicted = slope(place) * rate;
+            if (slope(place - 2e-4) - slope(place + 2e-4)).abs() < 1e-2 {
+                assert!(
+                    (margin.derivatives()[1] - predicted).abs() < 1e-6,
+                    "{place}: {margin:?} {predicted}"
+                );
+                tested.set(tested.get() + 1);
+            }
+            margin
+        })
+        .extremes();
     assert!(asked.is_ok() && tested.get() > 20, "{asked:?} {}", tested.get());
 }
 
@@ -502,7 +535,8 @@ fn margins_of_links_that_change() {
     let ends = boom
         .sweep(Assembly::Open)
         .over(1.0..=4.0, 21)
-        .extremes("margin")
+        .of("margin")
+        .extremes()
         .unwrap();
     let last = ends.last().unwrap();
     assert_eq!(last.kind, ExtremeKind::Limit);
@@ -541,16 +575,20 @@ fn progress_is_told() {
     ];
     for sweep in sweeps {
         let mut parts = Vec::new();
-        let extremes = sweep.extremes_with_progress("theta4", |part| parts.push(part)).unwrap();
-        assert_eq!(extremes, sweep.extremes("theta4").unwrap());
+        let extremes = sweep
+            .of("theta4")
+            .on_progress(|part| parts.push(part))
+            .extremes()
+            .unwrap();
+        assert_eq!(extremes, sweep.of("theta4").extremes().unwrap());
         assert!(
             parts.len() > 10 && parts.windows(2).all(|pair| pair[0] < pair[1]),
             "{parts:?}"
         );
         assert!(parts[0] > 0.0 && parts.last() == Some(&1.0), "{parts:?}");
         let mut calls = 0;
-        let peak = sweep.peak_with_progress("theta4", |_| calls += 1).unwrap();
-        assert_eq!((peak, calls), (sweep.peak("theta4").unwrap(), parts.len()));
+        let peak = sweep.of("theta4").on_progress(|_| calls += 1).peak().unwrap();
+        assert_eq!((peak, calls), (sweep.of("theta4").peak().unwrap(), parts.len()));
     }
     // a gap between two rows, at which the question is asked again
     let gap = FourBar {
@@ -558,12 +596,18 @@ fn progress_is_told() {
         ..CRANK_ROCKER
     };
     let mut parts = Vec::new();
-    let found = turn(gap, Assembly::Open).extremes_with_progress("theta4", |part| parts.push(part));
+    let found = turn(gap, Assembly::Open)
+        .of("theta4")
+        .on_progress(|part| parts.push(part))
+        .extremes();
     assert!(
         found.is_ok() && parts.windows(2).all(|pair| pair[0] < pair[1]),
         "{parts:?}"
     );
-    let error = turn(CRANK_ROCKER, Assembly::Open).peak_with_progress("theta9", |_| panic!("nothing is solved"));
+    let error = turn(CRANK_ROCKER, Assembly::Open)
+        .of("theta9")
+        .on_progress(|_| panic!("nothing is solved"))
+        .peak();
     assert!(matches!(error, Err(ExtremesError::NoSuchColumn(_))));
 }
 
@@ -578,14 +622,14 @@ fn gaps_divide_a_sweep() {
         let sweep = linkage.sweep(Assembly::Open).over(0.0..=TAU, 36).speed(10.0);
         let table = sweep.table().unwrap();
         let limits: Vec<f64> = table.limits().iter().map(|limit| limit.at).collect();
-        let extremes = sweep.extremes("theta4").unwrap();
+        let extremes = sweep.of("theta4").extremes().unwrap();
         let found: Vec<f64> = extremes
             .iter()
             .filter(|extreme| extreme.kind == ExtremeKind::Limit)
             .map(|extreme| extreme.at)
             .collect();
         assert_eq!(found, limits);
-        let velocity = sweep.extremes("theta4_velocity").unwrap();
+        let velocity = sweep.of("theta4_velocity").extremes().unwrap();
         assert_eq!(
             velocity
                 .iter()
@@ -593,7 +637,7 @@ fn gaps_divide_a_sweep() {
                 .count(),
             2
         );
-        let mean = sweep.mean("theta4_velocity", Over::Time).unwrap();
+        let mean = sweep.of("theta4_velocity").mean(Over::Time).unwrap();
         // what it rises on both sides of the gap, over the time
         let values: Vec<f64> = extremes.iter().filter_map(|extreme| extreme.value).collect();
         let at = |place: f64| linkage.position(place, Assembly::Open).unwrap().theta4.value();
@@ -618,12 +662,12 @@ fn a_dwell_may_touch_its_border() {
     let leg = JansenLeg::HOLY_NUMBERS;
     for start in [-3.0, -1.0, 0.0, 1.0, PI] {
         let turn = leg.sweep(JansenLeg::WALKING).over(start..=start + TAU, 25);
-        let values = turn.extremes("foot.y").unwrap();
+        let values = turn.of("foot.y").extremes().unwrap();
         let low = values
             .iter()
             .filter_map(|extreme| extreme.value)
             .fold(f64::INFINITY, f64::min);
-        let ground = turn.dwells("foot.y", low + 0.5, 0.5).unwrap();
+        let ground = turn.of("foot.y").dwells(low + 0.5, 0.5).unwrap();
         assert_eq!(ground.len(), 1, "{ground:?} from {start}");
         assert!((ground[0].duration.to_degrees() - 155.175).abs() < 1e-3, "{ground:?}");
     }
@@ -641,7 +685,7 @@ fn formulas_have_extremes() {
         [Instant::constant(0.25) + Instant::constant(0.5) * sine]
     });
     // 2 cos(1/4 + sin(t)/2): the crank's ends, and its passage through zero
-    let extremes = swing.extremes("x").unwrap();
+    let extremes = swing.of("x").extremes().unwrap();
     let mut expected = std::vec![PI / 2.0, PI + PI / 6.0, 1.5 * PI, TAU - PI / 6.0];
     for extreme in extremes.iter().filter(|extreme| extreme.kind == ExtremeKind::Inner) {
         let place = expected.iter().position(|place| (place - extreme.at).abs() < 1e-13);
@@ -650,7 +694,7 @@ fn formulas_have_extremes() {
         assert!((extreme.value.unwrap() - value).abs() < 1e-14);
     }
     assert!(expected.is_empty(), "{expected:?}");
-    let rms = swing.rms("theta_velocity", Over::Time).unwrap();
+    let rms = swing.of("theta_velocity").rms(Over::Time).unwrap();
     assert!((rms.value - 0.5 / 2_f64.sqrt()).abs() < 1e-13, "{rms:?}");
 }
 
@@ -659,7 +703,8 @@ fn formulas_have_extremes() {
 fn expressions_of_a_pose() {
     let sweep = turn(CRANK_ROCKER, Assembly::Open);
     let power = sweep
-        .peak_by(|at| at.theta4.velocity() * at.theta4.acceleration())
+        .of_expression(|at| at.theta4.velocity() * at.theta4.acceleration())
+        .peak()
         .unwrap();
     let of = |crank: f64| {
         let pose = CRANK_ROCKER
@@ -672,7 +717,8 @@ fn expressions_of_a_pose() {
         assert!(of(f64::from(index) * TAU / 3600.0).abs() <= power.value.abs() * (1.0 + 1e-15));
     }
     let shifted = sweep
-        .extremes_by(|at| at.theta4.position() + Local::constant(1.0))
+        .of_expression(|at| at.theta4.position() + Local::constant(1.0))
+        .extremes()
         .unwrap();
     assert_eq!(shifted.len(), 2);
 }
@@ -680,13 +726,14 @@ fn expressions_of_a_pose() {
 #[test]
 fn mistakes_are_told() {
     let sweep = turn(CRANK_ROCKER, Assembly::Open);
-    let error = sweep.peak("theta4_jrk").unwrap_err();
+    let error = sweep.of("theta4_jrk").peak().unwrap_err();
     assert!(error.to_string().contains("did you mean `theta4_jerk`"), "{error}");
     let short = FourBar { r4: 1.0, ..LIMITED };
     let nothing = short
         .sweep(Assembly::Open)
         .over(2.0..=3.0, 10)
-        .peak("theta4")
+        .of("theta4")
+        .peak()
         .unwrap_err();
     assert!(matches!(nothing, ExtremesError::NothingCloses(error) if error.margin().is_some()));
 }
@@ -698,7 +745,7 @@ fn the_end_of_a_range_bounds_everything() {
     let sweep = inverse.sweep().over(0.0..=1.5, 10).speed(2.0);
     let end = 1_f64.sin();
     for (name, value) in [("x", 1.0), ("x_velocity", 2.0 / 1_f64.cos())] {
-        let extremes = sweep.extremes(name).unwrap();
+        let extremes = sweep.of(name).extremes().unwrap();
         let last = extremes.last().unwrap();
         assert_eq!(
             (last.kind, last.is_maximum, extremes.len()),
@@ -708,7 +755,7 @@ fn the_end_of_a_range_bounds_everything() {
         assert!((last.at - end).abs() < 1e-14, "{last}");
         assert!((last.value.unwrap() - value).abs() < 1e-10, "{last}");
     }
-    let mean = sweep.mean("x", Over::Time).unwrap();
+    let mean = sweep.of("x").mean(Over::Time).unwrap();
     // the integral of the inverse sine
     let expected = (end + 1_f64.cos() - 1.0) / end;
     assert!((mean.value - expected).abs() < 1e-12, "{mean:?} {expected}");
@@ -725,14 +772,14 @@ fn rounding_errors_have_no_extremes() {
     };
     let sweep = linkage.sweep(PeaucellierLinkage::STRAIGHT).over(-1.0..=1.0, 61);
     for suffix in ORDERS {
-        let across = sweep.extremes(&std::format!("tracer.x{suffix}")).unwrap();
+        let across = sweep.of(&std::format!("tracer.x{suffix}")).extremes().unwrap();
         assert!(
             across.iter().all(|extreme| extreme.kind == ExtremeKind::End),
             "{suffix}: {}",
             across.len()
         );
         // along the line the way is a tangent of half the angle, whose derivatives have an extreme in the middle or none
-        let along = sweep.extremes(&std::format!("tracer.y{suffix}")).unwrap();
+        let along = sweep.of(&std::format!("tracer.y{suffix}")).extremes().unwrap();
         assert!(along.len() <= 3, "{suffix}: {}", along.len());
     }
 }
@@ -742,8 +789,8 @@ fn rounding_errors_have_no_extremes() {
 fn a_peak_needs_a_way_and_no_rows() {
     let name = "theta4_acceleration";
     let start = CRANK_ROCKER.sweep(Assembly::Open);
-    let expected = start.over(0.0..=TAU, 361).peak(name).unwrap();
-    let found = start.over(0.0..=TAU, 1).peak(name).unwrap();
+    let expected = start.over(0.0..=TAU, 361).of(name).peak().unwrap();
+    let found = start.over(0.0..=TAU, 1).of(name).peak().unwrap();
     assert!((found.at - expected.at).abs() < 1e-9, "{found} {expected}");
     assert!(
         (found.value - expected.value).abs() < 1e-12 * expected.value.abs(),
@@ -752,10 +799,10 @@ fn a_peak_needs_a_way_and_no_rows() {
     for rows in [1, 2] {
         let nothing = start.over(1.0..=1.0, rows);
         let no_length = ExtremesError::NoLength { at: 1.0 };
-        assert_eq!(nothing.peak(name), Err(no_length.clone()));
-        assert_eq!(nothing.lowest(name), Err(no_length.clone()));
-        assert_eq!(nothing.extremes(name), Err(no_length.clone()));
-        assert_eq!(nothing.mean(name, Over::Time), Err(no_length));
+        assert_eq!(nothing.of(name).peak(), Err(no_length.clone()));
+        assert_eq!(nothing.of(name).lowest(), Err(no_length.clone()));
+        assert_eq!(nothing.of(name).extremes(), Err(no_length.clone()));
+        assert_eq!(nothing.of(name).mean(Over::Time), Err(no_length));
     }
 }
 
@@ -764,7 +811,7 @@ fn a_peak_needs_a_way_and_no_rows() {
 fn a_constant_is_largest_where_it_closes() {
     let limit = LIMITED.crank_range().unwrap().high;
     let sweep = LIMITED.sweep(Assembly::Open).over(-3.0..=3.0, 100).speed(2.0);
-    for peak in [sweep.peak("theta2_velocity"), sweep.lowest("theta2_velocity")] {
+    for peak in [sweep.of("theta2_velocity").peak(), sweep.of("theta2_velocity").lowest()] {
         let peak = peak.unwrap();
         assert_eq!(peak.kind, ExtremeKind::Limit);
         assert!(
@@ -772,7 +819,7 @@ fn a_constant_is_largest_where_it_closes() {
             "{peak}"
         );
     }
-    let turning = turn(CRANK_ROCKER, Assembly::Open).peak("theta2_velocity").unwrap();
+    let turning = turn(CRANK_ROCKER, Assembly::Open).of("theta2_velocity").peak().unwrap();
     assert_eq!((turning.at, turning.value, turning.kind), (0.0, 10.0, ExtremeKind::End));
 }
 
@@ -786,7 +833,7 @@ fn jumps_at_joints_cross_levels() {
     let start = crank.sweep(Assembly::Open);
     let crossings = |range, level| {
         let sweep = start.under_laws([&there_and_back], range, 40);
-        let found = sweep.crossings("theta_velocity", level).unwrap();
+        let found = sweep.of("theta_velocity").crossings(level).unwrap();
         found
             .iter()
             .map(|crossing| (crossing.at, crossing.is_rising))
@@ -799,7 +846,7 @@ fn jumps_at_joints_cross_levels() {
     let further = Rise::new(Shape::ConstantSpeed, 1.0, 2.0, 0.5).unwrap();
     let on = Sequence::new([&up, &further]).unwrap();
     let sweep = start.under_laws([&on], 0.0..=1.0, 40);
-    let found = sweep.crossings("theta", 1.0).unwrap();
+    let found = sweep.of("theta").crossings(1.0).unwrap();
     assert_eq!(found.len(), 1, "{found:?}");
     assert!((found[0].at - 0.5).abs() < 1e-14 && found[0].is_rising);
 }
@@ -810,9 +857,9 @@ fn levels_and_tolerances_are_finite() {
     let name = "theta4";
     for wrong in [f64::NAN, f64::INFINITY] {
         let is = |error: ExtremesError, expected: &str| matches!(error, ExtremesError::Argument { argument, value } if argument == expected && !value.is_finite());
-        assert!(is(sweep.crossings(name, wrong).unwrap_err(), "level"));
-        assert!(is(sweep.dwells(name, wrong, 0.1).unwrap_err(), "level"));
-        assert!(is(sweep.dwells(name, 1.0, wrong).unwrap_err(), "tolerance"));
+        assert!(is(sweep.of(name).crossings(wrong).unwrap_err(), "level"));
+        assert!(is(sweep.of(name).dwells(wrong, 0.1).unwrap_err(), "level"));
+        assert!(is(sweep.of(name).dwells(1.0, wrong).unwrap_err(), "tolerance"));
     }
 }
 
@@ -821,7 +868,11 @@ fn levels_and_tolerances_are_finite() {
 #[ignore = "takes ten seconds"]
 fn a_rough_quantity_is_refused() {
     let sweep = turn(CRANK_ROCKER, Assembly::Open);
-    let waves = |count: f64| sweep.crossings_by(|at| (at.theta2.position() * Local::constant(count)).sin_cos().0, 0.5);
+    let waves = |count: f64| {
+        sweep
+            .of_expression(|at| (at.theta2.position() * Local::constant(count)).sin_cos().0)
+            .crossings(0.5)
+    };
     assert_eq!(waves(50.0).unwrap().len(), 100);
     let error = waves(1e6).unwrap_err();
     assert!(

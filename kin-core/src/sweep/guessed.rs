@@ -41,6 +41,3 @@ questions! {
     table() -> Result<super::Table, super::SweepError>;
     adaptive_table(T O R) -> Result<super::Table, super::SweepError>;
 }
-
-#[cfg(feature = "alloc")]
-pub(crate) use questions;

@@ -213,7 +213,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// // the crank swings by half a radian about one, twice a second
     /// let frequency = 2.0 * std::f64::consts::TAU;
     /// let swing = press.sweep(Assembly::Open).by_formula(0.0..=0.5, 101, |time| [1.0 + 0.5 * (frequency * time).sin()]);
-    /// println!("{} m/s³", swing.peak("s_jerk")?);
+    /// println!("{} m/s³", swing.of("s_jerk").peak()?);
     /// # Ok::<(), kin_core::extremes::ExtremesError>(())
     /// ```
     pub fn by_formula<F>(self, range: impl ClosedRange, rows: usize, formula: F) -> Course<M, ByFormula<F>>
@@ -234,7 +234,7 @@ impl<M: Mechanism<Scalar = f64>> Assembled<M> {
     /// let press = SliderCrank { r: 0.1, l: 0.3 };
     /// let servo = Rise::new(Shape::ModifiedSine, 0.0, 90_f64.to_radians(), 0.4)?;
     /// let move_down = press.sweep(Assembly::Open).under_laws([&servo], 0.0..=0.4, 200);
-    /// let peak = move_down.peak("s_jerk")?;
+    /// let peak = move_down.of("s_jerk").peak()?;
     /// println!("{} m/s³ at {} s", peak.value, peak.at);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -189,7 +189,7 @@ fn coupled_blocks_do_not_enter_again() {
     }
     assert_eq!(adaptive.limits().len(), 1);
     // extremes and means end there as well
-    let extremes = sweep.extremes("phi").unwrap();
+    let extremes = sweep.of("phi").extremes().unwrap();
     let last = extremes.last().unwrap();
     assert!((last.at - limit.at).abs() < 1e-9, "{last}");
 }
@@ -628,7 +628,7 @@ fn mistakes_are_told() {
 fn speeds_and_lines_that_are_none_are_refused() {
     let turn = CRANK_ROCKER.sweep(Assembly::Open).over(0.0..=TAU, 5);
     assert_eq!(turn.speed(0.0).table(), Err(SweepError::NoSpeed));
-    assert_eq!(turn.speed(-0.0).peak("theta4"), Err(SweepError::NoSpeed.into()));
+    assert_eq!(turn.speed(-0.0).of("theta4").peak(), Err(SweepError::NoSpeed.into()));
     assert!(SweepError::NoSpeed.to_string().contains("is zero"));
     for speed in [f64::NAN, f64::INFINITY] {
         let error = turn.speed(speed).table().unwrap_err();
@@ -636,7 +636,12 @@ fn speeds_and_lines_that_are_none_are_refused() {
             matches!(error, SweepError::NotFinite { quantity: "speed", .. }),
             "{error}"
         );
-        assert!(turn.speed(speed).mean("theta4", crate::extremes::Over::Time).is_err());
+        assert!(
+            turn.speed(speed)
+                .of("theta4")
+                .mean(crate::extremes::Over::Time)
+                .is_err()
+        );
         assert!(turn.speed(speed).adaptive_table(1e-2, 1, 100).is_err());
     }
     assert!(turn.speed(-3.0).table().is_ok());
@@ -677,7 +682,7 @@ fn laws_that_jump_are_refused() {
     };
     assert_eq!(under(0.0, 2.0).table().unwrap_err(), jump);
     assert_eq!(under(2.0, 0.0).table().unwrap_err(), jump);
-    assert_eq!(under(0.0, 2.0).peak("theta4_velocity").unwrap_err(), jump.into());
+    assert_eq!(under(0.0, 2.0).of("theta4_velocity").peak().unwrap_err(), jump.into());
     assert_eq!(
         jump.to_string(),
         "the law of theta2 jumps by 1 rad (57.3°) at the time 1, and no mechanism does: let each law begin where the one before ends"

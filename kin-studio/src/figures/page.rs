@@ -131,7 +131,7 @@ fn scrubber(page: &mut Canvas, linkage: &FourBar) -> Result<(), Box<dyn Error>> 
         page.text(at, 11.0, "middle", "", &format!("{}°", 90 * u16::from(quarter)));
     }
     let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 181).speed(10.0);
-    let at = place(turn.peak("theta4_snap")?.at);
+    let at = place(turn.of("theta4_snap").peak()?.at);
     page.circle(at, 3.5, &format!(r#"fill="{DRIVE}" stroke="none""#));
     let above = at + Plane::new(-4.0, -12.0);
     page.text(

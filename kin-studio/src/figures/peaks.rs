@@ -62,7 +62,7 @@ pub(super) fn peaks() -> Result<Figure, Box<dyn Error>> {
         false,
         &format!(r#"fill="none" stroke="{PATH}" stroke-width="1.6""#),
     );
-    for extreme in turn.extremes("theta4_acceleration")? {
+    for extreme in turn.of("theta4_acceleration").extremes()? {
         let Some(value) = extreme.value else { continue };
         let at = place(extreme.at, value);
         for (one, other) in [((-4.0, 0.0), (4.0, 0.0)), ((0.0, -4.0), (0.0, 4.0))] {

@@ -69,7 +69,7 @@ impl Plot<'_> {
             false,
             &format!(r#"fill="none" stroke="{PATH}" stroke-width="1.6""#),
         );
-        for extreme in turn.extremes(self.column)? {
+        for extreme in turn.of(self.column).extremes()? {
             let Some(value) = extreme.value else { continue };
             let at = self.place(extreme.at, value);
             for arm in [Plane::new(4.0, 0.0), Plane::new(0.0, 4.0)] {
@@ -94,7 +94,7 @@ pub(super) fn walking() -> Result<Figure, Box<dyn Error>> {
         .ok_or("the leg does not walk")?
         .circuit();
     let ground = cycle.stroke(circuit, "foot.y")?.low;
-    let dwells = turn.dwells("foot.y", ground.value + 0.5 * CONTACT, 0.5 * CONTACT)?;
+    let dwells = turn.of("foot.y").dwells(ground.value + 0.5 * CONTACT, 0.5 * CONTACT)?;
     let contact = dwells.first().ok_or("the foot does not stand")?;
 
     let places = [contact.from, contact.to].map(|at| leg.position(at, JansenLeg::WALKING));

@@ -40,7 +40,7 @@ fn hold<M: Mechanism<Scalar = f64>>(
         for (order, suffix) in ORDERS.iter().enumerate() {
             let name = format!("{}{suffix}", quantity.name);
             let values = table.column(&name).expect("it is a column");
-            let extremes = sweep(ROWS).extremes(&name).expect("it closes");
+            let extremes = sweep(ROWS).of(&name).extremes().expect("it closes");
             let inner: Vec<&Extreme> = extremes
                 .iter()
                 .filter(|extreme| extreme.kind == ExtremeKind::Inner)

@@ -164,7 +164,7 @@ fn extremes<M: Mechanism<Scalar = f64>>(
 ) -> Result<Vec<extremes::Extreme>, ExtremesError> {
     let mut all = Vec::new();
     for course in &way.courses {
-        all.extend(course.extremes_by(value)?);
+        all.extend(course.of_expression(value).extremes()?);
     }
     let Some(start) = way.start() else { return Ok(all) };
     // Two sweeps begin at one place, which is no end of the range. It is an extreme only if it is one for both.
@@ -193,7 +193,7 @@ fn rms<M: Mechanism<Scalar = f64>>(
 ) -> Result<Option<f64>, ExtremesError> {
     let mut own = Vec::new();
     for course in &way.courses {
-        match course.rms_by(value, Over::Time) {
+        match course.of_expression(value).rms(Over::Time) {
             Ok(mean) => own.push(mean.value),
             Err(ExtremesError::Diverges { .. } | ExtremesError::Unbounded { .. }) => return Ok(None),
             Err(error) => return Err(error),
@@ -215,7 +215,7 @@ fn sensitivity<M: Mechanism<Scalar = f64>>(
 ) -> Option<extremes::PeakSensitivities<M>> {
     let mut best: Option<extremes::PeakSensitivities<M>> = None;
     for course in &way.courses {
-        let own = course.peak_sensitivities_by(value).ok()?;
+        let own = course.of_expression(value).peak_sensitivities().ok()?;
         if best
             .as_ref()
             .is_none_or(|best| own.peak.value.abs() > best.peak.value.abs())

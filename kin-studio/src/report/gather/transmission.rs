@@ -33,10 +33,12 @@ pub(super) fn of<M: Mechanism<Scalar = f64>>(way: &Way<M>, poses: &[At<M>]) -> O
     for dyad in 0..count {
         let mut least: Option<WorstAngle> = None;
         for course in &way.courses {
-            let lowest = course.lowest_by(|at| {
-                at.transmission_angle(dyad)
-                    .map_or(Local::constant(f64::NAN), |angle| angle.folded())
-            });
+            let lowest = course
+                .of_expression(|at| {
+                    at.transmission_angle(dyad)
+                        .map_or(Local::constant(f64::NAN), |angle| angle.folded())
+                })
+                .lowest();
             let Ok(own) = lowest else { continue };
             if least.is_none_or(|least| own.value < least.angle) {
                 least = Some(WorstAngle {

@@ -1,0 +1,333 @@
+//! A quantity along a sweep, and the questions to it.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::fmt;
+
+use super::answer::Answer;
+use super::at::{At, HIGHEST};
+use super::curve::Curve;
+use super::mean::rooted;
+use super::progress::Progress;
+use super::quantity::Named;
+use super::station::SweepStation;
+use super::swept::QuantityOfSweep;
+use super::{Crossing, DwellRange, Extreme, ExtremesError, Mean, Over, Peak, PeakSensitivities};
+use crate::load::LoadError;
+use crate::mechanism::Mechanism;
+use crate::sweep::{Course, Local, SmoothDrive};
+
+/// A quantity along a sweep. [`Course::of`] and [`Course::of_expression`] make it, and each of its methods answers a question.
+///
+/// # Errors
+/// [`ExtremesError`] for all questions: if no column has the name, if the mechanism closes nowhere, if the sweep has no length, or if the
+/// curve of the quantity is too rough to be searched.
+#[must_use = "ask for its `peak`, its `extremes` or its `mean`"]
+pub struct QuantityAlong<'c, M: Mechanism<Scalar = f64>, D, Q> {
+    course: &'c Course<M, D>,
+    quantity: Q,
+    progress: Option<Progress<'c>>,
+}
+
+impl<M: Mechanism<Scalar = f64>, D, Q: fmt::Debug> fmt::Debug for QuantityAlong<'_, M, D, Q> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("QuantityAlong")
+            .field("quantity", &self.quantity)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A quantity that is called by the name of its column.
+#[derive(Clone, Debug)]
+pub struct ByName<'q> {
+    name: &'q str,
+    found: Result<Named, ExtremesError>,
+}
+
+/// A quantity that a closure calculates from a pose.
+#[derive(Clone, Copy)]
+pub struct ByExpression<F>(F);
+
+impl<F> fmt::Debug for ByExpression<F> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("ByExpression")
+    }
+}
+
+/// A quantity of which questions can be asked. A new version may add items.
+pub trait AskedQuantity<M: Mechanism<Scalar = f64>> {
+    /// Whether there is such a quantity, up to an order.
+    #[doc(hidden)]
+    fn check(&self, highest: usize) -> Result<(), ExtremesError>;
+
+    /// Its value at a place of a sweep.
+    #[doc(hidden)]
+    fn at(&self, station: &SweepStation<M>) -> Result<Local, ExtremesError>;
+
+    /// Its value in a typed pose, whose mechanism may change with the variable.
+    #[doc(hidden)]
+    fn of_pose(&self, at: &At<M>) -> Result<Local, LoadError>;
+}
+
+impl<M: Mechanism<Scalar = f64>> AskedQuantity<M> for ByName<'_> {
+    fn check(&self, highest: usize) -> Result<(), ExtremesError> {
+        self.found.clone()?;
+        Named::find_up_to::<M>(self.name, highest).map(|_| ())
+    }
+
+    fn at(&self, station: &SweepStation<M>) -> Result<Local, ExtremesError> {
+        match &self.found {
+            Ok(named) => named.at(station),
+            Err(error) => Err(error.clone()),
+        }
+    }
+
+    fn of_pose(&self, at: &At<M>) -> Result<Local, LoadError> {
+        match &self.found {
+            Ok(named) => Ok(named.of(at)),
+            Err(_) => Err(LoadError::NotFinite),
+        }
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>, A: Answer, F: Fn(&At<M>) -> A> AskedQuantity<M> for ByExpression<F> {
+    fn check(&self, _: usize) -> Result<(), ExtremesError> {
+        Ok(())
+    }
+
+    fn at(&self, station: &SweepStation<M>) -> Result<Local, ExtremesError> {
+        station.answer(None, &self.0)
+    }
+
+    fn of_pose(&self, at: &At<M>) -> Result<Local, LoadError> {
+        (self.0)(at).answer()
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
+    /// A quantity by the name of its column, as in `"theta4_jerk"`, to ask for its peak, its extremes or its mean.
+    ///
+    /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is left until the first
+    /// dyad ceases to close. A name that no column has is an error of the question.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
+    /// let jerk = turn.of("theta4_jerk");
+    /// println!("from {} to {}", jerk.lowest()?, jerk.highest()?);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    pub fn of<'q>(&self, name: &'q str) -> QuantityAlong<'_, M, D, ByName<'q>> {
+        self.quantity(ByName {
+            name,
+            found: Named::find::<M>(name),
+        })
+    }
+
+    /// A quantity by a closure: any expression of a pose, as in `|at| at.theta4.jerk()`, or the effort of a drive,
+    /// `|at| at.effort(&loads, 0)`. See [`At`].
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 100).speed(10.0);
+    /// let height = turn.of_expression(|at| 60.0 * at.theta4.sin()).highest()?;
+    /// println!("{} at {} rad", height.value, height.at);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    pub fn of_expression<A: Answer, F: Fn(&At<M>) -> A>(
+        &self,
+        expression: F,
+    ) -> QuantityAlong<'_, M, D, ByExpression<F>> {
+        self.quantity(ByExpression(expression))
+    }
+
+    fn quantity<Q>(&self, quantity: Q) -> QuantityAlong<'_, M, D, Q> {
+        QuantityAlong {
+            course: self,
+            quantity,
+            progress: None,
+        }
+    }
+}
+
+impl<'c, M: Mechanism<Scalar = f64>, D: SmoothDrive<M>, Q: AskedQuantity<M>> QuantityAlong<'c, M, D, Q> {
+    /// The same quantity, whose questions tell how far they have come: `progress` is called with the part of the sweep that has been
+    /// searched, which grows. It is 1 in the last call, unless the answer is an error.
+    ///
+    /// The calls come after each of the pieces with which a search for extremes begins: 24 for a turn of an input, or for all of another sweep,
+    /// and at least 4 between two joints of a law.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361);
+    /// let mut parts = vec![];
+    /// let extremes = turn.of("theta4_derivative_9").on_progress(|part| parts.push(part)).extremes()?;
+    /// println!("{} extremes", extremes.len());
+    /// assert_eq!((parts.len(), parts[23]), (24, 1.0));
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    pub fn on_progress(mut self, progress: impl FnMut(f64) + 'c) -> Self {
+        self.progress = Some(Progress::new(Box::new(progress)));
+        self
+    }
+
+    /// The value that is largest in size, and where.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Unbounded`] if the quantity has none.
+    pub fn peak(&self) -> Result<Peak, ExtremesError> {
+        self.ask(|curve, _| curve.best(f64::abs))
+    }
+
+    /// The highest value, and where.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Unbounded`] if there is none.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::SliderCrank;
+    /// use kin_core::prelude::*;
+    ///
+    /// let press = SliderCrank { r: 0.1, l: 0.3 };
+    /// let turn = press.sweep(Assembly::Open).over(0.0..=TAU, 100);
+    /// let ram = turn.of("s");
+    /// assert!((ram.highest()?.value - 0.4).abs() < 1e-15 && (ram.lowest()?.value - 0.2).abs() < 1e-15);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    pub fn highest(&self) -> Result<Peak, ExtremesError> {
+        self.ask(|curve, _| curve.best(|value| value))
+    }
+
+    /// The lowest value, and where.
+    ///
+    /// # Errors
+    /// As for [`highest`](Self::highest).
+    pub fn lowest(&self) -> Result<Peak, ExtremesError> {
+        self.ask(|curve, _| curve.best(|value| -value))
+    }
+
+    /// All extremes, in the order of the sweep: those inside, those at limits and kinks, and those at its ends. A full turn has no ends.
+    ///
+    /// ```
+    /// use kin_core::extremes::ExtremeKind;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 60.0, r4: 45.0 };
+    /// let sweep = linkage.sweep(Assembly::Open).over(-3.0..=3.0, 100);
+    /// for extreme in sweep.of("theta4").extremes()? {
+    ///     println!("{extreme}");
+    /// }
+    /// // at its limits the rocker has no finite velocity
+    /// let velocity = sweep.of("theta4_velocity").extremes()?;
+    /// assert_eq!((velocity[0].kind, velocity[0].value), (ExtremeKind::Unbounded, None));
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of the type.
+    pub fn extremes(&self) -> Result<Vec<Extreme>, ExtremesError> {
+        self.ask(|curve, _| Ok(curve.extremes()?.extremes))
+    }
+
+    /// The places where the quantity crosses a level, in the order of the sweep: zero for its changes of sign. A jump across the level,
+    /// where two pieces of a law meet, counts as well.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Argument`] if the level is not finite.
+    pub fn crossings(&self, level: f64) -> Result<Vec<Crossing>, ExtremesError> {
+        self.ask(|curve, _| curve.crossings(level))
+    }
+
+    /// The parts of the sweep on which the quantity stays within a tolerance of a level.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Argument`] if the level or the tolerance is not finite.
+    pub fn dwells(&self, level: f64, tolerance: f64) -> Result<Vec<DwellRange>, ExtremesError> {
+        self.ask(|curve, _| curve.dwells(level, tolerance))
+    }
+
+    /// The mean, over the time or over the way of the input. Both are the same at constant speed.
+    ///
+    /// # Errors
+    /// [`ExtremesError::Diverges`] if the integral has no value because of a turning point,
+    /// [`ExtremesError::Imprecise`] if the estimate of the error stays above 10⁻¹² of the mean size.
+    pub fn mean(&self, over: Over) -> Result<Mean, ExtremesError> {
+        self.ask(|curve, _| curve.mean(over, 1))
+    }
+
+    /// The root of the mean square.
+    ///
+    /// # Errors
+    /// As for [`mean`](Self::mean).
+    pub fn rms(&self, over: Over) -> Result<Mean, ExtremesError> {
+        rooted(self.ask(|curve, _| curve.mean(over, 2)))
+    }
+
+    /// The [`peak`](Self::peak), and how its value and its place depend on every dimension of the mechanism.
+    ///
+    /// A peak between the ends of the sweep is taken where it is. One at an end of the sweep stays there. At a limit or a kink there is
+    /// none: it moves with the limit, and its value need not have a derivative.
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use kin_core::library::FourBar;
+    /// use kin_core::prelude::*;
+    ///
+    /// let linkage = FourBar { r1: 90.0, r2: 30.0, r3: 70.0, r4: 60.0 };
+    /// let turn = linkage.sweep(Assembly::Open).over(0.0..=TAU, 361).speed(10.0);
+    /// let found = turn.of("theta4_acceleration").peak_sensitivities()?;
+    /// for (name, by) in ["r1", "r2", "r3", "r4"].iter().zip(found.by) {
+    ///     println!("{name}: {} rad/s² for each unit of length, and {} rad", by.value, by.at);
+    /// }
+    /// // a longer crank makes the rocker faster
+    /// assert!(found.by[1].value * found.peak.value > 0.0);
+    /// # Ok::<(), kin_core::extremes::ExtremesError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ExtremesError::NoSensitivity`] if the peak is at a limit or a kink.
+    pub fn peak_sensitivities(&self) -> Result<PeakSensitivities<M>, ExtremesError> {
+        self.quantity.check(M::DESCRIPTION.order)?;
+        self.ask(|curve, asked| asked.sensitivities(curve, curve.best(f64::abs)?, |at| self.quantity.of_pose(at)))
+    }
+
+    fn ask<T>(
+        &self,
+        question: impl Fn(&Curve<'_>, &QuantityOfSweep<'_, M, D>) -> Result<T, ExtremesError>,
+    ) -> Result<T, ExtremesError> {
+        self.quantity.check(HIGHEST)?;
+        let answer = |station: &SweepStation<M>| self.quantity.at(station);
+        let asked = QuantityOfSweep {
+            course: self.course,
+            quantity: &answer,
+            known: None,
+        };
+        let tell = |part: f64| {
+            if let Some(progress) = &self.progress {
+                progress.reach(part);
+            }
+        };
+        let found = Curve::new(&asked)
+            .telling(&tell)
+            .across_gaps(|curve| question(curve, &asked))?;
+        if let Some(progress) = &self.progress {
+            progress.end();
+        }
+        Ok(found)
+    }
+}
