@@ -8,10 +8,15 @@ use std::vec::Vec;
 use super::{ExtremesError, Over};
 use crate::assembly::Assembly;
 use crate::cycle::FullCycle;
-use crate::library::WhitworthQuickReturn;
+use crate::library::{
+    ClassThreeTriad, FiveBar, GearedFiveBar, InvertedSliderCrank, OffsetSliderCrank, Rssr, SphericalFourBar,
+    StephensonIII, UniversalJoint, WattII, WhitworthQuickReturn,
+};
 use crate::mechanism::Mechanism;
-use crate::number::samples;
+use crate::number::{Row, samples};
+use crate::quantity::{Dimension, Quantity};
 use crate::sweep::{Course, SmoothDrive, Sweep, Table};
+use crate::verify::Random;
 
 crate::mechanism! {
     /// A four-bar linkage with all that can depend on an angle: a rack on a pinion, a gear of half the speed, directions and differences.
@@ -198,7 +203,11 @@ fn hold<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
     }
 }
 
-fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(rows: &[usize], course: impl Fn(usize) -> Course<M, D>) {
+/// Whether the mechanism closes along the sweep, so that there is something to compare.
+fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(
+    rows: &[usize],
+    course: impl Fn(usize) -> Course<M, D>,
+) -> bool {
     let description = M::DESCRIPTION;
     let fine = course(FINE as usize + 1).table().unwrap();
     if fine
@@ -209,7 +218,7 @@ fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(rows: &[usize], cours
         .count()
         < 10
     {
-        return;
+        return false;
     }
     for rows in rows {
         let sweep = course(*rows);
@@ -220,6 +229,7 @@ fn hold_all<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>>(rows: &[usize], cours
             }
         }
     }
+    true
 }
 
 /// A double crank turns its rocker fully, in one turn or two, whatever hangs on it.
@@ -254,7 +264,7 @@ fn all_answers_about_a_quick_return_agree() {
 /// Random links with random ranges: cranks, rockers, gaps, several turns and whole-numbered change points.
 #[test]
 fn all_answers_about_random_linkages_agree() {
-    let mut random = crate::verify::Random::new(7);
+    let mut random = Random::new(7);
     for sample in 0..samples::of(30) {
         let mut length = || {
             let length = random.between(1.0, 10.0);
@@ -276,6 +286,63 @@ fn all_answers_about_random_linkages_agree() {
     }
 }
 
+/// A mechanism of random dimensions along a random line of its inputs, in one of its positions.
+fn hold_random<M: Mechanism<Scalar = f64>>(random: &mut Random, rows: usize) -> bool {
+    let mut value = |quantity: &Quantity| match quantity.dimension {
+        Dimension::Length => random.between(1.0, 10.0),
+        Dimension::Angle => random.between(0.2, 1.4),
+        Dimension::Scalar => random.between(0.5, 2.0),
+    };
+    let mechanism = M::from_parameters(Row::from_fn(|index| value(&M::DESCRIPTION.parameters[index])));
+    let from = M::Inputs::from_fn(|index| value(&M::DESCRIPTION.inputs[index]));
+    let to = M::Inputs::from_fn(|index| {
+        let turn = match M::DESCRIPTION.inputs[index].dimension {
+            Dimension::Angle => random.between(-3.0, 9.0),
+            _ => random.between(-2.0, 2.0),
+        };
+        from[index] + turn
+    });
+    let mut assembly = None;
+    // the solver refuses no finite inputs
+    let _ = mechanism.positions_at(from, |found, unknowns| {
+        // of a position without a name, the unknowns
+        let found = if M::ASSEMBLY_COUNT > 0 {
+            found
+        } else {
+            mechanism.assembly_near(from, unknowns)
+        };
+        assembly = Some(found);
+    });
+    assembly.is_some_and(|assembly| hold_all(&[rows], |rows| mechanism.sweep(assembly).between(from, to, rows)))
+}
+
+/// Closed and coupled, in the plane and in space, with gears, sliders and change points. `KIN_CONSISTENCY=500` draws 500 of them.
+#[test]
+fn all_answers_about_random_mechanisms_agree() {
+    let mut random = Random::new(11);
+    let given = std::env::var("KIN_CONSISTENCY").ok();
+    let count = given.map_or(samples::of(40), |count| count.parse().unwrap());
+    let mut compared = 0;
+    for sample in 0..count {
+        let rows = [2, 3, 7, 37, 361][(sample % 5) as usize];
+        let closes = match sample % 10 {
+            0 => hold_random::<GearedFiveBar>(&mut random, rows),
+            1 => hold_random::<InvertedSliderCrank>(&mut random, rows),
+            2 => hold_random::<OffsetSliderCrank>(&mut random, rows),
+            3 => hold_random::<SphericalFourBar>(&mut random, rows),
+            4 => hold_random::<Rssr>(&mut random, rows),
+            5 => hold_random::<WattII>(&mut random, rows),
+            6 => hold_random::<ClassThreeTriad>(&mut random, rows),
+            7 => hold_random::<UniversalJoint>(&mut random, rows),
+            8 => hold_random::<FiveBar>(&mut random, rows),
+            _ => hold_random::<StephensonIII>(&mut random, rows),
+        };
+        compared += u32::from(closes);
+    }
+    std::println!("{compared} of {count} close");
+    assert!(compared > count / 4, "{compared}");
+}
+
 fn quantities() -> impl Iterator<Item = &'static str> {
     let unknowns = Geared::<f64>::DESCRIPTION.unknowns.iter();
     unknowns
@@ -287,7 +354,7 @@ fn quantities() -> impl Iterator<Item = &'static str> {
 /// strokes, although the angles jump elsewhere.
 #[test]
 fn strokes_are_those_of_sweeps() {
-    let mut random = crate::verify::Random::new(8);
+    let mut random = Random::new(8);
     let mut seen = [0; 2];
     for sample in 0..samples::of(30) {
         let mut length = || random.between(1.0, 10.0);
