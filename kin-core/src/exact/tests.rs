@@ -133,6 +133,8 @@ fn a_turn_of_a_four_bar_is_small() {
     let table = compared("crossed crank-rocker", &back, GRADED);
     assert_eq!(*table.range().end(), 1.0);
     assert!(table.period().is_some());
+    // its derivatives are those by the crank, whatever the speed
+    assert_eq!(back.speed(7.0).exact_table(GRADED).unwrap(), table);
 }
 
 /// Links that turn fully are a turn further after each period.

@@ -9,7 +9,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use num_traits::Float;
 
 use super::Course;
-use super::drive::{Drive, InputMotions};
+use super::drive::{Drive, InputMotions, Variable};
 use crate::failure::{Failure, InputValues, SolveError};
 use crate::mechanism::{Mechanism, Pose};
 use crate::number::Row;
@@ -231,6 +231,16 @@ impl<M: Mechanism<Scalar = f64>> Walk<M> {
     }
 }
 
+/// The time for each unit of the variable, in the rates of some motions of the inputs. Exact tables give rates by the variable itself, others
+/// those by time: so it is the motion of the variable that tells, and not the speed of the sweep.
+fn time_of<M: Mechanism<Scalar = f64>, D: Drive<M>>(course: &Course<M, D>, motions: InputMotions<M, f64>) -> f64 {
+    let own = match course.drive.variable() {
+        Variable::Input(lead) => motions[lead].as_ref().get(1).copied(),
+        _ => None,
+    };
+    1.0 / own.unwrap_or_else(|| course.drive.rate())
+}
+
 /// The pose of the sweep for some inputs. It stands in one place, as each copy of the solver is compiled anew.
 #[inline(never)]
 fn solved<M: Mechanism<Scalar = f64>, D>(
@@ -253,7 +263,7 @@ impl<M: Mechanism<Scalar = f64>> Reached<M> {
         pose: M::Pose,
         unknowns: &M::Unknowns<M::Motion<f64>>,
     ) -> Self {
-        let time = 1.0 / course.drive.rate();
+        let time = time_of(course, motions);
         let outputs = pose.output_motions();
         let rate = |motion: &[f64]| motion.get(1).map_or(f64::NAN, |velocity| velocity * time);
         let footing = Footing {

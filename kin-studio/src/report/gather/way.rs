@@ -39,7 +39,8 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
                 .mechanism
                 .sweep(assembly)
                 .between(inputs(from), inputs(to), ROWS)
-                .speed(draft.speed)
+                // a sweep downwards has a positive speed downwards
+                .speed(if to < from { -draft.speed } else { draft.speed })
         };
         let [low, high] = range;
         let branch = own.branches.first().map(|index| &cycle.branches()[*index]);
