@@ -44,8 +44,11 @@ const CORRECTION: f64 = 0.05;
 const NOISE: f64 = 1e-9;
 /// The largest number of corrections.
 const CORRECTIONS: usize = 16;
-/// The longest piece over which the length of the arc is integrated at once.
-const PIECE: f64 = 0.2;
+/// The longest piece over which the length of the arc is integrated at once. An error of 10⁻¹² would be one of 10⁻³ in a derivative of order 4
+/// of a short piece of the table.
+const PIECE: f64 = 0.05;
+/// The distance of the places at which rows may stand. The lengths of pieces between them are not rounded.
+const GRID: f64 = 1.0 / 65_536.0;
 
 /// A point of the curve. Its coordinates are the moving input and the unknowns, in their sizes.
 #[derive(Clone)]
@@ -388,6 +391,14 @@ impl<'c, M: Mechanism<Scalar = f64>> CircuitCurve<'c, M> {
         }
     }
 
+    /// The last place of the grid between two stations.
+    fn on_grid(&self, from: &Station<Point>, there: Station<Point>) -> Station<Point> {
+        let at = GRID * Float::floor(there.at / GRID);
+        let is_between = at > from.at && at < there.at;
+        let point = is_between.then(|| self.advanced(&from.near, at - from.at)).flatten();
+        point.map_or(there, |point| self.station(at, point))
+    }
+
     /// Whether the solvers find this place as well. Near a limit they may not.
     fn confirm(&self, station: &Station<Point>) -> Result<(), ExactTableError> {
         let point = &station.near;
@@ -562,6 +573,7 @@ impl<M: Mechanism<Scalar = f64>> Course<M, StraightLine<M>> {
         let mut steps = 0;
         loop {
             let there = curve.next(&here, longest)?;
+            let there = curve.on_grid(&here, there);
             if let Some(end) = curve.back(&start, [&here, &there]) {
                 while stations.len() > 1 && stations.last().is_some_and(|last| end.at - last.at < THINNEST) {
                     stations.pop();

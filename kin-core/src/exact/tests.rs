@@ -356,6 +356,25 @@ fn tables_tell_motions_in_time() {
     );
 }
 
+/// Wherever the circuit is entered, there is a table.
+#[test]
+fn a_circuit_may_be_entered_anywhere() {
+    let count = samples::of(20);
+    for sample in 0..count {
+        let part = (f64::from(sample) + 0.5) / f64::from(count);
+        let start = 3.91 * part - 1.955;
+        let sweep = LIMITED.sweep(Assembly::Open).over(start..=start + 0.01, 2);
+        let table = sweep
+            .exact_circuit(1e-6)
+            .unwrap_or_else(|error| panic!("{start}: {error}"));
+        assert!(
+            table.period().is_some() && table.rows() < 120,
+            "{start}: {} rows",
+            table.rows()
+        );
+    }
+}
+
 /// A circuit against four-bars that are driven by the angle that moves fastest, which the table does not do: with the motion of that angle
 /// they find those of the others.
 fn compared_circuit(name: &str, linkage: FourBar, start: f64) -> ExactTable {
