@@ -306,6 +306,7 @@ pub(crate) fn with_examples(command: clap::Command, program: &str, mechanism: &s
 /// What stands under the help of the program.
 pub(crate) const EXIT_CODES: &str = "Exit codes:
   0  done
-  1  the mechanism does not close somewhere it was asked for; what closes is printed or written
+  1  the mechanism does not close somewhere it was asked for, or a fit ended before a minimum;
+     what closes is printed or written
   2  something was typed wrong, or a file cannot be read or written
   3  a .kin file could not be built";

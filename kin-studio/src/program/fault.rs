@@ -6,7 +6,7 @@ use std::process::ExitCode;
 /// A reason, in words for the person at the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
-    /// The mechanism does not close where it is asked for. The code is 1.
+    /// The mechanism does not close where it is asked for, or a fit ended before a minimum. The code is 1.
     Open(String),
     /// What was typed, or a file that was named, is not what the program can use. The code is 2.
     Wrong(String),

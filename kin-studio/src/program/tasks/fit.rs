@@ -1,7 +1,8 @@
 //! `kin fit`: dimensions by least squares, from points of a path or from values of an unknown.
 //!
-//! The minimiser is basin's bounded Levenberg-Marquardt method. The derivatives by the dimensions come from the solver in numbers that carry
-//! them.
+//! The minimiser is basin's bounded Levenberg-Marquardt method. It cuts a whole step where one number meets its bound, so that all may stand
+//! still there. Then a reflective trust region goes on, whose steps take much longer for long files. The derivatives by the dimensions come
+//! from the solver in numbers that carry them.
 
 use std::convert::Infallible;
 use std::f64::consts::{PI, TAU};
@@ -9,7 +10,7 @@ use std::fmt::Write as _;
 
 use basin::{
     BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, DenseMatrix, Executor,
-    Jacobian, PointState, Residual,
+    Jacobian, PointState, Residual, Solver, TrustRegionReflective,
 };
 use kin_core::{Description, Dimension, Quantity};
 
@@ -28,6 +29,11 @@ use super::print;
 const OPEN: f64 = 100.0;
 /// The places of the leading input among which the start of a row without an input is sought.
 const PLACES: u32 = 72;
+/// The mean deviation, in units of the spread of the data, below which the numbers are met: what is left of it are roundings.
+const MET: f64 = 1e-8;
+/// The part of the sum of squares that one change alone takes away where no minimum was reached. Slow ends in long valleys leave less, and
+/// steps that were cut leave much more.
+const LOWERED: f64 = 1e-4;
 
 /// The numbers that are to be met.
 struct Data {
@@ -62,6 +68,9 @@ pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(
     };
     let problem = Problem::new(subject, options, &case, data, &mut lengths)?;
     let start = problem.start.clone();
+    if start.is_empty() {
+        return Err(Fault::wrong("the mechanism has no dimensions that could change"));
+    }
     if problem.values_given() < start.len() {
         eprintln!(
             "note: {} numbers are given for {} that may change, so many linkages fit alike: vary fewer dimensions",
@@ -74,16 +83,10 @@ pub(super) fn run(subject: &dyn Subject, options: &Fit, told: &Told) -> Result<(
             "the mechanism closes in no row with the dimensions to start from: give better ones by `--set`",
         ));
     }
-    let minimiser = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(1e-12);
-    let result = watched("fitting", 1, |_| {
-        Executor::new(problem.clone_for_search(), minimiser, PointState::new(start.clone()))
-            .max_iter(500)
-            .run()
-    })
-    .map_err(|error| Fault::open(format!("the fit failed: {error}")))?;
-    let found = result.best_param().clone();
+    let found = watched("fitting", 1, |_| problem.least())?;
     print(&problem.shown(&case, &start, &found))?;
-    problem.closes(&found)
+    problem.closes(&found)?;
+    problem.is_settled(&found)
 }
 
 /// Reads the file of numbers.
@@ -309,11 +312,12 @@ impl<'s> Problem<'s> {
             scales,
         };
         let (from, to) = (case.motions[lead].start(), case.motions[lead].end());
+        let (low, high) = ends(description.inputs[lead].dimension, from, to);
         for row in problem.free.clone() {
             let best = problem.nearest(row, from, to)?;
             problem.start.push(best);
-            problem.lower.push(from.min(to));
-            problem.upper.push(from.max(to));
+            problem.lower.push(low);
+            problem.upper.push(high);
         }
         Ok(problem)
     }
@@ -333,6 +337,40 @@ impl<'s> Problem<'s> {
             upper: self.upper.clone(),
             scales: self.scales.clone(),
         }
+    }
+
+    /// The nearest minimum, or where the search for it ended.
+    fn least(&self) -> Result<Vec<f64>, Fault> {
+        let fast = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(1e-12);
+        let found = self.searched(fast, &self.start)?;
+        if self.lowering(&found).is_none() {
+            return Ok(found);
+        }
+        // the slopes have no scale of their own, so that only the sum of squares says when to end
+        let reflective = TrustRegionReflective::new()
+            .with_absolute_scaled_gradient_tolerance(None)
+            .with_relative_cost_change_tolerance(1e-12);
+        self.searched(reflective, &found)
+    }
+
+    fn searched<M>(&self, minimiser: M, start: &[f64]) -> Result<Vec<f64>, Fault>
+    where
+        M: Solver<Self, PointState<Vec<f64>>>,
+        M::Error: std::fmt::Display,
+    {
+        let result = Executor::new(self.clone_for_search(), minimiser, PointState::new(start.to_vec()))
+            .max_iter(500)
+            .target_objective(0.5 * self.met())
+            .run()
+            .map_err(|error| Fault::open(format!("the fit failed: {error}")))?;
+        Ok(result.best_param().clone())
+    }
+
+    /// The sum of squares below which the numbers are met.
+    fn met(&self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "files have fewer numbers")]
+        let count = self.values_given() as f64;
+        MET * MET * count
     }
 
     fn values_given(&self) -> usize {
@@ -408,6 +446,45 @@ impl<'s> Problem<'s> {
             .collect()
     }
 
+    /// The scaled differences of all rows.
+    fn scaled(&self, point: &[f64]) -> Vec<f64> {
+        let poses = self.poses(point);
+        let rows = poses.iter().enumerate().flat_map(|(row, pose)| match pose {
+            Some(pose) => self
+                .differences(row, pose)
+                .into_iter()
+                .map(|one| one.unwrap_or(0.0))
+                .collect(),
+            None => vec![OPEN; self.data.columns.len()],
+        });
+        rows.collect()
+    }
+
+    /// The derivatives of all scaled differences, row by row.
+    fn slopes(&self, point: &[f64]) -> Vec<f64> {
+        let poses = self.poses(point);
+        let (width, columns) = (point.len(), self.data.columns.len());
+        let mut slopes = vec![0.0; poses.len() * columns * width];
+        for (row, pose) in poses.iter().enumerate() {
+            // a row that does not close has a constant deviation
+            let Some(pose) = pose else { continue };
+            for (place, column) in self.data.columns.iter().enumerate() {
+                if self.data.values[row][place].is_none() {
+                    continue;
+                }
+                let line = &mut slopes[(row * columns + place) * width..][..width];
+                for (cell, index) in line.iter_mut().zip(&self.varied) {
+                    *cell = pose.by[*column][*index] / self.scales[place];
+                }
+                if let Some(free) = self.free.iter().position(|free| *free == row) {
+                    line[self.varied.len() + free] =
+                        pose.by[*column][self.parameters.len() + self.lead] / self.scales[place];
+                }
+            }
+        }
+        slopes
+    }
+
     /// Rows that do not close with what was found are told by the code of the program.
     fn closes(&self, found: &[f64]) -> Result<(), Fault> {
         let poses = self.poses(found);
@@ -418,6 +495,50 @@ impl<'s> Problem<'s> {
                 poses.len()
             ))),
         }
+    }
+
+    /// A search that ended before a minimum is told by the code of the program.
+    fn is_settled(&self, found: &[f64]) -> Result<(), Fault> {
+        let Some((place, part)) = self.lowering(found) else {
+            return Ok(());
+        };
+        let description = self.subject.description();
+        let name = match self.varied.get(place) {
+            Some(index) => description.parameters[*index].name,
+            None => description.inputs[self.lead].name,
+        };
+        Err(Fault::open(format!(
+            "what was found is no minimum: a change of `{name}` alone takes away {:.2} % of the sum of squares. Fit again from there \
+             with the `--set` above, or vary fewer dimensions",
+            100.0 * part
+        )))
+    }
+
+    /// The place whose change alone takes most of the sum of squares away, and the part of it, unless the point is a minimum.
+    fn lowering(&self, point: &[f64]) -> Option<(usize, f64)> {
+        let squares = |point: &[f64]| self.scaled(point).iter().map(|one| one * one).sum::<f64>();
+        let (sum, differences, slopes) = (squares(point), self.scaled(point), self.slopes(point));
+        if sum <= self.met() {
+            return None;
+        }
+        let lowered = (0..point.len()).filter_map(|place| {
+            let (mut along, mut norm) = (0.0, 0.0);
+            for (row, difference) in slopes.chunks_exact(point.len()).zip(&differences) {
+                along += row[place] * difference;
+                norm += row[place] * row[place];
+            }
+            let mut other = point.to_vec();
+            other[place] = (point[place] - along / norm).clamp(self.lower[place], self.upper[place]);
+            let change = other[place] - point[place];
+            // most places promise nothing, and need no poses
+            let promised = -change * (2.0 * along + norm * change) / sum;
+            if promised.is_nan() || promised <= LOWERED {
+                return None;
+            }
+            let part = 1.0 - squares(&other) / sum;
+            (part > LOWERED).then_some((place, part))
+        });
+        lowered.max_by(|one, other| one.1.total_cmp(&other.1))
     }
 
     /// The root of the mean square of each column, in its own unit, with the number of its rows that close, if any does.
@@ -521,6 +642,15 @@ impl<'s> Problem<'s> {
     }
 }
 
+/// The bounds of an input that is sought. Whole turns have no ends: a point beside the seam may lie on either side of it.
+fn ends(dimension: Dimension, from: f64, to: f64) -> (f64, f64) {
+    if dimension == Dimension::Angle && (to - from).abs() > TAU - 1e-9 {
+        (f64::NEG_INFINITY, f64::INFINITY)
+    } else {
+        (from.min(to), from.max(to))
+    }
+}
+
 /// The dimensions of these names; the name of a point stands for its coordinates.
 fn varied(description: &Description, names: &[String]) -> Result<Vec<usize>, Fault> {
     let all = description.parameters.iter().enumerate();
@@ -581,16 +711,7 @@ impl Residual for Problem<'_> {
     type Error = Infallible;
 
     fn residual(&self, point: &Vec<f64>) -> Result<Vec<f64>, Infallible> {
-        let poses = self.poses(point);
-        let rows = poses.iter().enumerate().flat_map(|(row, pose)| match pose {
-            Some(pose) => self
-                .differences(row, pose)
-                .into_iter()
-                .map(|one| one.unwrap_or(0.0))
-                .collect(),
-            None => vec![OPEN; self.data.columns.len()],
-        });
-        Ok(rows.collect())
+        Ok(self.scaled(point))
     }
 }
 
@@ -598,26 +719,51 @@ impl Jacobian for Problem<'_> {
     type Jacobian = DenseMatrix<f64>;
 
     fn jacobian(&self, point: &Vec<f64>) -> Result<DenseMatrix<f64>, Infallible> {
-        let poses = self.poses(point);
-        let (width, columns) = (point.len(), self.data.columns.len());
-        let mut jacobian = vec![0.0; poses.len() * columns * width];
-        for (row, pose) in poses.iter().enumerate() {
-            // a row that does not close has a constant deviation
-            let Some(pose) = pose else { continue };
-            for (place, column) in self.data.columns.iter().enumerate() {
-                if self.data.values[row][place].is_none() {
-                    continue;
-                }
-                let line = &mut jacobian[(row * columns + place) * width..][..width];
-                for (cell, index) in line.iter_mut().zip(&self.varied) {
-                    *cell = pose.by[*column][*index] / self.scales[place];
-                }
-                if let Some(free) = self.free.iter().position(|free| *free == row) {
-                    line[self.varied.len() + free] =
-                        pose.by[*column][self.parameters.len() + self.lead] / self.scales[place];
-                }
-            }
+        let rows = self.data.values.len() * self.data.columns.len();
+        Ok(DenseMatrix::from_row_slice(rows, point.len(), &self.slopes(point)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{Args as _, Command, FromArgMatches as _};
+    use kin_core::library::HoekenLinkage;
+
+    use super::super::super::case::Typed;
+    use super::super::super::subject::bare;
+    use super::*;
+
+    /// Wherever a search ends, a point that is no minimum is told.
+    #[test]
+    fn what_is_no_minimum_is_told() {
+        let subject = bare::<HoekenLinkage>();
+        let command = Fit::augment_args(Command::new("fit"));
+        let options = Fit::from_arg_matches(&command.get_matches_from(["fit", "--data", "path.csv"])).unwrap();
+        let set = ["ground=2", "crank=1", "coupler=2.5"].map(str::to_owned).to_vec();
+        let case = Typed {
+            set,
+            ..Typed::default()
         }
-        Ok(DenseMatrix::from_row_slice(poses.len() * columns, width, &jacobian))
+        .case(&subject)
+        .unwrap();
+        let right = [2.1, 0.95, 2.4, -0.1, 1.0, 2.0, 3.0, 4.0, 5.0];
+        let rows = right[3..].iter().map(|input| {
+            let pose = subject.partial(&right[..3], &[*input], &case.assembly).unwrap();
+            [2, 3].map(|output| Some(pose.values[output])).to_vec()
+        });
+        let data = Data {
+            columns: vec![2, 3],
+            inputs: vec![vec![None]; right.len() - 3],
+            values: rows.collect(),
+        };
+        let problem = Problem::new(&subject, &options, &case, data, &mut Lengths::default()).unwrap();
+        problem.is_settled(&right).unwrap();
+        for place in 0..right.len() {
+            let mut off = right;
+            off[place] += 1e-3;
+            let fault = problem.is_settled(&off).unwrap_err().to_string();
+            assert!(fault.contains("is no minimum: a change of `"), "{fault}");
+        }
+        assert!(problem.is_settled(&problem.start).is_err());
     }
 }
