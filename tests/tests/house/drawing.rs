@@ -215,6 +215,15 @@ fn spread(items: &mut [Item], order: &[Vec<usize>]) {
             }
         }
     }
+    // An item without neighbours at the end of its floor was only pushed away.
+    for floor in order {
+        let is_alone = |item: usize| items[item].above.is_empty() && items[item].below.is_empty();
+        if let [.., before, last] = floor[..]
+            && is_alone(last)
+        {
+            items[last].x = items[before].x + distance(items, before, last);
+        }
+    }
 }
 
 fn wanted(items: &[Item], item: usize) -> f64 {
