@@ -377,29 +377,30 @@ fn strokes_are_those_of_sweeps() {
             let mut lengths = [std::vec![], std::vec![]];
             for (index, circuit) in cycle.circuits().iter().enumerate() {
                 let stroke = cycle.stroke(index, name).unwrap();
-                let ranges = circuit.branches().iter().map(|branch| {
+                // a sweep whose range ends beyond a limit by rounding may refuse an answer, and says so
+                let ranges = circuit.branches().iter().filter_map(|branch| {
                     let branch = &cycle.branches()[*branch];
                     let [low, high] = branch.ends().each_ref().map(|end| end.input);
                     let sweep = linkage.sweep(branch.assembly().unwrap()).over(low..=high, 37);
-                    let values = sweep
-                        .of(name)
-                        .extremes()
-                        .unwrap()
-                        .into_iter()
-                        .filter_map(|extreme| extreme.value);
-                    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                    let extremes = match sweep.of(name).extremes() {
+                        Err(ExtremesError::Gap { .. }) => return None,
+                        extremes => extremes.unwrap(),
+                    };
+                    let values = extremes.into_iter().filter_map(|extreme| extreme.value);
+                    Some(values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
                         [low.min(value), high.max(value)]
-                    })
+                    }))
                 });
                 let ranges: Vec<[f64; 2]> = ranges.collect();
-                seen[ranges.len() - 1] += 1;
+                let is_whole = ranges.len() == circuit.branches().len();
+                seen[circuit.branches().len() - 1] += u32::from(is_whole);
                 let tolerance = 1e-6 * stroke.length().max(1.0);
                 let longest = ranges
                     .iter()
                     .fold(0.0, |longest: f64, [low, high]| longest.max(high - low));
                 let whole: f64 = ranges.iter().map(|[low, high]| high - low).sum();
                 assert!(
-                    longest - tolerance <= stroke.length() && stroke.length() <= whole + tolerance,
+                    longest - tolerance <= stroke.length() && (!is_whole || stroke.length() <= whole + tolerance),
                     "{linkage:?}, {name}: {stroke:?}, {ranges:?}"
                 );
                 lengths[0].push(stroke.length());
