@@ -94,7 +94,9 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
         return Ok(figures);
     }
     let [from, to] = travel.map(|input| objective.inputs::<M>(input));
-    let sweep = own.sweep(design.assembly).between(from, to, ROWS);
+    // the input has the speed 1, whichever way it travels
+    let speed = (travel[1] - travel[0]).signum();
+    let sweep = own.sweep(design.assembly).between(from, to, ROWS).speed(speed);
     let least = |peak: kin_core::extremes::Peak| Least {
         value: peak.value,
         input: peak.at,
