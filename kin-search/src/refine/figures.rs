@@ -106,7 +106,10 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
             let angle = at.transmission_angle(dyad);
             angle.map_or(Local::constant(f64::NAN), |angle| angle.folded())
         };
-        let lowest = sweep.of_expression(folded).lowest().map_err(|error| error.to_string())?;
+        let lowest = sweep
+            .of_expression(folded)
+            .lowest()
+            .map_err(|error| error.to_string())?;
         if figures.transmission.is_none_or(|known| lowest.value < known.value) {
             figures.transmission = Some(least(lowest));
         }
@@ -121,7 +124,10 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
         }
     };
     for traced in &objective.traced {
-        let [low, high] = [sweep.of_expression(of(*traced, 0)).lowest(), sweep.of_expression(of(*traced, 0)).highest()];
+        let [low, high] = [
+            sweep.of_expression(of(*traced, 0)).lowest(),
+            sweep.of_expression(of(*traced, 0)).highest(),
+        ];
         figures.strokes.push(Range {
             name: traced.name.to_owned(),
             low: least(low.map_err(|error| error.to_string())?),
@@ -136,7 +142,12 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
                 let [x, y] = [x, y].map(|traced| of(traced, order)(at));
                 x * x + y * y
             };
-            let highest = least(sweep.of_expression(square).highest().map_err(|error| error.to_string())?);
+            let highest = least(
+                sweep
+                    .of_expression(square)
+                    .highest()
+                    .map_err(|error| error.to_string())?,
+            );
             let name = first.name.strip_suffix(".x").unwrap_or(first.name);
             let peak = Least {
                 value: highest.value.sqrt(),
@@ -144,7 +155,10 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
             };
             figures.peaks.push((format!("{name}_{rate}"), peak));
         } else {
-            let peak = sweep.of_expression(of(first, order)).peak().map_err(|error| error.to_string())?;
+            let peak = sweep
+                .of_expression(of(first, order))
+                .peak()
+                .map_err(|error| error.to_string())?;
             figures.peaks.push((format!("{}_{rate}", first.name), least(peak)));
         }
     }
