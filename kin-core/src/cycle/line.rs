@@ -7,7 +7,7 @@ use super::bounds::Bounds;
 use crate::law::Side;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::number::Row;
+use crate::number::{Row, at_constant_rate};
 use crate::quantity::Dimension;
 use crate::solve::Scalar;
 use crate::sweep::{Drive, InputMotions, READ, SmoothDrive, Variable};
@@ -179,13 +179,7 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for InputLine<M> {
 
     fn motions(&self, at: f64) -> InputMotions<M, f64> {
         let values = self.inputs(at);
-        Row::from_fn(|input| {
-            Row::from_fn(|order| match order {
-                0 => values[input],
-                1 => self.direction[input],
-                _ => 0.0,
-            })
-        })
+        Row::from_fn(|input| at_constant_rate(values[input], self.direction[input]))
     }
 }
 
@@ -227,7 +221,12 @@ pub(super) fn distance<M: Mechanism<Scalar = f64>>(size: f64, one: &M::Unknowns<
 
 /// The same angle in -π ..= π.
 pub(super) fn turned(angle: f64) -> f64 {
-    angle - TAU * Float::round(angle / TAU)
+    angle - whole_turns(angle)
+}
+
+/// The whole turns that are nearest to an angle.
+pub(super) fn whole_turns(angle: f64) -> f64 {
+    TAU * Float::round(angle / TAU)
 }
 
 /// The values of the unknowns, with angles on the turns closest to others.

@@ -1,12 +1,11 @@
 //! What a designer reads off a circuit: strokes, ratios of times and the worst transmission angle.
 
 use core::error::Error;
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::PI;
 use core::fmt;
 
-use num_traits::Float;
-
 use super::Cycle;
+use super::line::turned;
 use crate::extremes::{ExtremeKind, ExtremesError};
 use crate::mechanism::Mechanism;
 use crate::number::Row;
@@ -240,7 +239,7 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
             for dyad in 0..dyads {
                 for extreme in course.transmission_extremes_between(self.known(&station), dyad)? {
                     if let Some(angle) = extreme.value {
-                        let size = (angle - TAU * Float::round(angle / TAU)).abs();
+                        let size = turned(angle).abs();
                         candidate(blocks[dyad], size.min(PI - size), extreme.at);
                     }
                 }

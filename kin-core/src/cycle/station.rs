@@ -1,11 +1,8 @@
 //! The branches of a circuit as sweeps, on which angles go on from branch to branch.
 
 use alloc::vec::Vec;
-use core::f64::consts::TAU;
 
-use num_traits::Float;
-
-use super::line::InputLine;
+use super::line::{InputLine, whole_turns};
 use super::measure::MeasureError;
 use super::{Cycle, EndKind};
 use crate::extremes::KnownStretch;
@@ -44,12 +41,12 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
                 && let Some(there) = self.near_end(before, there)
             {
                 if let Some(here) = self.near_end(&station, here) {
-                    let unknowns = turned(M::DESCRIPTION.unknowns, &there.unknowns, &here.unknowns, unknowns);
+                    let unknowns = moved_by_turns(M::DESCRIPTION.unknowns, &there.unknowns, &here.unknowns, unknowns);
                     station = self.station(*branch, at, unknowns);
                 }
                 if let Some(here) = self.near_end(&station, here) {
                     let outputs = &mut station.footing.outputs;
-                    *outputs = turned(M::DESCRIPTION.outputs, &there.outputs, &here.outputs, *outputs);
+                    *outputs = moved_by_turns(M::DESCRIPTION.outputs, &there.outputs, &here.outputs, *outputs);
                 }
             }
             stations.push(station);
@@ -143,9 +140,9 @@ impl<M: Mechanism<Scalar = f64>> Cycle<M> {
 }
 
 /// Values whose angles are moved by the whole turns between two others.
-fn turned<R: Row<f64>>(quantities: &[Quantity], to: &R, from: &R, values: R) -> R {
+fn moved_by_turns<R: Row<f64>>(quantities: &[Quantity], to: &R, from: &R, values: R) -> R {
     R::from_fn(|index| match quantities[index].dimension {
-        Dimension::Angle => values[index] + TAU * Float::round((to[index] - from[index]) / TAU),
+        Dimension::Angle => values[index] + whole_turns(to[index] - from[index]),
         _ => values[index],
     })
 }

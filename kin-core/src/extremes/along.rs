@@ -72,8 +72,11 @@ pub trait AskedQuantity<M: Mechanism<Scalar = f64>> {
 
 impl<M: Mechanism<Scalar = f64>> AskedQuantity<M> for ByName<'_> {
     fn check(&self, highest: usize) -> Result<(), ExtremesError> {
-        self.found.clone()?;
-        Named::find_up_to::<M>(self.name, highest).map(|_| ())
+        match &self.found {
+            Ok(named) if named.order <= highest => Ok(()),
+            Ok(_) => Named::find_up_to::<M>(self.name, highest).map(|_| ()),
+            Err(error) => Err(error.clone()),
+        }
     }
 
     fn at(&self, station: &SweepStation<M>) -> Result<Local, ExtremesError> {

@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use super::{ExtremesError, Over};
 use crate::assembly::Assembly;
-use crate::cycle::FullCycle;
+use crate::cycle::{Cycle, FullCycle};
 use crate::library::{
     ClassThreeTriad, FiveBar, GearedFiveBar, InvertedSliderCrank, OffsetSliderCrank, Rssr, SphericalFourBar,
     StephensonIII, UniversalJoint, WattII, WhitworthQuickReturn,
@@ -350,6 +350,35 @@ fn quantities() -> impl Iterator<Item = &'static str> {
         .map(|quantity| quantity.name)
 }
 
+/// The worst transmission angle of a circuit is the lowest one of the sweeps over its branches.
+fn hold_transmission(linkage: &Geared, cycle: &Cycle<Geared>, circuit: usize) {
+    let worst = cycle.worst_transmission(circuit).unwrap();
+    let mut least = f64::INFINITY;
+    for branch in cycle.circuits()[circuit].branches() {
+        let branch = &cycle.branches()[*branch];
+        let [low, high] = branch.ends().each_ref().map(|end| end.input);
+        let sweep = linkage.sweep(branch.assembly().unwrap()).over(low..=high, 37);
+        let lowest = sweep
+            .of_expression(|at| at.transmission_angle(0).unwrap().folded())
+            .lowest();
+        match lowest {
+            // a range that ends beyond a limit by rounding
+            Err(ExtremesError::Gap { .. }) => return,
+            lowest => least = least.min(lowest.unwrap().value),
+        }
+    }
+    // at a limit the angle is a root of the place, whose rounding is a part of ε
+    let tolerance = if worst.angle == 0.0 {
+        8.0 * f64::EPSILON.sqrt()
+    } else {
+        1e-9
+    };
+    assert!(
+        (worst.angle - least).abs() <= tolerance,
+        "{linkage:?}, {circuit}: {worst:?}, in the sweeps {least}"
+    );
+}
+
 /// The stroke of a cycle is the range of a turn, or of both branches between two limits. Turned by half a turn, a linkage has the same
 /// strokes, although the angles jump elsewhere.
 #[test]
@@ -372,6 +401,9 @@ fn strokes_are_those_of_sweeps() {
         let turned = Geared::from_parameters([-linkage.r1, -linkage.r2, -linkage.r3, -linkage.r4, linkage.pinion]);
         let [cycle, turned] = [linkage, turned].map(|linkage| linkage.cycle().unwrap());
         assert_eq!(cycle.circuits().len(), turned.circuits().len(), "{linkage:?}");
+        for index in 0..cycle.circuits().len() {
+            hold_transmission(&linkage, &cycle, index);
+        }
         // each quantity in every third linkage
         for (_, name) in (sample..).zip(quantities()).filter(|(place, _)| place % 3 == 0) {
             let mut lengths = [std::vec![], std::vec![]];

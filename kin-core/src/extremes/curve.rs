@@ -106,13 +106,18 @@ impl Stretch {
 
     /// The distance of parameters that are neighbours. Next to zero, numbers are closer than any pose can tell.
     pub(super) fn resolution(&self) -> f64 {
-        16.0 * f64::EPSILON * self.parameters[0].abs().max(self.parameters[1].abs())
+        resolution(self.parameters)
     }
 
     /// Whether rates may grow beyond all bounds towards its limit.
     pub(super) fn may_grow(&self) -> bool {
         self.edge.is_some_and(|edge| edge.kind != LimitKind::ChangePoint)
     }
+}
+
+/// The distance of neighbours between two ends.
+fn resolution(ends: [f64; 2]) -> f64 {
+    16.0 * f64::EPSILON * ends[0].abs().max(ends[1].abs())
 }
 
 /// A place on the curve.
@@ -360,7 +365,7 @@ impl<'c> Curve<'c> {
 
     /// Where the mechanism does not close at a single place only, the curve has a kink there and goes on.
     fn join(&self, circuits: &mut [ClosedPart]) {
-        let nearest = 16.0 * f64::EPSILON * self.extent.from.abs().max(self.extent.to.abs());
+        let nearest = resolution([self.extent.from, self.extent.to]);
         let end = StretchEnd::Limit(LimitKind::End);
         for index in 1..circuits.len() {
             let (before, behind) = circuits.split_at_mut(index);

@@ -19,7 +19,7 @@ const MARGIN: &str = "margin";
 pub(super) struct Named {
     kind: Kind,
     index: usize,
-    order: usize,
+    pub(super) order: usize,
 }
 
 #[derive(Clone, Copy, Debug)]

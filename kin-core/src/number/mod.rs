@@ -24,6 +24,7 @@ pub(crate) use gauss::GAUSS;
 pub use operations::Operations;
 pub use range::ClosedRange;
 pub use row::Row;
+pub(crate) use row::at_constant_rate;
 pub(crate) use single::single;
 
 use core::fmt::Debug;

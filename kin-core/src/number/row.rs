@@ -41,6 +41,15 @@ impl<V: Copy, const N: usize> Row<V> for [V; N] {
     }
 }
 
+/// A value that changes at a constant rate, with its derivatives.
+pub(crate) fn at_constant_rate<R: Row<f64>>(value: f64, rate: f64) -> R {
+    R::from_fn(|order| match order {
+        0 => value,
+        1 => rate,
+        _ => 0.0,
+    })
+}
+
 /// The values of an empty row.
 fn no_value<V>(_: usize) -> V {
     unreachable!("an empty row has no values")

@@ -7,7 +7,7 @@ pub(crate) use crate::hermite::TERMS;
 use crate::law::{Law, Piecewise, Side, approached};
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
-use crate::number::{Row, series::Series};
+use crate::number::{Row, at_constant_rate, series::Series};
 #[cfg(feature = "alloc")]
 use crate::quantity::Dimension;
 use crate::quantity::{Quantity, RATES};
@@ -177,13 +177,7 @@ impl<M: Mechanism<Scalar = f64>> Drive<M> for StraightLine<M> {
     }
 
     fn motions(&self, at: f64) -> InputMotions<M, f64> {
-        Row::from_fn(|input| {
-            Row::from_fn(|order| match order {
-                0 => self.value(input, at),
-                1 => self.slope(input) * self.velocity(),
-                _ => 0.0,
-            })
-        })
+        Row::from_fn(|input| at_constant_rate(self.value(input, at), self.slope(input) * self.velocity()))
     }
 
     fn same(&self, input: usize, order: usize) -> Option<f64> {

@@ -2,7 +2,7 @@
 
 use super::SHORTEST;
 use crate::mechanism::{Mechanism, Sizes};
-use crate::number::{Row, series::Series};
+use crate::number::{Row, at_constant_rate, series::Series};
 use crate::quantity::Dimension;
 
 /// A value with its first and second derivative, as coefficients of a series.
@@ -100,13 +100,7 @@ impl<M: Mechanism<Scalar = f64>> Way<M> {
     /// The inputs after a given travel, with their rates with respect to the travel.
     pub(super) fn motions(&self, travel: f64) -> M::Inputs<M::Motion<f64>> {
         let values = self.inputs(travel);
-        M::Inputs::from_fn(|index| {
-            M::Motion::from_fn(|order| match order {
-                0 => values[index],
-                1 => self.slope(index),
-                _ => 0.0,
-            })
-        })
+        Row::from_fn(|index| at_constant_rate(values[index], self.slope(index)))
     }
 
     fn slope(&self, index: usize) -> f64 {

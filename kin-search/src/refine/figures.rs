@@ -124,10 +124,8 @@ pub(super) fn figures<M: Mechanism<Scalar = f64>>(
         }
     };
     for traced in &objective.traced {
-        let [low, high] = [
-            sweep.of_expression(of(*traced, 0)).lowest(),
-            sweep.of_expression(of(*traced, 0)).highest(),
-        ];
+        let quantity = sweep.of_expression(of(*traced, 0));
+        let [low, high] = [quantity.lowest(), quantity.highest()];
         figures.strokes.push(Range {
             name: traced.name.to_owned(),
             low: least(low.map_err(|error| error.to_string())?),

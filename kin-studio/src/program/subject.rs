@@ -304,7 +304,8 @@ where
     M: Mechanism<Scalar = f64>,
     D: kin_core::sweep::SmoothDrive<M>,
 {
-    let all = course.of(name).extremes().map_err(of_extremes)?;
+    let quantity = course.of(name);
+    let all = quantity.extremes().map_err(of_extremes)?;
     let reached = || {
         let bounded = all.iter().filter(|one| one.value.is_some());
         bounded.map(|one| Reached {
@@ -325,13 +326,13 @@ where
     Ok(Extent {
         lowest: match lowest {
             Some(lowest) => lowest,
-            None => flat(course.of(name).lowest().map_err(of_extremes)?),
+            None => flat(quantity.lowest().map_err(of_extremes)?),
         },
         highest: match highest {
             Some(highest) => highest,
-            None => flat(course.of(name).highest().map_err(of_extremes)?),
+            None => flat(quantity.highest().map_err(of_extremes)?),
         },
-        rms: course.of(name).rms(Over::Time),
+        rms: quantity.rms(Over::Time),
     })
 }
 

@@ -516,11 +516,13 @@ impl<'s> Problem<'s> {
 
     /// The place whose change alone takes most of the sum of squares away, and the part of it, unless the point is a minimum.
     fn lowering(&self, point: &[f64]) -> Option<(usize, f64)> {
-        let squares = |point: &[f64]| self.scaled(point).iter().map(|one| one * one).sum::<f64>();
-        let (sum, differences, slopes) = (squares(point), self.scaled(point), self.slopes(point));
+        let squares = |differences: &[f64]| differences.iter().map(|one| one * one).sum::<f64>();
+        let differences = self.scaled(point);
+        let sum = squares(&differences);
         if sum <= self.met() {
             return None;
         }
+        let slopes = self.slopes(point);
         let lowered = (0..point.len()).filter_map(|place| {
             let (mut along, mut norm) = (0.0, 0.0);
             for (row, difference) in slopes.chunks_exact(point.len()).zip(&differences) {
@@ -535,7 +537,7 @@ impl<'s> Problem<'s> {
             if promised.is_nan() || promised <= LOWERED {
                 return None;
             }
-            let part = 1.0 - squares(&other) / sum;
+            let part = 1.0 - squares(&self.scaled(&other)) / sum;
             (part > LOWERED).then_some((place, part))
         });
         lowered.max_by(|one, other| one.1.total_cmp(&other.1))
