@@ -112,7 +112,8 @@ impl<M: Mechanism<Scalar = f64>, D: SmoothDrive<M>> Course<M, D> {
     /// A quantity by the name of its column, as in `"theta4_jerk"`, to ask for its peak, its extremes or its mean.
     ///
     /// Names go on above the order of the mechanism, up to the twelfth derivative, and `"margin"` is the length that is left until the first
-    /// dyad ceases to close. A name that no column has is an error of the question.
+    /// dyad ceases to close. A name that no column has is an error of the question. An expression of a pose goes to
+    /// [`of_expression`](Self::of_expression).
     ///
     /// ```
     /// use std::f64::consts::TAU;

@@ -63,9 +63,9 @@ pub enum ExtremesError {
         /// Its kind.
         kind: ExtremeKind,
     },
-    /// The quantity grows beyond all bounds towards a turning point, so it has no peak.
+    /// The quantity grows beyond all bounds towards a limit, a turning point or a pole, so it has no peak.
     Unbounded {
-        /// The turning point.
+        /// The limit.
         at: f64,
     },
     /// The integral over the quantity diverges at a turning point.
@@ -128,12 +128,12 @@ impl fmt::Display for ExtremesError {
             ),
             Self::Unbounded { at } => write!(
                 formatter,
-                "the quantity grows beyond all bounds towards the turning point at {}: end the sweep short of it",
+                "the quantity grows beyond all bounds towards the limit at {}: end the sweep short of it",
                 Digits(*at)
             ),
             Self::Diverges { at, power } => write!(
                 formatter,
-                "the integral diverges at the turning point {}: the integrand grows with the power {} of one over the distance, \
+                "the integral diverges at the limit {}: the integrand grows with the power {} of one over the distance, \
                  and a power of 1 is too much; end the sweep short of it",
                 Digits(*at),
                 Digits(*power)

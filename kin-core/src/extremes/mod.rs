@@ -84,7 +84,7 @@ pub enum ExtremeKind {
     Kink,
     /// The sweep ends.
     End,
-    /// The quantity grows beyond all bounds towards a turning point.
+    /// The quantity grows beyond all bounds towards a limit: a turning point or a pole.
     Unbounded,
 }
 
