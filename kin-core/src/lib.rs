@@ -105,6 +105,7 @@ compile_error!("kin-core needs the functions of either the feature `std` or the 
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
+pub mod any;
 mod assemblies;
 mod assembly;
 pub mod batch;
@@ -163,6 +164,9 @@ pub use picture::{Body, Outline, PlaneOrSpace, PointArray, Skeleton, Slide, Tran
 pub use quantity::in_small_letters;
 pub use quantity::{Dimension, Quantity, RATES};
 pub use solve::Scalar;
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use track::Tracked;
 pub use track::{Halt, MOST_TRACK_STEPS, Obstacle, TrackError, TrackErrorOf, track};
 
 /// Declares a mechanism by its loop closure, and generates solvers for its position and all time derivatives up to snap

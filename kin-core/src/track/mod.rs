@@ -7,11 +7,15 @@ mod sides;
 mod steps;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "alloc")]
+mod tracked;
 mod turning;
 mod way;
 
 pub use obstacle::{Halt, Obstacle, TrackError};
 pub use steps::MOST_TRACK_STEPS;
+#[cfg(feature = "alloc")]
+pub use tracked::Tracked;
 
 use cause::{blocked, crossed_near, halt, obstacle};
 use num_traits::Float;

@@ -1,0 +1,253 @@
+//! A mechanism without its type: slices in and out.
+//!
+//! An answer that is written for [`AnyMechanism`] is compiled once, in the crate that gives it. For each mechanism only its own functions
+//! are compiled, and of those only the ones that the answer names: there is a trait for each of them, with the number type as parameter.
+//! [`Of`] implements all of them for every declared mechanism.
+//!
+//! All slices have the lengths that the [`Description`] tells. Parameters are an argument, so that an answer can change dimensions, or
+//! give them derivatives.
+
+use core::marker::PhantomData;
+
+use crate::failure::SolveError;
+use crate::mechanism::{BlockForm, Description, Mechanism, Pose, PositionSearch};
+use crate::number::Row;
+use crate::picture::TransmissionAngle;
+use crate::solve::Scalar;
+
+/// Which of several positions is meant.
+#[derive(Clone, Copy, Debug)]
+pub enum PositionChoice<'n, T> {
+    /// The one of an assembly, by its index.
+    Assembly(usize),
+    /// The one that is closest to values of the unknowns.
+    Near(&'n [T]),
+}
+
+/// Positions in numbers of one type.
+pub trait PositionOver<T> {
+    /// Writes the unknowns of a position.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::solve_position`] and [`Mechanism::solve_position_near`].
+    fn position(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        choice: PositionChoice<'_, T>,
+        unknowns: &mut [T],
+    ) -> Result<(), SolveError>;
+}
+
+/// The closure in numbers of one type.
+pub trait ClosureOver<T> {
+    /// Writes the residual of each scalar equation.
+    fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]);
+}
+
+/// The outputs in numbers of one type.
+pub trait OutputsOver<T> {
+    /// Writes the scalar outputs. An angle that an output finds itself is in -π ..= π.
+    fn outputs(&self, parameters: &[T], inputs: &[T], unknowns: &[T], outputs: &mut [T]);
+}
+
+/// Positions with all time derivatives.
+pub trait MotionOver<T> {
+    /// Writes the motions of unknowns and outputs, one after the other, each with all its orders. The inputs are given in the same way.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::solve_motion`] and [`Mechanism::solve_motion_near`].
+    fn motion(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        choice: PositionChoice<'_, T>,
+        unknowns: &mut [T],
+        outputs: &mut [T],
+    ) -> Result<(), SolveError>;
+}
+
+/// The transmission angles of all dyads.
+pub trait Transmissions {
+    /// Writes the transmission angle of every dyad, in the order in which the dyads are solved.
+    fn transmission_angles(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        unknowns: &[f64],
+        angles: &mut [TransmissionAngle<f64>],
+    );
+}
+
+/// A search for all positions at given inputs.
+pub trait EveryPosition {
+    /// Passes on the unknowns of every regular position.
+    ///
+    /// # Errors
+    /// Those of [`Mechanism::positions_at`].
+    fn every_position(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        found: &mut dyn FnMut(&[f64]),
+    ) -> Result<PositionSearch, SolveError>;
+}
+
+/// A mechanism without its type, in double precision: what every answer needs.
+pub trait AnyMechanism: PositionOver<f64> + ClosureOver<f64> {
+    /// The names, dimensions and equations.
+    fn description(&self) -> &'static Description;
+
+    /// The number of assemblies, or zero if it depends on the dimensions.
+    fn assembly_count(&self) -> usize;
+
+    /// The number of dyads.
+    fn dyad_count(&self) -> usize;
+
+    /// The index of the assembly to which a position belongs, if there are assemblies.
+    fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize>;
+
+    /// Passes on the form of each block, in the order in which they are solved.
+    fn block_forms(&self, parameters: &[f64], found: &mut dyn FnMut(BlockForm<f64>));
+}
+
+/// The functions of a declared mechanism on slices.
+#[derive(Clone, Copy, Debug)]
+pub struct Of<M>(PhantomData<M>);
+
+impl<M: 'static> Of<M> {
+    /// The functions.
+    pub const FUNCTIONS: &'static Self = &Self(PhantomData);
+}
+
+/// The row of the numbers in a slice.
+fn row<T: Copy, R: Row<T>>(values: &[T]) -> R {
+    R::from_fn(|index| values[index])
+}
+
+/// The motions in a slice of numbers.
+fn motions<T: Copy, N: Row<T>, R: Row<N>>(values: &[T]) -> R {
+    R::from_fn(|index| N::from_fn(|order| values[index * N::LENGTH + order]))
+}
+
+fn write<T: Copy, N: Row<T>>(motions: &[N], values: &mut [T]) {
+    for (motion, values) in motions.iter().zip(values.chunks_exact_mut(N::LENGTH)) {
+        values.copy_from_slice(motion.as_ref());
+    }
+}
+
+fn with<M: Mechanism, T: Scalar>(parameters: &[T]) -> M::With<T> {
+    M::With::from_parameters(row(parameters))
+}
+
+/// The assembly of an index. An answer takes an index from the mechanism itself.
+fn assembly<M: Mechanism>(index: usize) -> M::Assembly {
+    M::assembly(index).unwrap_or_else(|| panic!("{} has {} assemblies", M::DESCRIPTION.name, M::ASSEMBLY_COUNT))
+}
+
+impl<M: Mechanism, T: Scalar> PositionOver<T> for Of<M> {
+    fn position(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        choice: PositionChoice<'_, T>,
+        unknowns: &mut [T],
+    ) -> Result<(), SolveError> {
+        let mechanism = with::<M, T>(parameters);
+        let found = match choice {
+            PositionChoice::Assembly(index) => mechanism.solve_position(row(inputs), assembly::<M>(index)),
+            PositionChoice::Near(near) => mechanism.solve_position_near(row(inputs), row(near)),
+        }?;
+        unknowns.copy_from_slice(found.as_ref());
+        Ok(())
+    }
+}
+
+impl<M: Mechanism, T: Scalar> ClosureOver<T> for Of<M> {
+    fn residuals(&self, parameters: &[T], inputs: &[T], unknowns: &[T], residuals: &mut [T]) {
+        let found = with::<M, T>(parameters).residuals(row(inputs), row(unknowns));
+        residuals.copy_from_slice(found.as_ref());
+    }
+}
+
+impl<M: Mechanism, T: Scalar> OutputsOver<T> for Of<M> {
+    fn outputs(&self, parameters: &[T], inputs: &[T], unknowns: &[T], outputs: &mut [T]) {
+        let found = with::<M, T>(parameters).outputs_at(row(inputs), row(unknowns));
+        outputs.copy_from_slice(found.as_ref());
+    }
+}
+
+impl<M: Mechanism, T: Scalar> MotionOver<T> for Of<M> {
+    fn motion(
+        &self,
+        parameters: &[T],
+        inputs: &[T],
+        choice: PositionChoice<'_, T>,
+        unknowns: &mut [T],
+        outputs: &mut [T],
+    ) -> Result<(), SolveError> {
+        let mechanism = with::<M, T>(parameters);
+        let (pose, found) = match choice {
+            PositionChoice::Assembly(index) => {
+                let pose = mechanism.solve_motion(motions(inputs), assembly::<M>(index))?;
+                (pose, pose.unknown_motions())
+            }
+            PositionChoice::Near(near) => {
+                let pose = mechanism.solve_motion_near(motions(inputs), row(near))?;
+                (pose, pose.unknown_motions_near(row(near)))
+            }
+        };
+        write(found.as_ref(), unknowns);
+        write(pose.output_motions().as_ref(), outputs);
+        Ok(())
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Transmissions for Of<M> {
+    fn transmission_angles(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        unknowns: &[f64],
+        angles: &mut [TransmissionAngle<f64>],
+    ) {
+        let mechanism = M::from_parameters(row(parameters));
+        angles.copy_from_slice(mechanism.transmission_angles_at(row(inputs), row(unknowns)).as_ref());
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> EveryPosition for Of<M> {
+    fn every_position(
+        &self,
+        parameters: &[f64],
+        inputs: &[f64],
+        found: &mut dyn FnMut(&[f64]),
+    ) -> Result<PositionSearch, SolveError> {
+        let mechanism = M::from_parameters(row(parameters));
+        mechanism.positions_at(row(inputs), |_, unknowns| found(unknowns.as_ref()))
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> AnyMechanism for Of<M> {
+    fn description(&self) -> &'static Description {
+        const { &M::DESCRIPTION }
+    }
+
+    fn assembly_count(&self) -> usize {
+        M::ASSEMBLY_COUNT
+    }
+
+    fn dyad_count(&self) -> usize {
+        <M::Dyads<f64> as Row<f64>>::LENGTH
+    }
+
+    fn assembly_near(&self, parameters: &[f64], inputs: &[f64], unknowns: &[f64]) -> Option<usize> {
+        let own = M::from_parameters(row(parameters)).assembly_near(row(inputs), row(unknowns));
+        M::assemblies().position(|assembly| assembly == own)
+    }
+
+    fn block_forms(&self, parameters: &[f64], found: &mut dyn FnMut(BlockForm<f64>)) {
+        let forms = M::from_parameters(row(parameters)).block_forms();
+        forms.as_ref().iter().copied().for_each(found);
+    }
+}
